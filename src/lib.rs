@@ -1,0 +1,5 @@
+//! sortie: a terminal ground-control and training console for drone swarms.
+pub mod geo;
+pub mod notice;
+pub mod vehicle;
+pub mod wire;

@@ -1,0 +1,43 @@
+//! What is said to a human.
+
+use std::time::Duration;
+
+use crate::vehicle::Severity;
+use crate::wire::SystemId;
+
+/// One line for the notice list, the log and the debrief's timeline.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Notice {
+    /// When it happened, on the program's clock.
+    pub at: Duration,
+    /// Which vehicle it is about, if one.
+    pub vehicle: Option<SystemId>,
+    /// How serious it is.
+    pub severity: Severity,
+    /// The text, free of control characters.
+    pub text: String,
+}
+
+/// Makes foreign text safe to show: control characters (escape sequences begin with one) and
+/// bidirectional overrides become `?`, and trailing blanks go.
+pub fn sanitised(text: &str) -> String {
+    let cleaned: String = text
+        .chars()
+        .map(|c| {
+            let reorders = matches!(c, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}' | '\u{200E}' | '\u{200F}');
+            if c.is_control() || reorders { '?' } else { c }
+        })
+        .collect();
+    cleaned.trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn escape_sequences_do_not_survive() {
+        assert_eq!(sanitised("hi\u{1b}[2J\u{9b}31m\r\n"), "hi?[2J?31m??");
+        assert_eq!(sanitised("Батарея ok  "), "Батарея ok");
+    }
+}

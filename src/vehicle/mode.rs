@@ -1,0 +1,207 @@
+//! Flight modes by name, per class of vehicle. Source: ArduPilot's `Mode::Number` enums of each vehicle
+//! (ArduCopter, ArduPlane, Rover, ArduSub; 4.6), the same numbers as MAVLink's `COPTER_MODE` and siblings.
+
+use std::fmt;
+
+/// Which mode table a vehicle uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum VehicleClass {
+    /// Multirotors and helicopters.
+    Copter,
+    /// Fixed wing and VTOL.
+    Plane,
+    /// Ground vehicles and boats.
+    Rover,
+    /// Underwater vehicles.
+    Sub,
+    /// Anything else: modes are shown by number.
+    Other,
+}
+
+/// A flight mode: HEARTBEAT's `custom_mode` and the class that gives it its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Mode {
+    /// Which table the number belongs to.
+    pub class: VehicleClass,
+    /// `custom_mode`.
+    pub number: u32,
+}
+
+const COPTER: &[(u32, &str)] = &[
+    (0, "STABILIZE"),
+    (1, "ACRO"),
+    (2, "ALT_HOLD"),
+    (3, "AUTO"),
+    (4, "GUIDED"),
+    (5, "LOITER"),
+    (6, "RTL"),
+    (7, "CIRCLE"),
+    (9, "LAND"),
+    (11, "DRIFT"),
+    (13, "SPORT"),
+    (14, "FLIP"),
+    (15, "AUTOTUNE"),
+    (16, "POSHOLD"),
+    (17, "BRAKE"),
+    (18, "THROW"),
+    (19, "AVOID_ADSB"),
+    (20, "GUIDED_NOGPS"),
+    (21, "SMART_RTL"),
+    (22, "FLOWHOLD"),
+    (23, "FOLLOW"),
+    (24, "ZIGZAG"),
+    (25, "SYSTEMID"),
+    (26, "AUTOROTATE"),
+    (27, "AUTO_RTL"),
+    (28, "TURTLE"),
+];
+
+const PLANE: &[(u32, &str)] = &[
+    (0, "MANUAL"),
+    (1, "CIRCLE"),
+    (2, "STABILIZE"),
+    (3, "TRAINING"),
+    (4, "ACRO"),
+    (5, "FBWA"),
+    (6, "FBWB"),
+    (7, "CRUISE"),
+    (8, "AUTOTUNE"),
+    (10, "AUTO"),
+    (11, "RTL"),
+    (12, "LOITER"),
+    (13, "TAKEOFF"),
+    (14, "AVOID_ADSB"),
+    (15, "GUIDED"),
+    (16, "INITIALISING"),
+    (17, "QSTABILIZE"),
+    (18, "QHOVER"),
+    (19, "QLOITER"),
+    (20, "QLAND"),
+    (21, "QRTL"),
+    (22, "QAUTOTUNE"),
+    (23, "QACRO"),
+    (24, "THERMAL"),
+    (25, "LOITER_ALT_QLAND"),
+    (26, "AUTOLAND"),
+];
+
+const ROVER: &[(u32, &str)] = &[
+    (0, "MANUAL"),
+    (1, "ACRO"),
+    (3, "STEERING"),
+    (4, "HOLD"),
+    (5, "LOITER"),
+    (6, "FOLLOW"),
+    (7, "SIMPLE"),
+    (8, "DOCK"),
+    (9, "CIRCLE"),
+    (10, "AUTO"),
+    (11, "RTL"),
+    (12, "SMART_RTL"),
+    (15, "GUIDED"),
+    (16, "INITIALISING"),
+];
+
+const SUB: &[(u32, &str)] = &[
+    (0, "STABILIZE"),
+    (1, "ACRO"),
+    (2, "ALT_HOLD"),
+    (3, "AUTO"),
+    (4, "GUIDED"),
+    (7, "CIRCLE"),
+    (9, "SURFACE"),
+    (16, "POSHOLD"),
+    (19, "MANUAL"),
+    (20, "MOTOR_DETECT"),
+    (21, "SURFTRAK"),
+];
+
+impl VehicleClass {
+    /// The class of a `MAV_TYPE`.
+    pub fn from_mav_type(mav_type: u8) -> Self {
+        match mav_type {
+            2 | 3 | 4 | 13 | 14 | 15 | 29 => Self::Copter,
+            1 | 16 | 19..=25 => Self::Plane,
+            10 | 11 => Self::Rover,
+            12 => Self::Sub,
+            _ => Self::Other,
+        }
+    }
+
+    /// Names and numbers of the modes of this class.
+    pub fn modes(self) -> &'static [(u32, &'static str)] {
+        match self {
+            Self::Copter => COPTER,
+            Self::Plane => PLANE,
+            Self::Rover => ROVER,
+            Self::Sub => SUB,
+            Self::Other => &[],
+        }
+    }
+
+    /// The mode of that name, upper or lower case, underscores optional.
+    pub fn mode(self, name: &str) -> Option<Mode> {
+        let plain = |text: &str| text.replace('_', "").to_ascii_uppercase();
+        self.modes()
+            .iter()
+            .find(|(_, known)| plain(known) == plain(name))
+            .map(|&(number, _)| Mode {
+                class: self,
+                number,
+            })
+    }
+}
+
+impl Mode {
+    /// The mode's name, if its class has one for the number.
+    pub fn name(self) -> Option<&'static str> {
+        self.class
+            .modes()
+            .iter()
+            .find(|(number, _)| *number == self.number)
+            .map(|&(_, name)| name)
+    }
+
+    /// Whether this is the mode of that name.
+    pub fn is(self, name: &str) -> bool {
+        self.class.mode(name) == Some(self)
+    }
+}
+
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.name() {
+            Some(name) => f.pad(name),
+            None => f.pad(&format!("MODE_{}", self.number)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_leads_back_to_its_number() {
+        for class in [
+            VehicleClass::Copter,
+            VehicleClass::Plane,
+            VehicleClass::Rover,
+            VehicleClass::Sub,
+        ] {
+            for &(number, name) in class.modes() {
+                assert_eq!(class.mode(name), Some(Mode { class, number }));
+                assert_eq!(class.mode(&name.to_lowercase().replace('_', "")).map(|m| m.number), Some(number));
+            }
+        }
+    }
+
+    #[test]
+    fn unnamed_modes_show_their_number() {
+        let mode = Mode {
+            class: VehicleClass::Copter,
+            number: 99,
+        };
+        assert_eq!(mode.to_string(), "MODE_99");
+    }
+}

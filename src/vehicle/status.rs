@@ -1,0 +1,215 @@
+//! Small enumerations of the vehicle model. Wire numbers that this program has no name for keep a
+//! variant of their own: a newer autopilot must never become invisible.
+
+use std::fmt;
+
+/// `MAV_STATE`: the autopilot's summary of itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SystemStatus {
+    /// Booting.
+    Boot,
+    /// Calibrating.
+    Calibrating,
+    /// On the ground, ready to start.
+    Standby,
+    /// Flying.
+    Active,
+    /// A failsafe is active.
+    Critical,
+    /// Mayday.
+    Emergency,
+    /// Anything else, by number.
+    Other(u8),
+}
+
+impl SystemStatus {
+    /// From the wire number.
+    pub fn from_wire(number: u8) -> Self {
+        match number {
+            1 => Self::Boot,
+            2 => Self::Calibrating,
+            3 => Self::Standby,
+            4 => Self::Active,
+            5 => Self::Critical,
+            6 => Self::Emergency,
+            other => Self::Other(other),
+        }
+    }
+}
+
+impl fmt::Display for SystemStatus {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match self {
+            Self::Boot => "boot",
+            Self::Calibrating => "calibrating",
+            Self::Standby => "standby",
+            Self::Active => "active",
+            Self::Critical => "critical",
+            Self::Emergency => "emergency",
+            Self::Other(number) => return f.pad(&format!("state {number}")),
+        };
+        f.pad(name)
+    }
+}
+
+/// `GPS_FIX_TYPE`, in order of quality.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FixType {
+    /// No receiver.
+    NoGps,
+    /// Receiver without a fix.
+    NoFix,
+    /// Two dimensions.
+    Fix2d,
+    /// Three dimensions.
+    Fix3d,
+    /// Differential.
+    Dgps,
+    /// RTK, float.
+    RtkFloat,
+    /// RTK, fixed.
+    RtkFixed,
+    /// Static or PPP fix.
+    Other,
+}
+
+impl FixType {
+    /// From the wire number.
+    pub fn from_wire(number: u8) -> Self {
+        match number {
+            0 => Self::NoGps,
+            1 => Self::NoFix,
+            2 => Self::Fix2d,
+            3 => Self::Fix3d,
+            4 => Self::Dgps,
+            5 => Self::RtkFloat,
+            6 => Self::RtkFixed,
+            _ => Self::Other,
+        }
+    }
+}
+
+impl fmt::Display for FixType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::NoGps => "no gps",
+            Self::NoFix => "no fix",
+            Self::Fix2d => "2D",
+            Self::Fix3d => "3D",
+            Self::Dgps => "DGPS",
+            Self::RtkFloat => "float",
+            Self::RtkFixed => "RTK",
+            Self::Other => "other",
+        })
+    }
+}
+
+/// `MAV_LANDED_STATE`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LandedState {
+    /// Not said.
+    #[default]
+    Undefined,
+    /// On the ground.
+    OnGround,
+    /// In the air.
+    InAir,
+    /// Taking off.
+    Takeoff,
+    /// Landing.
+    Landing,
+}
+
+impl fmt::Display for LandedState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Undefined => "unknown",
+            Self::OnGround => "on ground",
+            Self::InAir => "in air",
+            Self::Takeoff => "taking off",
+            Self::Landing => "landing",
+        })
+    }
+}
+
+/// `MAV_SEVERITY`, most serious first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// System is unusable.
+    Emergency,
+    /// Act at once.
+    Alert,
+    /// A primary system fails.
+    Critical,
+    /// A secondary system fails.
+    Error,
+    /// May become an error.
+    Warning,
+    /// Unusual.
+    Notice,
+    /// Normal.
+    Info,
+    /// For developers.
+    Debug,
+}
+
+impl Severity {
+    /// From the wire number; anything beyond the known is `Debug`.
+    pub fn from_wire(number: u8) -> Self {
+        match number {
+            0 => Self::Emergency,
+            1 => Self::Alert,
+            2 => Self::Critical,
+            3 => Self::Error,
+            4 => Self::Warning,
+            5 => Self::Notice,
+            6 => Self::Info,
+            _ => Self::Debug,
+        }
+    }
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Emergency => "emergency",
+            Self::Alert => "alert",
+            Self::Critical => "critical",
+            Self::Error => "error",
+            Self::Warning => "warning",
+            Self::Notice => "notice",
+            Self::Info => "info",
+            Self::Debug => "debug",
+        })
+    }
+}
+
+/// `EKF_STATUS_FLAGS`: what the navigation filter can estimate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct EkfFlags(pub u16);
+
+impl EkfFlags {
+    /// Attitude.
+    pub const ATTITUDE: u16 = 0x0001;
+    /// Horizontal velocity.
+    pub const VELOCITY_HORIZONTAL: u16 = 0x0002;
+    /// Vertical velocity.
+    pub const VELOCITY_VERTICAL: u16 = 0x0004;
+    /// Position relative to the start.
+    pub const POSITION_HORIZONTAL_RELATIVE: u16 = 0x0008;
+    /// Position on the earth: needed for GUIDED.
+    pub const POSITION_HORIZONTAL_ABSOLUTE: u16 = 0x0010;
+    /// Height.
+    pub const POSITION_VERTICAL_ABSOLUTE: u16 = 0x0020;
+    /// Assumes that it does not move, for want of a position.
+    pub const CONSTANT_POSITION: u16 = 0x0080;
+    /// Not started.
+    pub const UNINITIALISED: u16 = 0x0400;
+    /// GPS and inertial estimates disagree.
+    pub const GPS_GLITCHING: u16 = 0x8000;
+
+    /// Whether all of `bits` are set.
+    pub fn has(self, bits: u16) -> bool {
+        self.0 & bits == bits
+    }
+}

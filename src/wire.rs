@@ -1,0 +1,74 @@
+//! MAVLink on the wire: bytes to frames and back, with nothing hidden.
+//!
+//! The mavlink crate supplies the dialect (payload layouts and CRC seeds). Framing is done here because
+//! a console that is used to debug links has to say what it dropped and why: the crate's reader skips bad
+//! CRCs, unknown message ids and noise without a trace.
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::{MavlinkVersion, Message as _};
+
+mod decoder;
+mod encoder;
+
+pub use decoder::{Counters, Decoder, LossMeter};
+pub use encoder::{Encoder, Outgoing};
+
+/// A MAVLink system id. 0 addresses everybody and is never a sender.
+pub type SystemId = u8;
+/// A MAVLink component id. 1 is the autopilot, 0 addresses every component.
+pub type ComponentId = u8;
+
+/// The component id of an autopilot (`MAV_COMP_ID_AUTOPILOT1`).
+pub const AUTOPILOT_COMPONENT: ComponentId = 1;
+/// The system id that ground stations use by convention and ArduPilot's `SYSID_MYGCS` expects.
+pub const GROUND_STATION_SYSTEM: SystemId = 255;
+/// The component id of a ground station's mission planner (`MAV_COMP_ID_MISSIONPLANNER`).
+pub const GROUND_STATION_COMPONENT: ComponentId = 190;
+
+/// One intact frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// The sender's system id.
+    pub system: SystemId,
+    /// The sender's component id.
+    pub component: ComponentId,
+    /// The sender's sequence number.
+    pub sequence: u8,
+    /// MAVLink 1 or 2.
+    pub version: MavlinkVersion,
+    /// Whether a signature followed the frame (it is not verified here).
+    pub signed: bool,
+    /// Bytes on the wire, header, checksum and signature included.
+    pub wire_len: u16,
+    /// What it says.
+    pub content: Content,
+}
+
+/// The payload of a frame.
+#[derive(Debug, Clone, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "nearly every frame is a message; boxing it would cost an allocation per packet"
+)]
+pub enum Content {
+    /// A message of the dialect.
+    Message(MavMessage),
+    /// An id of the dialect whose payload holds an enum value that the dialect lacks (a vehicle type or a
+    /// command newer than this program). Its CRC was right; fields can be read by hand.
+    Undecoded {
+        /// The message id.
+        id: u32,
+        /// The payload in wire order, extended with zeros to the longest that there is.
+        payload: Box<[u8; 255]>,
+    },
+}
+
+impl Content {
+    /// The message id.
+    pub fn id(&self) -> u32 {
+        match self {
+            Self::Message(message) => message.message_id(),
+            Self::Undecoded { id, .. } => *id,
+        }
+    }
+}

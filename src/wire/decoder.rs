@@ -1,0 +1,430 @@
+//! Bytes to frames, counting everything that is dropped on the way.
+
+use std::collections::BTreeMap;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::error::ParserError;
+use mavlink::{MavlinkVersion, Message as _, calculate_crc};
+
+use super::{ComponentId, Content, Frame, SystemId};
+
+const STX_V1: u8 = 0xFE;
+const STX_V2: u8 = 0xFD;
+/// The only incompatibility flag that this program understands: the frame is signed.
+const FLAG_SIGNED: u8 = 0x01;
+const SIGNATURE_LEN: usize = 13;
+/// Consumed bytes are given back once this many have gathered.
+const COMPACT_AT: usize = 4096;
+
+/// What a decoder has seen since it was made.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// All bytes, good or bad.
+    pub bytes: u64,
+    /// Intact frames of the dialect.
+    pub frames: u64,
+    /// Frames that were whole but whose checksum was wrong.
+    pub crc_errors: u64,
+    /// Bytes that belonged to no frame.
+    pub skipped_bytes: u64,
+    /// Frames with a message id that the dialect lacks; their checksum cannot be verified.
+    pub unknown_messages: u64,
+    /// Frames whose payload holds an enum value that the dialect lacks.
+    pub undecoded: u64,
+}
+
+/// Finds frames in a byte stream. A false start costs one byte, never an intact frame behind it.
+#[derive(Debug, Default)]
+pub struct Decoder {
+    buffer: Vec<u8>,
+    /// Where the search goes on.
+    position: usize,
+    /// The end of the last frame that was dropped for its checksum: its bytes are not counted as noise too.
+    dropped_until: usize,
+    counters: Counters,
+}
+
+/// Where a frame lies in the buffer, as its header says.
+struct Layout {
+    version: MavlinkVersion,
+    header_len: usize,
+    payload_len: usize,
+    signed: bool,
+    id: u32,
+}
+
+impl Layout {
+    fn end(&self) -> usize {
+        self.header_len + self.payload_len + 2 + if self.signed { SIGNATURE_LEN } else { 0 }
+    }
+}
+
+enum Candidate {
+    Frame(Layout),
+    Incomplete,
+    NotAFrame,
+}
+
+impl Decoder {
+    /// An empty decoder.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes in bytes as they arrived.
+    pub fn push(&mut self, bytes: &[u8]) {
+        if self.position >= COMPACT_AT || self.position == self.buffer.len() {
+            self.buffer.drain(..self.position);
+            self.dropped_until = self.dropped_until.saturating_sub(self.position);
+            self.position = 0;
+        }
+        self.counters.bytes += bytes.len() as u64;
+        self.buffer.extend_from_slice(bytes);
+    }
+
+    /// What was counted so far.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// The next intact frame, or `None` until more bytes come.
+    pub fn next_frame(&mut self) -> Option<Frame> {
+        loop {
+            self.seek_start();
+            match self.candidate() {
+                Candidate::Incomplete => return None,
+                Candidate::NotAFrame => self.skip(1),
+                Candidate::Frame(layout) => {
+                    if let Some(frame) = self.accept(&layout) {
+                        return Some(frame);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Says that nothing more belongs to what has come so far: the end of a datagram, or a pause on a
+    /// stream. Returns a frame that was hidden behind a false start; call it until it returns `None`.
+    pub fn next_frame_at_end(&mut self) -> Option<Frame> {
+        loop {
+            if let Some(frame) = self.next_frame() {
+                return Some(frame);
+            }
+            if self.position == self.buffer.len() {
+                return None;
+            }
+            self.skip(1);
+        }
+    }
+
+    fn seek_start(&mut self) {
+        let rest = &self.buffer[self.position..];
+        let gap = rest
+            .iter()
+            .position(|&byte| byte == STX_V2 || byte == STX_V1)
+            .unwrap_or(rest.len());
+        self.skip(gap);
+    }
+
+    fn skip(&mut self, count: usize) {
+        let to = self.position + count;
+        let uncounted = self.dropped_until.clamp(self.position, to) - self.position;
+        self.counters.skipped_bytes += (count - uncounted) as u64;
+        self.position = to;
+    }
+
+    fn candidate(&self) -> Candidate {
+        let rest = &self.buffer[self.position..];
+        let layout = match *rest {
+            [STX_V1, len, _, _, _, id, ..] => Layout {
+                version: MavlinkVersion::V1,
+                header_len: 6,
+                payload_len: usize::from(len),
+                signed: false,
+                id: u32::from(id),
+            },
+            [STX_V2, _, flags, ..] if flags & !FLAG_SIGNED != 0 => return Candidate::NotAFrame,
+            [STX_V2, len, flags, _, _, _, _, id0, id1, id2, ..] => Layout {
+                version: MavlinkVersion::V2,
+                header_len: 10,
+                payload_len: usize::from(len),
+                signed: flags & FLAG_SIGNED != 0,
+                id: u32::from_le_bytes([id0, id1, id2, 0]),
+            },
+            _ => return Candidate::Incomplete,
+        };
+        if rest.len() < layout.end() {
+            return Candidate::Incomplete;
+        }
+        Candidate::Frame(layout)
+    }
+
+    /// Checks a complete candidate and passes over it, or over its first byte where it turns out false.
+    fn accept(&mut self, layout: &Layout) -> Option<Frame> {
+        let end = layout.end();
+        let bytes = &self.buffer[self.position..self.position + end];
+        let crc_at = layout.header_len + layout.payload_len;
+        let followed_by_start = self
+            .buffer
+            .get(self.position + end)
+            .is_none_or(|&byte| byte == STX_V1 || byte == STX_V2);
+        if !is_known(layout.id) {
+            // No CRC seed, so only the surroundings tell a foreign message from noise.
+            if followed_by_start {
+                self.counters.unknown_messages += 1;
+                self.position += end;
+            } else {
+                self.skip(1);
+            }
+            return None;
+        }
+        let crc = calculate_crc(&bytes[1..crc_at], MavMessage::extra_crc(layout.id));
+        if crc.to_le_bytes() != bytes[crc_at..crc_at + 2] {
+            let counted_already = self.position < self.dropped_until;
+            if followed_by_start && !counted_already {
+                self.counters.crc_errors += 1;
+                self.dropped_until = self.position + end;
+            }
+            self.skip(1);
+            return None;
+        }
+        let frame = self.parse(layout);
+        self.position += end;
+        frame
+    }
+
+    fn parse(&mut self, layout: &Layout) -> Option<Frame> {
+        let bytes = &self.buffer[self.position..];
+        let payload = &bytes[layout.header_len..layout.header_len + layout.payload_len];
+        let content = match MavMessage::parse(layout.version, layout.id, payload) {
+            Ok(message) => Content::Message(message),
+            Err(ParserError::InvalidEnum { .. }) => {
+                self.counters.undecoded += 1;
+                let mut extended = Box::new([0; 255]);
+                extended[..payload.len()].copy_from_slice(payload);
+                Content::Undecoded {
+                    id: layout.id,
+                    payload: extended,
+                }
+            }
+            Err(_) => {
+                // Longer than the dialect's definition: a newer revision of the message.
+                self.counters.unknown_messages += 1;
+                return None;
+            }
+        };
+        let sender = match layout.version {
+            MavlinkVersion::V1 => &bytes[2..5],
+            MavlinkVersion::V2 => &bytes[4..7],
+        };
+        self.counters.frames += 1;
+        Some(Frame {
+            system: sender[1],
+            component: sender[2],
+            sequence: sender[0],
+            version: layout.version,
+            signed: layout.signed,
+            wire_len: layout.end() as u16,
+            content,
+        })
+    }
+}
+
+/// Whether the dialect has the message. `extra_crc` answers 0 for what it does not know, and one known
+/// message really has the seed 0.
+fn is_known(id: u32) -> bool {
+    /// COMPONENT_INFORMATION.
+    const SEED_IS_ZERO: u32 = 395;
+    MavMessage::extra_crc(id) != 0 || id == SEED_IS_ZERO
+}
+
+/// Counts frames that never arrived, by the gaps in each sender's sequence numbers.
+#[derive(Debug, Clone, Default)]
+pub struct LossMeter {
+    last: BTreeMap<(SystemId, ComponentId), u8>,
+    received: u64,
+    lost: u64,
+}
+
+impl LossMeter {
+    /// Takes note of a frame and returns how many before it are missing.
+    pub fn note(&mut self, frame: &Frame) -> u8 {
+        let gap = self
+            .last
+            .insert((frame.system, frame.component), frame.sequence)
+            .map_or(0, |last| {
+                match frame.sequence.wrapping_sub(last) {
+                    0 => 0, // the same frame twice, as UDP may deliver it
+                    step => step - 1,
+                }
+            });
+        self.received += 1;
+        self.lost += u64::from(gap);
+        gap
+    }
+
+    /// Frames lost so far.
+    pub fn lost(&self) -> u64 {
+        self.lost
+    }
+
+    /// Lost frames as a share of all that were sent, 0 to 1.
+    pub fn loss_ratio(&self) -> f64 {
+        match self.lost + self.received {
+            0 => 0.0,
+            sent => self.lost as f64 / sent as f64,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Encoder, Outgoing};
+    use super::*;
+    use mavlink::dialects::ardupilotmega::{ATTITUDE_DATA, HEARTBEAT_DATA};
+    use proptest::prelude::*;
+
+    fn heartbeat() -> Outgoing {
+        MavMessage::HEARTBEAT(HEARTBEAT_DATA::default()).into()
+    }
+
+    fn frames(decoder: &mut Decoder) -> Vec<Frame> {
+        std::iter::from_fn(|| decoder.next_frame()).collect()
+    }
+
+    fn encoded(count: usize, version: MavlinkVersion) -> Vec<u8> {
+        let mut encoder = Encoder::new(7, 1);
+        encoder.set_version(version);
+        let mut bytes = Vec::new();
+        for _ in 0..count {
+            encoder.encode(&heartbeat(), &mut bytes);
+        }
+        bytes
+    }
+
+    #[test]
+    fn both_protocol_versions_are_read_mixed() {
+        let mut decoder = Decoder::new();
+        decoder.push(&encoded(1, MavlinkVersion::V1));
+        decoder.push(&encoded(1, MavlinkVersion::V2));
+        let read = frames(&mut decoder);
+        assert_eq!(read.len(), 2);
+        assert_eq!(read[0].version, MavlinkVersion::V1);
+        assert_eq!(read[1].version, MavlinkVersion::V2);
+        assert_eq!(read[0].content, read[1].content);
+        assert_eq!(decoder.counters().skipped_bytes, 0);
+    }
+
+    #[test]
+    fn text_between_frames_costs_only_a_counter() {
+        let text = b"Init Gyro**\n";
+        let mut decoder = Decoder::new();
+        decoder.push(text);
+        decoder.push(&encoded(1, MavlinkVersion::V2));
+        decoder.push(text);
+        decoder.push(&encoded(1, MavlinkVersion::V2));
+        assert_eq!(frames(&mut decoder).len(), 2);
+        assert_eq!(decoder.counters().skipped_bytes, 2 * text.len() as u64);
+        assert_eq!(decoder.counters().crc_errors, 0);
+    }
+
+    #[test]
+    fn a_flipped_bit_is_counted_as_one_bad_checksum() {
+        let mut bytes = encoded(3, MavlinkVersion::V2);
+        let second = bytes.len() / 3;
+        bytes[second + 12] ^= 0x10;
+        let mut decoder = Decoder::new();
+        decoder.push(&bytes);
+        assert_eq!(frames(&mut decoder).len(), 2);
+        assert_eq!(decoder.counters().crc_errors, 1);
+        assert_eq!(decoder.counters().skipped_bytes, 0);
+    }
+
+    #[test]
+    fn a_false_start_at_the_end_of_a_datagram_hides_nothing() {
+        let mut decoder = Decoder::new();
+        decoder.push(&[STX_V2, 0xFF, 0x00]);
+        decoder.push(&encoded(2, MavlinkVersion::V2));
+        assert_eq!(decoder.next_frame(), None, "the false start claims 255 bytes");
+        let rescued = std::iter::from_fn(|| decoder.next_frame_at_end()).count();
+        assert_eq!(rescued, 2);
+        assert_eq!(decoder.counters().skipped_bytes, 3);
+    }
+
+    #[test]
+    fn a_foreign_message_is_counted_and_passed_over() {
+        let mut foreign = vec![STX_V2, 2, 0, 0, 0, 9, 1, 0xFF, 0xFF, 0xFE, 1, 2, 3, 4];
+        foreign.extend(encoded(1, MavlinkVersion::V2));
+        let mut decoder = Decoder::new();
+        decoder.push(&foreign);
+        assert_eq!(frames(&mut decoder).len(), 1);
+        assert_eq!(decoder.counters().unknown_messages, 1);
+        assert_eq!(decoder.counters().skipped_bytes, 0);
+    }
+
+    #[test]
+    fn an_unknown_vehicle_type_is_delivered_undecoded() {
+        let mut payload = vec![0; 9];
+        payload[4] = 200;
+        payload[8] = 3;
+        let mut bytes = Vec::new();
+        Encoder::new(9, 1).encode(&Outgoing::Raw { id: 0, payload }, &mut bytes);
+        let mut decoder = Decoder::new();
+        decoder.push(&bytes);
+        let frame = decoder.next_frame().expect("the frame is intact");
+        assert!(matches!(frame.content, Content::Undecoded { id: 0, payload } if payload[4] == 200));
+        assert_eq!(decoder.counters().undecoded, 1);
+    }
+
+    #[test]
+    fn gaps_are_counted_per_sender() {
+        let mut meter = LossMeter::default();
+        let mut decoder = Decoder::new();
+        decoder.push(&encoded(5, MavlinkVersion::V2));
+        let mut read = frames(&mut decoder);
+        read.remove(2);
+        read.remove(2);
+        let mut other = read[0].clone();
+        other.component = 154;
+        other.sequence = 99;
+        for frame in read.iter().take(2).chain([&other]).chain(&read[2..]) {
+            meter.note(frame);
+        }
+        assert_eq!(meter.lost(), 2);
+    }
+
+    proptest! {
+        #[test]
+        fn no_intact_frame_is_lost_in_noise(
+            noise in prop::collection::vec(prop::collection::vec(any::<u8>(), 0..40), 1..12),
+            chunk in 1usize..64,
+        ) {
+            let mut encoder = Encoder::new(3, 1);
+            let mut stream = Vec::new();
+            for piece in &noise {
+                stream.extend_from_slice(piece);
+                encoder.encode(&MavMessage::ATTITUDE(ATTITUDE_DATA { roll: 0.3, ..Default::default() }).into(), &mut stream);
+            }
+            let mut decoder = Decoder::new();
+            let mut found = 0;
+            for piece in stream.chunks(chunk) {
+                decoder.push(piece);
+                found += frames(&mut decoder).len();
+            }
+            found += std::iter::from_fn(|| decoder.next_frame_at_end()).count();
+            // Noise may imitate a foreign message that swallows what follows; that costs at most the frames it covers.
+            let foreign = decoder.counters().unknown_messages;
+            prop_assert!(found >= noise.len() || foreign > 0, "{found} of {}", noise.len());
+            let c = decoder.counters();
+            prop_assert_eq!(c.bytes, stream.len() as u64);
+        }
+
+        #[test]
+        fn random_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..2000)) {
+            let mut decoder = Decoder::new();
+            decoder.push(&bytes);
+            while decoder.next_frame_at_end().is_some() {}
+            prop_assert!(decoder.counters().skipped_bytes <= bytes.len() as u64);
+        }
+    }
+}
