@@ -1,5 +1,7 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
+pub mod commands;
 pub mod geo;
+pub mod ledger;
 pub mod notice;
 pub mod vehicle;
 pub mod wire;

@@ -1,0 +1,277 @@
+//! The ledger: every command that was given, with one row per vehicle that tells how it went.
+
+use std::collections::VecDeque;
+use std::fmt;
+use std::time::Duration;
+
+use crate::wire::SystemId;
+
+/// Entries kept; older ones fall out so that a console left open for days stays small.
+pub const ENTRIES_KEPT: usize = 10_000;
+
+/// Names one entry of the ledger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct EntryId(pub u32);
+
+/// How far a command has come with one vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowState {
+    /// Waiting behind an earlier command to the same vehicle.
+    Queued,
+    /// Sent, no answer yet.
+    Sent,
+    /// The vehicle works on it and says how far it is, 0 to 100 percent.
+    InProgress(u8),
+    /// Accepted (or sent, where no acknowledgement exists); its effect has not shown yet.
+    Accepted,
+    /// Telemetry shows the effect; or the command has none that could be seen and was accepted.
+    Done,
+    /// Accepted, but the effect did not show in time.
+    NoEffect,
+    /// The vehicle refused it, or it made no sense for this vehicle and was not sent.
+    Refused,
+    /// No answer before the deadline.
+    TimedOut,
+    /// A later command took its place.
+    Superseded,
+}
+
+impl RowState {
+    /// Whether nothing more will happen to the row.
+    pub fn is_final(self) -> bool {
+        !matches!(
+            self,
+            Self::Queued | Self::Sent | Self::InProgress(_) | Self::Accepted
+        )
+    }
+
+    /// Whether it ended otherwise than the operator wanted.
+    pub fn is_failure(self) -> bool {
+        matches!(self, Self::NoEffect | Self::Refused | Self::TimedOut)
+    }
+}
+
+impl fmt::Display for RowState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Queued => "queued",
+            Self::Sent => "sent",
+            Self::InProgress(percent) => return f.pad(&format!("in progress {percent} %")),
+            Self::Accepted => "accepted",
+            Self::Done => "effect seen",
+            Self::NoEffect => "no effect",
+            Self::Refused => "refused",
+            Self::TimedOut => "timed out",
+            Self::Superseded => "superseded",
+        })
+    }
+}
+
+/// What happened to one row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RowUpdate {
+    /// Which entry.
+    pub entry: EntryId,
+    /// Which vehicle's row.
+    pub vehicle: SystemId,
+    /// The new state.
+    pub state: RowState,
+    /// How often it has been sent by now.
+    pub tries: u8,
+    /// When.
+    pub at: Duration,
+    /// In plain words, where there is something to explain.
+    pub explanation: Option<String>,
+}
+
+/// One vehicle's part in a command.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Which vehicle.
+    pub vehicle: SystemId,
+    /// How far it has come.
+    pub state: RowState,
+    /// How often it has been sent.
+    pub tries: u8,
+    /// When the vehicle answered first, as time since the command was given.
+    pub answered_after: Option<Duration>,
+    /// When the state changed last.
+    pub changed_at: Duration,
+    /// The reason of a refusal, or a remark.
+    pub explanation: Option<String>,
+}
+
+/// One command as it was given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// Its name.
+    pub id: EntryId,
+    /// When it was given.
+    pub at: Duration,
+    /// The whole line in the console's grammar, with its targets.
+    pub line: String,
+    /// The verb alone.
+    pub verb: String,
+    /// A row per target, in the order of the targets.
+    pub rows: Vec<Row>,
+}
+
+impl Entry {
+    /// Whether every row has come to an end.
+    pub fn is_final(&self) -> bool {
+        self.rows.iter().all(|row| row.state.is_final())
+    }
+}
+
+/// All commands so far, oldest first.
+#[derive(Debug, Clone, Default)]
+pub struct Ledger {
+    entries: VecDeque<Entry>,
+    next: u32,
+}
+
+impl Ledger {
+    /// An empty ledger.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Opens an entry with a queued row per target.
+    pub fn open(
+        &mut self,
+        at: Duration,
+        line: impl Into<String>,
+        verb: impl Into<String>,
+        targets: &[SystemId],
+    ) -> EntryId {
+        let id = EntryId(self.next);
+        self.next += 1;
+        let rows = targets
+            .iter()
+            .map(|&vehicle| Row {
+                vehicle,
+                state: RowState::Queued,
+                tries: 0,
+                answered_after: None,
+                changed_at: at,
+                explanation: None,
+            })
+            .collect();
+        self.entries.push_back(Entry {
+            id,
+            at,
+            line: line.into(),
+            verb: verb.into(),
+            rows,
+        });
+        if self.entries.len() > ENTRIES_KEPT {
+            self.entries.pop_front();
+        }
+        id
+    }
+
+    /// Applies an update; one for an entry that has fallen out, or for a row that has ended, is ignored.
+    pub fn apply(&mut self, update: &RowUpdate) {
+        let Some(entry) = self.position(update.entry).map(|at| &mut self.entries[at]) else {
+            return;
+        };
+        let given_at = entry.at;
+        let Some(row) = entry
+            .rows
+            .iter_mut()
+            .find(|row| row.vehicle == update.vehicle && !row.state.is_final())
+        else {
+            return;
+        };
+        let answered = !matches!(
+            update.state,
+            RowState::Queued | RowState::Sent | RowState::TimedOut | RowState::Superseded
+        );
+        if answered && row.answered_after.is_none() {
+            row.answered_after = Some(update.at.saturating_sub(given_at));
+        }
+        row.state = update.state;
+        row.tries = update.tries;
+        row.changed_at = update.at;
+        if update.explanation.is_some() {
+            row.explanation.clone_from(&update.explanation);
+        }
+    }
+
+    /// One entry.
+    pub fn entry(&self, id: EntryId) -> Option<&Entry> {
+        self.position(id).map(|at| &self.entries[at])
+    }
+
+    /// All entries, oldest first.
+    pub fn entries(&self) -> impl DoubleEndedIterator<Item = &Entry> + ExactSizeIterator {
+        self.entries.iter()
+    }
+
+    /// The newest entry that concerns a vehicle, with its row there.
+    pub fn latest_for(&self, vehicle: SystemId) -> Option<(&Entry, &Row)> {
+        self.entries.iter().rev().find_map(|entry| {
+            let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
+            Some((entry, row))
+        })
+    }
+
+    fn position(&self, id: EntryId) -> Option<usize> {
+        let first = self.entries.front()?.id.0;
+        let at = usize::try_from(id.0.checked_sub(first)?).ok()?;
+        (at < self.entries.len()).then_some(at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn update(entry: EntryId, vehicle: SystemId, state: RowState, at_s: u64) -> RowUpdate {
+        RowUpdate {
+            entry,
+            vehicle,
+            state,
+            tries: 1,
+            at: Duration::from_secs(at_s),
+            explanation: None,
+        }
+    }
+
+    #[test]
+    fn each_vehicle_has_its_own_outcome() {
+        let mut ledger = Ledger::new();
+        let id = ledger.open(Duration::from_secs(10), "1-2 arm", "arm", &[1, 2]);
+        ledger.apply(&update(id, 2, RowState::Sent, 10));
+        ledger.apply(&update(id, 2, RowState::Refused, 11));
+        let entry = ledger.entry(id).expect("just opened");
+        assert_eq!(entry.rows[0].state, RowState::Queued);
+        assert_eq!(entry.rows[1].state, RowState::Refused);
+        assert_eq!(entry.rows[1].answered_after, Some(Duration::from_secs(1)));
+        assert!(!entry.is_final());
+    }
+
+    #[test]
+    fn a_finished_row_never_changes_again() {
+        let mut ledger = Ledger::new();
+        let id = ledger.open(Duration::ZERO, "1 arm", "arm", &[1]);
+        ledger.apply(&update(id, 1, RowState::TimedOut, 1));
+        ledger.apply(&update(id, 1, RowState::Accepted, 2));
+        assert_eq!(
+            ledger.latest_for(1).map(|(_, row)| row.state),
+            Some(RowState::TimedOut)
+        );
+    }
+
+    #[test]
+    fn the_oldest_entries_fall_out() {
+        let mut ledger = Ledger::new();
+        let first = ledger.open(Duration::ZERO, "1 arm", "arm", &[1]);
+        for _ in 0..ENTRIES_KEPT {
+            ledger.open(Duration::ZERO, "2 arm", "arm", &[2]);
+        }
+        assert_eq!(ledger.entry(first), None);
+        assert_eq!(ledger.entries().len(), ENTRIES_KEPT);
+        assert!(ledger.latest_for(1).is_none());
+    }
+}
