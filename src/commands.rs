@@ -183,15 +183,6 @@ pub enum Destination {
         /// Upwards.
         up_m: f64,
     },
-    /// Metres from home, at a height above home; `None` keeps the present height.
-    FromHome {
-        /// North of home.
-        north_m: f64,
-        /// East of home.
-        east_m: f64,
-        /// Above home.
-        up_m: Option<f64>,
-    },
 }
 
 /// What the nose does during a `goto`.

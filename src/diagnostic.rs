@@ -1,0 +1,166 @@
+//! Errors in files and lines that people write: what is wrong, where exactly, and what to do.
+
+use std::ops::Range;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+
+/// One fault in a text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Where it lies, in bytes of the text.
+    pub span: Range<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// What to do about it, if that is not plain.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// A fault without advice.
+    pub fn new(span: Range<usize>, message: impl Into<String>) -> Self {
+        Self {
+            span,
+            message: message.into(),
+            help: None,
+        }
+    }
+
+    /// The same with advice.
+    #[must_use]
+    pub fn with_help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The same with "did you mean", where one of `names` is close to what was written.
+    #[must_use]
+    pub fn with_nearest<'a>(self, written: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
+        match nearest(written, names) {
+            Some(name) => self.with_help(format!("did you mean `{name}`?")),
+            None => self,
+        }
+    }
+
+    /// A fault that the TOML reader found.
+    pub fn from_toml(error: &toml::de::Error) -> Self {
+        Self::new(error.span().unwrap_or(0..0), error.message())
+    }
+
+    /// Line and column in `source`, both counted from 1; columns in characters.
+    pub fn line_column(&self, source: &str) -> (usize, usize) {
+        let mut start = self.span.start.min(source.len());
+        while !source.is_char_boundary(start) {
+            start -= 1;
+        }
+        let before = &source[..start];
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        (
+            before.matches('\n').count() + 1,
+            before[line_start..].chars().count() + 1,
+        )
+    }
+
+    /// `FILE:LINE:COLUMN: message`, for programs to read.
+    pub fn one_line(&self, file: &str, source: &str) -> String {
+        let (line, column) = self.line_column(source);
+        let help = self
+            .help
+            .as_ref()
+            .map_or(String::new(), |help| format!(" ({help})"));
+        format!("{file}:{line}:{column}: {}{help}", self.message)
+    }
+
+    /// The fault with the lines around it, for people to read.
+    pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
+        let start = self.span.start.min(source.len());
+        let end = self.span.end.clamp(start, source.len());
+        let title = Level::ERROR.primary_title(self.message.as_str()).element(
+            Snippet::source(source)
+                .path(file)
+                .annotation(AnnotationKind::Primary.span(start..end)),
+        );
+        let mut report = vec![title];
+        if let Some(help) = &self.help {
+            report.push(Group::with_title(
+                Level::HELP.secondary_title(help.as_str()),
+            ));
+        }
+        let renderer = if colour {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        renderer.render(&report)
+    }
+}
+
+/// The name closest to what was written, if one is close enough to be a slip of the finger.
+pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let written = written.to_lowercase();
+    names
+        .into_iter()
+        .map(|name| (edit_distance(&written, &name.to_lowercase()), name))
+        .filter(|&(distance, name)| distance <= (name.chars().count() / 3).max(1))
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, name)| name)
+}
+
+/// Insertions, deletions, substitutions and swaps of neighbours between two words (optimal string
+/// alignment; Damerau 1964).
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut before_last: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    let mut previous = None;
+    for (row, x) in a.chars().enumerate() {
+        let mut current = vec![row + 1];
+        for (column, &y) in b.iter().enumerate() {
+            let substitution = last[column] + usize::from(x != y);
+            let mut best = substitution
+                .min(last[column + 1] + 1)
+                .min(current[column] + 1);
+            if column > 0 && previous == Some(y) && b[column - 1] == x {
+                best = best.min(before_last[column - 1] + 1);
+            }
+            current.push(best);
+        }
+        before_last = std::mem::replace(&mut last, current);
+        previous = Some(x);
+    }
+    last[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_counted_in_characters_from_one() {
+        let source = "a = 1\nназва = х\n";
+        let at = source.find('х').expect("it is there");
+        assert_eq!(
+            Diagnostic::new(at..at + 2, "bad").line_column(source),
+            (2, 9)
+        );
+    }
+
+    #[test]
+    fn slips_of_the_finger_find_their_name() {
+        let verbs = ["takeoff", "land", "goto", "arm"];
+        assert_eq!(nearest("takeof", verbs), Some("takeoff"));
+        assert_eq!(nearest("GTOO", verbs), Some("goto"));
+        assert_eq!(nearest("amr", verbs), Some("arm"));
+        assert_eq!(nearest("survey", verbs), None);
+    }
+
+    #[test]
+    fn the_rendering_points_at_the_word() {
+        let source = "all takeof 20";
+        let text = Diagnostic::new(4..10, "unknown verb `takeof`")
+            .with_nearest("takeof", ["takeoff"])
+            .render("x.pilot", source, false);
+        assert!(text.contains("x.pilot:1:5"), "{text}");
+        assert!(text.contains("^^^^^^"), "{text}");
+        assert!(text.contains("did you mean `takeoff`?"), "{text}");
+    }
+}
