@@ -9,15 +9,15 @@ use crate::vehicle::{Attitude, Vehicle};
 
 /// Applies ATTITUDE; one without numbers in it changes nothing.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &ATTITUDE_DATA, now: Duration) {
-    if !(data.roll.is_finite() && data.pitch.is_finite() && data.yaw.is_finite()) {
-        return;
+    let [roll_deg, pitch_deg, yaw_deg] = [data.roll, data.pitch, data.yaw].map(f32::to_degrees);
+    if roll_deg.is_finite() && pitch_deg.is_finite() && yaw_deg.is_finite() {
+        vehicle.attitude = Some(Attitude {
+            roll_deg,
+            pitch_deg,
+            yaw_deg: heading_deg(yaw_deg),
+            at: now,
+        });
     }
-    vehicle.attitude = Some(Attitude {
-        roll_deg: data.roll.to_degrees(),
-        pitch_deg: data.pitch.to_degrees(),
-        yaw_deg: heading_deg(data.yaw.to_degrees()),
-        at: now,
-    });
 }
 
 /// A heading within 0 (included) to 360 (excluded) degrees.
