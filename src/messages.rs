@@ -1,4 +1,4 @@
-//! Telemetry: what each MAVLink message changes in the model of its vehicle, and what a human should hear
+//! Telemetry: what each `MAVLink` message changes in the model of its vehicle, and what a human should hear
 //! about it. One match chooses the handler; the handlers lie in one file per subject.
 
 use std::time::Duration;
@@ -93,7 +93,7 @@ impl Inbox {
         if let Content::Message(MavMessage::STATUSTEXT(data)) = &frame.content {
             let chunk = status_text::Chunk::new(frame.component, data);
             for text in self.texts.accept(chunk, now) {
-                self.take_text(vehicle, text, &mut report);
+                self.take_text(vehicle, &text, &mut report);
             }
             return;
         }
@@ -128,7 +128,7 @@ impl Inbox {
             notices,
         };
         for text in self.texts.expire(now) {
-            self.take_text(vehicle, text, &mut report);
+            self.take_text(vehicle, &text, &mut report);
         }
     }
 
@@ -179,7 +179,7 @@ impl Inbox {
     fn take_text(
         &mut self,
         vehicle: &mut Vehicle,
-        text: status_text::Joined,
+        text: &status_text::Joined,
         report: &mut Report<'_>,
     ) {
         status_text::apply(vehicle, text, &mut self.reasons_at, report);
@@ -211,7 +211,7 @@ impl Inbox {
             ..Vehicle::new(vehicle.id, vehicle.component)
         };
         for text in self.texts.drain() {
-            self.take_text(vehicle, text, report);
+            self.take_text(vehicle, &text, report);
         }
         // The reasons of half-received texts were the old run's as well.
         vehicle.prearm.clear();

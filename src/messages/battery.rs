@@ -86,7 +86,7 @@ fn pack_voltage_v(data: &BATTERY_STATUS_DATA) -> Option<f32> {
         .map(|&cell| u32::from(cell))
         .sum();
     let any = data.voltages.iter().any(|&cell| cell != u16::MAX);
-    any.then(|| total_mv as f32 * 1e-3)
+    any.then_some(total_mv as f32 * 1e-3)
 }
 
 fn current_a(centiamperes: i16) -> Option<f32> {

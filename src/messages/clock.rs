@@ -14,6 +14,7 @@ const REORDERING_MS: u32 = 1_000;
 const WRAP_MS: u32 = 3_600_000;
 /// No autopilot boots twice within this time.
 const SETTLE: Duration = Duration::from_secs(10);
+const NS_PER_MS: i64 = 1_000_000;
 
 /// What a new reading says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,10 +71,11 @@ fn is_step_back(before: u32, boot_ms: u32) -> bool {
     back > STEP_BACK_MS || (boot_ms < NEAR_ZERO_MS && back > REORDERING_MS)
 }
 
-/// Milliseconds since boot, where the message carries them.
+/// Milliseconds since boot, where the message carries them; 0 is how senders leave them out. A vehicle whose streams a reboot has stopped still
+/// asks for the time now and then, by its own clock; nanoseconds too large for the counter are another clock's.
 pub(super) fn boot_ms(message: &MavMessage) -> Option<u32> {
     use MavMessage as M;
-    match message {
+    let boot_ms = match message {
         M::ATTITUDE(data) => Some(data.time_boot_ms),
         M::GLOBAL_POSITION_INT(data) => Some(data.time_boot_ms),
         M::LOCAL_POSITION_NED(data) => Some(data.time_boot_ms),
@@ -81,12 +83,16 @@ pub(super) fn boot_ms(message: &MavMessage) -> Option<u32> {
         M::POSITION_TARGET_LOCAL_NED(data) => Some(data.time_boot_ms),
         M::RC_CHANNELS(data) => Some(data.time_boot_ms),
         M::SYSTEM_TIME(data) => Some(data.time_boot_ms),
+        M::TIMESYNC(data) if data.tc1 == 0 => u32::try_from(data.ts1 / NS_PER_MS).ok(),
         _ => None,
-    }
+    };
+    boot_ms.filter(|&boot_ms| boot_ms != 0)
 }
 
 #[cfg(test)]
 mod tests {
+    use mavlink::dialects::ardupilotmega::TIMESYNC_DATA;
+
     use super::*;
 
     fn steps(readings: &[(u32, u64)]) -> Vec<Step> {
@@ -118,6 +124,21 @@ mod tests {
                 "{before} to {after}"
             );
         }
+    }
+
+    #[test]
+    fn only_the_vehicles_own_question_for_the_time_tells_its_clock() {
+        let time = |tc1, ts1| {
+            boot_ms(&MavMessage::TIMESYNC(TIMESYNC_DATA {
+                tc1,
+                ts1,
+                ..Default::default()
+            }))
+        };
+        assert_eq!(time(0, 10_001_831_001), Some(10_001));
+        assert_eq!(time(10_001_831_001, 55), None, "an answer");
+        assert_eq!(time(0, 0), None, "not filled in");
+        assert_eq!(time(0, 1_795_198_816_169_700_000), None, "time of day");
     }
 
     #[test]

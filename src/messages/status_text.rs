@@ -172,7 +172,7 @@ impl Unfinished {
             bytes.extend_from_slice(chunk);
             next = u16::from(*sequence) + 1;
         }
-        if self.last.is_none() && next <= u16::from(u8::MAX) {
+        if self.last.is_none() && u8::try_from(next).is_ok() {
             bytes.extend_from_slice(MISSING);
         }
         Joined {
@@ -190,7 +190,7 @@ fn text_of(bytes: &[u8]) -> String {
 /// alone, later than those before, replaces them (`reasons_at` remembers when the last one came).
 pub(super) fn apply(
     vehicle: &mut Vehicle,
-    joined: Joined,
+    joined: &Joined,
     reasons_at: &mut Option<Duration>,
     report: &mut Report<'_>,
 ) {
