@@ -6,5 +6,6 @@ pub mod geo;
 pub mod ledger;
 pub mod messages;
 pub mod notice;
+pub mod sim;
 pub mod vehicle;
 pub mod wire;
