@@ -191,7 +191,12 @@ mod tests {
         ] {
             for &(number, name) in class.modes() {
                 assert_eq!(class.mode(name), Some(Mode { class, number }));
-                assert_eq!(class.mode(&name.to_lowercase().replace('_', "")).map(|m| m.number), Some(number));
+                assert_eq!(
+                    class
+                        .mode(&name.to_lowercase().replace('_', ""))
+                        .map(|m| m.number),
+                    Some(number)
+                );
             }
         }
     }

@@ -345,7 +345,11 @@ mod tests {
         let mut decoder = Decoder::new();
         decoder.push(&[STX_V2, 0xFF, 0x00]);
         decoder.push(&encoded(2, MavlinkVersion::V2));
-        assert_eq!(decoder.next_frame(), None, "the false start claims 255 bytes");
+        assert_eq!(
+            decoder.next_frame(),
+            None,
+            "the false start claims 255 bytes"
+        );
         let rescued = std::iter::from_fn(|| decoder.next_frame_at_end()).count();
         assert_eq!(rescued, 2);
         assert_eq!(decoder.counters().skipped_bytes, 3);
@@ -372,7 +376,9 @@ mod tests {
         let mut decoder = Decoder::new();
         decoder.push(&bytes);
         let frame = decoder.next_frame().expect("the frame is intact");
-        assert!(matches!(frame.content, Content::Undecoded { id: 0, payload } if payload[4] == 200));
+        assert!(
+            matches!(frame.content, Content::Undecoded { id: 0, payload } if payload[4] == 200)
+        );
         assert_eq!(decoder.counters().undecoded, 1);
     }
 
