@@ -2,5 +2,6 @@
 pub mod geo;
 pub mod link;
 pub mod notice;
+pub mod sim;
 pub mod vehicle;
 pub mod wire;
