@@ -4,6 +4,7 @@ pub mod commands;
 pub mod diagnostic;
 pub mod geo;
 pub mod ledger;
+pub mod link;
 pub mod messages;
 pub mod notice;
 pub mod sim;
