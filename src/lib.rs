@@ -3,6 +3,8 @@ pub mod commands;
 pub mod diagnostic;
 pub mod geo;
 pub mod ledger;
+pub mod mission;
 pub mod notice;
+pub mod scoring;
 pub mod vehicle;
 pub mod wire;
