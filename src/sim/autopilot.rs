@@ -243,6 +243,7 @@ impl Autopilot {
                 Demand::Acceleration(self.control.demand(&self.body, lean_max))
             }
         };
+        self.end_turn();
         let wind = self.wind.step(self.body.height_m(), &self.tuning);
         if demand != Demand::Off || !self.body.on_ground {
             let moving = self.control.velocity_m_s.truncate();
@@ -261,14 +262,26 @@ impl Autopilot {
                 self.safety.landed = false;
             }
             if takeoff.reached {
-                self.end_takeoff();
+                let goal_m = takeoff.goal_m;
+                self.end_takeoff(goal_m);
             }
         }
     }
 
-    fn end_takeoff(&mut self) {
+    /// A turning rate lasts as long as the setpoint that asked for it.
+    fn end_turn(&mut self) {
+        let until = match &self.task {
+            Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
+            _ => return,
+        };
+        if self.uptime() >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
+            self.yaw.demand = YawDemand::Hold;
+        }
+    }
+
+    fn end_takeoff(&mut self, goal_m: DVec3) {
         self.task = match self.mode.number {
-            mode::GUIDED | mode::AUTO => Task::goto(self.control.path_m),
+            mode::GUIDED => Task::goto(goal_m),
             _ => Task::Piloted,
         };
     }
