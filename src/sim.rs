@@ -1,4 +1,4 @@
-//! The embedded simulator: ArduCopters that speak MAVLink, stepped by hand.
+//! The embedded simulator: `ArduCopters` that speak `MAVLink`, stepped by hand.
 //!
 //! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push bytes in and take
 //! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. The
@@ -6,7 +6,7 @@
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
-//! Behaviour and figures follow an ArduCopter 4.6 SITL. Missions, fences, rally points, logs and signing are not
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points, logs and signing are not
 //! simulated, and the vehicle does not claim them.
 
 mod arming;
@@ -108,7 +108,7 @@ pub struct Truth {
     pub armed: bool,
     /// Whether the vehicle touches the ground.
     pub on_ground: bool,
-    /// ArduCopter's `custom_mode`.
+    /// `ArduCopter`'s `custom_mode`.
     pub mode: u8,
     /// Volts.
     pub battery_voltage_v: f64,

@@ -33,6 +33,7 @@ pub(super) struct Place {
 
 /// Speeds asked by commands; they last until the mode changes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 pub(super) struct Speeds {
     pub(super) ground_m_s: Option<f64>,
     pub(super) up_m_s: Option<f64>,
@@ -58,7 +59,7 @@ pub(super) struct Autopilot {
     pub(super) yaw: YawControl,
     pub(super) mode: Mode,
     pub(super) task: Task,
-    /// The task that DO_PAUSE_CONTINUE interrupted.
+    /// The task that `DO_PAUSE_CONTINUE` interrupted.
     pub(super) paused: Option<Task>,
     pub(super) speeds: Speeds,
     pub(super) safety: Safety,
@@ -231,7 +232,7 @@ impl Autopilot {
 
     fn fly(&mut self) {
         let act = if self.safety.armed {
-            self.with_cockpit(|task, cockpit| task.step(cockpit))
+            self.with_cockpit(super::task::Task::step)
         } else {
             Act::Idle
         };

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 pub(super) const GRAVITY_M_S2: f64 = 9.806_65;
 /// The step of the simulation, in seconds.
 pub(super) const STEP_S: f64 = 0.01;
-/// Lag of the lean behind its demand (ArduPilot's `ATC_INPUT_TC`).
+/// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`).
 const LEAN_LAG_S: f64 = 0.15;
 /// Lag of the vertical acceleration behind its demand.
 const THRUST_LAG_S: f64 = 0.08;

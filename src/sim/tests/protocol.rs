@@ -280,6 +280,7 @@ fn a_mode_change_sends_a_heartbeat_at_once() {
 }
 
 #[test]
+#[expect(deprecated, reason = "ArduPilot's own frame for body offsets")]
 fn targets_work_in_every_frame_that_the_real_vehicle_has() {
     use MavFrame as F;
     for (frame, p, goal) in [
@@ -608,6 +609,6 @@ fn equal_worlds_say_equal_bytes() {
         output
     };
     let first = run();
-    assert!(first.len() > 4000);
+    assert!(first.len() > 3000, "{}", first.len());
     assert_eq!(first, run());
 }
