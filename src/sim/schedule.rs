@@ -116,7 +116,7 @@ mod tests {
         let mut sent = 0;
         for step in 0..seconds * 100 {
             schedule.each_due(Duration::from_millis(step * 10), |due| {
-                sent += usize::from(due == id)
+                sent += usize::from(due == id);
             });
         }
         sent
