@@ -35,7 +35,7 @@ mod tests;
 mod tlog;
 
 pub use address::{Address, AddressError};
-pub use simulator::{Endpoint, Simulation, Simulator, SimulatorError, Started};
+pub use simulator::{Endpoint, Simulator, SimulatorError, Started};
 pub use tlog::{TlogError, TlogReader, TlogRecord, TlogWriter};
 
 /// How many messages wait for a link before more are dropped.

@@ -74,12 +74,12 @@ pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
                 Err(error) => return Outcome::Lost(format!("cannot accept clients: {error}")),
             },
             Some((peer, has_data)) = readable.next(), if link.may_read() => {
-                match clients.get_mut(&peer).and_then(|c| c.read(peer, has_data, &mut input, link)) {
-                    Some(wait) => readable.push(wait_for_data(peer, wait.0, wait.1)),
-                    None => {
-                        clients.remove(&peer);
-                        link.meter.set_peers(clients.len());
-                    }
+                let client = clients.get_mut(&peer);
+                if let Some(wait) = client.and_then(|c| c.read(peer, has_data, &mut input, link)) {
+                    readable.push(wait_for_data(peer, wait.0, wait.1));
+                } else {
+                    clients.remove(&peer);
+                    link.meter.set_peers(clients.len());
                 }
             }
         }

@@ -15,14 +15,13 @@ use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
+use crate::sim::{STEP, World};
 
 mod door;
 #[cfg(test)]
 mod tests;
-mod world;
 
 use door::{Doors, PipeDoor, TcpDoor, UdpDoor};
-pub use world::Simulation;
 
 /// Simulated ports are this far apart, as those of ArduPilot's SITL instances are.
 const PORT_STRIDE: usize = 10;
@@ -124,8 +123,8 @@ impl Simulator {
     /// # Errors
     /// A port that cannot be listened on, an address that cannot be sent to, or an impossible speedup; nothing
     /// runs then.
-    pub async fn start<W: Simulation>(
-        mut world: W,
+    pub async fn start(
+        mut world: World,
         speedup: f64,
         endpoints: &[Endpoint],
         cancel: CancellationToken,
@@ -220,13 +219,8 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
     Ok(socket)
 }
 
-async fn run<W: Simulation>(
-    mut world: W,
-    speedup: f64,
-    mut doors: Doors<W>,
-    cancel: CancellationToken,
-) {
-    let mut wake = interval(W::STEP);
+async fn run(mut world: World, speedup: f64, mut doors: Doors, cancel: CancellationToken) {
+    let mut wake = interval(STEP);
     wake.set_missed_tick_behavior(MissedTickBehavior::Skip);
     let mut last = Instant::now();
     let mut owed = Duration::ZERO;
@@ -240,8 +234,8 @@ async fn run<W: Simulation>(
         last = now;
         doors.read(&mut world);
         let mut steps = 0;
-        while owed >= W::STEP {
-            owed -= W::STEP;
+        while owed >= STEP {
+            owed -= STEP;
             world.step();
             steps += 1;
             if steps % STEPS_PER_ROUND == 0 {

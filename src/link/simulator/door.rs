@@ -6,8 +6,8 @@ use futures_util::FutureExt as _;
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
 use tokio::net::{TcpListener, TcpStream, UdpSocket};
 
-use super::Simulation;
 use crate::link::tlog::frame_len;
+use crate::sim::{PortId, World};
 
 /// Clients per vehicle; further ones are turned away.
 const CLIENT_CAP: usize = 16;
@@ -18,25 +18,16 @@ const READS_PER_ROUND: usize = 16;
 const DATAGRAM_LEN: usize = 1400;
 
 /// All ways into a world.
-pub(super) struct Doors<W: Simulation> {
-    pub(super) pipes: Vec<PipeDoor<W>>,
-    pub(super) servers: Vec<TcpDoor<W>>,
-    pub(super) stations: Vec<UdpDoor<W>>,
+#[derive(Default)]
+pub(super) struct Doors {
+    pub(super) pipes: Vec<PipeDoor>,
+    pub(super) servers: Vec<TcpDoor>,
+    pub(super) stations: Vec<UdpDoor>,
 }
 
-impl<W: Simulation> Default for Doors<W> {
-    fn default() -> Self {
-        Self {
-            pipes: Vec::new(),
-            servers: Vec::new(),
-            stations: Vec::new(),
-        }
-    }
-}
-
-impl<W: Simulation> Doors<W> {
+impl Doors {
     /// Gives the world what has come.
-    pub(super) fn read(&mut self, world: &mut W) {
+    pub(super) fn read(&mut self, world: &mut World) {
         self.pipes.retain_mut(|pipe| pipe.0.read(world));
         for server in &mut self.servers {
             server.accept(world);
@@ -48,7 +39,7 @@ impl<W: Simulation> Doors<W> {
     }
 
     /// Sends what the world has to say, as far as there is room.
-    pub(super) fn write(&mut self, world: &mut W) {
+    pub(super) fn write(&mut self, world: &mut World) {
         self.pipes.retain_mut(|pipe| pipe.write(world));
         for server in &mut self.servers {
             server.clients.retain_mut(|client| client.write(world));
@@ -88,16 +79,16 @@ impl Stream for TcpStream {
 }
 
 /// One ground station on one vehicle.
-pub(super) struct Client<W: Simulation, S> {
+pub(super) struct Client<S> {
     stream: S,
-    port: W::Port,
+    port: PortId,
     /// Taken from the world and not sent yet. Refilled only when empty: for a client that does not read,
     /// the world itself keeps what it thinks worth keeping.
     output: Vec<u8>,
 }
 
-impl<W: Simulation, S: Stream> Client<W, S> {
-    fn new(stream: S, port: W::Port) -> Self {
+impl<S: Stream> Client<S> {
+    fn new(stream: S, port: PortId) -> Self {
         Self {
             stream,
             port,
@@ -106,7 +97,7 @@ impl<W: Simulation, S: Stream> Client<W, S> {
     }
 
     /// Returns whether the client is still there.
-    fn read(&mut self, world: &mut W) -> bool {
+    fn read(&mut self, world: &mut World) -> bool {
         let mut buffer = [0; READ_LEN];
         for _ in 0..READS_PER_ROUND {
             match self.stream.try_read(&mut buffer) {
@@ -123,7 +114,7 @@ impl<W: Simulation, S: Stream> Client<W, S> {
 
     /// Returns whether the connection stands: the vehicle ends it by a reboot. A client that has gone is
     /// noticed when it is read.
-    fn write(&mut self, world: &mut W) -> bool {
+    fn write(&mut self, world: &mut World) -> bool {
         self.flush();
         if self.output.is_empty() {
             world.take_output(self.port, &mut self.output);
@@ -148,14 +139,14 @@ impl<W: Simulation, S: Stream> Client<W, S> {
 }
 
 /// A pipe to one vehicle. It outlasts the vehicle's reboots.
-pub(super) struct PipeDoor<W: Simulation>(Client<W, DuplexStream>, usize);
+pub(super) struct PipeDoor(Client<DuplexStream>, usize);
 
-impl<W: Simulation> PipeDoor<W> {
-    pub(super) fn new(stream: DuplexStream, vehicle: usize, world: &mut W) -> Self {
+impl PipeDoor {
+    pub(super) fn new(stream: DuplexStream, vehicle: usize, world: &mut World) -> Self {
         Self(Client::new(stream, world.connect(vehicle)), vehicle)
     }
 
-    fn write(&mut self, world: &mut W) -> bool {
+    fn write(&mut self, world: &mut World) -> bool {
         if !self.0.write(world) {
             self.0.port = world.connect(self.1);
         }
@@ -164,13 +155,13 @@ impl<W: Simulation> PipeDoor<W> {
 }
 
 /// A TCP server for one vehicle.
-pub(super) struct TcpDoor<W: Simulation> {
+pub(super) struct TcpDoor {
     listener: TcpListener,
     vehicle: usize,
-    clients: Vec<Client<W, TcpStream>>,
+    clients: Vec<Client<TcpStream>>,
 }
 
-impl<W: Simulation> TcpDoor<W> {
+impl TcpDoor {
     pub(super) fn new(listener: TcpListener, vehicle: usize) -> Self {
         Self {
             listener,
@@ -179,7 +170,7 @@ impl<W: Simulation> TcpDoor<W> {
         }
     }
 
-    fn accept(&mut self, world: &mut W) {
+    fn accept(&mut self, world: &mut World) {
         // A failure to accept is the client's loss and passes, or is met again in the next round.
         while let Some(Ok((stream, _))) = self.listener.accept().now_or_never() {
             if self.clients.len() >= CLIENT_CAP {
@@ -194,14 +185,14 @@ impl<W: Simulation> TcpDoor<W> {
 }
 
 /// One UDP socket between all vehicles and a ground station.
-pub(super) struct UdpDoor<W: Simulation> {
+pub(super) struct UdpDoor {
     socket: UdpSocket,
-    ports: Vec<W::Port>,
+    ports: Vec<PortId>,
     output: Vec<u8>,
 }
 
-impl<W: Simulation> UdpDoor<W> {
-    pub(super) fn new(socket: UdpSocket, world: &mut W) -> Self {
+impl UdpDoor {
+    pub(super) fn new(socket: UdpSocket, world: &mut World) -> Self {
         let ports = (0..world.vehicles()).map(|v| world.connect(v)).collect();
         Self {
             socket,
@@ -211,7 +202,7 @@ impl<W: Simulation> UdpDoor<W> {
     }
 
     /// Every vehicle hears everything, as on a radio; each obeys what is addressed to it.
-    fn read(&mut self, world: &mut W) {
+    fn read(&mut self, world: &mut World) {
         let mut buffer = [0; READ_LEN];
         for _ in 0..READS_PER_ROUND {
             match self.socket.try_recv(&mut buffer) {
@@ -227,7 +218,7 @@ impl<W: Simulation> UdpDoor<W> {
         }
     }
 
-    fn write(&mut self, world: &mut W) {
+    fn write(&mut self, world: &mut World) {
         self.output.clear();
         for (vehicle, port) in self.ports.iter_mut().enumerate() {
             world.take_output(*port, &mut self.output);
