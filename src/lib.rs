@@ -2,6 +2,7 @@
 pub mod commands;
 pub mod diagnostic;
 pub mod geo;
+pub mod language;
 pub mod ledger;
 pub mod notice;
 pub mod vehicle;
