@@ -3,6 +3,7 @@
 pub mod commands;
 pub mod diagnostic;
 pub mod geo;
+pub mod language;
 pub mod ledger;
 pub mod link;
 pub mod messages;
