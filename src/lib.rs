@@ -1,6 +1,7 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 
 pub mod commands;
+pub mod debrief;
 pub mod diagnostic;
 pub mod geo;
 pub mod language;
