@@ -4,5 +4,6 @@ pub mod diagnostic;
 pub mod geo;
 pub mod ledger;
 pub mod notice;
+pub mod ui;
 pub mod vehicle;
 pub mod wire;
