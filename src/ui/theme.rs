@@ -89,7 +89,11 @@ impl Theme {
     /// One of the themes that are part of the program.
     pub fn named(name: &str) -> Option<Self> {
         let (name, source) = EMBEDDED.iter().find(|(known, _)| *known == name)?;
-        Self::parse(name, source).ok()
+        let theme = Self::parse(source).ok()?;
+        Some(Self {
+            name: (*name).to_owned(),
+            ..theme
+        })
     }
 
     /// Reads a theme file. `inherits` may name any theme that is part of the program; a theme that
@@ -97,10 +101,10 @@ impl Theme {
     ///
     /// # Errors
     /// Every fault of the file, each at its place.
-    pub fn parse(name: &str, source: &str) -> Result<Self, Vec<Diagnostic>> {
+    pub fn parse(source: &str) -> Result<Self, Vec<Diagnostic>> {
         let styles = file::read(source)?;
         Ok(Self {
-            name: name.to_owned(),
+            name: "custom".to_owned(),
             styles,
         })
     }
@@ -115,7 +119,7 @@ impl Theme {
         self.mapped(|colour| depth.map(colour))
     }
 
-    /// The theme's name.
+    /// The theme's name; `custom` for one that is not part of the program.
     pub fn name(&self) -> &str {
         &self.name
     }

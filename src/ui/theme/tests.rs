@@ -10,7 +10,7 @@ fn every_embedded_theme_gives_every_role() {
 
 #[test]
 fn a_theme_changes_only_what_it_names() {
-    let mine = Theme::parse("mine", "inherits = \"light\"\n[roles]\nok = { fg = \"blue\" }")
+    let mine = Theme::parse("inherits = \"light\"\n[roles]\nok = { fg = \"blue\" }")
         .expect("it is right");
     let light = Theme::named("light").expect("embedded");
     assert_eq!(mine.style(Role::Ok).fg, Some(Color::Blue));
@@ -27,7 +27,7 @@ fn faults_are_told_at_their_place() {
         ("[roles]\nok = {}", "1:1", "the role `text` has no style", "inherits"),
     ];
     for (source, place, message, help) in cases {
-        let faults = Theme::parse("x", source).expect_err(source);
+        let faults = Theme::parse(source).expect_err(source);
         let line = faults[0].one_line("x.toml", source);
         assert!(line.starts_with(&format!("x.toml:{place}: {message}")), "{line}");
         assert!(line.contains(help), "{line}");
