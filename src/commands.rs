@@ -8,6 +8,18 @@ use std::time::Duration;
 
 use crate::geo::LatLon;
 
+mod effect;
+mod encode;
+mod explain;
+mod mav_cmd;
+mod request;
+mod setpoint;
+
+pub use effect::Effect;
+pub use explain::{AckResult, explain};
+pub use mav_cmd::{command_by_name, command_name, command_names};
+pub use request::{Answer, Repeat, Request};
+
 /// A command to one vehicle. Every variant is said with one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {

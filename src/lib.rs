@@ -1,9 +1,13 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
+
+pub mod app;
 pub mod commands;
 pub mod diagnostic;
 pub mod geo;
 pub mod ledger;
+pub mod messages;
 pub mod notice;
+pub mod sim;
 pub mod ui;
 pub mod vehicle;
 pub mod wire;

@@ -1,1 +1,3 @@
+//! The `sortie` program.
+
 fn main() {}

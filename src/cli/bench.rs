@@ -1,0 +1,31 @@
+//! `sortie bench`: the measurements that README quotes.
+
+use std::process::ExitCode;
+
+use clap::Subcommand;
+
+use super::Failure;
+
+mod decode;
+mod frame;
+mod load;
+
+/// What to measure.
+#[derive(Debug, Subcommand)]
+pub(super) enum Bench {
+    /// Decoding and model update per message, beside a floor that only finds frames.
+    Decode(decode::DecodeArguments),
+    /// Time and bytes per frame of the console.
+    Frame(frame::FrameArguments),
+    /// Share of a core that the whole process takes with flying embedded vehicles.
+    Load(load::LoadArguments),
+}
+
+/// Measures and prints.
+pub(super) fn bench(bench: &Bench) -> Result<ExitCode, Failure> {
+    match bench {
+        Bench::Decode(options) => decode::decode(options),
+        Bench::Frame(options) => frame::frame(options),
+        Bench::Load(options) => load::load(options),
+    }
+}

@@ -1,0 +1,178 @@
+//! `sortie bench decode`: what one telemetry packet costs.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use mavlink::MavlinkReader;
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, PositionTargetTypemask,
+    SET_POSITION_TARGET_LOCAL_NED_DATA,
+};
+use serde::Serialize;
+
+use super::super::Failure;
+use crate::geo::LatLon;
+use crate::link::TlogReader;
+use crate::messages::Inbox;
+use crate::session::WANTED_STREAMS;
+use crate::sim::{Start, World, WorldConfig};
+use crate::vehicle::Vehicle;
+use crate::wire::{Decoder, Encoder};
+
+/// Time per message in Table 2 of the paper that this program follows.
+const PAPER_NS_PER_MESSAGE: f64 = 24_500.0;
+/// Each variant is measured this often, in turns; the fastest counts, being the least disturbed.
+const ROUNDS: usize = 7;
+
+/// Options of `sortie bench decode`.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct DecodeArguments {
+    /// A recording (tlog); without one, a flight of the embedded simulator is recorded first.
+    file: Option<PathBuf>,
+    /// One JSON document instead of the table.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct Measured {
+    messages: u64,
+    ns_per_message: f64,
+    floor_ns_per_message: f64,
+}
+
+/// Measures and prints.
+pub(in crate::cli) fn decode(options: &DecodeArguments) -> Result<ExitCode, Failure> {
+    let bytes = match &options.file {
+        Some(path) => frames_of(path)?,
+        None => embedded_flight(),
+    };
+    let mut floor = Duration::MAX;
+    let mut whole = Duration::MAX;
+    let mut messages = 0;
+    for _ in 0..ROUNDS {
+        floor = floor.min(time(|| messages = find_frames(&bytes)));
+        whole = whole.min(time(|| messages = update_models(&bytes)));
+    }
+    if messages == 0 {
+        return Err(Failure::Failed(anyhow::anyhow!("the recording has no MAVLink frame")));
+    }
+    let per_message = |time: Duration| time.as_nanos() as f64 / messages as f64;
+    let result = Measured {
+        messages,
+        ns_per_message: per_message(whole),
+        floor_ns_per_message: per_message(floor),
+    };
+    if options.json {
+        println!("{}", serde_json::to_string(&result)?);
+    } else {
+        println!("messages                      {messages:>10}");
+        println!("decode and model update       {:>10.0} ns per message", result.ns_per_message);
+        println!("floor: find and check frames  {:>10.0} ns per message", result.floor_ns_per_message);
+        println!(
+            "paper, Table 2                {PAPER_NS_PER_MESSAGE:>10.0} ns per message ({:.0} times as much)",
+            PAPER_NS_PER_MESSAGE / result.ns_per_message
+        );
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn time(work: impl FnOnce()) -> Duration {
+    let started = Instant::now();
+    work();
+    started.elapsed()
+}
+
+fn frames_of(path: &PathBuf) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    for record in TlogReader::open(path)? {
+        bytes.extend_from_slice(&record?.bytes);
+    }
+    Ok(bytes)
+}
+
+/// Two minutes of one simulated vehicle that flies a leg, with the streams that the console asks for.
+fn embedded_flight() -> Vec<u8> {
+    let start = Start {
+        at: LatLon::new(50.4501, 30.5234),
+        altitude_amsl_m: 180.0,
+        heading_deg: 0.0,
+    };
+    let mut world = World::new(&WorldConfig::row(1, start, 5.0));
+    let port = world.connect(0);
+    let mut encoder = Encoder::new(255, 190);
+    let mut say = |world: &mut World, message: MavMessage| {
+        let mut bytes = Vec::new();
+        encoder.encode(&message.into(), &mut bytes);
+        world.receive(port, &bytes);
+    };
+    let long = |command, params: [f32; 7]| {
+        MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
+            command,
+            target_system: 1,
+            param1: params[0],
+            param2: params[1],
+            param7: params[6],
+            ..COMMAND_LONG_DATA::DEFAULT
+        })
+    };
+    for stream in WANTED_STREAMS {
+        let params = [stream.message as f32, (1e6 / stream.rate_hz) as f32, 0., 0., 0., 0., 0.];
+        say(&mut world, long(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, params));
+    }
+    let mut bytes = Vec::new();
+    for step in 0..12_000 {
+        match step {
+            300 => say(&mut world, long(MavCmd::MAV_CMD_DO_SET_MODE, [1., 4., 0., 0., 0., 0., 0.])),
+            310 => say(&mut world, long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1., 0., 0., 0., 0., 0., 0.])),
+            400 => say(&mut world, long(MavCmd::MAV_CMD_NAV_TAKEOFF, [0., 0., 0., 0., 0., 0., 20.])),
+            2000 => say(
+                &mut world,
+                MavMessage::SET_POSITION_TARGET_LOCAL_NED(SET_POSITION_TARGET_LOCAL_NED_DATA {
+                    x: 500.0,
+                    z: -30.0,
+                    target_system: 1,
+                    coordinate_frame: MavFrame::MAV_FRAME_LOCAL_NED,
+                    type_mask: PositionTargetTypemask::from_bits_retain(0x0DF8),
+                    ..SET_POSITION_TARGET_LOCAL_NED_DATA::DEFAULT
+                }),
+            ),
+            _ => {}
+        }
+        world.step();
+        world.take_output(port, &mut bytes);
+    }
+    bytes
+}
+
+/// The floor: the mavlink crate's reader finds frames and checks their checksums, and nothing is decoded.
+fn find_frames(bytes: &[u8]) -> u64 {
+    let mut reader = MavlinkReader::new(bytes);
+    let mut frames = 0;
+    while let Ok(frame) = reader.read_any_raw_message::<MavMessage>() {
+        frames += 1;
+        std::hint::black_box(&frame);
+    }
+    frames
+}
+
+fn update_models(bytes: &[u8]) -> u64 {
+    let mut decoder = Decoder::new();
+    let mut inbox = Inbox::new();
+    let mut vehicle = Vehicle::new(1, 1);
+    let mut notices = Vec::new();
+    let mut frames = 0;
+    for chunk in bytes.chunks(1400) {
+        decoder.push(chunk);
+        while let Some(frame) = decoder.next_frame() {
+            frames += 1;
+            let now = Duration::from_millis(frames);
+            inbox.apply(&mut vehicle, &frame, now, &mut notices);
+        }
+        notices.clear();
+    }
+    std::hint::black_box(&vehicle);
+    frames
+}

@@ -1,0 +1,130 @@
+//! `sortie run`: a pilot script flies a mission.
+
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+
+use super::Failure;
+use crate::debrief;
+use crate::headless::Exercise;
+use crate::language::{Context, Script};
+use crate::mission::Mission;
+use crate::store::{self, Source};
+use crate::vehicle::VehicleClass;
+
+/// Options of `sortie run`.
+#[derive(Debug, Args)]
+pub(super) struct RunArguments {
+    /// A mission file, or the name or number of an embedded mission.
+    mission: String,
+    /// A pilot script, or the name of an embedded one.
+    #[arg(long, value_name = "FILE")]
+    pilot: String,
+    /// One JSON document instead of the debrief.
+    #[arg(long)]
+    json: bool,
+    /// What varies the mission's world.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Simulated seconds per second, or `max`.
+    #[arg(long, default_value = "max", value_parser = parse_speedup)]
+    speedup: Speedup,
+    /// Leave out how long it took, so that equal runs print equal bytes.
+    #[arg(long)]
+    no_timing: bool,
+}
+
+/// How fast simulated time passes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Speedup {
+    /// As fast as the machine can.
+    Max,
+    /// Simulated seconds per second.
+    Times(f64),
+}
+
+fn parse_speedup(text: &str) -> Result<Speedup, String> {
+    if text == "max" {
+        return Ok(Speedup::Max);
+    }
+    text.parse()
+        .ok()
+        .filter(|times: &f64| (0.01..=1000.0).contains(times))
+        .map(Speedup::Times)
+        .ok_or_else(|| "expected a number from 0.01 to 1000, or `max`".to_owned())
+}
+
+/// Flies and prints. The exit code tells whether the mission was passed.
+pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
+    let mission = Arc::new(load_mission(&options.mission)?);
+    let script = load_script(&options.pilot, &mission)?;
+    let started = Instant::now();
+    let mut exercise = Exercise::new(mission, options.seed, script);
+    while !exercise.is_over() {
+        exercise.step();
+        if let Speedup::Times(times) = options.speedup {
+            let due = exercise.now().div_f64(times);
+            std::thread::sleep(due.saturating_sub(started.elapsed()));
+        }
+        if !options.json {
+            for notice in exercise.take_notices() {
+                let vehicle = notice
+                    .vehicle
+                    .map_or(String::new(), |id| format!("vehicle {id}: "));
+                eprintln!("{} {vehicle}{}", clock(notice.at), notice.text);
+            }
+        }
+    }
+    let mut report = exercise.report();
+    if options.json {
+        report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64());
+        println!("{}", serde_json::to_string_pretty(&report)?);
+    } else {
+        print!("{}", debrief::text(&report));
+    }
+    Ok(if report.passed {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(1)
+    })
+}
+
+fn clock(at: Duration) -> String {
+    let seconds = at.as_secs();
+    format!("{:02}:{:02}", seconds / 60, seconds % 60)
+}
+
+/// A mission by path, name or number, with its faults explained.
+pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
+    let source = store::mission(path_or_name).map_err(invalid)?;
+    Mission::parse(&source.text).map_err(|faults| explain(&source, &faults))
+}
+
+fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
+    let source = store::pilot(path_or_name).map_err(invalid)?;
+    let vehicles: Vec<u8> = (1..=mission.vehicles).map(|id| id as u8).collect();
+    let (groups, places) = (std::collections::BTreeMap::new(), mission.places());
+    let context = Context {
+        groups: &groups,
+        places: &places,
+        vehicles: &vehicles,
+        class: VehicleClass::Copter,
+    };
+    Script::parse(&source.text, &context).map_err(|faults| explain(&source, &faults))
+}
+
+fn invalid(error: store::StoreError) -> Failure {
+    Failure::Invalid(format!("sortie: {error}"))
+}
+
+fn explain(source: &Source, faults: &[crate::diagnostic::Diagnostic]) -> Failure {
+    use std::io::IsTerminal as _;
+    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let lines: Vec<String> = faults
+        .iter()
+        .map(|fault| fault.render(&source.name, &source.text, colour))
+        .collect();
+    Failure::Invalid(lines.join("\n\n"))
+}

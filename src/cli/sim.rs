@@ -1,0 +1,131 @@
+//! `sortie sim`: the embedded simulator as a server.
+
+use std::process::ExitCode;
+use std::str::FromStr;
+
+use clap::Args;
+use tokio_util::sync::CancellationToken;
+
+use super::{Failure, runtime};
+use crate::geo::LatLon;
+use crate::link::{Endpoint, Simulator};
+use crate::sim::{Start, World, WorldConfig};
+
+/// How far apart the vehicles of a row stand.
+pub(super) const SPACING_M: f64 = 5.0;
+
+/// Options of `sortie sim`.
+#[derive(Debug, Args)]
+pub(super) struct SimArguments {
+    /// How many vehicles; their system ids are 1 and up.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=250))]
+    vehicles: u8,
+    /// Serve TCP: vehicle i on PORT + 10 * i, as ArduPilot's SITL does. The default, on 127.0.0.1:5760.
+    #[arg(long, value_name = "HOST:PORT")]
+    tcp: Option<HostPort>,
+    /// Send UDP to a ground station that listens there.
+    #[arg(long, value_name = "HOST:PORT")]
+    udp: Option<HostPort>,
+    /// Simulated seconds per second.
+    #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
+    speedup: f64,
+    /// What varies the simulation's noise.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Where the first vehicle stands: latitude, longitude, height above sea level in metres, heading in degrees.
+    #[arg(long, default_value = "-35.363262,149.165237,584,0", allow_hyphen_values = true)]
+    home: Home,
+}
+
+/// HOST:PORT.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct HostPort {
+    host: String,
+    port: u16,
+}
+
+impl FromStr for HostPort {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (host, port) = text
+            .rsplit_once(':')
+            .ok_or("expected HOST:PORT, such as 127.0.0.1:5760")?;
+        let port = port
+            .parse()
+            .map_err(|_| format!("`{port}` is not a port: expected 0 to 65535"))?;
+        Ok(Self {
+            host: host.to_owned(),
+            port,
+        })
+    }
+}
+
+/// LAT,LON,ALT,HDG.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Home(pub Start);
+
+impl FromStr for Home {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+        let [lat, lon, altitude_amsl_m, heading_deg] = numbers
+            .ok()
+            .and_then(|numbers| <[f64; 4]>::try_from(numbers).ok())
+            .ok_or("expected LAT,LON,ALT,HDG, such as 50.45,30.52,180,90")?;
+        let at = LatLon::new(lat, lon);
+        if !at.is_valid() || !altitude_amsl_m.is_finite() || !heading_deg.is_finite() {
+            return Err("latitude is -90 to 90 and longitude -180 to 180".to_owned());
+        }
+        Ok(Self(Start {
+            at,
+            altitude_amsl_m,
+            heading_deg,
+        }))
+    }
+}
+
+/// A factor that a simulation can keep up with.
+pub(super) fn parse_speedup(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|times: &f64| (0.01..=1000.0).contains(times))
+        .ok_or_else(|| "expected a number from 0.01 to 1000".to_owned())
+}
+
+/// Serves until interrupted.
+pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
+    let config = WorldConfig {
+        seed: options.seed,
+        ..WorldConfig::row(usize::from(options.vehicles), options.home.0, SPACING_M)
+    };
+    let mut endpoints = Vec::new();
+    if let Some(HostPort { host, port }) = options.udp.clone() {
+        endpoints.push(Endpoint::Udp { host, port });
+    }
+    if options.tcp.is_some() || endpoints.is_empty() {
+        let HostPort { host, port } = options.tcp.clone().unwrap_or(HostPort {
+            host: "127.0.0.1".to_owned(),
+            port: 5760,
+        });
+        endpoints.push(Endpoint::Tcp { host, port });
+    }
+    runtime()?.block_on(async {
+        let cancel = CancellationToken::new();
+        let started = Simulator::start(
+            World::new(&config),
+            options.speedup,
+            &endpoints,
+            cancel.clone(),
+        )
+        .await?;
+        for address in &started.addresses {
+            println!("serving {address}");
+        }
+        println!("{} vehicle(s), end with Ctrl-C", options.vehicles);
+        tokio::signal::ctrl_c().await?;
+        cancel.cancel();
+        Ok(ExitCode::SUCCESS)
+    })
+}

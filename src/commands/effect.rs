@@ -1,0 +1,254 @@
+//! What telemetry shows once a command works.
+
+use std::time::Duration;
+
+use super::Command;
+use super::request::{holding_mode, mode_number};
+use super::setpoint::{Arrival, arrival, position};
+use crate::geo::{LatLon, wrap_180, wrap_360};
+use crate::vehicle::{Mode, Vehicle};
+
+/// How near counts as reached, horizontally.
+const ARRIVED_M: f64 = 1.5;
+/// How near counts as reached, vertically.
+const ARRIVED_HEIGHT_M: f64 = 1.0;
+/// How near counts as turned.
+const TURNED_DEG: f64 = 5.0;
+/// How near home must be to where it was set.
+const HOME_M: f64 = 5.0;
+/// Slower than this is standing still.
+const STILL_M_S: f64 = 0.5;
+/// A change of a state bit shows with the next heartbeat.
+const SOON: Duration = Duration::from_secs(3);
+
+/// What to watch for after a command was accepted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Effect {
+    watched: Watched,
+    within: Duration,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Watched {
+    Nothing,
+    Armed(bool),
+    Mode(Mode),
+    Still,
+    Altitude { altitude_m: f64, tolerance_m: f64 },
+    Place(Arrival),
+    Heading(f64),
+    Velocity([f64; 3]),
+    Home(LatLon),
+    Servo { output: u8, pulse_us: u16 },
+    Rebooted { reboots: u32 },
+}
+
+impl Effect {
+    /// Whether it shows: `None` when there is nothing to watch and acceptance is all there is to know.
+    pub fn seen(&self, vehicle: &Vehicle) -> Option<bool> {
+        Some(match &self.watched {
+            Watched::Nothing => return None,
+            Watched::Armed(armed) => vehicle.heartbeat.is_some_and(|beat| beat.armed == *armed),
+            Watched::Mode(mode) => vehicle.mode() == Some(*mode),
+            Watched::Still => speed_m_s(vehicle).is_some_and(|speed| speed < STILL_M_S),
+            Watched::Altitude {
+                altitude_m,
+                tolerance_m,
+            } => vehicle
+                .altitude_m()
+                .is_some_and(|now| (now - altitude_m).abs() <= *tolerance_m),
+            Watched::Place(place) => arrived(vehicle, *place),
+            Watched::Heading(heading) => vehicle
+                .heading_deg()
+                .is_some_and(|now| wrap_180(f64::from(now) - heading).abs() <= TURNED_DEG),
+            Watched::Velocity(wanted) => velocity_m_s(vehicle).is_some_and(|now| {
+                let tolerance = (0.2 * length(*wanted)).max(STILL_M_S);
+                length(difference(now, *wanted)) <= tolerance
+            }),
+            Watched::Home(place) => vehicle
+                .home
+                .is_some_and(|home| home.at_point.distance_m(*place) <= HOME_M),
+            Watched::Servo { output, pulse_us } => {
+                usize::from(*output)
+                    .checked_sub(1)
+                    .and_then(|index| vehicle.servos_us.get(index))
+                    == Some(pulse_us)
+            }
+            Watched::Rebooted { reboots } => vehicle.link.reboots > *reboots,
+        })
+    }
+
+    /// How long after acceptance to wait for it.
+    pub fn within(&self) -> Duration {
+        self.within
+    }
+
+    /// What is waited for, in plain words, as "armed" or "within 1.5 m of the target".
+    pub fn describe(&self) -> String {
+        match &self.watched {
+            Watched::Nothing => "nothing to see".to_owned(),
+            Watched::Armed(true) => "armed".to_owned(),
+            Watched::Armed(false) => "disarmed".to_owned(),
+            Watched::Mode(mode) => format!("mode {mode}"),
+            Watched::Still => "standing still".to_owned(),
+            Watched::Altitude {
+                altitude_m,
+                tolerance_m,
+            } => format!("{altitude_m:.1} m above home, within {tolerance_m:.1} m"),
+            Watched::Place(_) => format!("within {ARRIVED_M} m of the target"),
+            Watched::Heading(heading) => format!("heading {heading:.0} deg"),
+            Watched::Velocity(_) => "flying with that velocity".to_owned(),
+            Watched::Home(_) => "home moved".to_owned(),
+            Watched::Servo { output, pulse_us } => format!("output {output} at {pulse_us} us"),
+            Watched::Rebooted { .. } => "rebooted".to_owned(),
+        }
+    }
+
+    fn new(watched: Watched, within: Duration) -> Self {
+        Self { watched, within }
+    }
+
+    fn nothing() -> Self {
+        Self::new(Watched::Nothing, Duration::ZERO)
+    }
+}
+
+impl Command {
+    /// What telemetry will show once it works, given the vehicle as it was when the command was sent.
+    pub fn effect(&self, before: &Vehicle) -> Effect {
+        match self {
+            Self::Arm => Effect::new(Watched::Armed(true), SOON),
+            Self::Disarm | Self::Kill => Effect::new(Watched::Armed(false), SOON),
+            Self::SetMode { name } => mode_effect(before, name),
+            Self::Land => mode_effect(before, "LAND"),
+            Self::ReturnToLaunch => mode_effect(before, "RTL"),
+            Self::Hold => match holding_mode(before) {
+                Some(mode) => mode_effect(before, mode),
+                None => Effect::new(Watched::Still, Duration::from_secs(15)),
+            },
+            Self::Takeoff { altitude_m } => altitude_effect(before, *altitude_m, 0.05),
+            Self::Altitude { altitude_m } => altitude_effect(before, *altitude_m, 0.0),
+            Self::Goto { destination, .. } => match arrival(before, *destination) {
+                Ok(place) => Effect::new(Watched::Place(place), travel_time(before, place)),
+                Err(_) => Effect::nothing(),
+            },
+            Self::Yaw {
+                angle_deg,
+                relative,
+                rate_deg_s,
+            } => yaw_effect(before, *angle_deg, *relative, *rate_deg_s),
+            Self::Velocity { ned_m_s, lasting } => {
+                Effect::new(Watched::Velocity(*ned_m_s), *lasting + SOON)
+            }
+            Self::SetHome { place } => {
+                match place.map_or_else(|| position(before).ok(), |(point, _)| Some(point)) {
+                    Some(point) => Effect::new(Watched::Home(point), SOON),
+                    None => Effect::nothing(),
+                }
+            }
+            // Outputs that are not streamed stay at 0 and show nothing.
+            Self::Servo { output, pulse_us } if before.servos_us.iter().any(|&us| us != 0) => {
+                let (output, pulse_us) = (*output, *pulse_us);
+                Effect::new(Watched::Servo { output, pulse_us }, SOON)
+            }
+            Self::Reboot => {
+                let reboots = before.link.reboots;
+                Effect::new(Watched::Rebooted { reboots }, Duration::from_secs(30))
+            }
+            _ => Effect::nothing(),
+        }
+    }
+}
+
+fn mode_effect(before: &Vehicle, name: &str) -> Effect {
+    let class = before.heartbeat.map(|heartbeat| heartbeat.class);
+    match (class, mode_number(before, name)) {
+        (Some(class), Ok(number)) => Effect::new(Watched::Mode(Mode { class, number }), SOON),
+        _ => Effect::nothing(),
+    }
+}
+
+/// Within 1 m, or a share of the height where that is more. Half a metre a second is slow for any copter.
+fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
+    let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
+    let tolerance_m = (share * altitude_m).max(ARRIVED_HEIGHT_M);
+    Effect::new(
+        Watched::Altitude {
+            altitude_m,
+            tolerance_m,
+        },
+        patience(way_m / 0.5 + 20.0),
+    )
+}
+
+fn yaw_effect(before: &Vehicle, angle_deg: f64, relative: bool, rate: Option<f64>) -> Effect {
+    let Some(now) = before.heading_deg().map(f64::from) else {
+        return Effect::nothing();
+    };
+    let target = if relative { now + angle_deg } else { angle_deg };
+    let way_deg = if relative { angle_deg.abs() } else { 180.0 };
+    let rate_deg_s = rate.filter(|rate| *rate > 0.0).unwrap_or(30.0);
+    Effect::new(
+        Watched::Heading(wrap_360(target)),
+        patience(way_deg / rate_deg_s + 5.0),
+    )
+}
+
+/// At a speed slower than people fly, with time to get going and to settle.
+fn travel_time(before: &Vehicle, place: Arrival) -> Duration {
+    match separation(before, place) {
+        Some((horizontal_m, vertical_m)) => patience(horizontal_m / 1.5 + vertical_m / 0.5 + 20.0),
+        None => Duration::from_secs(120),
+    }
+}
+
+/// A time span from a figure that may be anything.
+fn patience(seconds: f64) -> Duration {
+    Duration::try_from_secs_f64(seconds.clamp(0.0, 86_400.0)).unwrap_or(SOON)
+}
+
+fn arrived(vehicle: &Vehicle, place: Arrival) -> bool {
+    separation(vehicle, place).is_some_and(|(horizontal_m, vertical_m)| {
+        horizontal_m <= ARRIVED_M && vertical_m <= ARRIVED_HEIGHT_M
+    })
+}
+
+/// Metres to a place, horizontally and vertically.
+fn separation(vehicle: &Vehicle, place: Arrival) -> Option<(f64, f64)> {
+    match place {
+        Arrival::Global { point, altitude_m } => {
+            let global = vehicle.global?;
+            Some((
+                global.at_point.distance_m(point),
+                (global.altitude_m - altitude_m).abs(),
+            ))
+        }
+        Arrival::Local { ned_m } => {
+            let here = vehicle.local?.ned_m.map(f64::from);
+            let [north, east, down] = difference(here, ned_m);
+            Some((north.hypot(east), down.abs()))
+        }
+    }
+}
+
+fn velocity_m_s(vehicle: &Vehicle) -> Option<[f64; 3]> {
+    match (vehicle.local, vehicle.global) {
+        (Some(local), _) => Some(local.velocity_m_s.map(f64::from)),
+        (None, Some(global)) => {
+            Some([global.north_m_s, global.east_m_s, global.down_m_s].map(f64::from))
+        }
+        (None, None) => None,
+    }
+}
+
+fn speed_m_s(vehicle: &Vehicle) -> Option<f64> {
+    velocity_m_s(vehicle).map(length)
+}
+
+fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn length(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

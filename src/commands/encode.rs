@@ -1,0 +1,261 @@
+//! Commands as MAVLink messages. Nothing leaves here that is not a finite number: one NaN in a setpoint
+//! stops ArduPilot's simulator for good.
+
+use mavlink::dialects::ardupilotmega::{
+    MavFrame, MavMessage, MavParamType, PARAM_REQUEST_READ_DATA, PARAM_SET_DATA,
+    PositionTargetTypemask, SET_POSITION_TARGET_GLOBAL_INT_DATA,
+    SET_POSITION_TARGET_LOCAL_NED_DATA,
+};
+use mavlink::{MavlinkVersion, Message as _};
+
+use crate::geo::LatLon;
+use crate::vehicle::Vehicle;
+use crate::wire::Outgoing;
+
+const COMMAND_INT: u32 = 75;
+const COMMAND_LONG: u32 = 76;
+/// Where COMMAND_LONG's payload carries the confirmation.
+const CONFIRMATION_OFFSET: usize = 32;
+
+/// `MAV_FRAME_GLOBAL`: heights above mean sea level.
+pub(super) const FRAME_GLOBAL: u8 = 0;
+/// `MAV_FRAME_GLOBAL_RELATIVE_ALT_INT`: heights above home.
+pub(super) const FRAME_RELATIVE: u8 = 6;
+
+const IGNORE_POSITION: u16 = 0x0007;
+const IGNORE_VELOCITY: u16 = 0x0038;
+const IGNORE_ACCELERATION: u16 = 0x01C0;
+const IGNORE_YAW: u16 = 0x0400;
+const IGNORE_YAW_RATE: u16 = 0x0800;
+
+/// COMMAND_LONG to a vehicle.
+pub(super) fn long(
+    vehicle: &Vehicle,
+    command: u16,
+    params: [f32; 7],
+    confirmation: u8,
+) -> Result<Outgoing, String> {
+    finite(&params)?;
+    let mut payload = Vec::with_capacity(33);
+    for param in params {
+        payload.extend_from_slice(&param.to_le_bytes());
+    }
+    payload.extend_from_slice(&command.to_le_bytes());
+    payload.extend_from_slice(&[vehicle.id, vehicle.component, confirmation]);
+    Ok(outgoing(COMMAND_LONG, payload))
+}
+
+/// The fields of COMMAND_INT that differ from command to command.
+pub(super) struct IntFields {
+    pub command: u16,
+    pub frame: u8,
+    pub params: [f32; 4],
+    pub x: i32,
+    pub y: i32,
+    pub z: f32,
+}
+
+impl IntFields {
+    /// A command about a place, in degrees, with a height that `frame` gives the meaning of.
+    pub fn at(
+        command: u16,
+        frame: u8,
+        params: [f32; 4],
+        place: (LatLon, f64),
+    ) -> Result<Self, String> {
+        let (point, height_m) = place;
+        let (x, y) = checked(point)?.to_e7();
+        Ok(Self {
+            command,
+            frame,
+            params,
+            x,
+            y,
+            z: height_m as f32,
+        })
+    }
+}
+
+/// COMMAND_INT to a vehicle.
+pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, String> {
+    finite(&fields.params)?;
+    finite(&[fields.z])?;
+    let mut payload = Vec::with_capacity(35);
+    for param in fields.params {
+        payload.extend_from_slice(&param.to_le_bytes());
+    }
+    payload.extend_from_slice(&fields.x.to_le_bytes());
+    payload.extend_from_slice(&fields.y.to_le_bytes());
+    payload.extend_from_slice(&fields.z.to_le_bytes());
+    payload.extend_from_slice(&fields.command.to_le_bytes());
+    payload.extend_from_slice(&[vehicle.id, vehicle.component, fields.frame, 0, 0]);
+    Ok(outgoing(COMMAND_INT, payload))
+}
+
+/// A message of the dialect where it has names for all numbers in the payload, else the raw payload.
+fn outgoing(id: u32, payload: Vec<u8>) -> Outgoing {
+    match MavMessage::parse(MavlinkVersion::V2, id, &payload) {
+        Ok(message) => message.into(),
+        Err(_) => Outgoing::Raw { id, payload },
+    }
+}
+
+/// Counts a COMMAND_LONG's confirmation up; other messages have none.
+pub(super) fn confirm_again(outgoing: &mut Outgoing) {
+    match outgoing {
+        Outgoing::Message(MavMessage::COMMAND_LONG(long)) => {
+            long.confirmation = long.confirmation.wrapping_add(1);
+        }
+        Outgoing::Raw { id, payload } if *id == COMMAND_LONG => {
+            if let Some(confirmation) = payload.get_mut(CONFIRMATION_OFFSET) {
+                *confirmation = confirmation.wrapping_add(1);
+            }
+        }
+        Outgoing::Message(_) | Outgoing::Raw { .. } => {}
+    }
+}
+
+/// A position target in metres north, east, down of the EKF origin.
+pub(super) fn local_position(
+    vehicle: &Vehicle,
+    ned_m: [f64; 3],
+    yaw_deg: Option<f64>,
+) -> Result<Outgoing, String> {
+    let [x, y, z] = ned_m.map(|metres| metres as f32);
+    let yaw = yaw_deg.unwrap_or(0.0).to_radians() as f32;
+    finite(&[x, y, z, yaw])?;
+    Ok(local(
+        vehicle,
+        SET_POSITION_TARGET_LOCAL_NED_DATA {
+            x,
+            y,
+            z,
+            yaw,
+            type_mask: position_mask(yaw_deg),
+            ..Default::default()
+        },
+    ))
+}
+
+/// A velocity target in m/s north, east, down.
+pub(super) fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Outgoing, String> {
+    let [vx, vy, vz] = ned_m_s.map(|speed| speed as f32);
+    finite(&[vx, vy, vz])?;
+    Ok(local(
+        vehicle,
+        SET_POSITION_TARGET_LOCAL_NED_DATA {
+            vx,
+            vy,
+            vz,
+            type_mask: mask(IGNORE_POSITION | IGNORE_ACCELERATION | IGNORE_YAW | IGNORE_YAW_RATE),
+            ..Default::default()
+        },
+    ))
+}
+
+fn local(vehicle: &Vehicle, fields: SET_POSITION_TARGET_LOCAL_NED_DATA) -> Outgoing {
+    MavMessage::SET_POSITION_TARGET_LOCAL_NED(SET_POSITION_TARGET_LOCAL_NED_DATA {
+        target_system: vehicle.id,
+        target_component: vehicle.component,
+        coordinate_frame: MavFrame::MAV_FRAME_LOCAL_NED,
+        ..fields
+    })
+    .into()
+}
+
+/// A position target on the earth, with its height above home.
+#[expect(
+    deprecated,
+    reason = "older autopilots know only the _INT spelling of the frame, newer ones both"
+)]
+pub(super) fn global_position(
+    vehicle: &Vehicle,
+    point: LatLon,
+    altitude_m: f64,
+    yaw_deg: Option<f64>,
+) -> Result<Outgoing, String> {
+    let (lat_int, lon_int) = checked(point)?.to_e7();
+    let alt = altitude_m as f32;
+    let yaw = yaw_deg.unwrap_or(0.0).to_radians() as f32;
+    finite(&[alt, yaw])?;
+    Ok(
+        MavMessage::SET_POSITION_TARGET_GLOBAL_INT(SET_POSITION_TARGET_GLOBAL_INT_DATA {
+            target_system: vehicle.id,
+            target_component: vehicle.component,
+            coordinate_frame: MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT,
+            lat_int,
+            lon_int,
+            alt,
+            yaw,
+            type_mask: position_mask(yaw_deg),
+            ..Default::default()
+        })
+        .into(),
+    )
+}
+
+/// PARAM_REQUEST_READ by name.
+pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, String> {
+    Ok(MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
+        param_index: -1,
+        target_system: vehicle.id,
+        target_component: vehicle.component,
+        param_id: parameter_id(name)?.into(),
+    })
+    .into())
+}
+
+/// PARAM_SET. ArduPilot takes the value as a number and ignores the type field.
+pub(super) fn write_parameter(
+    vehicle: &Vehicle,
+    name: &str,
+    value: f32,
+) -> Result<Outgoing, String> {
+    finite(&[value])?;
+    Ok(MavMessage::PARAM_SET(PARAM_SET_DATA {
+        param_value: value,
+        target_system: vehicle.id,
+        target_component: vehicle.component,
+        param_id: parameter_id(name)?.into(),
+        param_type: MavParamType::MAV_PARAM_TYPE_REAL32,
+    })
+    .into())
+}
+
+fn parameter_id(name: &str) -> Result<[u8; 16], String> {
+    if name.is_empty() || name.len() > 16 || !name.is_ascii() {
+        return Err(format!(
+            "`{name}` cannot be a parameter: names have 1 to 16 plain letters"
+        ));
+    }
+    let mut id = [0; 16];
+    id[..name.len()].copy_from_slice(name.as_bytes());
+    Ok(id)
+}
+
+fn position_mask(yaw_deg: Option<f64>) -> PositionTargetTypemask {
+    let yaw = if yaw_deg.is_some() { 0 } else { IGNORE_YAW };
+    mask(IGNORE_VELOCITY | IGNORE_ACCELERATION | IGNORE_YAW_RATE | yaw)
+}
+
+fn mask(bits: u16) -> PositionTargetTypemask {
+    PositionTargetTypemask::from_bits_retain(bits)
+}
+
+fn checked(point: LatLon) -> Result<LatLon, String> {
+    if point.is_valid() {
+        Ok(point)
+    } else {
+        Err(format!(
+            "{}, {} is no place on the earth",
+            point.lat_deg, point.lon_deg
+        ))
+    }
+}
+
+fn finite(values: &[f32]) -> Result<(), String> {
+    match values.iter().find(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(value) => Err(format!("{value} is not a number that can be sent")),
+    }
+}

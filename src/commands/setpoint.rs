@@ -1,0 +1,200 @@
+//! Setpoints: where a `goto` ends, and when it makes sense at all.
+
+use super::encode::{self, FRAME_RELATIVE, IntFields};
+use super::request::{Answer, Request, cmd};
+use super::{Destination, Heading};
+use crate::geo::LatLon;
+use crate::vehicle::{Vehicle, VehicleClass};
+use crate::wire::Outgoing;
+
+/// Setpoints below this height above home fly into the ground.
+const LOWEST_M: f64 = 0.5;
+pub(super) fn goto(
+    vehicle: &Vehicle,
+    destination: Destination,
+    heading: Heading,
+) -> Result<Request, String> {
+    needs_guided("goto", vehicle)?;
+    let yaw_deg = match heading {
+        Heading::Auto => None,
+        Heading::Fixed(degrees) => Some(degrees),
+        Heading::Keep => Some(f64::from(vehicle.heading_deg().ok_or_else(|| {
+            format!("vehicle {} has not said where its nose points", vehicle.id)
+        })?)),
+    };
+    if class(vehicle) == VehicleClass::Plane {
+        return reposition(vehicle, destination);
+    }
+    match arrival(vehicle, destination)? {
+        Arrival::Global { point, altitude_m } => {
+            above_ground(vehicle, altitude_m)?;
+            setpoint(encode::global_position(vehicle, point, altitude_m, yaw_deg))
+        }
+        Arrival::Local { ned_m } => {
+            above_ground(vehicle, height_of(vehicle, ned_m[2]))?;
+            setpoint(encode::local_position(vehicle, ned_m, yaw_deg))
+        }
+    }
+}
+
+/// ArduPlane flies to a point by DO_REPOSITION only.
+fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, String> {
+    let (point, altitude_m) = match destination {
+        Destination::Global {
+            at_point,
+            altitude_m,
+        } => (at_point, altitude_m.map_or_else(|| height(vehicle), Ok)?),
+        Destination::Offset {
+            north_m,
+            east_m,
+            up_m,
+        } => (
+            position(vehicle)?.moved(north_m, east_m),
+            height(vehicle)? + up_m,
+        ),
+        Destination::Local { .. } => {
+            return Err(format!(
+                "vehicle {} is a plane: it goes to LAT LON or `by n .. e ..`, not to local metres",
+                vehicle.id
+            ));
+        }
+    };
+    // Default speed (-1), stay in or change to GUIDED (1).
+    let fields = IntFields::at(
+        cmd::DO_REPOSITION,
+        FRAME_RELATIVE,
+        [-1.0, 1.0, 0.0, 0.0],
+        (point, altitude_m),
+    )?;
+    acknowledged_int(vehicle, &fields)
+}
+
+/// Where a `goto` ends, in the frame in which it is sent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Arrival {
+    Global { point: LatLon, altitude_m: f64 },
+    Local { ned_m: [f64; 3] },
+}
+
+/// Works out relative and missing parts of a destination from where the vehicle is.
+pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Arrival, String> {
+    match destination {
+        Destination::Global {
+            at_point,
+            altitude_m,
+        } => Ok(Arrival::Global {
+            point: at_point,
+            altitude_m: altitude_m.map_or_else(|| height(vehicle), Ok)?,
+        }),
+        Destination::Local {
+            north_m,
+            east_m,
+            up_m,
+        } => {
+            let down_m = match up_m {
+                Some(up_m) => -up_m,
+                None => local(vehicle)?[2],
+            };
+            Ok(Arrival::Local {
+                ned_m: [north_m, east_m, down_m],
+            })
+        }
+        Destination::Offset {
+            north_m,
+            east_m,
+            up_m,
+        } => match local(vehicle) {
+            Ok([north, east, down]) => Ok(Arrival::Local {
+                ned_m: [north + north_m, east + east_m, down - up_m],
+            }),
+            Err(_) => Ok(Arrival::Global {
+                point: position(vehicle)?.moved(north_m, east_m),
+                altitude_m: height(vehicle)? + up_m,
+            }),
+        },
+    }
+}
+
+/// Height above home of a local position, by the difference to where the vehicle is.
+fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
+    match (vehicle.altitude_m(), local(vehicle)) {
+        (Some(altitude_m), Ok(here)) => altitude_m + here[2] - down_m,
+        _ => -down_m,
+    }
+}
+
+/// Setpoints are ignored without a word outside GUIDED, disarmed, or before takeoff: say so instead.
+pub(super) fn needs_guided(verb: &str, vehicle: &Vehicle) -> Result<(), String> {
+    let id = vehicle.id;
+    let Some(heartbeat) = vehicle.heartbeat else {
+        return Err(format!("vehicle {id} has not been heard yet"));
+    };
+    if heartbeat.class == VehicleClass::Other {
+        return Ok(());
+    }
+    if !heartbeat.mode.is("GUIDED") {
+        return Err(format!(
+            "{verb} needs GUIDED: vehicle {id} is in {}; say `{id} guided` first",
+            heartbeat.mode
+        ));
+    }
+    if !heartbeat.armed {
+        return Err(format!(
+            "{verb} needs an armed vehicle: say `{id} arm` first"
+        ));
+    }
+    if heartbeat.class == VehicleClass::Copter && !vehicle.airborne() {
+        return Err(format!(
+            "{verb} needs a flying vehicle: vehicle {id} is on the ground; say `{id} takeoff 10` first"
+        ));
+    }
+    Ok(())
+}
+
+/// A multirotor flies into the ground when told to.
+pub(super) fn above_ground(vehicle: &Vehicle, altitude_m: f64) -> Result<(), String> {
+    if class(vehicle) == VehicleClass::Copter && altitude_m < LOWEST_M {
+        return Err(format!(
+            "{altitude_m:.1} m above home is too low to fly to; say `{} land` to come down",
+            vehicle.id
+        ));
+    }
+    Ok(())
+}
+
+fn class(vehicle: &Vehicle) -> VehicleClass {
+    vehicle
+        .heartbeat
+        .map_or(VehicleClass::Other, |heartbeat| heartbeat.class)
+}
+
+pub(super) fn position(vehicle: &Vehicle) -> Result<LatLon, String> {
+    vehicle
+        .global
+        .map(|global| global.at_point)
+        .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
+}
+
+pub(super) fn height(vehicle: &Vehicle) -> Result<f64, String> {
+    vehicle
+        .altitude_m()
+        .ok_or_else(|| format!("vehicle {} has not said how high it is", vehicle.id))
+}
+
+fn local(vehicle: &Vehicle) -> Result<[f64; 3], String> {
+    vehicle
+        .local
+        .map(|local| local.ned_m.map(f64::from))
+        .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
+}
+
+/// A request that COMMAND_ACK answers.
+pub(super) fn acknowledged_int(vehicle: &Vehicle, fields: &IntFields) -> Result<Request, String> {
+    let message = encode::int(vehicle, fields)?;
+    Ok(Request::new(message, Answer::Ack(fields.command)))
+}
+
+/// A request that nothing answers.
+pub(super) fn setpoint(message: Result<Outgoing, String>) -> Result<Request, String> {
+    Ok(Request::new(message?, Answer::None))
+}

@@ -1,0 +1,272 @@
+//! The running console: terminal, keys, time and the session, brought together.
+//!
+//! One loop feeds [`update`] with events, carries its effects out, and draws when something visible has
+//! changed: at most once per tick, so that any amount of telemetry costs one frame.
+
+use std::io;
+use std::time::Duration;
+
+use crossterm::event::{Event as TerminalEvent, EventStream, KeyEventKind};
+use futures_util::StreamExt as _;
+use tokio::signal::unix::{SignalKind, signal};
+use tokio::time::MissedTickBehavior;
+
+use crate::app::effect::Effect;
+use crate::app::event::Event;
+use crate::app::state::{MissionListing, State};
+use crate::app::update;
+use crate::fleet::Clock;
+use crate::link::Address;
+use crate::mission::Mission;
+use crate::session::Order;
+use crate::store;
+use crate::terminal::Screen;
+use crate::ui::{self, Theme};
+
+mod session;
+
+use session::{Backend, Plan, Running};
+
+/// The time between two ticks: ten frames a second.
+const TICK: Duration = Duration::from_millis(100);
+
+/// What the console begins with.
+#[derive(Debug, Clone)]
+pub enum Opening {
+    /// The home screen.
+    Home,
+    /// A mission, by path, name or number.
+    Mission(String),
+    /// Free flight.
+    Free,
+    /// Vehicles that are already there.
+    Connect(Vec<Address>),
+}
+
+/// How the console is set up.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// What it begins with.
+    pub opening: Opening,
+    /// Simulated vehicles in free flight.
+    pub vehicles: u8,
+    /// What varies missions and simulation.
+    pub seed: u64,
+    /// Simulated seconds per second.
+    pub speedup: f64,
+    /// What it looks like.
+    pub theme: Theme,
+}
+
+/// Runs the console until the user leaves it or the terminal goes away.
+///
+/// # Errors
+/// There is no terminal, or what it was to begin with does not exist.
+pub async fn run(options: Options) -> anyhow::Result<()> {
+    let mut console = Console::new(options)?;
+    let mut screen = Screen::open()?;
+    console.draw(&mut screen)?;
+    console.begin().await;
+    let mut keys = EventStream::new();
+    let mut ticks = tokio::time::interval(TICK);
+    ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
+    let mut terminated = signal(SignalKind::terminate())?;
+    let mut hung_up = signal(SignalKind::hangup())?;
+    while !console.over {
+        tokio::select! {
+            biased;
+            _ = terminated.recv() => break,
+            _ = hung_up.recv() => break,
+            event = keys.next() => match event {
+                Some(Ok(event)) => {
+                    if matches!(event, TerminalEvent::Resize(..)) {
+                        screen.redraw()?;
+                    }
+                    console.hear(event).await;
+                    // A key is answered at once, not at the next tick.
+                    console.draw(&mut screen)?;
+                }
+                Some(Err(_)) | None => break,
+            },
+            _ = ticks.tick() => {
+                console.tick().await;
+                console.draw(&mut screen)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+struct Console {
+    options: Options,
+    clock: Clock,
+    state: State,
+    theme: Theme,
+    running: Option<Running>,
+    drawn: Option<u64>,
+    over: bool,
+}
+
+impl Console {
+    fn new(options: Options) -> anyhow::Result<Self> {
+        if let Opening::Mission(name) = &options.opening {
+            // Said on the command line's own screen rather than on the console's.
+            store::mission(name)?;
+        }
+        let themes = Theme::names().map(str::to_owned).collect();
+        let state = State::new(listings(), themes, options.theme.name().to_owned());
+        Ok(Self {
+            theme: options.theme.clone(),
+            options,
+            clock: Clock::start(),
+            state,
+            running: None,
+            drawn: None,
+            over: false,
+        })
+    }
+
+    async fn begin(&mut self) {
+        let effect = match &self.options.opening {
+            Opening::Home => return,
+            Opening::Mission(name) => Effect::StartMission(name.clone()),
+            Opening::Free => Effect::StartFree,
+            Opening::Connect(addresses) => {
+                Effect::Connect(addresses.iter().map(ToString::to_string).collect())
+            }
+        };
+        self.carry_out(effect).await;
+    }
+
+    /// Draws if something changed and the terminal has taken the last frame.
+    fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
+        let revision = self.state.revision();
+        if self.drawn == Some(revision) || !screen.is_ready() {
+            return Ok(());
+        }
+        self.drawn = Some(revision);
+        screen.draw(|frame| ui::draw(&self.state, &self.theme, frame))
+    }
+
+    async fn hear(&mut self, event: TerminalEvent) {
+        let event = match event {
+            TerminalEvent::Key(key) if key.kind != KeyEventKind::Release => Event::Key(key),
+            TerminalEvent::Paste(text) => Event::Paste(text),
+            TerminalEvent::Resize(..) => Event::Resize,
+            _ => return,
+        };
+        self.feed(event).await;
+    }
+
+    async fn tick(&mut self) {
+        let now = self.clock.now();
+        self.feed(Event::Tick { now }).await;
+        let Some(running) = &mut self.running else {
+            return;
+        };
+        let mut events = running.collect();
+        events.extend(running.fly(now, &self.state.session));
+        for event in events {
+            self.feed(event).await;
+        }
+    }
+
+    async fn feed(&mut self, event: Event) {
+        for effect in update(&mut self.state, event) {
+            self.carry_out(effect).await;
+        }
+    }
+
+    async fn carry_out(&mut self, effect: Effect) {
+        let outcome = match effect {
+            Effect::Quit => {
+                self.over = true;
+                Ok(())
+            }
+            Effect::Command {
+                entry,
+                targets,
+                verb,
+                command,
+            } => self.command(&targets, &Order {
+                entry,
+                verb: verb.name,
+                retry: verb.retry,
+                command,
+            }),
+            Effect::StartMission(name) => self.start(Plan::Mission(name)).await,
+            Effect::StartFree => self.start(Plan::Free).await,
+            Effect::Connect(addresses) => self.start(Plan::Connect(addresses)).await,
+            Effect::AbandonMission => {
+                self.running.iter_mut().for_each(Running::abandon);
+                Ok(())
+            }
+            Effect::RestartMission => match self.running.as_ref().map(Running::plan) {
+                Some(plan) => self.start(plan).await,
+                None => Ok(()),
+            },
+            Effect::LeaveSession => {
+                self.running = None;
+                Ok(())
+            }
+            Effect::SetTheme(name) => {
+                if let Some(theme) = Theme::named(&name) {
+                    self.theme = theme.for_colours(crate::terminal::colour_depth());
+                }
+                Ok(())
+            }
+            Effect::Bell => crate::terminal::ring().map_err(Into::into),
+        };
+        if let Err(error) = outcome {
+            // The error's own events cannot start anything, so this recursion is one level deep.
+            Box::pin(self.feed(Event::Failed(format!("{error:#}")))).await;
+        }
+    }
+
+    fn command(&self, targets: &[u8], order: &Order) -> anyhow::Result<()> {
+        let running = self
+            .running
+            .as_ref()
+            .ok_or_else(|| anyhow::anyhow!("nothing is connected"))?;
+        for &vehicle in targets {
+            running.order(vehicle, order.clone())?;
+        }
+        Ok(())
+    }
+
+    async fn start(&mut self, plan: Plan) -> anyhow::Result<()> {
+        // The old session ends first: the new one may need its ports.
+        self.running = None;
+        let backend = Backend {
+            clock: self.clock,
+            vehicles: self.options.vehicles,
+            seed: self.options.seed,
+            speedup: self.options.speedup,
+        };
+        let (running, started) = Running::start(plan, &backend).await?;
+        self.running = Some(running);
+        // Nothing that `Started` causes is an effect.
+        update(&mut self.state, Event::Started(Box::new(started)));
+        Ok(())
+    }
+}
+
+/// The missions that can be flown; one that is faulty is left out and logged.
+fn listings() -> Vec<MissionListing> {
+    store::missions()
+        .into_iter()
+        .filter_map(|source| match Mission::parse(&source.text) {
+            Ok(mission) => Some(MissionListing {
+                id: mission.id,
+                title: mission.title,
+                brief: mission.brief,
+            }),
+            Err(faults) => {
+                for fault in faults {
+                    tracing::warn!("{}", fault.one_line(&source.name, &source.text));
+                }
+                None
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,273 @@
+//! One session of the console: a fleet, the simulator or links behind it, and the mission, if any.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use anyhow::Context as _;
+use tokio::sync::{mpsc, watch};
+use tokio_util::sync::CancellationToken;
+
+use crate::app::event::{Event, Started};
+use crate::app::state::{Activity, LinkSummary, Session as Shown};
+use crate::fleet::{Clock, Fleet, FleetEvent};
+use crate::geo::LatLon;
+use crate::headless;
+use crate::link::{Address, Endpoint, LinkState, LinkStatus, Simulator, Transport};
+use crate::mission::{self, Flight, Mission};
+use crate::session::{Order, Report};
+use crate::sim::{Start, World, WorldConfig};
+use crate::store;
+use crate::vehicle::Vehicle;
+use crate::wire::SystemId;
+
+/// Where free flight begins.
+const FREE_FLIGHT_START: Start = Start {
+    at: LatLon::new(50.4501, 30.5234),
+    altitude_amsl_m: 180.0,
+    heading_deg: 0.0,
+};
+/// How far apart the vehicles of free flight stand.
+const SPACING_M: f64 = 5.0;
+/// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.
+const EVENTS_PER_TICK: usize = 2000;
+
+/// What a session is to be.
+#[derive(Debug, Clone)]
+pub(super) enum Plan {
+    /// A mission, by path, name, number or id.
+    Mission(String),
+    /// Simulated vehicles without a task.
+    Free,
+    /// Vehicles at these addresses.
+    Connect(Vec<String>),
+}
+
+/// What sessions are started with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Backend {
+    pub clock: Clock,
+    pub vehicles: u8,
+    pub seed: u64,
+    pub speedup: f64,
+}
+
+/// A running session. Dropping it ends its tasks.
+pub(super) struct Running {
+    plan: Plan,
+    fleet: Fleet,
+    events: mpsc::Receiver<FleetEvent>,
+    vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
+    links: Vec<watch::Receiver<LinkStatus>>,
+    mission: Option<MissionClock>,
+    cancel: CancellationToken,
+}
+
+/// A mission and how far it has been stepped.
+struct MissionClock {
+    flight: Flight,
+    started: Duration,
+    speedup: f64,
+    stepped: Duration,
+    ended: bool,
+}
+
+impl Running {
+    /// Starts a session.
+    ///
+    /// # Errors
+    /// The mission does not exist or is faulty, or an address makes no sense.
+    pub async fn start(plan: Plan, backend: &Backend) -> anyhow::Result<(Self, Started)> {
+        let cancel = CancellationToken::new();
+        let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
+        let mut running = Self {
+            plan: plan.clone(),
+            fleet,
+            events,
+            vehicles: Vec::new(),
+            links: Vec::new(),
+            mission: None,
+            cancel,
+        };
+        let started = match plan {
+            Plan::Mission(name) => running.start_mission(&name, backend).await?,
+            Plan::Free => {
+                let config = WorldConfig {
+                    seed: backend.seed,
+                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START, SPACING_M)
+                };
+                running.simulate(&config, backend.speedup).await?;
+                started(Activity::Free)
+            }
+            Plan::Connect(addresses) => {
+                for address in &addresses {
+                    let address: Address = address.parse()?;
+                    running.fleet.connect(Transport::Address(address))?;
+                }
+                started(Activity::Connected { addresses })
+            }
+        };
+        Ok((running, started))
+    }
+
+    async fn start_mission(&mut self, name: &str, backend: &Backend) -> anyhow::Result<Started> {
+        let mission = Arc::new(find_mission(name)?);
+        let config = headless::world_config(&mission, backend.seed);
+        self.simulate(&config, backend.speedup).await?;
+        self.mission = Some(MissionClock {
+            flight: Flight::new(Arc::clone(&mission), backend.seed),
+            started: backend.clock.now(),
+            speedup: backend.speedup,
+            stepped: Duration::ZERO,
+            ended: false,
+        });
+        Ok(Started {
+            places: mission.places(),
+            ..started(Activity::Mission {
+                id: mission.id.clone(),
+                title: mission.title.clone(),
+            })
+        })
+    }
+
+    /// Starts the embedded simulator: one in-memory pipe per vehicle, no port that others could reach.
+    async fn simulate(&self, config: &WorldConfig, speedup: f64) -> anyhow::Result<()> {
+        let world = World::new(config);
+        let simulator =
+            Simulator::start(world, speedup, &[Endpoint::Pipes], self.cancel.clone()).await?;
+        for pipe in simulator.pipes {
+            self.fleet.connect(Transport::Pipe(pipe))?;
+        }
+        Ok(())
+    }
+
+    /// What the session was to be, for starting it again.
+    pub fn plan(&self) -> Plan {
+        self.plan.clone()
+    }
+
+    /// Gives a command to one vehicle.
+    ///
+    /// # Errors
+    /// The fleet has ended or cannot keep up.
+    pub fn order(&self, vehicle: SystemId, order: Order) -> anyhow::Result<()> {
+        Ok(self.fleet.order(vehicle, order)?)
+    }
+
+    /// Ends the mission; its report comes with the next tick.
+    pub fn abandon(&mut self) {
+        if let Some(mission) = &mut self.mission {
+            mission.flight.abandon();
+        }
+    }
+
+    /// What has happened since the last tick. Telemetry is merged: one event per vehicle that changed.
+    pub fn collect(&mut self) -> Vec<Event> {
+        let mut collected = Vec::new();
+        for _ in 0..EVENTS_PER_TICK {
+            match self.events.try_recv() {
+                Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
+                Ok(FleetEvent::Linked(link)) => self.links.push(link),
+                Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
+                Ok(FleetEvent::Report(Report::Notice(notice))) => {
+                    collected.push(Event::Notice(notice));
+                }
+                Err(_) => break,
+            }
+        }
+        for vehicle in &mut self.vehicles {
+            if vehicle.has_changed().unwrap_or(false) {
+                let snapshot = Vehicle::clone(&vehicle.borrow_and_update());
+                collected.push(Event::Vehicle(Box::new(snapshot)));
+            }
+        }
+        if self.links.iter().any(|link| link.has_changed().unwrap_or(false)) {
+            let links = self.links.iter_mut().map(|link| summary(&link.borrow_and_update()));
+            collected.push(Event::Links(links.collect()));
+        }
+        collected
+    }
+
+    /// Steps the mission up to now and returns what came of it.
+    pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
+        let Some(clock) = &mut self.mission else {
+            return Vec::new();
+        };
+        if clock.ended {
+            return Vec::new();
+        }
+        let mut events = Vec::new();
+        let until = now.saturating_sub(clock.started).mul_f64(clock.speedup);
+        while clock.stepped + mission::TICK <= until && clock.flight.outcome().is_none() {
+            clock.stepped += mission::TICK;
+            let said = clock
+                .flight
+                .step(clock.stepped, &shown.vehicles, &shown.ledger);
+            events.extend(said.into_iter().map(Event::Notice));
+        }
+        events.push(Event::Mission(Box::new(clock.flight.progress())));
+        if clock.flight.outcome().is_some() {
+            clock.ended = true;
+            let report = clock.flight.report(&shown.ledger);
+            events.push(Event::MissionEnded(Box::new(report)));
+        }
+        events
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.cancel.cancel();
+    }
+}
+
+fn started(activity: Activity) -> Started {
+    Started {
+        activity,
+        places: BTreeMap::new(),
+        names: BTreeMap::new(),
+    }
+}
+
+/// A mission by path, name or number, or by the id that it gives itself.
+fn find_mission(name: &str) -> anyhow::Result<Mission> {
+    let by_id = |source: store::Source| {
+        Mission::parse(&source.text)
+            .ok()
+            .filter(|mission| mission.id == name)
+    };
+    if let Some(mission) = store::missions().into_iter().find_map(by_id) {
+        return Ok(mission);
+    }
+    let source = store::mission(name)?;
+    Mission::parse(&source.text)
+        .map_err(|faults| {
+            let lines: Vec<String> = faults
+                .iter()
+                .map(|fault| fault.one_line(&source.name, &source.text))
+                .collect();
+            anyhow::anyhow!(lines.join("\n"))
+        })
+        .with_context(|| format!("the mission {} is faulty", source.name))
+}
+
+fn summary(status: &LinkStatus) -> LinkSummary {
+    let state = match &status.last_error {
+        Some(error) if status.state != LinkState::Up => format!("{}: {error}", status.state),
+        _ => status.state.to_string(),
+    };
+    LinkSummary {
+        name: status.name.clone(),
+        state,
+        up: status.state == LinkState::Up,
+        bytes_in_per_s: f64::from(status.rates.bytes_in_s),
+        bytes_out_per_s: f64::from(status.rates.bytes_out_s),
+        messages_in_per_s: f64::from(status.rates.messages_in_s),
+        messages_out_per_s: f64::from(status.rates.messages_out_s),
+        bad_crc: status.decoder.crc_errors,
+        skipped_bytes: status.decoder.skipped_bytes,
+        lost: status.lost_total,
+        unknown: status.decoder.unknown_messages,
+        round_trip: None,
+    }
+}

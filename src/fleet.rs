@@ -1,0 +1,107 @@
+//! All vehicles and links of a running console.
+//!
+//! One hub task owns the links and knows by which link each system id is heard; one task per vehicle owns
+//! its [`Session`](crate::session::Session). Frames go from a link through the hub to the vehicle's task,
+//! state comes back through a `watch` per vehicle, and occurrences through one bounded channel. No vehicle
+//! waits for another: a full queue drops telemetry, which comes again, and is counted.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use tokio::sync::{mpsc, watch};
+use tokio::time::Instant;
+use tokio_util::sync::CancellationToken;
+
+use crate::link::{LinkStatus, Transport};
+use crate::session::{Order, Report};
+use crate::vehicle::Vehicle;
+use crate::wire::SystemId;
+
+mod hub;
+mod vehicle_task;
+
+/// Reports that may wait for the console before notices are dropped.
+const EVENTS_KEPT: usize = 4096;
+/// Requests that may wait for the hub.
+const REQUESTS_KEPT: usize = 1024;
+
+/// The program's clock: every `now` in the pure modules counts from its start.
+#[derive(Debug, Clone, Copy)]
+pub struct Clock(Instant);
+
+impl Clock {
+    /// A clock that starts now.
+    pub fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    /// The time since the start.
+    pub fn now(self) -> Duration {
+        self.0.elapsed()
+    }
+}
+
+/// Something that happened in the fleet.
+#[derive(Debug)]
+pub enum FleetEvent {
+    /// A vehicle was heard for the first time; its state can be watched from now on.
+    Appeared(watch::Receiver<Arc<Vehicle>>),
+    /// A link was opened; its state can be watched from now on.
+    Linked(watch::Receiver<LinkStatus>),
+    /// A command has come further, or a human should hear of something.
+    Report(Report),
+}
+
+/// What the console asks of the hub.
+enum Request {
+    Connect(Transport),
+    Order(SystemId, Order),
+}
+
+/// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
+#[derive(Debug)]
+pub struct Fleet {
+    requests: mpsc::Sender<Request>,
+    cancel: CancellationToken,
+}
+
+impl Fleet {
+    /// Starts an empty fleet. Must be called inside a tokio runtime.
+    pub fn start(clock: Clock, cancel: CancellationToken) -> (Self, mpsc::Receiver<FleetEvent>) {
+        let (requests, requests_in) = mpsc::channel(REQUESTS_KEPT);
+        let (events, events_out) = mpsc::channel(EVENTS_KEPT);
+        tokio::spawn(hub::run(clock, requests_in, events, cancel.clone()));
+        (Self { requests, cancel }, events_out)
+    }
+
+    /// Opens a link. Its state arrives as [`FleetEvent::Linked`].
+    ///
+    /// # Errors
+    /// The transport comes back when the hub has ended or cannot keep up.
+    pub fn connect(&self, transport: Transport) -> Result<(), Unreachable> {
+        self.ask(Request::Connect(transport))
+    }
+
+    /// Gives a command to one vehicle. How it goes arrives as [`FleetEvent::Report`].
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was sent.
+    pub fn order(&self, vehicle: SystemId, order: Order) -> Result<(), Unreachable> {
+        self.ask(Request::Order(vehicle, order))
+    }
+
+    fn ask(&self, request: Request) -> Result<(), Unreachable> {
+        self.requests.try_send(request).map_err(|_| Unreachable)
+    }
+}
+
+impl Drop for Fleet {
+    fn drop(&mut self) {
+        self.cancel.cancel();
+    }
+}
+
+/// The fleet's hub has ended or has too many requests waiting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the fleet does not take requests now: it is ending or overloaded")]
+pub struct Unreachable;

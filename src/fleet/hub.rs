@@ -1,0 +1,221 @@
+//! The hub: which vehicle is heard by which link.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::sync::Arc;
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+use tokio::sync::{mpsc, watch};
+use tokio_util::sync::CancellationToken;
+
+use super::vehicle_task::{ToVehicle, VehicleTask};
+use super::{Clock, FleetEvent, Request};
+use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
+use crate::notice::Notice;
+use crate::session::{LOST_AFTER, Order, Report, Session};
+use crate::vehicle::{Severity, Vehicle};
+use crate::wire::{Content, Frame, SystemId};
+
+/// Batches of frames that may wait for the hub; beyond that links read more slowly.
+const INBOUND_KEPT: usize = 256;
+/// Batches of frames that may wait for one vehicle's task.
+const BATCHES_KEPT: usize = 256;
+/// How often a shared system id is complained about.
+const CONFLICT_EVERY: Duration = Duration::from_secs(30);
+/// `MAV_TYPE_GCS`.
+const TYPE_GROUND_STATION: u8 = 6;
+/// `MAV_AUTOPILOT_INVALID`: a component that does not fly anything.
+const AUTOPILOT_NONE: u8 = 8;
+
+/// How a vehicle is reached.
+struct Route {
+    link: LinkId,
+    peer: Peer,
+    heard_at: Duration,
+    conflict_said_at: Option<Duration>,
+    inbox: mpsc::Sender<ToVehicle>,
+}
+
+struct Hub {
+    clock: Clock,
+    links: Vec<LinkHandle>,
+    routes: BTreeMap<SystemId, Route>,
+    inbound: mpsc::Sender<Inbound>,
+    events: mpsc::Sender<FleetEvent>,
+    cancel: CancellationToken,
+}
+
+/// Runs the hub until cancelled or until the console has let go of it.
+pub(super) async fn run(
+    clock: Clock,
+    mut requests: mpsc::Receiver<Request>,
+    events: mpsc::Sender<FleetEvent>,
+    cancel: CancellationToken,
+) {
+    let (inbound, mut inbound_out) = mpsc::channel(INBOUND_KEPT);
+    let mut hub = Hub {
+        clock,
+        links: Vec::new(),
+        routes: BTreeMap::new(),
+        inbound,
+        events,
+        cancel: cancel.clone(),
+    };
+    loop {
+        tokio::select! {
+            biased;
+            () = cancel.cancelled() => return,
+            request = requests.recv() => match request {
+                Some(Request::Connect(transport)) => hub.connect(transport).await,
+                Some(Request::Order(vehicle, order)) => hub.order(vehicle, order),
+                None => return,
+            },
+            Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
+        }
+    }
+}
+
+impl Hub {
+    async fn connect(&mut self, transport: Transport) {
+        let id = LinkId(self.links.len() as u16);
+        let link = link::open(id, transport, self.inbound.clone(), self.cancel.clone());
+        let status = link.status();
+        self.links.push(link);
+        self.tell(FleetEvent::Linked(status)).await;
+    }
+
+    /// An order to a vehicle that is unknown or stuck gets no answer; the console's ledger has no row for
+    /// the former, and the latter's row ends with its deadline once the task runs again.
+    fn order(&mut self, vehicle: SystemId, order: Order) {
+        if let Some(route) = self.routes.get(&vehicle)
+            && route.inbox.try_send(ToVehicle::Order(order)).is_err()
+        {
+            tracing::warn!(vehicle, "the vehicle's task does not keep up: an order was dropped");
+        }
+    }
+
+    /// Gives each vehicle its frames, those of one vehicle together.
+    async fn distribute(&mut self, batch: Inbound) {
+        let mut by_system: BTreeMap<SystemId, Vec<Frame>> = BTreeMap::new();
+        for frame in batch.frames {
+            by_system.entry(frame.system).or_default().push(frame);
+        }
+        for (system, frames) in by_system {
+            self.deliver(system, (batch.link, batch.peer), frames).await;
+        }
+    }
+
+    async fn deliver(&mut self, system: SystemId, from: (LinkId, Peer), frames: Vec<Frame>) {
+        let now = self.clock.now();
+        if !self.routes.contains_key(&system) {
+            let Some(component) = frames.iter().find_map(autopilot_component) else {
+                return;
+            };
+            self.appear(system, component, from, now).await;
+        }
+        let Some(route) = self.routes.get_mut(&system) else {
+            return;
+        };
+        if (route.link, route.peer) != from {
+            if now.saturating_sub(route.heard_at) < LOST_AFTER {
+                return self.complain(system, from, now).await;
+            }
+            let Some(link) = self.links.get(usize::from(from.0.0)) else {
+                return;
+            };
+            // The vehicle has come back another way: a new connection, or another port of a lab network.
+            (route.link, route.peer) = from;
+            drop(route.inbox.try_send(ToVehicle::Route(link.clone(), from.1)));
+        }
+        route.heard_at = now;
+        if route.inbox.try_send(ToVehicle::Frames(frames)).is_err() {
+            tracing::warn!(system, "the vehicle's task does not keep up: telemetry was dropped");
+        }
+    }
+
+    async fn appear(
+        &mut self,
+        system: SystemId,
+        component: u8,
+        (link_id, peer): (LinkId, Peer),
+        now: Duration,
+    ) {
+        let Some(link) = self.links.get(usize::from(link_id.0)) else {
+            return;
+        };
+        let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
+        let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
+        let task = VehicleTask {
+            session: Session::new(system, component, now),
+            clock: self.clock,
+            inbox: inbox_out,
+            route: (link.clone(), peer),
+            state,
+            events: self.events.clone(),
+            backlog: VecDeque::new(),
+        };
+        tokio::spawn(task.run(self.cancel.clone()));
+        self.routes.insert(
+            system,
+            Route {
+                link: link_id,
+                peer,
+                heard_at: now,
+                conflict_said_at: None,
+                inbox,
+            },
+        );
+        self.tell(FleetEvent::Appeared(state_out)).await;
+    }
+
+    /// Two senders with one system id: commands would reach whichever listens. Say so, and keep to the first.
+    async fn complain(&mut self, system: SystemId, from: (LinkId, Peer), now: Duration) {
+        let Some(route) = self.routes.get_mut(&system) else {
+            return;
+        };
+        if route
+            .conflict_said_at
+            .is_some_and(|said| now < said + CONFLICT_EVERY)
+        {
+            return;
+        }
+        route.conflict_said_at = Some(now);
+        let text = format!(
+            "system id {system} comes from two places: {} (in use) and {} (ignored). If these are two \
+             vehicles, give one another SYSID_THISMAV and reboot it",
+            self.name_of(self.routes[&system].link),
+            self.name_of(from.0),
+        );
+        self.tell(FleetEvent::Report(Report::Notice(Notice {
+            at: now,
+            vehicle: Some(system),
+            severity: Severity::Error,
+            text,
+        })))
+        .await;
+    }
+
+    fn name_of(&self, link: LinkId) -> String {
+        self.links
+            .get(usize::from(link.0))
+            .map_or_else(String::new, |link| link.status().borrow().name.clone())
+    }
+
+    /// Rare occurrences may wait for the console; frames go on waiting in the links meanwhile.
+    async fn tell(&self, event: FleetEvent) {
+        // An error means that the console is gone, and the token will follow.
+        drop(self.events.send(event).await);
+    }
+}
+
+/// The component id, if the frame is the heartbeat of something that flies (or drives or dives).
+fn autopilot_component(frame: &Frame) -> Option<u8> {
+    let (mav_type, autopilot) = match &frame.content {
+        Content::Message(MavMessage::HEARTBEAT(beat)) => (beat.mavtype as u8, beat.autopilot as u8),
+        // The dialect lacks the type or the autopilot; the numbers lie at their places all the same.
+        Content::Undecoded { id: 0, payload } => (payload[4], payload[5]),
+        _ => return None,
+    };
+    (mav_type != TYPE_GROUND_STATION && autopilot != AUTOPILOT_NONE && frame.system != 0)
+        .then_some(frame.component)
+}

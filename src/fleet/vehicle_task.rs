@@ -1,0 +1,109 @@
+//! The task of one vehicle: its session, driven by frames, orders and time.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+use tokio::sync::{mpsc, watch};
+use tokio_util::sync::CancellationToken;
+
+use super::{Clock, FleetEvent};
+use crate::link::{LinkHandle, Peer, To};
+use crate::session::{Order, Report, Session};
+use crate::vehicle::Vehicle;
+use crate::wire::Frame;
+
+/// Reports that a task keeps while the console is not listening.
+const BACKLOG: usize = 1000;
+
+/// What the hub sends to a vehicle's task.
+pub(super) enum ToVehicle {
+    /// Frames of this vehicle.
+    Frames(Vec<Frame>),
+    /// A command.
+    Order(Order),
+    /// The vehicle is reached by another way from now on.
+    Route(LinkHandle, Peer),
+}
+
+/// Everything a vehicle's task owns.
+pub(super) struct VehicleTask {
+    pub session: Session,
+    pub clock: Clock,
+    pub inbox: mpsc::Receiver<ToVehicle>,
+    pub route: (LinkHandle, Peer),
+    pub state: watch::Sender<Arc<Vehicle>>,
+    pub events: mpsc::Sender<FleetEvent>,
+    pub backlog: VecDeque<Report>,
+}
+
+impl VehicleTask {
+    /// Runs until cancelled or until the hub is gone.
+    pub async fn run(mut self, cancel: CancellationToken) {
+        loop {
+            let patience = self.session.patience();
+            tokio::select! {
+                biased;
+                () = cancel.cancelled() => return,
+                message = self.inbox.recv() => match message {
+                    Some(message) => self.take(message),
+                    None => return,
+                },
+                () = tokio::time::sleep(patience) => {}
+            }
+            self.session.poll(self.clock.now());
+            self.send();
+            self.publish();
+            self.report();
+        }
+    }
+
+    fn take(&mut self, message: ToVehicle) {
+        let now = self.clock.now();
+        match message {
+            ToVehicle::Frames(frames) => {
+                for frame in &frames {
+                    self.session.receive(frame, now);
+                }
+            }
+            ToVehicle::Order(order) => self.session.order(order, now),
+            ToVehicle::Route(link, peer) => self.route = (link, peer),
+        }
+    }
+
+    /// What a full link drops is counted there; a command's own schedule repeats it.
+    fn send(&mut self) {
+        let (link, peer) = &self.route;
+        for message in self.session.take_outgoing() {
+            link.send(To::Peer(*peer), message);
+        }
+    }
+
+    fn publish(&self) {
+        let vehicle = self.session.vehicle();
+        self.state.send_if_modified(|state| {
+            let changed = **state != *vehicle;
+            if changed {
+                *state = Arc::new(vehicle.clone());
+            }
+            changed
+        });
+    }
+
+    /// Hands over what there is to say. Rows of the ledger outlive notices when the console does not listen.
+    fn report(&mut self) {
+        self.backlog.extend(self.session.take_reports());
+        while let Some(report) = self.backlog.pop_front() {
+            if let Err(error) = self.events.try_send(FleetEvent::Report(report)) {
+                if let mpsc::error::TrySendError::Full(FleetEvent::Report(report)) = error {
+                    self.backlog.push_front(report);
+                }
+                break;
+            }
+        }
+        if self.backlog.len() > BACKLOG {
+            self.backlog
+                .retain(|report| matches!(report, Report::Row(_)));
+            self.backlog.truncate(BACKLOG);
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! Telemetry: what each `MAVLink` message changes in the model of its vehicle, and what a human should hear
+//! about it. One match chooses the handler; the handlers lie in one file per subject.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+
+use crate::notice::Notice;
+use crate::vehicle::{Place, Severity, Vehicle};
+use crate::wire::{Content, Frame, SystemId};
+
+mod attitude;
+mod battery;
+mod clock;
+mod ekf;
+mod fence;
+mod gps;
+mod health;
+mod heartbeat;
+mod landed;
+mod outputs;
+mod parameters;
+mod plan;
+mod position;
+mod rangefinder;
+mod speed;
+mod status_text;
+mod target;
+#[cfg(test)]
+mod testing;
+mod version;
+mod vibration;
+
+pub use parameters::{Parameter, ParameterType, Parameters};
+
+/// The message id of HEARTBEAT.
+const HEARTBEAT_ID: u32 = 0;
+
+/// What the handlers of one vehicle remember beside the model: half-received texts, parameters as they
+/// pass, and how far its clock can be trusted.
+#[derive(Debug, Clone, Default)]
+pub struct Inbox {
+    texts: status_text::Assembly,
+    parameters: Parameters,
+    clock: clock::BootClock,
+    /// When the last reason not to arm came: reasons that come together replace those before.
+    reasons_at: Option<Duration>,
+    /// When `BATTERY_STATUS` last spoke of pack 0, which then outranks `SYS_STATUS`.
+    pack_heard_at: Option<Duration>,
+    /// `GPS_GLOBAL_ORIGIN`: where local coordinates begin.
+    origin: Option<Place>,
+}
+
+/// Where a handler says what a human should hear.
+struct Report<'a> {
+    vehicle: SystemId,
+    now: Duration,
+    notices: &'a mut Vec<Notice>,
+}
+
+impl Report<'_> {
+    fn say(&mut self, severity: Severity, text: impl Into<String>) {
+        self.notices.push(Notice {
+            at: self.now,
+            vehicle: Some(self.vehicle),
+            severity,
+            text: text.into(),
+        });
+    }
+}
+
+impl Inbox {
+    /// An inbox for a vehicle of which nothing was heard yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Applies one frame of this vehicle, received at `now`. `notices` gets what a human should hear.
+    ///
+    /// State comes from the vehicle's autopilot component only; a text may come from any component.
+    pub fn apply(
+        &mut self,
+        vehicle: &mut Vehicle,
+        frame: &Frame,
+        now: Duration,
+        notices: &mut Vec<Notice>,
+    ) {
+        let mut report = Report {
+            vehicle: vehicle.id,
+            now,
+            notices,
+        };
+        if let Content::Message(MavMessage::STATUSTEXT(data)) = &frame.content {
+            let chunk = status_text::Chunk::new(frame.component, data);
+            for text in self.texts.accept(chunk, now) {
+                self.take_text(vehicle, &text, &mut report);
+            }
+            return;
+        }
+        if frame.component != vehicle.component {
+            return;
+        }
+        match &frame.content {
+            Content::Message(message) => {
+                if let Some(boot_ms) = clock::boot_ms(message) {
+                    self.note_clock(vehicle, boot_ms, &mut report);
+                }
+                self.dispatch(vehicle, message, &mut report);
+            }
+            Content::Undecoded { id, payload } if *id == HEARTBEAT_ID => {
+                heartbeat::apply(vehicle, heartbeat::Beat::from_payload(payload), &mut report);
+            }
+            Content::Undecoded { .. } => {}
+        }
+    }
+
+    /// The parameters that have passed so far.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Does what only time can tell: gives out chunked texts whose rest never came (after 1 s), with `...`
+    /// in place of what is missing. Call it a few times a second.
+    pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
+        let mut report = Report {
+            vehicle: vehicle.id,
+            now,
+            notices,
+        };
+        for text in self.texts.expire(now) {
+            self.take_text(vehicle, &text, &mut report);
+        }
+    }
+
+    /// One handler per kind of message.
+    fn dispatch(&mut self, vehicle: &mut Vehicle, message: &MavMessage, report: &mut Report<'_>) {
+        use MavMessage as M;
+        let now = report.now;
+        match message {
+            M::HEARTBEAT(data) => heartbeat::apply(vehicle, data.into(), report),
+            M::ATTITUDE(data) => attitude::apply(vehicle, data, now),
+            M::GLOBAL_POSITION_INT(data) => position::apply_global(vehicle, data, now),
+            M::LOCAL_POSITION_NED(data) => position::apply_local(vehicle, data, now),
+            M::HOME_POSITION(data) => position::apply_home(vehicle, data),
+            M::GPS_GLOBAL_ORIGIN(data) => self.origin = position::origin(data),
+            M::POSITION_TARGET_GLOBAL_INT(data) => target::apply_global(vehicle, data, now),
+            M::POSITION_TARGET_LOCAL_NED(data) => {
+                target::apply_local(vehicle, data, self.origin, now);
+            }
+            M::GPS_RAW_INT(data) => gps::apply(vehicle, data, report),
+            M::VFR_HUD(data) => speed::apply_hud(vehicle, data, now),
+            M::WIND(data) => speed::apply_wind(vehicle, data),
+            M::SYS_STATUS(data) => {
+                health::apply(vehicle, data, now);
+                battery::apply_summary(vehicle, data, self.pack_heard_at, now);
+            }
+            M::BATTERY_STATUS(data) => {
+                if data.id == battery::MAIN_PACK {
+                    self.pack_heard_at = Some(now);
+                }
+                battery::apply(vehicle, data, now);
+            }
+            M::EKF_STATUS_REPORT(data) => ekf::apply(vehicle, data, report),
+            M::VIBRATION(data) => vibration::apply(vehicle, data),
+            M::EXTENDED_SYS_STATE(data) => landed::apply(vehicle, data),
+            M::MISSION_CURRENT(data) => plan::apply_current(vehicle, data),
+            M::MISSION_ITEM_REACHED(data) => vehicle.plan.reached = Some(data.seq),
+            M::FENCE_STATUS(data) => fence::apply(vehicle, data, report),
+            M::RANGEFINDER(data) => rangefinder::apply(vehicle, data),
+            M::DISTANCE_SENSOR(data) => rangefinder::apply_sensor(vehicle, data),
+            M::RC_CHANNELS(data) => outputs::apply_rc(vehicle, data),
+            M::SERVO_OUTPUT_RAW(data) => outputs::apply_servos(vehicle, data),
+            M::AUTOPILOT_VERSION(data) => version::apply(vehicle, data),
+            M::PARAM_VALUE(data) => self.parameters.note(data),
+            _ => {}
+        }
+    }
+
+    fn take_text(
+        &mut self,
+        vehicle: &mut Vehicle,
+        text: &status_text::Joined,
+        report: &mut Report<'_>,
+    ) {
+        status_text::apply(vehicle, text, &mut self.reasons_at, report);
+    }
+
+    fn note_clock(&mut self, vehicle: &mut Vehicle, boot_ms: u32, report: &mut Report<'_>) {
+        match self.clock.note(vehicle.boot_ms, boot_ms, report.now) {
+            clock::Step::Onward => {}
+            clock::Step::Rebooted => self.forget(vehicle, report),
+            clock::Step::TwoClocks => report.say(
+                Severity::Error,
+                format!(
+                    "two vehicles answer as system id {}: give one another SYSID_THISMAV",
+                    vehicle.id
+                ),
+            ),
+        }
+        vehicle.boot_ms = Some(boot_ms);
+    }
+
+    /// Drops what a reboot made stale. Parameters survive a reboot, and so do what we heard and how well.
+    fn forget(&mut self, vehicle: &mut Vehicle, report: &mut Report<'_>) {
+        report.say(Severity::Warning, "rebooted");
+        vehicle.link.reboots += 1;
+        *vehicle = Vehicle {
+            heartbeat: vehicle.heartbeat,
+            link: vehicle.link,
+            texts: std::mem::take(&mut vehicle.texts),
+            ..Vehicle::new(vehicle.id, vehicle.component)
+        };
+        for text in self.texts.drain() {
+            self.take_text(vehicle, &text, report);
+        }
+        // The reasons of half-received texts were the old run's as well.
+        vehicle.prearm.clear();
+        self.reasons_at = None;
+        self.pack_heard_at = None;
+        self.origin = None;
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,27 @@
+//! `EKF_STATUS_REPORT`.
+
+use mavlink::dialects::ardupilotmega::EKF_STATUS_REPORT_DATA;
+
+use super::Report;
+use crate::vehicle::{Ekf, EkfFlags, Severity, Vehicle};
+
+/// Applies `EKF_STATUS_REPORT` and says when the filter loses or finds its position on the earth.
+pub(super) fn apply(vehicle: &mut Vehicle, data: &EKF_STATUS_REPORT_DATA, report: &mut Report<'_>) {
+    let ekf = Ekf {
+        flags: EkfFlags(data.flags.bits()),
+        velocity_variance: data.velocity_variance,
+        position_horizontal_variance: data.pos_horiz_variance,
+        position_vertical_variance: data.pos_vert_variance,
+        compass_variance: data.compass_variance,
+        at: report.now,
+    };
+    let Some(before) = vehicle.ekf.replace(ekf) else {
+        return;
+    };
+    let knows = |ekf: Ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE);
+    match (knows(before), knows(ekf)) {
+        (true, false) => report.say(Severity::Error, "EKF position lost"),
+        (false, true) => report.say(Severity::Notice, "EKF position good"),
+        _ => {}
+    }
+}

@@ -1,0 +1,30 @@
+//! `GPS_RAW_INT`.
+
+use mavlink::dialects::ardupilotmega::GPS_RAW_INT_DATA;
+
+use super::Report;
+use crate::vehicle::{FixType, Gps, Severity, Vehicle};
+
+/// Applies `GPS_RAW_INT` and says when the fix is lost or found. Its own position is left out: before the
+/// fix it is made up.
+pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut Report<'_>) {
+    let gps = Gps {
+        fix: FixType::from_wire(data.fix_type as u8),
+        satellites: (data.satellites_visible != u8::MAX).then_some(data.satellites_visible),
+        hdop: (data.eph != u16::MAX).then(|| f32::from(data.eph) * 0.01),
+        at: report.now,
+    };
+    let Some(before) = vehicle.gps.replace(gps) else {
+        return;
+    };
+    match (locates(before.fix), locates(gps.fix)) {
+        (true, false) => report.say(Severity::Warning, format!("GPS fix lost ({})", gps.fix)),
+        (false, true) => report.say(Severity::Notice, format!("GPS fix {}", gps.fix)),
+        _ => {}
+    }
+}
+
+/// Whether a fix gives a position in three dimensions.
+fn locates(fix: FixType) -> bool {
+    fix >= FixType::Fix3d
+}

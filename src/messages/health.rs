@@ -1,0 +1,27 @@
+//! `SYS_STATUS`: health of the subsystems, the pre-arm bit among them.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{MavSysStatusSensor, SYS_STATUS_DATA};
+
+use crate::vehicle::{Health, Vehicle};
+
+/// Applies the health bits of `SYS_STATUS`. Reasons not to arm go when the pre-arm bit turns healthy, and the
+/// fence goes when it is switched off: its own message then merely stops.
+pub(super) fn apply(vehicle: &mut Vehicle, data: &SYS_STATUS_DATA, now: Duration) {
+    let health = Health {
+        present: data.onboard_control_sensors_present.bits(),
+        enabled: data.onboard_control_sensors_enabled.bits(),
+        healthy: data.onboard_control_sensors_health.bits(),
+        load_percent: f32::from(data.load) * 0.1,
+        at: now,
+    };
+    let before = vehicle.health.replace(health);
+    if health.prearm_ok() && !before.is_some_and(|before| before.prearm_ok()) {
+        vehicle.prearm.clear();
+    }
+    let fence = MavSysStatusSensor::MAV_SYS_STATUS_GEOFENCE.bits();
+    if before.is_some_and(|before| before.enabled & fence != 0) && health.enabled & fence == 0 {
+        vehicle.fence = None;
+    }
+}

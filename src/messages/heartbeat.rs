@@ -1,0 +1,103 @@
+//! HEARTBEAT: mode, armed state, type and status.
+
+use mavlink::dialects::ardupilotmega::HEARTBEAT_DATA;
+
+use super::Report;
+use crate::vehicle::{Heartbeat, Mode, Severity, SystemStatus, Vehicle, VehicleClass};
+
+/// `MAV_TYPE_GCS`.
+const TYPE_GROUND_STATION: u8 = 6;
+/// `MAV_AUTOPILOT_INVALID`: a component that is no flight controller.
+const AUTOPILOT_NONE: u8 = 8;
+/// `MAV_AUTOPILOT_ARDUPILOTMEGA`: whose mode numbers this program has names for.
+const AUTOPILOT_ARDUPILOT: u8 = 3;
+/// `MAV_MODE_FLAG_SAFETY_ARMED`.
+const FLAG_ARMED: u8 = 0x80;
+
+/// The numbers of a HEARTBEAT, whether the dialect has names for all of them or not.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Beat {
+    custom_mode: u32,
+    mav_type: u8,
+    autopilot: u8,
+    base_mode: u8,
+    status: u8,
+}
+
+impl From<&HEARTBEAT_DATA> for Beat {
+    fn from(data: &HEARTBEAT_DATA) -> Self {
+        Self {
+            custom_mode: data.custom_mode,
+            mav_type: data.mavtype as u8,
+            autopilot: data.autopilot as u8,
+            base_mode: data.base_mode.bits(),
+            status: data.system_status as u8,
+        }
+    }
+}
+
+impl Beat {
+    /// Reads the payload in wire order.
+    pub(super) fn from_payload(payload: &[u8; 255]) -> Self {
+        let [
+            mode0,
+            mode1,
+            mode2,
+            mode3,
+            mav_type,
+            autopilot,
+            base_mode,
+            status,
+            ..,
+        ] = *payload;
+        Self {
+            custom_mode: u32::from_le_bytes([mode0, mode1, mode2, mode3]),
+            mav_type,
+            autopilot,
+            base_mode,
+            status,
+        }
+    }
+
+    fn is_autopilot(self) -> bool {
+        self.mav_type != TYPE_GROUND_STATION && self.autopilot != AUTOPILOT_NONE
+    }
+}
+
+/// Applies a heartbeat of the vehicle's autopilot component; those of anything but an autopilot change nothing.
+pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) {
+    if !beat.is_autopilot() {
+        return;
+    }
+    let class = VehicleClass::from_mav_type(beat.mav_type);
+    let heartbeat = Heartbeat {
+        mav_type: beat.mav_type,
+        autopilot: beat.autopilot,
+        class,
+        mode: Mode {
+            class: if beat.autopilot == AUTOPILOT_ARDUPILOT {
+                class
+            } else {
+                VehicleClass::Other
+            },
+            number: beat.custom_mode,
+        },
+        armed: beat.base_mode & FLAG_ARMED != 0,
+        status: SystemStatus::from_wire(beat.status),
+        at: report.now,
+    };
+    let before = vehicle.heartbeat.replace(heartbeat);
+    let Some(before) = before else { return };
+    if before.mode != heartbeat.mode {
+        report.say(Severity::Notice, format!("mode {}", heartbeat.mode));
+        // The new mode heads for its own target and says so, or has none.
+        vehicle.target = None;
+    }
+    if before.armed != heartbeat.armed {
+        let text = if heartbeat.armed { "armed" } else { "disarmed" };
+        report.say(Severity::Notice, text);
+        if heartbeat.armed {
+            vehicle.prearm.clear();
+        }
+    }
+}

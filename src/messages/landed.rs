@@ -1,0 +1,16 @@
+//! `EXTENDED_SYS_STATE`.
+
+use mavlink::dialects::ardupilotmega::{EXTENDED_SYS_STATE_DATA, MavLandedState};
+
+use crate::vehicle::{LandedState, Vehicle};
+
+/// Applies the landed state.
+pub(super) fn apply(vehicle: &mut Vehicle, data: &EXTENDED_SYS_STATE_DATA) {
+    vehicle.landed = match data.landed_state {
+        MavLandedState::MAV_LANDED_STATE_UNDEFINED => LandedState::Undefined,
+        MavLandedState::MAV_LANDED_STATE_ON_GROUND => LandedState::OnGround,
+        MavLandedState::MAV_LANDED_STATE_IN_AIR => LandedState::InAir,
+        MavLandedState::MAV_LANDED_STATE_TAKEOFF => LandedState::Takeoff,
+        MavLandedState::MAV_LANDED_STATE_LANDING => LandedState::Landing,
+    };
+}

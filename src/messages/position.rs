@@ -1,0 +1,66 @@
+//! Where the vehicle is, and the points its coordinates are measured from.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{
+    GLOBAL_POSITION_INT_DATA, GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA,
+};
+
+use super::attitude::heading_deg;
+use crate::geo::LatLon;
+use crate::vehicle::{GlobalPosition, LocalPosition, Place, Vehicle};
+
+/// Applies `GLOBAL_POSITION_INT`. Latitude and longitude both 0 is how `ArduPilot` says that it does not know.
+pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DATA, now: Duration) {
+    let position = point(data.lat, data.lon).map(|at_point| GlobalPosition {
+        at_point,
+        altitude_amsl_m: f64::from(data.alt) * 1e-3,
+        altitude_m: f64::from(data.relative_alt) * 1e-3,
+        north_m_s: f32::from(data.vx) * 0.01,
+        east_m_s: f32::from(data.vy) * 0.01,
+        down_m_s: f32::from(data.vz) * 0.01,
+        heading_deg: (data.hdg != u16::MAX).then(|| heading_deg(f32::from(data.hdg) * 0.01)),
+        at: now,
+    });
+    vehicle.global = position;
+}
+
+/// Applies `LOCAL_POSITION_NED`; one without numbers in it changes nothing.
+pub(super) fn apply_local(vehicle: &mut Vehicle, data: &LOCAL_POSITION_NED_DATA, now: Duration) {
+    let ned_m = [data.x, data.y, data.z];
+    let velocity_m_s = [data.vx, data.vy, data.vz];
+    if ned_m
+        .iter()
+        .chain(&velocity_m_s)
+        .all(|value| value.is_finite())
+    {
+        vehicle.local = Some(LocalPosition {
+            ned_m,
+            velocity_m_s,
+            at: now,
+        });
+    }
+}
+
+/// Applies `HOME_POSITION`.
+pub(super) fn apply_home(vehicle: &mut Vehicle, data: &HOME_POSITION_DATA) {
+    vehicle.home = place(data.latitude, data.longitude, data.altitude);
+}
+
+/// The origin of local coordinates.
+pub(super) fn origin(data: &GPS_GLOBAL_ORIGIN_DATA) -> Option<Place> {
+    place(data.latitude, data.longitude, data.altitude)
+}
+
+/// A point that is known: not 0, 0 and on the earth.
+pub(super) fn point(lat_e7: i32, lon_e7: i32) -> Option<LatLon> {
+    let at_point = LatLon::from_e7(lat_e7, lon_e7);
+    ((lat_e7, lon_e7) != (0, 0) && at_point.is_valid()).then_some(at_point)
+}
+
+fn place(lat_e7: i32, lon_e7: i32, altitude_mm: i32) -> Option<Place> {
+    point(lat_e7, lon_e7).map(|at_point| Place {
+        at_point,
+        altitude_amsl_m: f64::from(altitude_mm) * 1e-3,
+    })
+}

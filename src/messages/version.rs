@@ -1,0 +1,31 @@
+//! `AUTOPILOT_VERSION`.
+
+use mavlink::dialects::ardupilotmega::AUTOPILOT_VERSION_DATA;
+
+use crate::vehicle::{AutopilotVersion, Vehicle};
+
+/// Applies `AUTOPILOT_VERSION`.
+pub(super) fn apply(vehicle: &mut Vehicle, data: &AUTOPILOT_VERSION_DATA) {
+    let [_, patch, minor, major] = data.flight_sw_version.to_le_bytes();
+    vehicle.version = Some(AutopilotVersion {
+        firmware: (major, minor, patch),
+        capabilities: data.capabilities.bits(),
+        uid: match data.uid {
+            0 => folded(&data.uid2),
+            uid => uid,
+        },
+        hash: data.flight_custom_version,
+    });
+}
+
+/// The long id as one number (64-bit FNV-1a), 0 where there is none: `ArduPilot` fills in only the long id.
+fn folded(uid2: &[u8; 18]) -> u64 {
+    const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+    const PRIME: u64 = 0x0000_0100_0000_01b3;
+    if uid2.iter().all(|&byte| byte == 0) {
+        return 0;
+    }
+    uid2.iter().fold(OFFSET, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(PRIME)
+    })
+}

@@ -1,0 +1,285 @@
+//! The conversation with one vehicle, without any input or output of its own.
+//!
+//! A [`Session`] takes in frames and orders together with the time, keeps the [`Vehicle`] model, and gives
+//! out messages to send and things to report. The fleet drives one per vehicle from a task; the headless
+//! runner drives them in lock step with the simulator. Both therefore behave the same, and every
+//! time-out and retry can be tested without waiting for it.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use crate::commands::Command;
+use crate::language::Retry;
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::messages::{Inbox, Parameters};
+use crate::notice::Notice;
+use crate::vehicle::{Severity, Vehicle};
+use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
+
+mod acknowledgement;
+mod precedence;
+mod streams;
+#[cfg(test)]
+mod tests;
+mod timesync;
+mod transaction;
+
+use streams::Streams;
+use timesync::Timesync;
+use transaction::{Progress, Transaction};
+
+pub use streams::{Stream, WANTED_STREAMS};
+
+/// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
+pub const LOST_AFTER: Duration = Duration::from_millis(2500);
+/// How long a session may be left alone while a command is under way.
+const BUSY_POLL: Duration = Duration::from_millis(50);
+/// How long a session may be left alone otherwise.
+const IDLE_POLL: Duration = Duration::from_millis(500);
+
+/// One vehicle's part in a command.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Order {
+    /// The ledger's entry that is kept informed.
+    pub entry: EntryId,
+    /// The verb it was given with, for explanations.
+    pub verb: &'static str,
+    /// When it may be sent again, and until when at all.
+    pub retry: Retry,
+    /// What to do.
+    pub command: Command,
+}
+
+/// Something to report.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Report {
+    /// A command has come further.
+    Row(RowUpdate),
+    /// A human should hear of it.
+    Notice(Notice),
+}
+
+/// The state of a conversation with one vehicle.
+#[derive(Debug)]
+pub struct Session {
+    vehicle: Vehicle,
+    inbox: Inbox,
+    loss: LossMeter,
+    streams: Streams,
+    timesync: Timesync,
+    /// Orders that wait for the line to be free, with the time they were given.
+    queue: VecDeque<(Order, Duration)>,
+    /// The one whose answer is awaited.
+    active: Option<Transaction>,
+    /// Those that were accepted and whose effect is awaited.
+    watched: Vec<Transaction>,
+    outgoing: Vec<Outgoing>,
+    reports: Vec<Report>,
+}
+
+impl Session {
+    /// A conversation that begins now. Nothing is asked before the vehicle's first heartbeat: requests in
+    /// the first 40 ms of an ArduPilot's link are acknowledged and then lost.
+    pub fn new(system: SystemId, component: ComponentId, now: Duration) -> Self {
+        Self {
+            vehicle: Vehicle::new(system, component),
+            inbox: Inbox::new(),
+            loss: LossMeter::default(),
+            streams: Streams::new(now),
+            timesync: Timesync::default(),
+            queue: VecDeque::new(),
+            active: None,
+            watched: Vec::new(),
+            outgoing: Vec::new(),
+            reports: Vec::new(),
+        }
+    }
+
+    /// The model as it is now.
+    pub fn vehicle(&self) -> &Vehicle {
+        &self.vehicle
+    }
+
+    /// The parameters that have passed so far.
+    pub fn parameters(&self) -> &Parameters {
+        self.inbox.parameters()
+    }
+
+    /// Takes in one frame from this vehicle's system.
+    pub fn receive(&mut self, frame: &Frame, now: Duration) {
+        self.hear(frame, now);
+        let reboots = self.vehicle.link.reboots;
+        let mut notices = Vec::new();
+        self.inbox
+            .apply(&mut self.vehicle, frame, now, &mut notices);
+        for notice in &notices {
+            if let Some(active) = &mut self.active {
+                active.hear_text(notice);
+            }
+        }
+        self.reports
+            .extend(notices.into_iter().map(Report::Notice));
+        if self.vehicle.link.reboots > reboots {
+            self.streams.forget(now);
+        }
+        self.streams.note(frame.content.id());
+        if let Content::Message(message) = &frame.content {
+            let (reply, round_trip) = self.timesync.receive(message, self.vehicle.id, now);
+            self.outgoing.extend(reply);
+            if round_trip.is_some() {
+                self.vehicle.link.round_trip = round_trip;
+            }
+        }
+        if let Some(active) = &mut self.active {
+            active.receive(frame, &self.vehicle, now);
+        }
+        self.advance(now);
+    }
+
+    /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
+    pub fn order(&mut self, order: Order, now: Duration) {
+        if precedence::is_urgent(&order.command) {
+            self.clear_the_line(order.verb, now);
+        }
+        self.queue.push_back((order, now));
+        self.advance(now);
+    }
+
+    /// Lets time pass: retries, deadlines, silence. Call it at least as often as [`Self::patience`] says.
+    pub fn poll(&mut self, now: Duration) {
+        let mut notices = Vec::new();
+        self.inbox.poll(&mut self.vehicle, now, &mut notices);
+        self.reports
+            .extend(notices.into_iter().map(Report::Notice));
+        self.watch_silence(now);
+        if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
+            let id = (self.vehicle.id, self.vehicle.component);
+            self.outgoing.extend(self.timesync.poll(id, now));
+            self.outgoing.extend(self.streams.poll(&self.vehicle, now));
+        }
+        self.advance(now);
+    }
+
+    /// How long the session may be left alone if nothing arrives.
+    pub fn patience(&self) -> Duration {
+        if self.active.is_some() || !self.watched.is_empty() {
+            BUSY_POLL
+        } else {
+            IDLE_POLL
+        }
+    }
+
+    /// The messages to send, in order; they are gone from the session then.
+    pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
+        std::mem::take(&mut self.outgoing)
+    }
+
+    /// What there is to report, in order; it is gone from the session then.
+    pub fn take_reports(&mut self) -> Vec<Report> {
+        std::mem::take(&mut self.reports)
+    }
+
+    fn hear(&mut self, frame: &Frame, now: Duration) {
+        self.loss.note(frame);
+        let link = &mut self.vehicle.link;
+        link.received += 1;
+        link.missing = self.loss.lost();
+        let silent_since = link.last_heard.replace(now);
+        if std::mem::take(&mut link.lost) {
+            let gap = now.saturating_sub(silent_since.unwrap_or(now));
+            self.notice(
+                Severity::Notice,
+                format!("link back after {:.1} s", gap.as_secs_f64()),
+                now,
+            );
+            self.streams.forget(now);
+        }
+    }
+
+    fn watch_silence(&mut self, now: Duration) {
+        let link = &mut self.vehicle.link;
+        let silent = link
+            .last_heard
+            .is_some_and(|heard| now.saturating_sub(heard) >= LOST_AFTER);
+        if silent && !link.lost {
+            link.lost = true;
+            self.notice(Severity::Critical, "link lost".to_owned(), now);
+        }
+    }
+
+    fn notice(&mut self, severity: Severity, text: String, now: Duration) {
+        self.reports.push(Report::Notice(Notice {
+            at: now,
+            vehicle: Some(self.vehicle.id),
+            severity,
+            text,
+        }));
+    }
+
+    /// Gives up everything that waits or flies, because something urgent was ordered.
+    fn clear_the_line(&mut self, verb: &str, now: Duration) {
+        let reason = format!("{verb} took its place");
+        for (order, _) in self.queue.drain(..) {
+            self.reports.push(Report::Row(RowUpdate {
+                entry: order.entry,
+                vehicle: self.vehicle.id,
+                state: RowState::Superseded,
+                tries: 0,
+                at: now,
+                explanation: Some(reason.clone()),
+            }));
+        }
+        for transaction in self.active.take().into_iter().chain(self.watched.drain(..)) {
+            self.reports
+                .push(Report::Row(transaction.superseded(&self.vehicle, &reason, now)));
+        }
+    }
+
+    /// Moves everything as far as it will go.
+    fn advance(&mut self, now: Duration) {
+        loop {
+            if self.active.is_none() {
+                let Some((order, given)) = self.queue.pop_front() else {
+                    break;
+                };
+                self.active = Some(Transaction::new(order, given));
+            }
+            let Some(mut active) = self.active.take() else {
+                break;
+            };
+            match active.poll(&self.vehicle, now, &mut self.outgoing, &mut self.reports) {
+                Progress::Waiting => {
+                    self.active = Some(active);
+                    break;
+                }
+                Progress::Watching => {
+                    if active.moves_the_vehicle() {
+                        self.supersede_movements(&active, now);
+                    }
+                    self.watched.push(active);
+                }
+                Progress::Ended => {}
+            }
+        }
+        let (vehicle, outgoing, reports) = (&self.vehicle, &mut self.outgoing, &mut self.reports);
+        self.watched.retain_mut(|transaction| {
+            !matches!(
+                transaction.poll(vehicle, now, outgoing, reports),
+                Progress::Ended
+            )
+        });
+    }
+
+    /// A vehicle flies to one place at a time: what it was doing before is not awaited any longer.
+    fn supersede_movements(&mut self, by: &Transaction, now: Duration) {
+        let reason = format!("{} took its place", by.verb());
+        let (vehicle, reports) = (&self.vehicle, &mut self.reports);
+        self.watched.retain(|transaction| {
+            let superseded = transaction.moves_the_vehicle();
+            if superseded {
+                reports.push(Report::Row(transaction.superseded(vehicle, &reason, now)));
+            }
+            !superseded
+        });
+    }
+}

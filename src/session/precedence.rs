@@ -1,0 +1,43 @@
+//! Which commands give way to which.
+
+use crate::commands::Command;
+
+/// Whether everything that waits or flies must give way: the operator wants it to stop, land or come home now.
+pub(super) fn is_urgent(command: &Command) -> bool {
+    match command {
+        Command::Kill
+        | Command::Disarm
+        | Command::Land
+        | Command::ReturnToLaunch
+        | Command::Hold => true,
+        Command::SetMode { name } => {
+            ["LAND", "RTL", "SMART_RTL", "BRAKE"].contains(&name.to_ascii_uppercase().as_str())
+        }
+        _ => false,
+    }
+}
+
+/// Whether the command decides where the vehicle flies, so that a newer one of the kind replaces it.
+pub(super) fn moves_the_vehicle(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::SetMode { .. }
+            | Command::Takeoff { .. }
+            | Command::Land
+            | Command::ReturnToLaunch
+            | Command::Hold
+            | Command::Resume
+            | Command::Goto { .. }
+            | Command::Altitude { .. }
+            | Command::Velocity { .. }
+            | Command::Orbit { .. }
+            | Command::Disarm
+            | Command::Kill
+    )
+}
+
+/// Whether later commands are judged by its effect, so that they wait for it to show: a takeoff that is
+/// looked at before the heartbeat says "armed" would be refused for nothing.
+pub(super) fn later_ones_depend_on_it(command: &Command) -> bool {
+    matches!(command, Command::Arm | Command::SetMode { .. })
+}

@@ -1,0 +1,131 @@
+//! Asks a vehicle for the telemetry that is shown, without fighting anybody else over the rates.
+//!
+//! What arrives is counted. A message that comes often enough is left alone, whoever asked for it; one that
+//! comes too seldom is asked for, a few times at most: if another ground station keeps setting it back,
+//! it wins.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::commands::Command;
+use crate::vehicle::Vehicle;
+use crate::wire::Outgoing;
+
+/// A message and how often it is wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stream {
+    /// MAVLink message id.
+    pub message: u32,
+    /// Wanted rate in Hz.
+    pub rate_hz: f64,
+}
+
+const fn stream(message: u32, rate_hz: f64) -> Stream {
+    Stream { message, rate_hz }
+}
+
+/// What the console shows, and how often it needs it.
+pub const WANTED_STREAMS: &[Stream] = &[
+    stream(33, 5.0),  // GLOBAL_POSITION_INT
+    stream(30, 5.0),  // ATTITUDE
+    stream(32, 2.0),  // LOCAL_POSITION_NED
+    stream(74, 2.0),  // VFR_HUD
+    stream(1, 1.0),   // SYS_STATUS
+    stream(147, 1.0), // BATTERY_STATUS
+    stream(24, 1.0),  // GPS_RAW_INT
+    stream(193, 1.0), // EKF_STATUS_REPORT
+    stream(245, 2.0), // EXTENDED_SYS_STATE
+    stream(87, 1.0),  // POSITION_TARGET_GLOBAL_INT
+    stream(42, 1.0),  // MISSION_CURRENT
+    stream(241, 0.5), // VIBRATION
+    stream(36, 1.0),  // SERVO_OUTPUT_RAW
+    stream(65, 1.0),  // RC_CHANNELS
+    stream(168, 0.5), // WIND
+    stream(162, 0.5), // FENCE_STATUS
+];
+
+/// MAVLink id of HOME_POSITION.
+const HOME_POSITION: u32 = 242;
+/// MAVLink id of AUTOPILOT_VERSION.
+const AUTOPILOT_VERSION: u32 = 148;
+
+/// Rates are judged over this long.
+const WINDOW: Duration = Duration::from_secs(4);
+/// The first look is earlier, so that a new vehicle shows its telemetry soon.
+const FIRST_LOOK: Duration = Duration::from_millis(150);
+/// A message is asked for this often before it is left alone.
+const TRIES: u8 = 3;
+/// What arrives at this share of the wanted rate is good enough.
+const GOOD_ENOUGH: f64 = 0.7;
+
+/// Watches the rates of one vehicle.
+#[derive(Debug)]
+pub(super) struct Streams {
+    arrived: BTreeMap<u32, u32>,
+    asked: BTreeMap<u32, u8>,
+    window_start: Duration,
+    next_look: Duration,
+}
+
+impl Streams {
+    /// Nothing asked yet.
+    pub fn new(now: Duration) -> Self {
+        Self {
+            arrived: BTreeMap::new(),
+            asked: BTreeMap::new(),
+            window_start: now,
+            next_look: now + FIRST_LOOK,
+        }
+    }
+
+    /// Starts again: the link or the vehicle has, and rates may be gone.
+    pub fn forget(&mut self, now: Duration) {
+        *self = Self::new(now);
+    }
+
+    /// Takes note of a message that arrived.
+    pub fn note(&mut self, message: u32) {
+        *self.arrived.entry(message).or_default() += 1;
+    }
+
+    /// Requests that are due.
+    pub fn poll(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
+        if now < self.next_look {
+            return Vec::new();
+        }
+        let window_s = now.saturating_sub(self.window_start).as_secs_f64();
+        let mut commands = Vec::new();
+        for wanted in WANTED_STREAMS {
+            let arrived = self.arrived.get(&wanted.message).copied().unwrap_or(0);
+            if f64::from(arrived) < wanted.rate_hz * window_s * GOOD_ENOUGH && self.may_ask(wanted.message)
+            {
+                commands.push(Command::MessageInterval {
+                    message: wanted.message,
+                    rate_hz: wanted.rate_hz,
+                });
+            }
+        }
+        for (known, message) in [
+            (vehicle.version.is_some(), AUTOPILOT_VERSION),
+            (vehicle.home.is_some(), HOME_POSITION),
+        ] {
+            if !known && self.may_ask(message) {
+                commands.push(Command::RequestMessage { message });
+            }
+        }
+        self.arrived.clear();
+        self.window_start = now;
+        self.next_look = now + WINDOW;
+        commands
+            .iter()
+            .filter_map(|command| command.request(vehicle, 0).ok())
+            .flat_map(|request| request.messages)
+            .collect()
+    }
+
+    fn may_ask(&mut self, message: u32) -> bool {
+        let asked = self.asked.entry(message).or_default();
+        *asked += 1;
+        *asked <= TRIES || message == HOME_POSITION
+    }
+}

@@ -1,0 +1,175 @@
+//! Arming, disarming, finding the ground, and the rules for each.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use super::autopilot::{Autopilot, Place};
+use super::mode::{self, Entry};
+use super::task::Task;
+use super::telemetry;
+
+/// A vehicle that rests this long with its motors idle has landed.
+const LANDED_AFTER: Duration = Duration::from_millis(1000);
+/// In a landing the motors are disarmed this long after the touch.
+const DISARMED_AFTER_TOUCH: Duration = Duration::from_millis(2100);
+
+/// Armed, landed, and since when.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Safety {
+    pub(super) armed: bool,
+    /// The autopilot's belief; the body knows the truth.
+    pub(super) landed: bool,
+    /// Since when the vehicle has stood on the ground with nothing to do.
+    idle_since: Option<Duration>,
+    resting_since: Option<Duration>,
+}
+
+impl Default for Safety {
+    fn default() -> Self {
+        Self {
+            armed: false,
+            landed: true,
+            idle_since: None,
+            resting_since: None,
+        }
+    }
+}
+
+impl Autopilot {
+    /// Why the vehicle cannot be armed now; empty when it can.
+    pub(super) fn arming_obstacles(&self) -> Vec<&'static str> {
+        let mut reasons = Vec::new();
+        if !self.is_ready() {
+            if self.mode.entry != Entry::Free {
+                reasons.push("Need Position Estimate");
+            }
+            reasons.push("AHRS: waiting for home");
+        }
+        reasons
+    }
+
+    /// Whether SYS_STATUS may say that all pre-arm checks pass.
+    pub(super) fn is_armable(&self) -> bool {
+        self.is_ready()
+    }
+
+    /// Arms, or says why not.
+    pub(super) fn arm(&mut self) -> bool {
+        if self.safety.armed {
+            return true;
+        }
+        if !self.mode.armable {
+            let text = format!("Arm: {} mode not armable", self.mode.name);
+            self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+            return false;
+        }
+        let reasons = self.arming_obstacles();
+        if !reasons.is_empty() {
+            for reason in reasons {
+                self.say(
+                    MavSeverity::MAV_SEVERITY_CRITICAL,
+                    &format!("Arm: {reason}"),
+                );
+            }
+            return false;
+        }
+        self.safety = Safety {
+            armed: true,
+            landed: self.body.on_ground,
+            idle_since: None,
+            resting_since: None,
+        };
+        self.set_home(self.here());
+        self.say(MavSeverity::MAV_SEVERITY_INFO, "Arming motors");
+        self.control.take_over(&self.body);
+        self.yaw.settle(self.body.yaw_deg);
+        if self.body.on_ground {
+            self.wait_on_ground();
+        }
+        true
+    }
+
+    /// Disarms, in the air too.
+    pub(super) fn disarm(&mut self) {
+        if !self.safety.armed {
+            return;
+        }
+        self.safety.armed = false;
+        self.say(MavSeverity::MAV_SEVERITY_INFO, "Disarming motors");
+        if self.body.on_ground {
+            self.safety.landed = true;
+            self.body.throttle = 0.0;
+            self.wait_on_ground();
+        }
+    }
+
+    /// Makes a place home and tells everybody.
+    pub(super) fn set_home(&mut self, home: Place) {
+        self.home = Some(home);
+        self.outbox.extend(telemetry::message(49, self));
+        self.outbox.extend(telemetry::message(242, self));
+    }
+
+    /// Notices landings and vehicles that stand about armed.
+    pub(super) fn watch_ground(&mut self) {
+        let now = self.uptime();
+        if !self.safety.armed {
+            self.safety.landed = self.body.on_ground;
+            return;
+        }
+        if let Some(touched) = self.touched_in_landing() {
+            if now >= touched + LANDED_AFTER {
+                self.safety.landed = true;
+            }
+            if now >= touched + DISARMED_AFTER_TOUCH {
+                self.disarm();
+            }
+            return;
+        }
+        let resting = self.body.on_ground && self.is_resting();
+        if !resting {
+            self.safety.idle_since = None;
+            self.safety.resting_since = None;
+            self.safety.landed &= self.body.on_ground;
+            return;
+        }
+        let resting_since = *self.safety.resting_since.get_or_insert(now);
+        if now >= resting_since + LANDED_AFTER {
+            self.safety.landed = true;
+        }
+        let idle_since = *self.safety.idle_since.get_or_insert(now);
+        let delay = self.tuning.disarm_delay;
+        if !delay.is_zero() && now >= idle_since + delay {
+            self.disarm();
+        }
+    }
+
+    /// The task of a mode for a vehicle that stands on the ground.
+    fn wait_on_ground(&mut self) {
+        self.task = match self.mode.number {
+            mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
+            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO | mode::BRAKE | mode::CIRCLE => {
+                Task::Wait
+            }
+            mode::RTL | mode::SMART_RTL | mode::LAND => self.task.clone(),
+            _ => Task::Piloted,
+        };
+    }
+
+    fn touched_in_landing(&self) -> Option<Duration> {
+        match &self.task {
+            Task::Land(landing) => landing.touched,
+            Task::Return(returning) => returning.landing().and_then(|landing| landing.touched),
+            _ => None,
+        }
+    }
+
+    fn is_resting(&self) -> bool {
+        match &self.task {
+            Task::Wait => true,
+            Task::Manual | Task::Piloted => self.sticks().throttle_is_low(),
+            _ => false,
+        }
+    }
+}

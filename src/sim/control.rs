@@ -1,0 +1,220 @@
+//! ArduPilot's position control: a jerk- and acceleration-limited path towards the target (its square-root
+//! controller, `AP_Math/control.cpp`), and the feedback that makes the airframe follow the path.
+
+use glam::{DVec2, DVec3};
+
+use super::body::{Body, GRAVITY_M_S2, STEP_S};
+
+/// Gains of the feedback (`PSC_POSXY_P`, `PSC_VELXY_P`, `_I`, `_D`, `PSC_POSZ_P`, `PSC_VELZ_P`).
+const POSITION_P: f64 = 1.0;
+const VELOCITY_P: f64 = 2.0;
+const VELOCITY_I: f64 = 1.0;
+const VELOCITY_D: f64 = 0.5;
+const VELOCITY_D_FILTER_HZ: f64 = 5.0;
+const HEIGHT_P: f64 = 1.0;
+const CLIMB_P: f64 = 5.0;
+/// The integrator never asks for more than this (`PSC_VELXY_IMAX`).
+const INTEGRAL_MAX_M_S2: f64 = 10.0;
+
+/// What the path must keep to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Limits {
+    pub(super) speed_m_s: f64,
+    pub(super) speed_up_m_s: f64,
+    pub(super) speed_down_m_s: f64,
+    pub(super) accel_m_s2: f64,
+    pub(super) accel_z_m_s2: f64,
+    pub(super) jerk_m_s3: f64,
+    pub(super) jerk_z_m_s3: f64,
+}
+
+/// The path and the feedback's memory.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PositionControl {
+    /// Where the path is now (north, east, down).
+    pub(super) path_m: DVec3,
+    /// How fast it moves.
+    pub(super) velocity_m_s: DVec3,
+    accel_m_s2: DVec3,
+    integral_m_s2: DVec2,
+    last_error_m_s: DVec2,
+    slope_m_s2: DVec2,
+    /// The direction in which the lean is used up.
+    saturated: DVec2,
+}
+
+impl PositionControl {
+    /// A path that begins where the body is, with its motion.
+    pub(super) fn at(body: &Body) -> Self {
+        let mut control = Self {
+            path_m: body.position_m,
+            velocity_m_s: body.velocity_m_s,
+            accel_m_s2: DVec3::ZERO,
+            integral_m_s2: DVec2::ZERO,
+            last_error_m_s: DVec2::ZERO,
+            slope_m_s2: DVec2::ZERO,
+            saturated: DVec2::ZERO,
+        };
+        control.take_over(body);
+        control
+    }
+
+    /// Starts again from the body's present state, without a jolt in the lean.
+    pub(super) fn take_over(&mut self, body: &Body) {
+        self.path_m = body.position_m;
+        self.velocity_m_s = body.velocity_m_s;
+        self.accel_m_s2 = DVec3::new(body.accel_m_s2.x, body.accel_m_s2.y, 0.0);
+        self.integral_m_s2 = body.lean_m_s2 - self.accel_m_s2.truncate();
+        self.last_error_m_s = DVec2::ZERO;
+        self.slope_m_s2 = DVec2::ZERO;
+        self.saturated = DVec2::ZERO;
+    }
+
+    /// Moves the path towards a point.
+    pub(super) fn towards(&mut self, goal_m: DVec3, limits: &Limits) {
+        let way = goal_m - self.path_m;
+        let speeds = speeds_along(way, limits);
+        let kv = 0.5 * limits.jerk_m_s3 / limits.accel_m_s2;
+        let distance = way.truncate().length();
+        let pace = square_root(distance, kv, 0.5 * limits.accel_m_s2).min(speeds.horizontal);
+        let wanted = way.truncate().normalize_or_zero() * pace;
+        let kv_z = 0.5 * limits.jerk_z_m_s3 / limits.accel_z_m_s2;
+        let climb = square_root(way.z, kv_z, 0.5 * limits.accel_z_m_s2)
+            .clamp(-speeds.vertical, speeds.vertical);
+        self.at_velocity(wanted.extend(climb), limits);
+    }
+
+    /// Brings the path to a velocity; vertical speed limits do not apply, as in ArduPilot.
+    pub(super) fn at_velocity(&mut self, wanted_m_s: DVec3, limits: &Limits) {
+        let error = wanted_m_s - self.velocity_m_s;
+        let flat = error.truncate();
+        let ka = limits.jerk_m_s3 / limits.accel_m_s2;
+        let push = square_root(flat.length(), ka, limits.jerk_m_s3).min(limits.accel_m_s2);
+        let ka_z = limits.jerk_z_m_s3 / limits.accel_z_m_s2;
+        let lift = square_root(error.z, ka_z, limits.jerk_z_m_s3)
+            .clamp(-limits.accel_z_m_s2, limits.accel_z_m_s2);
+        self.at_acceleration((flat.normalize_or_zero() * push).extend(lift), limits);
+    }
+
+    /// Brings the path to an acceleration.
+    pub(super) fn at_acceleration(&mut self, wanted_m_s2: DVec3, limits: &Limits) {
+        self.advance();
+        let change = wanted_m_s2 - self.accel_m_s2;
+        let flat = change
+            .truncate()
+            .clamp_length_max(limits.jerk_m_s3 * STEP_S);
+        let z_max = limits.jerk_z_m_s3 * STEP_S;
+        self.accel_m_s2 += flat.extend(change.z.clamp(-z_max, z_max));
+    }
+
+    /// Puts the horizontal path onto a planned trajectory and moves the height towards `height_m` (down).
+    pub(super) fn along(&mut self, planned: (DVec2, DVec2, DVec2), down_m: f64, limits: &Limits) {
+        let hold = self.path_m.truncate().extend(down_m);
+        self.velocity_m_s = DVec2::ZERO.extend(self.velocity_m_s.z);
+        self.accel_m_s2 = DVec2::ZERO.extend(self.accel_m_s2.z);
+        self.towards(hold, limits);
+        let (position, velocity, accel) = planned;
+        self.path_m = position.extend(self.path_m.z);
+        self.velocity_m_s = velocity.extend(self.velocity_m_s.z);
+        self.accel_m_s2 = accel.extend(self.accel_m_s2.z);
+    }
+
+    /// The acceleration that makes the body follow the path, within the lean that is allowed.
+    pub(super) fn demand(&mut self, body: &Body, lean_max_rad: f64) -> DVec3 {
+        let error_m = self.path_m - body.position_m;
+        let wanted = self.velocity_m_s.truncate() + error_m.truncate() * POSITION_P;
+        let error = wanted - body.velocity_m_s.truncate();
+        let blend = 1.0 - (-std::f64::consts::TAU * VELOCITY_D_FILTER_HZ * STEP_S).exp();
+        let slope = (error - self.last_error_m_s) / STEP_S;
+        self.slope_m_s2 += (slope - self.slope_m_s2) * blend;
+        self.last_error_m_s = error;
+        let growing = self.saturated.dot(error) > 0.0;
+        if !growing {
+            self.integral_m_s2 = (self.integral_m_s2 + error * (VELOCITY_I * STEP_S))
+                .clamp_length_max(INTEGRAL_MAX_M_S2);
+        }
+        let raw = self.accel_m_s2.truncate()
+            + error * VELOCITY_P
+            + self.integral_m_s2
+            + self.slope_m_s2 * VELOCITY_D;
+        let most = GRAVITY_M_S2 * lean_max_rad.tan();
+        let flat = raw.clamp_length_max(most);
+        self.saturated = if raw.length_squared() > most * most {
+            raw.normalize_or_zero()
+        } else {
+            DVec2::ZERO
+        };
+        let climb = self.velocity_m_s.z + error_m.z * HEIGHT_P - body.velocity_m_s.z;
+        flat.extend(self.accel_m_s2.z + climb * CLIMB_P)
+    }
+
+    /// Moves the path on. Where the lean is used up the path waits for the body instead of running away.
+    fn advance(&mut self) {
+        let mut delta_m_s = self.accel_m_s2 * STEP_S;
+        if self.saturated.dot(self.last_error_m_s) > 0.0 {
+            delta_m_s = without(delta_m_s, self.saturated);
+        }
+        let delta_m = self.velocity_m_s * STEP_S + self.accel_m_s2 * (0.5 * STEP_S * STEP_S);
+        self.path_m += delta_m;
+        self.velocity_m_s += delta_m_s;
+    }
+}
+
+/// `v` without its horizontal part along `direction`, if that part is positive.
+fn without(v: DVec3, direction: DVec2) -> DVec3 {
+    let part = v.truncate().dot(direction).max(0.0);
+    v - (direction * part).extend(0.0)
+}
+
+/// The square-root controller: proportional near the target, on a parabola of constant deceleration further out;
+/// never so fast that one step would overshoot.
+pub(super) fn square_root(error: f64, p: f64, accel: f64) -> f64 {
+    let linear = accel / (p * p);
+    let rate = if error > linear {
+        (2.0 * accel * (error - linear / 2.0)).sqrt()
+    } else if error < -linear {
+        -(2.0 * accel * (-error - linear / 2.0)).sqrt()
+    } else {
+        error * p
+    };
+    let most = error.abs() / STEP_S;
+    rate.clamp(-most, most)
+}
+
+struct Speeds {
+    horizontal: f64,
+    vertical: f64,
+}
+
+/// Speeds such that a straight way breaks neither the horizontal nor the vertical limit.
+fn speeds_along(way: DVec3, limits: &Limits) -> Speeds {
+    let vertical_max = if way.z < 0.0 {
+        limits.speed_up_m_s
+    } else {
+        limits.speed_down_m_s
+    };
+    let length = way.length();
+    if length < 1e-6 {
+        return Speeds {
+            horizontal: limits.speed_m_s,
+            vertical: vertical_max,
+        };
+    }
+    let flat = way.truncate().length() / length;
+    let steep = way.z.abs() / length;
+    let by_flat = if flat > 1e-6 {
+        limits.speed_m_s / flat
+    } else {
+        f64::INFINITY
+    };
+    let by_steep = if steep > 1e-6 {
+        vertical_max / steep
+    } else {
+        f64::INFINITY
+    };
+    let speed = by_flat.min(by_steep);
+    Speeds {
+        horizontal: (speed * flat).max(0.01),
+        vertical: (speed * steep).max(0.01),
+    }
+}

@@ -1,0 +1,212 @@
+//! What a ground station says, and the vehicle's answers.
+
+mod fields;
+mod plans;
+
+use mavlink::dialects::ardupilotmega::{
+    MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA, PARAM_VALUE_DATA,
+    RC_CHANNELS_OVERRIDE_DATA, TIMESYNC_DATA,
+};
+use mavlink::types::CharArray;
+
+use self::fields::{Addressed, Request};
+use super::autopilot::{Autopilot, Radio};
+use super::commands::{self, Command};
+use super::parameters::Parameter;
+use super::port::Link;
+use super::telemetry;
+use crate::wire::{Content, Frame, Outgoing};
+
+/// COMMAND_ACK.
+const COMMAND_ACK: u32 = 77;
+/// The index in the answer to a parameter that was asked or set by name.
+const BY_NAME: u16 = u16::MAX;
+/// In RC_CHANNELS_OVERRIDE: leave the channel as it is, and give it back to the transmitter.
+const UNCHANGED: u16 = u16::MAX;
+const RELEASED: u16 = 0;
+
+/// Handles one frame.
+pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) {
+    let enforced = autopilot.tuning.only_ground_station;
+    if enforced && frame.system != autopilot.tuning.ground_station {
+        return;
+    }
+    if let Some(Addressed { to, request }) = Request::read(&frame.content) {
+        if to == 0 || to == autopilot.system {
+            carry_out(autopilot, link, frame, &request);
+        }
+        return;
+    }
+    if let Content::Message(message) = &frame.content {
+        converse(autopilot, link, frame, message);
+    }
+}
+
+fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request: &Request) {
+    match request {
+        Request::Command(command) => {
+            let result = commands::execute(autopilot, link, command);
+            link.replies
+                .insert(0, acknowledgement(command, result, frame));
+        }
+        Request::Setpoint(setpoint) => autopilot.take_setpoint(setpoint),
+        Request::SetParameter { name, value } => {
+            if let Some(parameter) = autopilot.parameters.set(name, *value) {
+                autopilot.retune();
+                let echo = PARAM_VALUE_DATA {
+                    param_index: BY_NAME,
+                    ..value_of(autopilot, &parameter)
+                };
+                // Every link hears of the change.
+                autopilot.outbox.push(MavMessage::PARAM_VALUE(echo));
+            }
+        }
+    }
+}
+
+fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgoing {
+    let mut payload = Vec::with_capacity(10);
+    payload.extend_from_slice(&command.number.to_le_bytes());
+    payload.push(result as u8);
+    payload.extend_from_slice(&[0; 5]);
+    payload.extend_from_slice(&[frame.system, frame.component]);
+    Outgoing::Raw {
+        id: COMMAND_ACK,
+        payload,
+    }
+}
+
+/// Everything that is neither a command nor a setpoint.
+#[expect(
+    deprecated,
+    reason = "ground stations in use still send what the dialect calls superseded"
+)]
+fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
+    let own = |target: u8| target == 0 || target == autopilot.system;
+    match message {
+        MavMessage::SET_MODE(data) if own(data.target_system) => {
+            // No acknowledgement: the vehicle has none for this message.
+            if let Ok(number) = u8::try_from(data.custom_mode) {
+                autopilot.set_mode(number);
+            }
+        }
+        MavMessage::REQUEST_DATA_STREAM(data) if own(data.target_system) => {
+            let rate = if data.start_stop == 0 {
+                0
+            } else {
+                data.req_message_rate
+            };
+            link.schedule
+                .set_stream(data.req_stream_id as u8, rate, autopilot.uptime());
+        }
+        MavMessage::PARAM_REQUEST_LIST(data) if own(data.target_system) => {
+            link.listing = Some(0);
+            autopilot.say_banner();
+        }
+        MavMessage::PARAM_REQUEST_READ(data) if own(data.target_system) => {
+            read_parameter(autopilot, link, data);
+        }
+        MavMessage::TIMESYNC(data) if data.tc1 == 0 => {
+            link.reply(MavMessage::TIMESYNC(TIMESYNC_DATA {
+                tc1: autopilot.uptime().as_nanos() as i64,
+                ts1: data.ts1,
+                target_system: frame.system,
+                target_component: frame.component,
+            }));
+        }
+        MavMessage::AUTOPILOT_VERSION_REQUEST(data) if own(data.target_system) => {
+            link.replies
+                .extend(telemetry::message(148, autopilot).map(Into::into));
+        }
+        MavMessage::RC_CHANNELS_OVERRIDE(data) if own(data.target_system) => {
+            if frame.system == autopilot.tuning.ground_station {
+                override_sticks(autopilot, data);
+            }
+        }
+        other => {
+            if let Some(answer) = plans::answer(autopilot.system, other, frame) {
+                link.reply(answer);
+            }
+        }
+    }
+}
+
+fn override_sticks(autopilot: &mut Autopilot, data: &RC_CHANNELS_OVERRIDE_DATA) {
+    let asked = [
+        data.chan1_raw,
+        data.chan2_raw,
+        data.chan3_raw,
+        data.chan4_raw,
+        data.chan5_raw,
+        data.chan6_raw,
+        data.chan7_raw,
+        data.chan8_raw,
+    ];
+    let mut sticks = autopilot.sticks();
+    let released = super::task::Sticks::RELEASED;
+    for (channel, value) in asked.into_iter().enumerate() {
+        match value {
+            UNCHANGED => {}
+            RELEASED => sticks.channels_us[channel] = released.channels_us[channel],
+            value => sticks.channels_us[channel] = value.clamp(800, 2200),
+        }
+    }
+    autopilot.radio = Radio {
+        sticks,
+        until: autopilot.uptime() + autopilot.tuning.override_timeout,
+    };
+}
+
+fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_READ_DATA) {
+    if let Ok(index) = u16::try_from(data.param_index) {
+        if let Some(parameter) = autopilot.parameters.at(index) {
+            link.reply(parameter_value(autopilot, &parameter));
+        }
+        return;
+    }
+    let found = data
+        .param_id
+        .to_str()
+        .ok()
+        .and_then(|name| autopilot.parameters.named(name));
+    if let Some(parameter) = found {
+        link.reply(MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
+            param_index: BY_NAME,
+            // The name is echoed as it was asked.
+            param_id: data.param_id,
+            ..value_of(autopilot, &parameter)
+        }));
+    }
+}
+
+/// PARAM_VALUE with the place in the list.
+pub(super) fn parameter_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
+    MavMessage::PARAM_VALUE(value_of(autopilot, parameter))
+}
+
+fn value_of(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
+    let mut name = [0; 16];
+    let len = parameter.name.len().min(name.len());
+    name[..len].copy_from_slice(&parameter.name.as_bytes()[..len]);
+    PARAM_VALUE_DATA {
+        param_value: parameter.value,
+        param_count: autopilot.parameters.count(),
+        param_index: parameter.index,
+        param_id: CharArray::new(name),
+        param_type: parameter.kind.on_the_wire(),
+    }
+}
+
+impl Autopilot {
+    /// Version, board and frame, as three texts.
+    pub(super) fn say_banner(&mut self) {
+        let board = format!("{:016x}{:016x}", self.board_id, u64::from(self.system));
+        for text in [
+            "ArduCopter V4.6.0-dev (sortie)",
+            board.as_str(),
+            "Frame: QUAD/PLUS",
+        ] {
+            self.say(MavSeverity::MAV_SEVERITY_INFO, text);
+        }
+    }
+}

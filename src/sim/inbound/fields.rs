@@ -1,0 +1,227 @@
+//! Commands, setpoints and parameter settings out of frames, also where a field holds a number for which the
+//! dialect has no name.
+
+use glam::DVec3;
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_INT_DATA, COMMAND_LONG_DATA, MavMessage, PARAM_SET_DATA,
+    SET_POSITION_TARGET_GLOBAL_INT_DATA, SET_POSITION_TARGET_LOCAL_NED_DATA,
+};
+
+use crate::geo::LatLon;
+use crate::sim::commands::Command;
+use crate::sim::targets::{Point, Setpoint};
+use crate::wire::Content;
+
+/// A request together with the system it is meant for.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Addressed {
+    pub(super) to: u8,
+    pub(super) request: Request,
+}
+
+/// What a vehicle is asked to do.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Request {
+    Command(Command),
+    Setpoint(Setpoint),
+    SetParameter { name: String, value: f32 },
+}
+
+impl Request {
+    /// The request of a frame, if it carries one.
+    pub(super) fn read(content: &Content) -> Option<Addressed> {
+        match content {
+            Content::Message(MavMessage::COMMAND_LONG(data)) => Some(long(data)),
+            Content::Message(MavMessage::COMMAND_INT(data)) => Some(int(data)),
+            Content::Message(MavMessage::SET_POSITION_TARGET_LOCAL_NED(data)) => Some(local(data)),
+            Content::Message(MavMessage::SET_POSITION_TARGET_GLOBAL_INT(data)) => {
+                Some(global(data))
+            }
+            Content::Message(MavMessage::PARAM_SET(data)) => Some(parameter(data)),
+            Content::Message(_) => None,
+            Content::Undecoded { id, payload } => by_hand(*id, &Payload(payload)),
+        }
+    }
+}
+
+fn long(data: &COMMAND_LONG_DATA) -> Addressed {
+    command(
+        data.target_system,
+        Command {
+            number: data.command as u16,
+            p: [data.param1, data.param2, data.param3, data.param4],
+            x: f64::from(data.param5),
+            y: f64::from(data.param6),
+            z: data.param7,
+            frame: None,
+        },
+    )
+}
+
+fn int(data: &COMMAND_INT_DATA) -> Addressed {
+    let at = LatLon::from_e7(data.x, data.y);
+    command(
+        data.target_system,
+        Command {
+            number: data.command as u16,
+            p: [data.param1, data.param2, data.param3, data.param4],
+            x: at.lat_deg,
+            y: at.lon_deg,
+            z: data.z,
+            frame: Some(data.frame as u8),
+        },
+    )
+}
+
+fn command(to: u8, command: Command) -> Addressed {
+    Addressed {
+        to,
+        request: Request::Command(command),
+    }
+}
+
+fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Addressed {
+    Addressed {
+        to: data.target_system,
+        request: Request::Setpoint(Setpoint {
+            point: Point::Local(vector(data.x, data.y, data.z)),
+            velocity_m_s: vector(data.vx, data.vy, data.vz),
+            accel_m_s2: vector(data.afx, data.afy, data.afz),
+            yaw_rad: f64::from(data.yaw),
+            yaw_rate_rad_s: f64::from(data.yaw_rate),
+            mask: data.type_mask.bits(),
+            frame: data.coordinate_frame as u8,
+        }),
+    }
+}
+
+fn global(data: &SET_POSITION_TARGET_GLOBAL_INT_DATA) -> Addressed {
+    Addressed {
+        to: data.target_system,
+        request: Request::Setpoint(Setpoint {
+            point: Point::Global {
+                at: LatLon::from_e7(data.lat_int, data.lon_int),
+                height_m: f64::from(data.alt),
+            },
+            velocity_m_s: vector(data.vx, data.vy, data.vz),
+            accel_m_s2: vector(data.afx, data.afy, data.afz),
+            yaw_rad: f64::from(data.yaw),
+            yaw_rate_rad_s: f64::from(data.yaw_rate),
+            mask: data.type_mask.bits(),
+            frame: data.coordinate_frame as u8,
+        }),
+    }
+}
+
+fn parameter(data: &PARAM_SET_DATA) -> Addressed {
+    Addressed {
+        to: data.target_system,
+        request: Request::SetParameter {
+            name: data.param_id.to_str().unwrap_or_default().to_owned(),
+            value: data.param_value,
+        },
+    }
+}
+
+fn vector(x: f32, y: f32, z: f32) -> DVec3 {
+    DVec3::new(f64::from(x), f64::from(y), f64::from(z))
+}
+
+/// A payload in wire order.
+struct Payload<'a>(&'a [u8; 255]);
+
+impl Payload<'_> {
+    fn byte(&self, at: usize) -> u8 {
+        self.0.get(at).copied().unwrap_or(0)
+    }
+
+    fn word(&self, at: usize) -> [u8; 4] {
+        [at, at + 1, at + 2, at + 3].map(|i| self.byte(i))
+    }
+
+    fn short(&self, at: usize) -> u16 {
+        u16::from_le_bytes([self.byte(at), self.byte(at + 1)])
+    }
+
+    fn float(&self, at: usize) -> f32 {
+        f32::from_le_bytes(self.word(at))
+    }
+
+    fn integer(&self, at: usize) -> i32 {
+        i32::from_le_bytes(self.word(at))
+    }
+
+    fn vector(&self, at: usize) -> DVec3 {
+        vector(self.float(at), self.float(at + 4), self.float(at + 8))
+    }
+}
+
+/// The offsets are those of the MAVLink definitions after sorting by field size.
+fn by_hand(id: u32, payload: &Payload<'_>) -> Option<Addressed> {
+    let request = match id {
+        23 => return Some(parameter_by_hand(payload)),
+        75 | 76 => Request::Command(command_by_hand(id, payload)),
+        84 | 86 => {
+            let point = if id == 84 {
+                Point::Local(payload.vector(4))
+            } else {
+                Point::Global {
+                    at: LatLon::from_e7(payload.integer(4), payload.integer(8)),
+                    height_m: f64::from(payload.float(12)),
+                }
+            };
+            let setpoint = Setpoint {
+                point,
+                velocity_m_s: payload.vector(16),
+                accel_m_s2: payload.vector(28),
+                yaw_rad: f64::from(payload.float(40)),
+                yaw_rate_rad_s: f64::from(payload.float(44)),
+                mask: payload.short(48),
+                frame: payload.byte(52),
+            };
+            return Some(Addressed {
+                to: payload.byte(50),
+                request: Request::Setpoint(setpoint),
+            });
+        }
+        _ => return None,
+    };
+    Some(Addressed {
+        to: payload.byte(30),
+        request,
+    })
+}
+
+fn command_by_hand(id: u32, payload: &Payload<'_>) -> Command {
+    let whole = id == 75;
+    let at = LatLon::from_e7(payload.integer(16), payload.integer(20));
+    let coordinate = |degrees: f64, at: usize| {
+        if whole {
+            degrees
+        } else {
+            f64::from(payload.float(at))
+        }
+    };
+    Command {
+        number: payload.short(28),
+        p: [0, 4, 8, 12].map(|at| payload.float(at)),
+        x: coordinate(at.lat_deg, 16),
+        y: coordinate(at.lon_deg, 20),
+        z: payload.float(24),
+        frame: whole.then(|| payload.byte(32)),
+    }
+}
+
+fn parameter_by_hand(payload: &Payload<'_>) -> Addressed {
+    let name: Vec<u8> = (6..22)
+        .map(|at| payload.byte(at))
+        .take_while(|byte| *byte != 0)
+        .collect();
+    Addressed {
+        to: payload.byte(4),
+        request: Request::SetParameter {
+            name: String::from_utf8_lossy(&name).into_owned(),
+            value: payload.float(0),
+        },
+    }
+}

@@ -1,0 +1,116 @@
+//! The flight modes and what holds in each.
+
+/// What it takes to enter a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Entry {
+    /// Always possible.
+    Free,
+    /// Refused in the air without a position.
+    Position,
+    /// Refused once armed: there is no plan to fly.
+    Plan,
+    /// Always refused, with these texts.
+    Refused(&'static [&'static str]),
+}
+
+/// One row of the mode table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Mode {
+    /// `custom_mode` on the wire.
+    pub(super) number: u8,
+    /// ArduCopter's name.
+    pub(super) name: &'static str,
+    pub(super) entry: Entry,
+    /// The autopilot holds or flies to positions: sets the GUIDED bit of `base_mode`.
+    pub(super) autonomous: bool,
+    pub(super) controls_height: bool,
+    pub(super) armable: bool,
+}
+
+const fn mode(number: u8, name: &'static str, entry: Entry, facts: [bool; 3]) -> Mode {
+    Mode {
+        number,
+        name,
+        entry,
+        autonomous: facts[0],
+        controls_height: facts[1],
+        armable: facts[2],
+    }
+}
+
+const fn refused(number: u8, name: &'static str, texts: &'static [&'static str]) -> Mode {
+    mode(number, name, Entry::Refused(texts), [false; 3])
+}
+
+pub(super) const STABILIZE: u8 = 0;
+pub(super) const ACRO: u8 = 1;
+pub(super) const AUTO: u8 = 3;
+pub(super) const GUIDED: u8 = 4;
+pub(super) const LOITER: u8 = 5;
+pub(super) const RTL: u8 = 6;
+pub(super) const CIRCLE: u8 = 7;
+pub(super) const LAND: u8 = 9;
+pub(super) const DRIFT: u8 = 11;
+pub(super) const BRAKE: u8 = 17;
+pub(super) const GUIDED_NOGPS: u8 = 20;
+pub(super) const SMART_RTL: u8 = 21;
+
+/// Facts in the order: autonomous, controls the height, armable.
+const MODES: &[Mode] = &[
+    mode(STABILIZE, "STABILIZE", Entry::Free, [false, false, true]),
+    mode(ACRO, "ACRO", Entry::Free, [false, false, true]),
+    mode(2, "ALT_HOLD", Entry::Free, [false, true, true]),
+    mode(AUTO, "AUTO", Entry::Plan, [true, true, false]),
+    mode(GUIDED, "GUIDED", Entry::Position, [true, true, true]),
+    mode(LOITER, "LOITER", Entry::Position, [true, true, true]),
+    mode(RTL, "RTL", Entry::Position, [true, true, false]),
+    mode(CIRCLE, "CIRCLE", Entry::Position, [true, true, false]),
+    mode(LAND, "LAND", Entry::Free, [false, true, false]),
+    mode(DRIFT, "DRIFT", Entry::Position, [false, false, true]),
+    refused(14, "FLIP", &["Mode change to FLIP failed: init failed"]),
+    refused(
+        15,
+        "AUTOTUNE",
+        &["Mode change to AUTOTUNE failed: init failed"],
+    ),
+    mode(16, "POSHOLD", Entry::Position, [true, true, true]),
+    mode(BRAKE, "BRAKE", Entry::Position, [true, true, false]),
+    refused(18, "THROW", &["Mode change to THROW failed: init failed"]),
+    mode(
+        GUIDED_NOGPS,
+        "GUIDED_NOGPS",
+        Entry::Free,
+        [false, true, true],
+    ),
+    mode(SMART_RTL, "SMART_RTL", Entry::Position, [true, true, false]),
+    refused(
+        22,
+        "FLOWHOLD",
+        &["Mode change to FLOWHOLD failed: init failed"],
+    ),
+    refused(
+        23,
+        "FOLLOW",
+        &[
+            "Set FOLL_ENABLE = 1",
+            "Mode change to FOLLOW failed: init failed",
+        ],
+    ),
+    mode(24, "ZIGZAG", Entry::Position, [false, true, true]),
+    refused(
+        27,
+        "AUTO_RTL",
+        &["Mode change to AUTO RTL failed: No return path or landing sequence found"],
+    ),
+    refused(28, "TURTLE", &["Mode change to TURTLE failed: init failed"]),
+];
+
+impl Mode {
+    /// The mode in which the vehicle boots.
+    pub(super) const BOOT: Self = MODES[0];
+
+    /// The mode of a number, if the firmware has it.
+    pub(super) fn numbered(number: u8) -> Option<Self> {
+        MODES.iter().copied().find(|mode| mode.number == number)
+    }
+}

@@ -1,0 +1,133 @@
+//! The vehicle's parameters, and what they mean in SI units.
+
+mod table;
+mod tuning;
+
+use mavlink::dialects::ardupilotmega::MavParamType;
+
+pub(super) use tuning::Tuning;
+
+/// How a parameter is stored; all travel as floats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Int8,
+    Int16,
+    Int32,
+    Real32,
+}
+
+impl Kind {
+    /// The type as MAVLink names it.
+    pub(super) fn on_the_wire(self) -> MavParamType {
+        match self {
+            Self::Int8 => MavParamType::MAV_PARAM_TYPE_INT8,
+            Self::Int16 => MavParamType::MAV_PARAM_TYPE_INT16,
+            Self::Int32 => MavParamType::MAV_PARAM_TYPE_INT32,
+            Self::Real32 => MavParamType::MAV_PARAM_TYPE_REAL32,
+        }
+    }
+
+    /// The value as it is stored: integers are truncated and saturate.
+    fn stored(self, value: f32) -> f32 {
+        match self {
+            Self::Int8 => f32::from(value as i8),
+            Self::Int16 => f32::from(value as i16),
+            Self::Int32 => value as i32 as f32,
+            Self::Real32 => value,
+        }
+    }
+}
+
+/// One parameter as it is now.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Parameter {
+    pub(super) name: &'static str,
+    pub(super) kind: Kind,
+    pub(super) value: f32,
+    pub(super) index: u16,
+}
+
+/// The values, in the order of the table. They survive a reboot.
+#[derive(Debug, Clone)]
+pub(super) struct Parameters {
+    values: Vec<f32>,
+}
+
+impl Parameters {
+    /// Everything at its default, with the vehicle's own system id.
+    pub(super) fn new(system: u8) -> Self {
+        let mut all = Self {
+            values: table::TABLE.iter().map(|&(_, _, value)| value).collect(),
+        };
+        all.set("SYSID_THISMAV", f32::from(system));
+        all
+    }
+
+    /// How many there are.
+    pub(super) fn count(&self) -> u16 {
+        self.values.len() as u16
+    }
+
+    /// The parameter at a place in the list.
+    pub(super) fn at(&self, index: u16) -> Option<Parameter> {
+        let &(name, kind, _) = table::TABLE.get(usize::from(index))?;
+        let value = *self.values.get(usize::from(index))?;
+        Some(Parameter {
+            name,
+            kind,
+            value,
+            index,
+        })
+    }
+
+    /// The parameter of that name; upper and lower case are the same.
+    pub(super) fn named(&self, name: &str) -> Option<Parameter> {
+        let index = table::TABLE
+            .iter()
+            .position(|(known, _, _)| known.eq_ignore_ascii_case(name))?;
+        self.at(index as u16)
+    }
+
+    /// Stores a value without a range check, as the vehicle does. `None` for an unknown name or a value that
+    /// is not a finite number.
+    pub(super) fn set(&mut self, name: &str, value: f32) -> Option<Parameter> {
+        if !value.is_finite() {
+            return None;
+        }
+        let parameter = self.named(name)?;
+        *self.values.get_mut(usize::from(parameter.index))? = parameter.kind.stored(value);
+        self.at(parameter.index)
+    }
+
+    /// The value of a parameter of the table.
+    pub(super) fn value(&self, name: &str) -> f64 {
+        let found = self.named(name);
+        debug_assert!(found.is_some(), "no parameter {name}");
+        found.map_or(0.0, |parameter| f64::from(parameter.value))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integers_are_truncated_and_names_ignore_case() {
+        let mut all = Parameters::new(3);
+        let stored = all.set("rtl_alt", 1500.7).expect("known");
+        assert!((stored.value - 1500.0).abs() < f32::EPSILON);
+        assert_eq!(all.value("SYSID_THISMAV") as u8, 3);
+        assert_eq!(all.set("WPNAV_SPEED", f32::NAN), None);
+        assert_eq!(all.set("NO_SUCH_NAME", 1.0), None);
+    }
+
+    #[test]
+    fn every_name_fits_its_field_and_occurs_once() {
+        let mut names: Vec<_> = table::TABLE.iter().map(|(name, _, _)| *name).collect();
+        assert!(names.iter().all(|name| name.len() <= 16));
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+}

@@ -1,0 +1,106 @@
+//! The parameters that shape the flight, converted once per change instead of once per step.
+
+use std::time::Duration;
+
+use super::Parameters;
+
+/// Limits and settings in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::sim) struct Tuning {
+    pub(in crate::sim) speed_m_s: f64,
+    pub(in crate::sim) speed_up_m_s: f64,
+    pub(in crate::sim) speed_down_m_s: f64,
+    pub(in crate::sim) accel_m_s2: f64,
+    pub(in crate::sim) accel_z_m_s2: f64,
+    pub(in crate::sim) jerk_m_s3: f64,
+    pub(in crate::sim) jerk_z_m_s3: f64,
+    /// The jerk of planned legs (return, missions).
+    pub(in crate::sim) leg_jerk_m_s3: f64,
+    pub(in crate::sim) lean_max_rad: f64,
+    pub(in crate::sim) brake_accel_m_s2: f64,
+    pub(in crate::sim) return_speed_m_s: f64,
+    pub(in crate::sim) return_altitude_m: f64,
+    pub(in crate::sim) return_climb_min_m: f64,
+    pub(in crate::sim) return_cone_slope: f64,
+    pub(in crate::sim) return_final_altitude_m: f64,
+    pub(in crate::sim) return_loiter: Duration,
+    pub(in crate::sim) land_speed_m_s: f64,
+    pub(in crate::sim) land_speed_high_m_s: f64,
+    pub(in crate::sim) land_altitude_low_m: f64,
+    pub(in crate::sim) pilot_up_m_s: f64,
+    pub(in crate::sim) pilot_down_m_s: f64,
+    pub(in crate::sim) pilot_accel_z_m_s2: f64,
+    pub(in crate::sim) circle_radius_m: f64,
+    pub(in crate::sim) circle_rate_deg_s: f64,
+    pub(in crate::sim) yaw_behaviour: i32,
+    pub(in crate::sim) slew_yaw_deg_s: f64,
+    /// Zero: never.
+    pub(in crate::sim) disarm_delay: Duration,
+    pub(in crate::sim) setpoint_timeout: Duration,
+    pub(in crate::sim) override_timeout: Duration,
+    pub(in crate::sim) ground_station: u8,
+    pub(in crate::sim) only_ground_station: bool,
+    pub(in crate::sim) wind_speed_m_s: f64,
+    /// Where the wind comes from.
+    pub(in crate::sim) wind_from_deg: f64,
+    pub(in crate::sim) wind_turbulence_m_s: f64,
+    /// The height from which the wind has its full speed.
+    pub(in crate::sim) wind_full_height_m: f64,
+    pub(in crate::sim) battery_voltage_v: f64,
+    pub(in crate::sim) battery_capacity_mah: f64,
+    pub(in crate::sim) satellites: u8,
+}
+
+impl Tuning {
+    /// Reads the parameters. Values without sense (zero accelerations, negative speeds) become the smallest
+    /// that the equations of motion bear.
+    pub(in crate::sim) fn read(all: &Parameters) -> Self {
+        let cm = |name| all.value(name) * 0.01;
+        let least = |value: f64| value.clamp(0.05, 1000.0);
+        let seconds = |s: f64| Duration::from_secs_f64(s.clamp(0.0, 1e6));
+        let or = |value: f64, otherwise: f64| if value > 0.0 { value } else { otherwise };
+        let speed_m_s = least(cm("WPNAV_SPEED"));
+        let speed_down_m_s = least(cm("WPNAV_SPEED_DN"));
+        let pilot_up_m_s = least(cm("PILOT_SPEED_UP"));
+        Self {
+            speed_m_s,
+            speed_up_m_s: least(cm("WPNAV_SPEED_UP")),
+            speed_down_m_s,
+            accel_m_s2: least(cm("WPNAV_ACCEL")),
+            accel_z_m_s2: least(cm("WPNAV_ACCEL_Z")),
+            jerk_m_s3: least(all.value("PSC_JERK_XY")),
+            jerk_z_m_s3: least(all.value("PSC_JERK_Z")),
+            leg_jerk_m_s3: least(all.value("WPNAV_JERK")),
+            lean_max_rad: cm("ANGLE_MAX").clamp(10.0, 80.0).to_radians(),
+            brake_accel_m_s2: least(cm("LOIT_BRK_ACCEL")),
+            return_speed_m_s: or(cm("RTL_SPEED"), speed_m_s),
+            return_altitude_m: cm("RTL_ALT"),
+            return_climb_min_m: cm("RTL_CLIMB_MIN").max(0.0),
+            return_cone_slope: all.value("RTL_CONE_SLOPE"),
+            return_final_altitude_m: cm("RTL_ALT_FINAL"),
+            return_loiter: seconds(all.value("RTL_LOIT_TIME") * 1e-3),
+            land_speed_m_s: least(cm("LAND_SPEED")),
+            land_speed_high_m_s: or(cm("LAND_SPEED_HIGH"), speed_down_m_s),
+            land_altitude_low_m: cm("LAND_ALT_LOW"),
+            pilot_up_m_s,
+            pilot_down_m_s: or(cm("PILOT_SPEED_DN"), pilot_up_m_s),
+            pilot_accel_z_m_s2: least(cm("PILOT_ACCEL_Z")),
+            circle_radius_m: cm("CIRCLE_RADIUS").clamp(0.0, 2000.0),
+            circle_rate_deg_s: all.value("CIRCLE_RATE").clamp(-90.0, 90.0),
+            yaw_behaviour: all.value("WP_YAW_BEHAVIOR") as i32,
+            slew_yaw_deg_s: cm("ATC_SLEW_YAW").clamp(1.0, 360.0),
+            disarm_delay: seconds(all.value("DISARM_DELAY")),
+            setpoint_timeout: seconds(all.value("GUID_TIMEOUT").max(0.1)),
+            override_timeout: seconds(all.value("RC_OVERRIDE_TIME")),
+            ground_station: all.value("SYSID_MYGCS") as u8,
+            only_ground_station: all.value("SYSID_ENFORCE") > 0.0,
+            wind_speed_m_s: all.value("SIM_WIND_SPD").clamp(0.0, 100.0),
+            wind_from_deg: all.value("SIM_WIND_DIR").rem_euclid(360.0),
+            wind_turbulence_m_s: all.value("SIM_WIND_TURB").clamp(0.0, 50.0),
+            wind_full_height_m: all.value("SIM_WIND_T_ALT").max(1.0),
+            battery_voltage_v: all.value("SIM_BATT_VOLTAGE").clamp(0.0, 600.0),
+            battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
+            satellites: all.value("SIM_GPS_NUMSATS").clamp(0.0, 255.0) as u8,
+        }
+    }
+}

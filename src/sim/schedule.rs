@@ -1,0 +1,152 @@
+//! Which messages one link gets, and how often.
+
+use std::time::Duration;
+
+/// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
+const SHORTEST_US: i64 = 3_000;
+/// What a new link gets unasked: HEARTBEAT once per second.
+const HEARTBEAT: u32 = 0;
+const HEARTBEAT_US: i64 = 1_000_000;
+/// Messages that are this many intervals late are given up.
+const LATE_INTERVALS: u64 = 4;
+
+/// The stream groups of REQUEST_DATA_STREAM with the messages of each.
+const STREAMS: &[(u8, &[u32])] = &[
+    (1, &[27, 116, 29]),
+    (2, &[1, 125, 152, 42, 24, 62, 87]),
+    (3, &[36, 65]),
+    (6, &[32, 33]),
+    (10, &[30, 164, 178]),
+    (11, &[74]),
+    (12, &[2, 147, 163, 168, 193, 241]),
+];
+/// The group that means all groups.
+const ALL_STREAMS: u8 = 0;
+
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    id: u32,
+    interval_us: u64,
+    next_us: u64,
+}
+
+/// The intervals of one link.
+#[derive(Debug, Clone)]
+pub(super) struct Schedule {
+    entries: Vec<Entry>,
+    /// Nothing is due before this.
+    earliest_us: u64,
+}
+
+impl Schedule {
+    /// Heartbeats only.
+    pub(super) fn new(now: Duration) -> Self {
+        let mut schedule = Self {
+            entries: Vec::new(),
+            earliest_us: u64::MAX,
+        };
+        schedule.set(HEARTBEAT, HEARTBEAT_US, now);
+        schedule
+    }
+
+    /// Sets an interval in microseconds. 0 and -1 switch the message off; every other number that is too short
+    /// (negative ones too) means the shortest.
+    pub(super) fn set(&mut self, id: u32, interval_us: i64, now: Duration) {
+        self.entries.retain(|entry| entry.id != id);
+        if interval_us != 0 && interval_us != -1 {
+            let now_us = now.as_micros() as u64;
+            self.entries.push(Entry {
+                id,
+                interval_us: interval_us.max(SHORTEST_US) as u64,
+                next_us: now_us,
+            });
+            self.earliest_us = self.earliest_us.min(now_us);
+        }
+    }
+
+    /// The interval of a message in microseconds, -1 when it is off.
+    pub(super) fn interval_us(&self, id: u32) -> i64 {
+        self.entries
+            .iter()
+            .find(|entry| entry.id == id)
+            .map_or(-1, |entry| entry.interval_us as i64)
+    }
+
+    /// Sets a whole group, or all groups, to a rate; 0 Hz switches it off.
+    pub(super) fn set_stream(&mut self, stream: u8, rate_hz: u16, now: Duration) {
+        let interval_us = match rate_hz {
+            0 => 0,
+            rate => 1_000_000 / i64::from(rate),
+        };
+        for (group, ids) in STREAMS {
+            if stream == ALL_STREAMS || stream == *group {
+                for &id in *ids {
+                    self.set(id, interval_us, now);
+                }
+            }
+        }
+    }
+
+    /// Calls `send` for every message that is due, as often as it is due.
+    pub(super) fn each_due(&mut self, now: Duration, mut send: impl FnMut(u32)) {
+        let now_us = now.as_micros() as u64;
+        if now_us < self.earliest_us {
+            return;
+        }
+        let mut earliest_us = u64::MAX;
+        for entry in &mut self.entries {
+            if entry.next_us + LATE_INTERVALS * entry.interval_us < now_us {
+                entry.next_us = now_us;
+            }
+            while entry.next_us <= now_us {
+                send(entry.id);
+                entry.next_us += entry.interval_us;
+            }
+            earliest_us = earliest_us.min(entry.next_us);
+        }
+        self.earliest_us = earliest_us;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn count(schedule: &mut Schedule, id: u32, seconds: u64) -> usize {
+        let mut sent = 0;
+        for step in 0..seconds * 100 {
+            schedule.each_due(Duration::from_millis(step * 10), |due| {
+                sent += usize::from(due == id)
+            });
+        }
+        sent
+    }
+
+    #[test]
+    fn intervals_follow_the_vehicles_quirks() {
+        for (asked_us, kept_us, per_10_s) in [
+            (100_000, 100_000, 100),
+            (1_000, 3_000, 3_331),
+            (-5, 3_000, 3_331),
+            (0, -1, 0),
+            (-1, -1, 0),
+        ] {
+            let mut schedule = Schedule::new(Duration::ZERO);
+            schedule.set(30, asked_us, Duration::ZERO);
+            assert_eq!(schedule.interval_us(30), kept_us, "{asked_us}");
+            let sent = count(&mut schedule, 30, 10);
+            assert!(sent.abs_diff(per_10_s) <= 2, "{asked_us}: {sent}");
+        }
+    }
+
+    #[test]
+    fn a_stream_sets_its_messages_and_only_those() {
+        let mut schedule = Schedule::new(Duration::ZERO);
+        schedule.set_stream(6, 4, Duration::ZERO);
+        assert_eq!(schedule.interval_us(33), 250_000);
+        assert_eq!(schedule.interval_us(30), -1);
+        schedule.set_stream(0, 0, Duration::ZERO);
+        assert_eq!(schedule.interval_us(33), -1);
+        assert_eq!(schedule.interval_us(0), 1_000_000);
+    }
+}

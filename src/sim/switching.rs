@@ -1,0 +1,81 @@
+//! Changing the mode.
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use super::autopilot::{Autopilot, Speeds};
+use super::mode::{self, Entry, Mode};
+use super::task::{Landing, Returning, Task};
+use super::telemetry;
+use super::yaw::YawDemand;
+
+impl Autopilot {
+    /// Enters a mode, or says why not. Entering the present mode changes nothing.
+    pub(super) fn set_mode(&mut self, number: u8) -> bool {
+        let Some(mode) = Mode::numbered(number) else {
+            self.say(
+                MavSeverity::MAV_SEVERITY_WARNING,
+                &format!("No such mode {number}"),
+            );
+            return false;
+        };
+        if mode == self.mode {
+            return true;
+        }
+        let texts: &[&str] = match mode.entry {
+            Entry::Refused(texts) => texts,
+            Entry::Plan if self.safety.armed => &["Mode change to AUTO failed: init failed"],
+            Entry::Position if self.safety.armed && !self.is_ready() => {
+                self.say(
+                    MavSeverity::MAV_SEVERITY_WARNING,
+                    &format!("Mode change to {} failed: requires position", mode.name),
+                );
+                return false;
+            }
+            Entry::Free | Entry::Position | Entry::Plan => &[],
+        };
+        if !texts.is_empty() {
+            for text in texts {
+                self.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+            }
+            return false;
+        }
+        self.enter(mode);
+        true
+    }
+
+    fn enter(&mut self, mode: Mode) {
+        self.mode = mode;
+        self.speeds = Speeds::default();
+        self.paused = None;
+        self.control.take_over(&self.body);
+        self.yaw.settle(self.body.yaw_deg);
+        self.task = self.first_task();
+        self.outbox.extend(telemetry::message(0, self));
+    }
+
+    fn first_task(&mut self) -> Task {
+        let flying = self.safety.armed && !self.body.on_ground;
+        match self.mode.number {
+            mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
+            mode::LAND => Task::Land(Landing::default()),
+            mode::RTL | mode::SMART_RTL => {
+                Task::Return(self.with_cockpit(|_, cockpit| Returning::new(cockpit)))
+            }
+            mode::GUIDED | mode::GUIDED_NOGPS | mode::BRAKE | mode::CIRCLE | mode::AUTO
+                if !flying =>
+            {
+                Task::Wait
+            }
+            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO => Task::STOP,
+            mode::BRAKE => Task::Brake,
+            mode::CIRCLE => {
+                let circle = Task::circle(&self.body, &self.tuning);
+                if let Task::Circle(circle) = &circle {
+                    self.yaw.demand = YawDemand::Towards(circle.centre_m);
+                }
+                circle
+            }
+            _ => Task::Piloted,
+        }
+    }
+}

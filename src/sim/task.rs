@@ -1,0 +1,188 @@
+//! What the autopilot is doing inside its mode: one small controller per task.
+
+mod landing;
+mod piloted;
+mod returning;
+mod takeoff;
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+
+pub(super) use landing::Landing;
+pub(super) use piloted::Sticks;
+pub(super) use returning::Returning;
+pub(super) use takeoff::Takeoff;
+
+use super::body::{Body, STEP_S};
+use super::control::{Limits, PositionControl};
+use super::parameters::Tuning;
+
+/// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`).
+const BRAKE_ACCEL_M_S2: f64 = 7.5;
+
+/// What a task works with.
+pub(super) struct Cockpit<'a> {
+    pub(super) control: &'a mut PositionControl,
+    pub(super) body: &'a Body,
+    pub(super) tuning: &'a Tuning,
+    pub(super) limits: Limits,
+    pub(super) sticks: Sticks,
+    /// Home, in metres north, east and down from the start.
+    pub(super) home_m: DVec3,
+    /// Since boot.
+    pub(super) now: Duration,
+}
+
+/// How the motors are driven in this step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Act {
+    /// Follow the path of the position control.
+    Fly,
+    /// Idle on the ground.
+    Idle,
+    /// A throttle from 0 to 1, level.
+    Throttle(f64),
+}
+
+/// The task at hand.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Task {
+    /// Waits on the ground.
+    Wait,
+    /// Climbs from the ground.
+    Takeoff(Takeoff),
+    /// Flies to a point and holds it; the point itself moves while `drift_until` is ahead.
+    Goto {
+        goal_m: DVec3,
+        drift_m_s: DVec3,
+        drift_until: Duration,
+    },
+    /// Flies at a velocity, then stops and holds.
+    Velocity { wanted_m_s: DVec3, until: Duration },
+    /// Accelerates, then stops and holds.
+    Accelerate { wanted_m_s2: DVec3, until: Duration },
+    /// Brakes hard and holds.
+    Brake,
+    /// Flies home and lands.
+    Return(Returning),
+    /// Comes down where it is.
+    Land(Landing),
+    /// Circles around a point.
+    Circle(Circle),
+    /// A pilot's sticks set climb and movement; the autopilot holds the rest.
+    Piloted,
+    /// A pilot's throttle drives the motors directly.
+    Manual,
+}
+
+/// A circle that is being flown.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Circle {
+    pub(super) centre_m: DVec2,
+    pub(super) angle_rad: f64,
+    pub(super) rate_rad_s: f64,
+    pub(super) down_m: f64,
+}
+
+impl Task {
+    /// Stop, then hold the place.
+    pub(super) const STOP: Self = Self::Velocity {
+        wanted_m_s: DVec3::ZERO,
+        until: Duration::MAX,
+    };
+
+    /// Flies to a fixed point.
+    pub(super) fn goto(goal_m: DVec3) -> Self {
+        Self::Goto {
+            goal_m,
+            drift_m_s: DVec3::ZERO,
+            drift_until: Duration::ZERO,
+        }
+    }
+
+    /// A circle whose centre lies ahead of the nose.
+    pub(super) fn circle(body: &Body, tuning: &Tuning) -> Self {
+        let (sin, cos) = body.yaw_deg.to_radians().sin_cos();
+        let here = body.position_m.truncate();
+        Self::Circle(Circle {
+            centre_m: here + DVec2::new(cos, sin) * tuning.circle_radius_m,
+            angle_rad: body.yaw_deg.to_radians() + std::f64::consts::PI,
+            rate_rad_s: 0.0,
+            down_m: body.position_m.z,
+        })
+    }
+
+    /// One step.
+    pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
+        match self {
+            Self::Wait => return Act::Idle,
+            Self::Takeoff(takeoff) => return takeoff.step(cockpit),
+            Self::Land(landing) => return landing.step(cockpit),
+            Self::Return(returning) => return returning.step(cockpit),
+            Self::Piloted => return piloted::step(cockpit),
+            Self::Manual => return Act::Throttle(cockpit.sticks.throttle()),
+            Self::Goto {
+                goal_m,
+                drift_m_s,
+                drift_until,
+            } => {
+                if cockpit.now < *drift_until {
+                    *goal_m += *drift_m_s * STEP_S;
+                }
+                cockpit.control.towards(*goal_m, &cockpit.limits);
+            }
+            Self::Velocity { wanted_m_s, until } => {
+                let wanted = if cockpit.now < *until {
+                    *wanted_m_s
+                } else {
+                    DVec3::ZERO
+                };
+                cockpit.control.at_velocity(wanted, &cockpit.limits);
+            }
+            Self::Accelerate { wanted_m_s2, until } => {
+                if cockpit.now < *until {
+                    cockpit
+                        .control
+                        .at_acceleration(*wanted_m_s2, &cockpit.limits);
+                } else {
+                    cockpit.control.at_velocity(DVec3::ZERO, &cockpit.limits);
+                }
+            }
+            Self::Brake => {
+                let limits = Limits {
+                    accel_m_s2: BRAKE_ACCEL_M_S2,
+                    ..cockpit.limits
+                };
+                cockpit.control.at_velocity(DVec3::ZERO, &limits);
+            }
+            Self::Circle(circle) => circle.step(cockpit),
+        }
+        Act::Fly
+    }
+}
+
+impl Circle {
+    fn step(&mut self, cockpit: &mut Cockpit<'_>) {
+        let radius_m = cockpit.tuning.circle_radius_m;
+        let most = (cockpit.limits.speed_m_s / radius_m.max(0.1))
+            .min((0.5 * cockpit.limits.accel_m_s2 / radius_m.max(0.1)).sqrt());
+        let wanted = cockpit
+            .tuning
+            .circle_rate_deg_s
+            .to_radians()
+            .clamp(-most, most);
+        let spin_up = 0.5 * cockpit.limits.accel_m_s2 / radius_m.max(1.0) * STEP_S;
+        self.rate_rad_s += (wanted - self.rate_rad_s).clamp(-spin_up, spin_up);
+        self.angle_rad += self.rate_rad_s * STEP_S;
+        let (sin, cos) = self.angle_rad.sin_cos();
+        let outwards = DVec2::new(cos, sin) * radius_m;
+        let planned = (
+            self.centre_m + outwards,
+            DVec2::new(-outwards.y, outwards.x) * self.rate_rad_s,
+            -outwards * self.rate_rad_s * self.rate_rad_s,
+        );
+        let limits = cockpit.limits;
+        cockpit.control.along(planned, self.down_m, &limits);
+    }
+}

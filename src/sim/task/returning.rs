@@ -1,0 +1,138 @@
+//! Return to launch: stop and climb, fly home, wait, come down.
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+
+use super::{Act, Cockpit, Landing};
+use crate::sim::leg::Leg;
+
+/// A planned leg starts this long after the vehicle stands (smoothing of the jerk itself).
+const PLAN_TIME: Duration = Duration::from_millis(900);
+/// The climb is over within this distance.
+const HEIGHT_REACHED_M: f64 = 0.2;
+/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown.
+const HOME_REACHED_M: f64 = 2.0;
+/// The cone never asks for less height than this (`RTL_ALT_MIN`).
+const CONE_FLOOR_M: f64 = 2.0;
+
+#[derive(Debug, Clone, PartialEq)]
+enum Stage {
+    Climb { standing_since: Option<Duration> },
+    Fly { leg: Leg, since: Duration },
+    Wait { until: Duration },
+    Hold { down_m: f64 },
+    Land(Landing),
+}
+
+/// A return under way.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::sim) struct Returning {
+    stage: Stage,
+    /// The height to fly at, as metres down from the start.
+    down_m: f64,
+    /// Where to climb: decided when the vehicle has stopped.
+    over_m: Option<DVec2>,
+}
+
+impl Returning {
+    /// Chooses the height: `RTL_ALT` above home, not above the cone, never below the present height.
+    pub(in crate::sim) fn new(cockpit: &Cockpit<'_>) -> Self {
+        let tuning = cockpit.tuning;
+        let way = cockpit.body.position_m - cockpit.home_m;
+        let here_m = -way.z;
+        let mut height_m = tuning
+            .return_altitude_m
+            .max(here_m + tuning.return_climb_min_m);
+        if tuning.return_cone_slope > 0.0 {
+            let cone_m = way.truncate().length() * tuning.return_cone_slope;
+            height_m = height_m.min(cone_m.max(CONE_FLOOR_M));
+        }
+        Self {
+            stage: Stage::Climb {
+                standing_since: None,
+            },
+            down_m: cockpit.home_m.z - height_m.max(here_m),
+            over_m: None,
+        }
+    }
+
+    /// The landing, once it has come to that.
+    pub(in crate::sim) fn landing(&self) -> Option<&Landing> {
+        match &self.stage {
+            Stage::Land(landing) => Some(landing),
+            _ => None,
+        }
+    }
+
+    pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
+        let limits = cockpit.limits;
+        match &mut self.stage {
+            Stage::Climb { standing_since } => {
+                if cockpit.body.on_ground {
+                    self.stage = Stage::Land(Landing::default());
+                    return Act::Fly;
+                }
+                let standing = cockpit.control.velocity_m_s.truncate().length() < 0.1;
+                match self.over_m {
+                    None if standing => self.over_m = Some(cockpit.control.path_m.truncate()),
+                    None => {
+                        let climb = DVec3::ZERO;
+                        cockpit.control.at_velocity(climb, &limits);
+                    }
+                    Some(over) => cockpit.control.towards(over.extend(self.down_m), &limits),
+                }
+                let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
+                if self.over_m.is_some() && high {
+                    let since = *standing_since.get_or_insert(cockpit.now);
+                    if cockpit.now >= since + PLAN_TIME {
+                        self.stage = Self::leg_home(cockpit);
+                    }
+                }
+            }
+            Stage::Fly { leg, since } => {
+                let elapsed = cockpit.now.saturating_sub(*since).as_secs_f64();
+                cockpit.control.along(leg.at(elapsed), self.down_m, &limits);
+                let way = (cockpit.body.position_m - cockpit.home_m).truncate();
+                if elapsed >= leg.duration_s() && way.length() < HOME_REACHED_M {
+                    self.stage = Stage::Wait {
+                        until: cockpit.now + cockpit.tuning.return_loiter,
+                    };
+                }
+            }
+            Stage::Wait { until } => {
+                let home = cockpit.home_m.truncate();
+                cockpit.control.towards(home.extend(self.down_m), &limits);
+                if cockpit.now >= *until {
+                    let stay_m = cockpit.tuning.return_final_altitude_m;
+                    self.stage = if stay_m > 0.0 {
+                        Stage::Hold {
+                            down_m: cockpit.home_m.z - stay_m,
+                        }
+                    } else {
+                        Stage::Land(Landing::default())
+                    };
+                }
+            }
+            Stage::Hold { down_m } => {
+                let home = cockpit.home_m.truncate();
+                cockpit.control.towards(home.extend(*down_m), &limits);
+            }
+            Stage::Land(landing) => return landing.step(cockpit),
+        }
+        Act::Fly
+    }
+
+    fn leg_home(cockpit: &Cockpit<'_>) -> Stage {
+        Stage::Fly {
+            leg: Leg::plan(
+                cockpit.control.path_m.truncate(),
+                cockpit.home_m.truncate(),
+                cockpit.tuning.return_speed_m_s,
+                cockpit.tuning.accel_m_s2,
+                cockpit.tuning.leg_jerk_m_s3,
+            ),
+            since: cockpit.now,
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! GPS, inertial sensors, pressure, outputs and inputs.
+
+use mavlink::dialects::ardupilotmega::{
+    GPS_RAW_INT_DATA, GpsFixType, MavMessage, RAW_IMU_DATA, RC_CHANNELS_DATA, SCALED_IMU2_DATA,
+    SCALED_PRESSURE_DATA, SERVO_OUTPUT_RAW_DATA, VIBRATION_DATA, WIND_DATA,
+};
+
+use super::{boot_ms, boot_us};
+use crate::geo::wrap_360;
+use crate::sim::autopilot::Autopilot;
+use crate::sim::body::GRAVITY_M_S2;
+
+pub(super) fn gps_raw_int(autopilot: &Autopilot) -> Option<MavMessage> {
+    let here = autopilot.here();
+    let (lat, lon) = here.at.to_e7();
+    let v = autopilot.body.velocity_m_s;
+    let course = wrap_360(v.y.atan2(v.x).to_degrees());
+    Some(MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
+        time_usec: boot_us(autopilot),
+        lat,
+        lon,
+        alt: (here.altitude_amsl_m * 1000.0) as i32,
+        eph: 121,
+        epv: 200,
+        vel: (v.truncate().length() * 100.0) as u16,
+        cog: (course * 100.0) as u16,
+        fix_type: GpsFixType::GPS_FIX_TYPE_RTK_FIXED,
+        satellites_visible: autopilot.tuning.satellites,
+        h_acc: 300,
+        v_acc: 300,
+        vel_acc: 40,
+        ..Default::default()
+    }))
+}
+
+/// Specific force in milli-g and rotation in milli-radians per second, in the body's axes.
+fn inertial(autopilot: &Autopilot) -> ([i16; 3], [i16; 3]) {
+    let body = &autopilot.body;
+    let (roll, pitch) = body.roll_pitch_rad();
+    let force = body.accel_m_s2 - glam::DVec3::new(0.0, 0.0, GRAVITY_M_S2);
+    let attitude =
+        glam::DQuat::from_euler(glam::EulerRot::ZYX, body.yaw_deg.to_radians(), pitch, roll);
+    let felt = attitude.inverse() * force / GRAVITY_M_S2 * 1000.0;
+    let (roll_rate, pitch_rate) = body.angle_rates_rad_s;
+    (
+        [felt.x as i16, felt.y as i16, felt.z as i16],
+        [
+            (roll_rate * 1000.0) as i16,
+            (pitch_rate * 1000.0) as i16,
+            (body.yaw_rate_deg_s.to_radians() * 1000.0) as i16,
+        ],
+    )
+}
+
+pub(super) fn raw_imu(autopilot: &Autopilot) -> Option<MavMessage> {
+    let (force, turn) = inertial(autopilot);
+    Some(MavMessage::RAW_IMU(RAW_IMU_DATA {
+        time_usec: boot_us(autopilot),
+        xacc: force[0],
+        yacc: force[1],
+        zacc: force[2],
+        xgyro: turn[0],
+        ygyro: turn[1],
+        zgyro: turn[2],
+        ..Default::default()
+    }))
+}
+
+pub(super) fn scaled_imu2(autopilot: &Autopilot) -> Option<MavMessage> {
+    let (force, turn) = inertial(autopilot);
+    Some(MavMessage::SCALED_IMU2(SCALED_IMU2_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        xacc: force[0],
+        yacc: force[1],
+        zacc: force[2],
+        xgyro: turn[0],
+        ygyro: turn[1],
+        zgyro: turn[2],
+        ..Default::default()
+    }))
+}
+
+/// Pressure of the standard atmosphere (ISA), in hectopascals.
+pub(super) fn scaled_pressure(autopilot: &Autopilot) -> Option<MavMessage> {
+    let altitude_m = autopilot.here().altitude_amsl_m;
+    let pressure = 1013.25 * (1.0 - 2.255_77e-5 * altitude_m).max(0.0).powf(5.2559);
+    Some(MavMessage::SCALED_PRESSURE(SCALED_PRESSURE_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        press_abs: pressure as f32,
+        temperature: 2500,
+        ..Default::default()
+    }))
+}
+
+pub(super) fn servo_output_raw(autopilot: &Autopilot) -> Option<MavMessage> {
+    let motor = (1000.0 + autopilot.body.throttle * 1000.0) as u16;
+    let servos = autopilot.servos_us;
+    Some(MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
+        time_usec: autopilot.uptime().as_micros() as u32,
+        servo1_raw: motor,
+        servo2_raw: motor,
+        servo3_raw: motor,
+        servo4_raw: motor,
+        servo5_raw: servos[4],
+        servo6_raw: servos[5],
+        servo7_raw: servos[6],
+        servo8_raw: servos[7],
+        servo9_raw: servos[8],
+        servo10_raw: servos[9],
+        servo11_raw: servos[10],
+        servo12_raw: servos[11],
+        servo13_raw: servos[12],
+        servo14_raw: servos[13],
+        servo15_raw: servos[14],
+        servo16_raw: servos[15],
+        ..Default::default()
+    }))
+}
+
+pub(super) fn rc_channels(autopilot: &Autopilot) -> Option<MavMessage> {
+    let channels = autopilot.sticks().channels_us;
+    Some(MavMessage::RC_CHANNELS(RC_CHANNELS_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        chan1_raw: channels[0],
+        chan2_raw: channels[1],
+        chan3_raw: channels[2],
+        chan4_raw: channels[3],
+        chan5_raw: channels[4],
+        chan6_raw: channels[5],
+        chan7_raw: channels[6],
+        chan8_raw: channels[7],
+        chancount: 16,
+        rssi: 255,
+        ..Default::default()
+    }))
+}
+
+/// A copter without an airspeed sensor has no estimate of the wind.
+pub(super) fn wind(autopilot: &Autopilot) -> Option<MavMessage> {
+    autopilot
+        .is_ready()
+        .then(|| MavMessage::WIND(WIND_DATA::default()))
+}
+
+pub(super) fn vibration(autopilot: &Autopilot) -> Option<MavMessage> {
+    Some(MavMessage::VIBRATION(VIBRATION_DATA {
+        time_usec: boot_us(autopilot),
+        ..Default::default()
+    }))
+}

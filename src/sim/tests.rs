@@ -1,0 +1,18 @@
+//! The simulator as a ground station sees it.
+
+mod flight;
+mod ground;
+mod protocol;
+
+use super::*;
+
+pub(super) use ground::Ground;
+
+/// The field at Canberra where the real vehicle was measured.
+pub(super) fn start() -> Start {
+    Start {
+        at: LatLon::new(-35.363_262, 149.165_237),
+        altitude_amsl_m: 584.0,
+        heading_deg: 0.0,
+    }
+}

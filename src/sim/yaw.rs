@@ -1,0 +1,127 @@
+//! Where the nose should point and how fast it may turn.
+
+use glam::DVec2;
+
+use super::body::STEP_S;
+use crate::geo::wrap_180;
+
+/// The nose follows its setpoint with this lag.
+const LAG_S: f64 = 0.3;
+/// Measured top rate per degree per second of `ATC_SLEW_YAW` (67 of 60).
+const OVERSPEED: f64 = 67.0 / 60.0;
+/// The path must move faster than this before the nose follows it.
+const COURSE_MIN_M_S: f64 = 0.5;
+
+/// What the nose does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum YawDemand {
+    /// Keeps its heading.
+    Hold,
+    /// Turns to the course over ground.
+    Course,
+    /// Turns by what is left (signed degrees) at a rate in degrees per second.
+    Turn { left_deg: f64, rate_deg_s: f64 },
+    /// Turns for ever, degrees per second, clockwise positive.
+    Rate(f64),
+    /// Looks at a point (north, east).
+    Towards(DVec2),
+}
+
+/// The demand and the heading it has brought the setpoint to.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct YawControl {
+    pub(super) demand: YawDemand,
+    setpoint_deg: f64,
+}
+
+impl YawControl {
+    /// Keeps a heading.
+    pub(super) fn holding(yaw_deg: f64) -> Self {
+        Self {
+            demand: YawDemand::Hold,
+            setpoint_deg: yaw_deg,
+        }
+    }
+
+    /// Turns to a heading: the shorter way (`direction` 0), clockwise (positive) or anticlockwise (negative).
+    /// A rate of zero means the fastest.
+    pub(super) fn turn_to(&mut self, heading_deg: f64, rate_deg_s: f64, direction: f64) {
+        let shortest = wrap_180(heading_deg - self.setpoint_deg);
+        let left_deg = if direction > 0.0 && shortest < -0.5 {
+            shortest + 360.0
+        } else if direction < 0.0 && shortest > 0.5 {
+            shortest - 360.0
+        } else {
+            shortest
+        };
+        self.demand = YawDemand::Turn {
+            left_deg,
+            rate_deg_s,
+        };
+    }
+
+    /// Turns by a signed angle.
+    pub(super) fn turn_by(&mut self, angle_deg: f64, rate_deg_s: f64) {
+        self.demand = YawDemand::Turn {
+            left_deg: angle_deg,
+            rate_deg_s,
+        };
+    }
+
+    /// One step: the rate at which the nose turns now. `moving` is the path's horizontal velocity, `here` the
+    /// vehicle's place.
+    pub(super) fn step(
+        &mut self,
+        yaw_deg: f64,
+        moving: DVec2,
+        here: DVec2,
+        slew_deg_s: f64,
+    ) -> f64 {
+        let fastest = slew_deg_s * OVERSPEED;
+        let most = fastest * STEP_S;
+        let change = match &mut self.demand {
+            YawDemand::Hold => 0.0,
+            YawDemand::Rate(rate) => rate.clamp(-fastest, fastest) * STEP_S,
+            YawDemand::Turn {
+                left_deg,
+                rate_deg_s,
+            } => {
+                let rate = if *rate_deg_s > 0.0 {
+                    rate_deg_s.min(fastest)
+                } else {
+                    fastest
+                };
+                let change = left_deg.clamp(-rate * STEP_S, rate * STEP_S);
+                *left_deg -= change;
+                change
+            }
+            YawDemand::Course => {
+                if moving.length_squared() > COURSE_MIN_M_S * COURSE_MIN_M_S {
+                    turn_towards(self.setpoint_deg, moving).clamp(-most, most)
+                } else {
+                    0.0
+                }
+            }
+            YawDemand::Towards(point) => {
+                let way = *point - here;
+                if way.length_squared() > 1.0 {
+                    turn_towards(self.setpoint_deg, way).clamp(-most, most)
+                } else {
+                    0.0
+                }
+            }
+        };
+        self.setpoint_deg = wrap_180(self.setpoint_deg + change);
+        let behind = wrap_180(self.setpoint_deg - yaw_deg);
+        (behind / LAG_S).clamp(-fastest, fastest)
+    }
+
+    /// Forgets where the setpoint was: the nose stays where it is.
+    pub(super) fn settle(&mut self, yaw_deg: f64) {
+        *self = Self::holding(wrap_180(yaw_deg));
+    }
+}
+
+fn turn_towards(from_deg: f64, way: DVec2) -> f64 {
+    wrap_180(way.y.atan2(way.x).to_degrees() - from_deg)
+}

@@ -1,0 +1,268 @@
+//! The fleet against the embedded simulator, over pipes and real sockets.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use sortie::commands::Command;
+use sortie::fleet::{Clock, Fleet, FleetEvent};
+use sortie::geo::LatLon;
+use sortie::language::{self, Action, Context};
+use sortie::ledger::{EntryId, RowState, RowUpdate};
+use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Transport};
+use sortie::session::{Order, Report};
+use sortie::sim::{Start, World, WorldConfig};
+use sortie::vehicle::{Vehicle, VehicleClass};
+use sortie::wire::SystemId;
+use tokio::sync::{mpsc, watch};
+use tokio_util::sync::CancellationToken;
+
+/// How long anything may take before a test gives up.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn world(vehicles: usize) -> World {
+    let start = Start {
+        at: LatLon::new(50.4501, 30.5234),
+        altitude_amsl_m: 180.0,
+        heading_deg: 0.0,
+    };
+    World::new(&WorldConfig::row(vehicles, start, 5.0))
+}
+
+/// A fleet and everything that it has said.
+struct Console {
+    fleet: Fleet,
+    events: mpsc::Receiver<FleetEvent>,
+    vehicles: BTreeMap<SystemId, watch::Receiver<Arc<Vehicle>>>,
+    links: Vec<watch::Receiver<LinkStatus>>,
+    rows: Vec<RowUpdate>,
+    notices: Vec<String>,
+    entries: u32,
+}
+
+impl Console {
+    fn start() -> Self {
+        let (fleet, events) = Fleet::start(Clock::start(), CancellationToken::new());
+        Self {
+            fleet,
+            events,
+            vehicles: BTreeMap::new(),
+            links: Vec::new(),
+            rows: Vec::new(),
+            notices: Vec::new(),
+            entries: 0,
+        }
+    }
+
+    fn connect(&self, address: &str) {
+        let address = address.parse().expect("an address");
+        self.fleet
+            .connect(Transport::Address(address))
+            .expect("the fleet runs");
+    }
+
+    /// Lets the fleet run until something is true.
+    async fn until(&mut self, what: &str, mut is_true: impl FnMut(&Self) -> bool) {
+        let waiting = async {
+            while !is_true(self) {
+                tokio::select! {
+                    Some(event) = self.events.recv() => match event {
+                        FleetEvent::Appeared(vehicle) => {
+                            let id = vehicle.borrow().id;
+                            self.vehicles.insert(id, vehicle);
+                        }
+                        FleetEvent::Linked(link) => self.links.push(link),
+                        FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
+                        FleetEvent::Report(Report::Notice(notice)) => self.notices.push(notice.text),
+                    },
+                    () = tokio::time::sleep(Duration::from_millis(20)) => {}
+                }
+            }
+        };
+        let outcome = tokio::time::timeout(PATIENCE, waiting).await;
+        assert!(outcome.is_ok(), "waited in vain until {what}: {:?} {:?}", self.rows, self.notices);
+    }
+
+    fn vehicle(&self, id: SystemId) -> Option<Arc<Vehicle>> {
+        self.vehicles.get(&id).map(|vehicle| Arc::clone(&vehicle.borrow()))
+    }
+
+    /// Gives a line of the grammar to vehicles and returns the ledger entry that it would have.
+    fn give(&mut self, line: &str, targets: &[SystemId]) -> EntryId {
+        let (groups, places) = (BTreeMap::new(), BTreeMap::new());
+        let context = Context {
+            groups: &groups,
+            places: &places,
+            vehicles: targets,
+            class: VehicleClass::Copter,
+        };
+        let statement = language::parse(line, &context).expect("a good line");
+        let Action::Command { verb, command } = statement.action else {
+            panic!("{line} is no command");
+        };
+        let entry = EntryId(self.entries);
+        self.entries += 1;
+        for &target in targets {
+            let order = Order {
+                entry,
+                verb: verb.name,
+                retry: verb.retry,
+                command: Command::clone(&command),
+            };
+            self.fleet.order(target, order).expect("the fleet runs");
+        }
+        entry
+    }
+
+    fn state(&self, entry: EntryId, vehicle: SystemId) -> Option<RowState> {
+        self.rows
+            .iter()
+            .rev()
+            .find(|row| row.entry == entry && row.vehicle == vehicle)
+            .map(|row| row.state)
+    }
+
+    async fn until_done(&mut self, entry: EntryId, vehicle: SystemId) {
+        let what = format!("{entry:?} is done by {vehicle}");
+        self.until(&what, |console| {
+            console.state(entry, vehicle).is_some_and(RowState::is_final)
+        })
+        .await;
+        assert_eq!(self.state(entry, vehicle), Some(RowState::Done), "{:?}", self.rows);
+    }
+
+    async fn until_ready(&mut self, ids: &[SystemId]) {
+        self.until("all are ready to arm", |console| {
+            ids.iter()
+                .all(|&id| console.vehicle(id).is_some_and(|vehicle| vehicle.ready_to_arm()))
+        })
+        .await;
+    }
+}
+
+async fn serve(world: World, speedup: f64) -> (Vec<String>, CancellationToken) {
+    let cancel = CancellationToken::new();
+    let endpoint = Endpoint::Tcp {
+        host: "127.0.0.1".to_owned(),
+        port: 0,
+    };
+    let started = Simulator::start(world, speedup, &[endpoint], cancel.clone())
+        .await
+        .expect("ports are free");
+    let addresses = started.addresses.iter().map(|address| format!("tcp:{address}"));
+    (addresses.collect(), cancel)
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn four_vehicles_fly_the_classic_flow_over_pipes() {
+    let cancel = CancellationToken::new();
+    let started = Simulator::start(world(4), 10.0, &[Endpoint::Pipes], cancel.clone())
+        .await
+        .expect("pipes always open");
+    let mut console = Console::start();
+    for pipe in started.pipes {
+        console.fleet.connect(Transport::Pipe(pipe)).expect("the fleet runs");
+    }
+    let all = [1, 2, 3, 4];
+    console.until_ready(&all).await;
+    let takeoff = {
+        console.give("guided", &all);
+        console.give("arm", &all);
+        console.give("takeoff 20", &all)
+    };
+    for id in all {
+        console.until_done(takeoff, id).await;
+    }
+    let goto = console.give("goto n 40 e 10 up 25", &all);
+    for id in all {
+        console.until_done(goto, id).await;
+    }
+    let land = console.give("rtl", &all);
+    for id in all {
+        console.until_done(land, id).await;
+    }
+    console
+        .until("all are back on the ground", |console| {
+            all.iter().all(|&id| console.vehicle(id).is_some_and(|vehicle| !vehicle.armed()))
+        })
+        .await;
+    for id in all {
+        let vehicle = console.vehicle(id).expect("it appeared");
+        assert!(vehicle.distance_home_m().is_some_and(|metres| metres < 1.5));
+    }
+    cancel.cancel();
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_refused_arm_is_explained_in_plain_words() {
+    let (addresses, cancel) = serve(world(1), 5.0).await;
+    let mut console = Console::start();
+    console.connect(&addresses[0]);
+    console.until_ready(&[1]).await;
+    let land = console.give("land", &[1]);
+    console.until_done(land, 1).await;
+    let arm = console.give("arm", &[1]);
+    console
+        .until("the arm is refused", |console| {
+            console.state(arm, 1) == Some(RowState::Refused)
+        })
+        .await;
+    let text = console.rows.iter().rev().find_map(|row| row.explanation.clone());
+    assert!(
+        text.as_ref().is_some_and(|text| text.contains("LAND mode not armable")),
+        "{text:?}"
+    );
+    cancel.cancel();
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_vehicle_that_reboots_is_noticed_and_resumed() {
+    let (addresses, cancel) = serve(world(1), 2.0).await;
+    let mut console = Console::start();
+    console.connect(&addresses[0]);
+    console.until_ready(&[1]).await;
+    console.give("reboot", &[1]);
+    console
+        .until("the reboot is noticed", |console| {
+            console.vehicle(1).is_some_and(|vehicle| vehicle.link.reboots == 1)
+        })
+        .await;
+    console.until_ready(&[1]).await;
+    assert_eq!(console.vehicles.len(), 1, "the same vehicle, not a second one");
+    cancel.cancel();
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn two_vehicles_with_one_system_id_are_named() {
+    let (first, cancel_first) = serve(world(1), 1.0).await;
+    let (second, cancel_second) = serve(world(1), 1.0).await;
+    let mut console = Console::start();
+    console.connect(&first[0]);
+    console.connect(&second[0]);
+    console
+        .until("the conflict is named", |console| {
+            console.notices.iter().any(|text| text.contains("system id 1 comes from two places"))
+        })
+        .await;
+    assert_eq!(console.vehicles.len(), 1);
+    cancel_first.cancel();
+    cancel_second.cancel();
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn an_address_where_nobody_listens_says_so_and_goes_on_trying() {
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a free port");
+    let address = listener.local_addr().expect("it is bound");
+    drop(listener);
+    let mut console = Console::start();
+    console.connect(&format!("tcp:{address}"));
+    console
+        .until("the refusal is shown", |console| {
+            console.links.first().is_some_and(|link| {
+                let status = link.borrow();
+                matches!(status.state, LinkState::Waiting { .. })
+                    && status.last_error.as_ref().is_some_and(|error| error.contains("refused"))
+            })
+        })
+        .await;
+}
