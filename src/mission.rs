@@ -1,0 +1,205 @@
+//! Missions: training tasks with a hazard world, virtual sensors and objectives.
+//!
+//! A mission is a TOML file; [`Mission::parse`] reads it and names every fault in it. A [`Flight`] is one try at
+//! it: it watches telemetry and the ledger in steps of [`TICK`], knows when the try is over, and writes the
+//! [`Report`]. Everything is a function of the file, the seed, and what was flown.
+//!
+//! # The file
+//! Units are m, s, m/s, deg, Wh unless a key says otherwise. A point `[east, north]` is metres from the origin, as
+//! on a map (the grammar's `goto n .. e ..` names its axes); heights are above the origin. Keys without a default
+//! are required, unknown keys are faults.
+//!
+//! | key | meaning |
+//! | --- | --- |
+//! | `schema` | 1 |
+//! | `id`, `rev`, `title`, `brief` | name for files and results; revision; for people |
+//! | `tier`, `tags`, `authors` | difficulty 0-3 (0); for lists |
+//! | `[sim]` `time_limit`, `origin = { lat, lon, alt, heading }` | seconds; where [0, 0] is, height above sea level, heading of the parked vehicles (0) |
+//! | `[weather]` `wind = { speed, dir }` | `dir` is where it comes from (calm) |
+//! | `[[zones]]` `id`, `kind` | `task` (an area) or `geofence` (must not be left; optional `ceiling`) |
+//! | `polygon` or `center`, `radius` | its shape |
+//! | `[[hazards]]` `id`, `kind` | see below |
+//! | `[fleet]` `max_vehicles`, `pads`, `sensors` | one pad per vehicle; sensors that every vehicle carries |
+//! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
+//! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
+//! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done` |
+//! | `[scoring]` `weights`, `par = { time, energy_wh }`, `medals`, `gold_requires` | see [`crate::scoring`]; weights sum to 1 |
+//!
+//! Hazard kind `plume`: a steady Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain`
+//! (`open` or `urban`, `open`), `jitter = { position, rate }`: by how much at most the seed moves the source (m) and
+//! changes its rate (share of it).
+//!
+//! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
+//! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
+//! `recover` (`radius`, `battery_pct`). Cells are named like chess squares: `A1` is the south-west one, letters go
+//! east, numbers go north.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::diagnostic::Diagnostic;
+use crate::geo::LatLon;
+use crate::scoring;
+
+mod craft;
+mod file;
+mod flight;
+mod hazard;
+mod objective;
+mod progress;
+mod sensor;
+mod survey;
+mod zone;
+
+pub use crate::scoring::Report;
+pub use flight::{Flight, Outcome};
+pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+
+/// The step of missions and scoring.
+pub const TICK: Duration = Duration::from_millis(100);
+
+/// A mission, read and checked.
+#[derive(Debug)]
+pub struct Mission {
+    /// Its name for files and results.
+    pub id: String,
+    /// Its revision; results compare only within one.
+    pub rev: u32,
+    /// Its name for people.
+    pub title: String,
+    /// What the trainee is told.
+    pub brief: String,
+    /// Difficulty, 0 (first steps) to 3.
+    pub tier: u8,
+    /// Subjects, for lists.
+    pub tags: Vec<String>,
+    /// Who wrote it.
+    pub authors: Vec<String>,
+    /// How many vehicles fly it.
+    pub vehicles: usize,
+    /// Mission time allowed.
+    pub time_limit: Duration,
+    /// Advice by phase of the flight.
+    pub hints: Vec<Hint>,
+    /// How it is scored.
+    pub scoring: scoring::Rules,
+    pub(crate) origin: Origin,
+    pub(crate) wind: Wind,
+    pub(crate) pads: Vec<Point>,
+    pub(crate) sensors: Vec<&'static sensor::Sensor>,
+    pub(crate) zones: Vec<zone::Zone>,
+    pub(crate) hazards: Vec<Box<dyn hazard::Hazard>>,
+    pub(crate) objectives: Vec<objective::Objective>,
+    pub(crate) max_height_m: f64,
+    pub(crate) land_reserve_percent: f64,
+}
+
+/// Metres east and north of the origin.
+pub(crate) type Point = [f64; 2];
+
+/// Where a vehicle starts and should come back to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pad {
+    /// Where.
+    pub at: LatLon,
+    /// Height above mean sea level, in metres.
+    pub altitude_amsl_m: f64,
+    /// Which way the parked vehicle looks, degrees clockwise from north.
+    pub heading_deg: f64,
+}
+
+/// Advice that fits a phase of the flight.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Hint {
+    /// When it is shown.
+    pub phase: Phase,
+    /// What it says.
+    pub text: String,
+}
+
+/// Phases of a flight, for hints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Phase {
+    /// No vehicle is armed, not everything is done.
+    Ground,
+    /// A vehicle is armed, none flies.
+    Armed,
+    /// A vehicle flies, not everything is done.
+    Air,
+    /// All but the landing is done.
+    Done,
+}
+
+/// Where [0, 0] is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Origin {
+    pub at: LatLon,
+    pub altitude_amsl_m: f64,
+    pub heading_deg: f64,
+}
+
+impl Origin {
+    /// The place of a point.
+    pub fn place(&self, [east_m, north_m]: Point) -> LatLon {
+        self.at.moved(north_m, east_m)
+    }
+
+    /// The point at a place.
+    pub fn point(&self, place: LatLon) -> Point {
+        let (north_m, east_m) = self.at.offset_to(place);
+        [east_m, north_m]
+    }
+}
+
+/// Mean wind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Wind {
+    pub speed_m_s: f64,
+    pub from_deg: f64,
+}
+
+impl Mission {
+    /// Reads a mission file.
+    ///
+    /// # Errors
+    /// Every fault that was found, each with its place; at least one.
+    pub fn parse(source: &str) -> Result<Self, Vec<Diagnostic>> {
+        file::read(source)
+    }
+
+    /// Where the vehicles start, in the order of their system ids.
+    pub fn starts(&self) -> Vec<Pad> {
+        let pad = |&point: &Point| Pad {
+            at: self.origin.place(point),
+            altitude_amsl_m: self.origin.altitude_amsl_m,
+            heading_deg: self.origin.heading_deg,
+        };
+        self.pads.iter().map(pad).collect()
+    }
+
+    /// Places that the grammar may name: the cells (`A1`), `pad` for the first pad and `pad1`, `pad2` for each.
+    pub fn places(&self) -> BTreeMap<String, LatLon> {
+        let mut places = BTreeMap::new();
+        for (index, &pad) in self.pads.iter().enumerate() {
+            let place = self.origin.place(pad);
+            places.entry("pad".to_owned()).or_insert(place);
+            places.insert(format!("pad{}", index + 1), place);
+        }
+        for survey in self
+            .objectives
+            .iter()
+            .filter_map(|objective| objective.kind.survey())
+        {
+            for cell in &survey.cells {
+                places
+                    .entry(cell.name.clone())
+                    .or_insert(self.origin.place(cell.centre));
+            }
+        }
+        places
+    }
+}
+
+#[cfg(test)]
+mod tests;

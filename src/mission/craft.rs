@@ -1,0 +1,245 @@
+//! One vehicle as a mission sees it: where it is in the mission's frame, and what has become of it.
+
+use std::time::Duration;
+
+use super::sensor::Probe;
+use super::zone::ZoneKind;
+use super::{Mission, Point, TICK};
+use crate::scoring::SafetyKind;
+use crate::vehicle::{StatusText, Vehicle};
+use crate::wire::SystemId;
+
+/// Motors that stop above this height let a vehicle fall.
+const FALL_FROM_M: f64 = 2.0;
+/// The ground is this near when a touchdown is judged.
+const NEAR_GROUND_M: f64 = 3.0;
+/// Touching down faster than this is a crash; ArduCopter lands with 0.5 m/s.
+const HARD_TOUCHDOWN_M_S: f64 = 2.5;
+/// A landing farther than this from every pad costs safety.
+const OFF_PAD_M: f64 = 3.0;
+
+/// A vehicle in a mission.
+#[derive(Debug, Clone)]
+pub(crate) struct Craft {
+    pub id: SystemId,
+    /// Where it is, once it has said so.
+    pub at: Option<Point>,
+    /// Height above home.
+    pub height_m: f64,
+    pub speed_m_s: f64,
+    pub armed: bool,
+    pub airborne: bool,
+    /// Whether it has been in the air during this mission.
+    pub flown: bool,
+    /// Whether it crashed.
+    pub lost: bool,
+    /// Whether it is heard.
+    pub heard: bool,
+    /// Distance to the nearest pad.
+    pub pad_distance_m: Option<f64>,
+    pub battery_percent: Option<f64>,
+    /// For how long it has stood disarmed on the ground after flying.
+    pub down_for: Duration,
+    pub probes: Vec<Probe>,
+    /// Energy reading at the beginning and now, in Wh.
+    energy_wh: Option<(f64, f64)>,
+    /// The fastest descent near the ground since it came down there.
+    sink_m_s: f64,
+    last_text: Option<StatusText>,
+    begun: bool,
+}
+
+/// A rule that a vehicle breaks, as the step finds it.
+pub(crate) type Breach = (SafetyKind, String);
+
+impl Craft {
+    pub fn new(id: SystemId, probes: Vec<Probe>) -> Self {
+        Self {
+            id,
+            at: None,
+            height_m: 0.0,
+            speed_m_s: 0.0,
+            armed: false,
+            airborne: false,
+            flown: false,
+            lost: false,
+            heard: false,
+            pad_distance_m: None,
+            battery_percent: None,
+            down_for: Duration::ZERO,
+            probes,
+            energy_wh: None,
+            sink_m_s: 0.0,
+            last_text: None,
+            begun: false,
+        }
+    }
+
+    /// Whether it stands disarmed on the ground after flying.
+    pub fn is_down(&self) -> bool {
+        self.flown && !self.lost && !self.armed && !self.airborne
+    }
+
+    /// Energy used during this mission, in Wh.
+    pub fn used_wh(&self) -> Option<f64> {
+        self.energy_wh.map(|(first, now)| (now - first).max(0.0))
+    }
+
+    /// Takes a snapshot of the vehicle; returns the rules that it breaks now.
+    pub fn step(&mut self, vehicle: &Vehicle, mission: &Mission) -> Vec<Breach> {
+        let (was_armed, was_airborne, old_height_m) = (self.armed, self.airborne, self.height_m);
+        self.take(vehicle, mission);
+        let texts = self.new_texts(vehicle);
+        if self.lost {
+            return Vec::new();
+        }
+        let mut breaches: Vec<Breach> = texts
+            .iter()
+            .filter_map(|text| from_text(&text.text))
+            .collect();
+        if was_armed && !self.armed && was_airborne && self.airborne && old_height_m > FALL_FROM_M {
+            let text = format!("motors stopped {old_height_m:.0} m up");
+            breaches.push((SafetyKind::DisarmInFlight, text));
+        }
+        if was_airborne && !self.airborne && self.sink_m_s > HARD_TOUCHDOWN_M_S {
+            breaches.push((
+                SafetyKind::Crash,
+                format!("hit the ground at {:.1} m/s", self.sink_m_s),
+            ));
+        }
+        if let Some(loss) = breaches.iter().position(|(kind, _)| kind.is_loss()) {
+            self.lost = true;
+            return vec![breaches.swap_remove(loss)];
+        }
+        if self.airborne {
+            breaches.extend(self.place_breaches(mission));
+        }
+        if was_armed && self.is_down() {
+            breaches.extend(self.landing_breaches(mission));
+        }
+        self.down_for = if self.is_down() {
+            self.down_for + TICK
+        } else {
+            Duration::ZERO
+        };
+        breaches
+    }
+
+    fn take(&mut self, vehicle: &Vehicle, mission: &Mission) {
+        self.heard = !vehicle.link.lost;
+        self.armed = vehicle.armed();
+        self.airborne = vehicle.airborne();
+        self.flown |= self.airborne && self.armed;
+        self.speed_m_s = vehicle.ground_speed_m_s().map_or(0.0, f64::from);
+        if let Some(global) = vehicle.global {
+            let at = mission.origin.point(global.at_point);
+            let distance = |pad: &Point| (at[0] - pad[0]).hypot(at[1] - pad[1]);
+            self.pad_distance_m = mission.pads.iter().map(distance).min_by(f64::total_cmp);
+            self.at = Some(at);
+            self.height_m = global.altitude_m;
+            if self.height_m > NEAR_GROUND_M {
+                self.sink_m_s = 0.0;
+            } else if self.airborne {
+                self.sink_m_s = self.sink_m_s.max(f64::from(global.down_m_s));
+            }
+        }
+        if let Some(battery) = vehicle.battery() {
+            self.battery_percent = battery.remaining_percent.map(f64::from);
+            let from_charge =
+                || Some(f64::from(battery.consumed_mah?) / 1000.0 * f64::from(battery.voltage_v?));
+            if let Some(now) = battery.consumed_wh.map(f64::from).or_else(from_charge) {
+                let first = self.energy_wh.map_or(now, |(first, _)| first);
+                self.energy_wh = Some((first, now));
+            }
+        }
+    }
+
+    /// The texts that came since the last step; those from before the first step do not count.
+    fn new_texts<'a>(&mut self, vehicle: &'a Vehicle) -> &'a [StatusText] {
+        let texts = &vehicle.texts;
+        let known = match &self.last_text {
+            Some(last) => texts
+                .iter()
+                .rposition(|text| text == last)
+                .map_or(0, |at| at + 1),
+            None if self.begun => 0,
+            None => texts.len(),
+        };
+        self.begun = true;
+        self.last_text = texts.last().cloned();
+        &texts[known..]
+    }
+
+    fn place_breaches(&self, mission: &Mission) -> Vec<Breach> {
+        let mut breaches = Vec::new();
+        if self.height_m > mission.max_height_m {
+            let text = format!("above {:.0} m", mission.max_height_m);
+            breaches.push((SafetyKind::TooHigh, text));
+        }
+        let Some(at) = self.at else { return breaches };
+        for zone in &mission.zones {
+            if let ZoneKind::Geofence { ceiling_m } = zone.kind {
+                let over = ceiling_m.is_some_and(|ceiling| self.height_m > ceiling);
+                if over || !zone.shape.contains(at) {
+                    breaches.push((
+                        SafetyKind::Geofence,
+                        format!("outside geofence {}", zone.id),
+                    ));
+                }
+            }
+        }
+        breaches
+    }
+
+    fn landing_breaches(&self, mission: &Mission) -> Vec<Breach> {
+        let mut breaches = Vec::new();
+        if let Some(distance) = self.pad_distance_m.filter(|&distance| distance > OFF_PAD_M) {
+            breaches.push((
+                SafetyKind::OffPad,
+                format!("landed {distance:.1} m off the pad"),
+            ));
+        }
+        if let Some(percent) = self
+            .battery_percent
+            .filter(|&percent| percent < mission.land_reserve_percent)
+        {
+            breaches.push((
+                SafetyKind::LowReserve,
+                format!("landed with {percent:.0} % battery"),
+            ));
+        }
+        breaches
+    }
+}
+
+/// What a status text of ArduPilot or its simulator tells about safety.
+fn from_text(text: &str) -> Option<Breach> {
+    if let Some(rest) = text.strip_prefix("SIM Hit ground at ") {
+        let speed: f64 = rest.split_whitespace().next()?.parse().ok()?;
+        return (speed > HARD_TOUCHDOWN_M_S).then(|| {
+            (
+                SafetyKind::Crash,
+                format!("hit the ground at {speed:.1} m/s"),
+            )
+        });
+    }
+    let known = [
+        ("Crash:", SafetyKind::Crash),
+        ("EKF Failsafe", SafetyKind::OtherFailsafe),
+        ("GCS Failsafe", SafetyKind::OtherFailsafe),
+    ];
+    if let Some((_, kind)) = known.iter().find(|(start, _)| text.starts_with(start)) {
+        let cleared = text.ends_with("Cleared");
+        return (!cleared).then(|| (*kind, text.to_owned()));
+    }
+    if !text.starts_with("Battery ") {
+        return None;
+    }
+    if text.contains(" is critical") {
+        Some((SafetyKind::BatteryCritical, "battery critical".to_owned()))
+    } else if text.contains(" is low") {
+        Some((SafetyKind::BatteryLow, "battery low".to_owned()))
+    } else {
+        None
+    }
+}

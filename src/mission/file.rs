@@ -1,0 +1,314 @@
+//! Reading a mission file. Every section is read on its own, so that one fault does not hide the others; what
+//! refers to another section is checked after that one was read.
+
+use std::ops::RangeInclusive;
+
+use serde::Deserialize;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::objective::Objective;
+use super::sensor::Sensor;
+use super::survey::SurveyPlan;
+use super::zone::{Zone, ZoneKind};
+use super::{Mission, Point};
+use crate::diagnostic::Diagnostic;
+
+mod sections;
+
+/// Points may lie this far from the origin on each axis; the flat earth of [`crate::geo`] holds no farther.
+pub(super) const POINT_RANGE: f64 = 20_000.0;
+
+/// Keys of the file that stand before its first section.
+const HEAD: [&str; 8] = [
+    "schema", "id", "rev", "title", "tier", "tags", "authors", "brief",
+];
+/// The sections.
+const SECTIONS: [&str; 9] = [
+    "sim",
+    "weather",
+    "zones",
+    "hazards",
+    "fleet",
+    "rules",
+    "objectives",
+    "hints",
+    "scoring",
+];
+
+/// A table of the file with its place.
+pub(super) type Section<'i> = Spanned<DeTable<'i>>;
+/// What reads one kind of a section that has kinds.
+pub(super) type Reader<T> = fn(Section<'_>, &Draft, &mut Faults) -> Option<T>;
+
+/// What earlier sections have established, for those that refer to it.
+#[derive(Debug, Default)]
+pub(super) struct Draft {
+    pub zones: Vec<Zone>,
+    pub sensors: Vec<&'static Sensor>,
+    pub surveys: Vec<SurveyPlan>,
+    /// Id of the objective that is being read.
+    pub objective: String,
+}
+
+/// The faults found so far.
+#[derive(Debug, Default)]
+pub(super) struct Faults(Vec<Diagnostic>);
+
+/// Reads a mission file.
+pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
+    let root = DeTable::parse(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
+    let mut faults = Faults::default();
+    let mission = sections::mission(root, &mut faults);
+    let mut found = faults.0;
+    found.sort_by_key(|fault| fault.span.start);
+    match mission {
+        Some(mission) if found.is_empty() => Ok(mission),
+        _ if found.is_empty() => Err(vec![Diagnostic::new(0..0, "this is no mission file")]),
+        _ => Err(found),
+    }
+}
+
+impl Faults {
+    /// Adds a fault at a place.
+    pub fn add(&mut self, span: std::ops::Range<usize>, message: impl Into<String>) {
+        self.0.push(Diagnostic::new(span, message));
+    }
+
+    /// Adds a fault about a name that is not among the known ones.
+    pub fn unknown(&mut self, what: &str, written: &Spanned<String>, known: &[&str]) {
+        let list = if known.is_empty() {
+            "none".to_owned()
+        } else {
+            known.join(", ")
+        };
+        let name = written.get_ref();
+        let fault = Diagnostic::new(
+            written.span(),
+            format!("unknown {what} `{name}`; known: {list}"),
+        );
+        self.0.push(fault.with_nearest(name, known.iter().copied()));
+    }
+
+    /// Reads a table into a type; a fault in it is added and gives `None`.
+    pub fn read<'i, T: Deserialize<'i>>(&mut self, section: Section<'i>) -> Option<T> {
+        let span = section.span();
+        self.keep(T::deserialize(toml::de::Deserializer::from(section)), span)
+    }
+
+    /// The same for any value.
+    pub fn read_value<'i, T: Deserialize<'i>>(&mut self, value: Spanned<DeValue<'i>>) -> Option<T> {
+        let span = value.span();
+        self.keep(
+            T::deserialize(toml::de::ValueDeserializer::from(value)),
+            span,
+        )
+    }
+
+    fn keep<T>(
+        &mut self,
+        result: Result<T, toml::de::Error>,
+        span: std::ops::Range<usize>,
+    ) -> Option<T> {
+        match result {
+            Ok(value) => Some(value),
+            Err(error) => {
+                let message = error.message();
+                let fault = Diagnostic::new(error.span().unwrap_or(span), message);
+                // "unknown field `x`, expected one of `a`, `b`": the names stand in backquotes.
+                let mut quoted = message.split('`').skip(1).step_by(2);
+                let unknown = message.starts_with("unknown ");
+                self.0.push(match quoted.next().filter(|_| unknown) {
+                    Some(written) => fault.with_nearest(written, quoted),
+                    None => fault,
+                });
+                None
+            }
+        }
+    }
+
+    /// A number that must lie in a range; NaN never does.
+    pub fn number(&mut self, value: &Spanned<f64>, range: RangeInclusive<f64>, name: &str) -> f64 {
+        if !range.contains(value.get_ref()) {
+            let (low, high) = (range.start(), range.end());
+            let message = format!(
+                "`{name}` must lie between {low} and {high}, not {}",
+                value.get_ref()
+            );
+            self.add(value.span(), message);
+        }
+        *value.get_ref()
+    }
+
+    /// A point that must not lie too far away.
+    pub fn point(&mut self, value: &Spanned<Point>, name: &str) -> Point {
+        let range = -POINT_RANGE..=POINT_RANGE;
+        if !value.get_ref().iter().all(|axis| range.contains(axis)) {
+            let message =
+                format!("`{name}` must lie within {POINT_RANGE} m of the origin, as [east, north]");
+            self.add(value.span(), message);
+        }
+        *value.get_ref()
+    }
+}
+
+impl Draft {
+    /// A zone of kind `task` by name.
+    pub fn task_zone(&self, name: &Spanned<String>, faults: &mut Faults) -> Option<&Zone> {
+        let tasks = || self.zones.iter().filter(|zone| zone.kind == ZoneKind::Task);
+        let found = tasks().find(|zone| zone.id == *name.get_ref());
+        if found.is_none() {
+            let known: Vec<&str> = tasks().map(|zone| zone.id.as_str()).collect();
+            faults.unknown("task zone", name, &known);
+        }
+        found
+    }
+
+    /// A sensor that the fleet carries.
+    pub fn fitted_sensor(
+        &self,
+        name: &Spanned<String>,
+        faults: &mut Faults,
+    ) -> Option<&'static Sensor> {
+        let found = self
+            .sensors
+            .iter()
+            .find(|sensor| sensor.id == name.get_ref());
+        if found.is_none() {
+            let known: Vec<&str> = self.sensors.iter().map(|sensor| sensor.id).collect();
+            faults.unknown("sensor of the fleet", name, &known);
+        }
+        found.copied()
+    }
+
+    /// The survey of an objective that stands earlier in the file.
+    pub fn survey(&self, name: &Spanned<String>, faults: &mut Faults) -> Option<SurveyPlan> {
+        let found = self
+            .surveys
+            .iter()
+            .find(|survey| survey.id == *name.get_ref());
+        if found.is_none() {
+            let known: Vec<&str> = self
+                .surveys
+                .iter()
+                .map(|survey| survey.id.as_str())
+                .collect();
+            faults.unknown("earlier sample_cells objective", name, &known);
+        }
+        found.cloned()
+    }
+}
+
+/// What all sections with kinds have in common.
+struct Kinded<'i> {
+    id: Spanned<String>,
+    kind: Spanned<String>,
+    rest: Section<'i>,
+}
+
+/// Takes `id` and `kind` out of a section; a missing one is a fault.
+fn kinded<'i>(section: Spanned<DeValue<'i>>, faults: &mut Faults) -> Option<Kinded<'i>> {
+    let span = section.span();
+    let DeValue::Table(mut table) = section.into_inner() else {
+        faults.add(span, "a table is needed here");
+        return None;
+    };
+    let id: Option<Spanned<String>> = take(&mut table, "id", &span, faults);
+    let kind = take(&mut table, "kind", &span, faults);
+    let id = id.filter(|id| {
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        let good =
+            !id.get_ref().is_empty() && id.get_ref().len() <= 32 && id.get_ref().chars().all(plain);
+        if !good {
+            faults.add(id.span(), "an id is 1 to 32 letters, digits, `-` and `_`");
+        }
+        good
+    });
+    Some(Kinded {
+        id: id?,
+        kind: kind?,
+        rest: Spanned::new(span, table),
+    })
+}
+
+/// Takes a required key out of a table.
+fn take<'i, T: Deserialize<'i>>(
+    table: &mut DeTable<'i>,
+    key: &str,
+    place: &std::ops::Range<usize>,
+    faults: &mut Faults,
+) -> Option<T> {
+    match table.remove(key) {
+        Some(value) => faults.read_value(value),
+        None => {
+            faults.add(place.clone(), format!("missing field `{key}`"));
+            None
+        }
+    }
+}
+
+/// Takes a key that may be missing out of a table.
+fn take_optional<'i, T: Deserialize<'i>>(
+    table: &mut DeTable<'i>,
+    key: &str,
+    faults: &mut Faults,
+) -> Option<T> {
+    faults.read_value(table.remove(key)?)
+}
+
+/// Reads the section's kind with the reader that the table of kinds names.
+fn by_kind<T>(
+    what: &str,
+    section: Kinded<'_>,
+    kinds: &[(&str, Reader<T>)],
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<T> {
+    let Some((_, reader)) = kinds
+        .iter()
+        .find(|(name, _)| name == section.kind.get_ref())
+    else {
+        let known: Vec<&str> = kinds.iter().map(|(name, _)| *name).collect();
+        faults.unknown(&format!("{what} kind"), &section.kind, &known);
+        return None;
+    };
+    reader(section.rest, draft, faults)
+}
+
+/// Reports ids that occur twice.
+fn check_unique(seen: &mut Vec<String>, id: &Spanned<String>, faults: &mut Faults) {
+    if seen.contains(id.get_ref()) {
+        faults.add(
+            id.span(),
+            format!("the id `{}` is used twice", id.get_ref()),
+        );
+    }
+    seen.push(id.get_ref().clone());
+}
+
+/// An objective's common part, once its kind is read.
+fn objective(
+    section: Spanned<DeValue<'_>>,
+    draft: &mut Draft,
+    seen: &mut Vec<String>,
+    faults: &mut Faults,
+) -> Option<Objective> {
+    let mut section = kinded(section, faults)?;
+    check_unique(seen, &section.id, faults);
+    let span = section.rest.span();
+    let table = section.rest.get_mut();
+    let title = take::<String>(table, "title", &span, faults);
+    let value = take::<Spanned<f64>>(table, "value", &span, faults);
+    let mandatory = take_optional::<bool>(table, "mandatory", faults).unwrap_or(false);
+    let id = section.id.get_ref().clone();
+    draft.objective.clone_from(&id);
+    let kind = by_kind("objective", section, super::objective::KINDS, draft, faults)?;
+    draft.surveys.extend(kind.survey().cloned());
+    Some(Objective {
+        id,
+        title: title?,
+        value: faults.number(&value?, 0.1..=1000.0, "value"),
+        mandatory,
+        kind,
+    })
+}

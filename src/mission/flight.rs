@@ -1,0 +1,481 @@
+//! One try at a mission.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Arc;
+use std::time::Duration;
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+use super::craft::Craft;
+use super::hazard::Field;
+use super::objective::{Scene, Standing, Tracker};
+use super::sensor::Probe;
+use super::survey::Survey;
+use super::{
+    Cell, Mission, ObjectiveProgress, ObjectiveState, Phase, Point, Progress, Reading, TICK,
+};
+use crate::ledger::Ledger;
+use crate::notice::Notice;
+use crate::scoring::{
+    CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, rounded,
+};
+use crate::vehicle::{Severity, Vehicle};
+use crate::wire::SystemId;
+
+mod result;
+
+/// The seconds before the limit at which the trainee is told.
+const WARN_BEFORE_S: [u64; 2] = [60, 30];
+
+/// How a flight ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// All mandatory objectives are met.
+    Passed,
+    /// It ended without them.
+    Failed,
+    /// The time was up before they were met.
+    TimedOut,
+    /// The trainee gave up.
+    Abandoned,
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Passed => "passed",
+            Self::Failed => "failed",
+            Self::TimedOut => "timed out",
+            Self::Abandoned => "abandoned",
+        })
+    }
+}
+
+/// The hazards of one flight.
+#[derive(Debug)]
+pub(crate) struct World {
+    fields: Vec<Box<dyn Field>>,
+}
+
+impl World {
+    fn new(mission: &Mission, seed: u64) -> Self {
+        let release = |(index, hazard): (usize, &Box<dyn super::hazard::Hazard>)| {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            // Streams from 0 on belong to the sensors.
+            random.set_stream(u64::MAX - index as u64);
+            hazard.release(mission.wind, &mut random)
+        };
+        Self {
+            fields: mission.hazards.iter().enumerate().map(release).collect(),
+        }
+    }
+
+    /// Concentration of all hazards together.
+    pub fn concentration_ug_m3(&self, at: Point, height_m: f64) -> f64 {
+        self.fields
+            .iter()
+            .map(|field| field.concentration_ug_m3(at, height_m))
+            .sum()
+    }
+}
+
+/// A running mission: a pure function of the mission, the seed and what it was shown.
+#[derive(Debug)]
+pub struct Flight {
+    mission: Arc<Mission>,
+    seed: u64,
+    world: World,
+    trackers: Vec<Box<dyn Tracker>>,
+    surveys: Vec<Survey>,
+    crafts: Vec<Craft>,
+    commands: CommandLog,
+    safety: SafetyLog,
+    met: Vec<bool>,
+    events: Vec<EventReport>,
+    elapsed: Duration,
+    ended: Option<Outcome>,
+    tally: crate::scoring::CommandTally,
+}
+
+impl Flight {
+    /// A try at a mission; the seed decides what the mission leaves to chance.
+    pub fn new(mission: Arc<Mission>, seed: u64) -> Self {
+        let world = World::new(&mission, seed);
+        let surveys = mission
+            .objectives
+            .iter()
+            .filter_map(|o| o.kind.survey())
+            .map(Survey::new);
+        Self {
+            seed,
+            trackers: mission
+                .objectives
+                .iter()
+                .map(|o| o.kind.start(&world))
+                .collect(),
+            surveys: surveys.collect(),
+            crafts: Vec::new(),
+            commands: CommandLog::default(),
+            safety: SafetyLog::default(),
+            met: vec![false; mission.objectives.len()],
+            events: Vec::new(),
+            elapsed: Duration::ZERO,
+            ended: None,
+            tally: crate::scoring::CommandTally::default(),
+            world,
+            mission,
+        }
+    }
+
+    /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
+    /// After the end nothing changes any more.
+    pub fn step(
+        &mut self,
+        now: Duration,
+        vehicles: &BTreeMap<SystemId, Vehicle>,
+        ledger: &Ledger,
+    ) -> Vec<Notice> {
+        if self.ended.is_some() {
+            return Vec::new();
+        }
+        let previous = std::mem::replace(&mut self.elapsed, now.min(self.mission.time_limit));
+        let mut notices = Vec::new();
+        self.enlist(vehicles);
+        self.step_crafts(vehicles, &mut notices);
+        self.step_commands(vehicles, ledger, &mut notices);
+        self.step_surveys(&mut notices);
+        self.step_objectives(&mut notices);
+        self.warn_of_time(previous, &mut notices);
+        self.decide(now, &mut notices);
+        notices
+    }
+
+    /// Gives up.
+    pub fn abandon(&mut self) {
+        if self.ended.is_none() {
+            self.end(Outcome::Abandoned, &mut Vec::new());
+        }
+    }
+
+    /// How it ended; `None` while it goes on.
+    pub fn outcome(&self) -> Option<Outcome> {
+        self.ended
+    }
+
+    /// The mission that is flown.
+    pub fn mission(&self) -> &Arc<Mission> {
+        &self.mission
+    }
+
+    /// How it stands, for the mission panel.
+    pub fn progress(&self) -> Progress {
+        let standings = self.standings();
+        let objectives = self
+            .mission
+            .objectives
+            .iter()
+            .zip(&standings)
+            .map(|(objective, standing)| ObjectiveProgress {
+                title: objective.title.clone(),
+                state: match (standing.met, self.ended) {
+                    (true, _) => ObjectiveState::Met,
+                    (false, None) => ObjectiveState::Open,
+                    (false, Some(_)) => ObjectiveState::Missed,
+                },
+                detail: standing.result.clone(),
+                fraction: standing.fraction,
+            })
+            .collect();
+        Progress {
+            title: self.mission.title.clone(),
+            elapsed: self.elapsed,
+            limit: self.mission.time_limit,
+            score_so_far: self.score_with(&standings).points,
+            objectives,
+            readings: self.readings(),
+            hint: self.hint(&standings),
+            cells: self.cells(),
+        }
+    }
+
+    /// The result with every point explained; of an unfinished flight, as if it ended now.
+    pub fn report(&self, ledger: &Ledger) -> Report {
+        result::report(self, ledger)
+    }
+
+    /// The first vehicles by system id take part, as many as the mission wants.
+    fn enlist(&mut self, vehicles: &BTreeMap<SystemId, Vehicle>) {
+        for &id in vehicles.keys() {
+            if self.crafts.len() >= self.mission.vehicles {
+                return;
+            }
+            if self.crafts.iter().all(|craft| craft.id != id) {
+                let sensors = self.mission.sensors.iter().enumerate();
+                let probe = |(index, &sensor)| {
+                    Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
+                };
+                self.crafts
+                    .push(Craft::new(id, sensors.map(probe).collect()));
+            }
+        }
+    }
+
+    fn step_crafts(&mut self, vehicles: &BTreeMap<SystemId, Vehicle>, notices: &mut Vec<Notice>) {
+        let mission = Arc::clone(&self.mission);
+        let mut breaches = Vec::new();
+        for craft in &mut self.crafts {
+            let Some(vehicle) = vehicles.get(&craft.id) else {
+                continue;
+            };
+            breaches.extend(
+                craft
+                    .step(vehicle, &mission)
+                    .into_iter()
+                    .map(|breach| (craft.id, breach)),
+            );
+            let concentration = craft
+                .at
+                .map_or(0.0, |at| self.world.concentration_ug_m3(at, craft.height_m));
+            for probe in &mut craft.probes {
+                probe.step(concentration, craft.speed_m_s, TICK.as_secs_f64());
+            }
+        }
+        for (id, (kind, text)) in breaches {
+            self.break_rule(kind, id, &text, notices);
+        }
+    }
+
+    fn break_rule(
+        &mut self,
+        kind: SafetyKind,
+        id: SystemId,
+        text: &str,
+        notices: &mut Vec<Notice>,
+    ) {
+        if self.safety.note(kind, id, self.elapsed, text) {
+            let severity = if kind.is_loss() {
+                Severity::Critical
+            } else {
+                Severity::Warning
+            };
+            self.say("rule", Some(id), severity, text.to_owned(), notices);
+        }
+    }
+
+    fn step_commands(
+        &mut self,
+        vehicles: &BTreeMap<SystemId, Vehicle>,
+        ledger: &Ledger,
+        notices: &mut Vec<Notice>,
+    ) {
+        for event in self.commands.step(self.elapsed, vehicles, ledger) {
+            match event {
+                // The fleet tells the operator about refusals; here they only go on record.
+                CommandEvent::Rejected { vehicle, text } => {
+                    self.record("rejected", Some(vehicle), text)
+                }
+                CommandEvent::Forced { vehicle } => {
+                    self.break_rule(
+                        SafetyKind::ForcedArm,
+                        vehicle,
+                        "arming checks bypassed",
+                        notices,
+                    );
+                }
+            }
+        }
+        self.tally = self.commands.tally(ledger);
+    }
+
+    fn step_surveys(&mut self, notices: &mut Vec<Notice>) {
+        let mut sampled = Vec::new();
+        for survey in &mut self.surveys {
+            for craft in self
+                .crafts
+                .iter()
+                .filter(|craft| craft.heard && craft.airborne && !craft.lost)
+            {
+                let probe = craft
+                    .probes
+                    .iter()
+                    .find(|probe| *probe.sensor == *survey.plan.sensor);
+                let (Some(at), Some(probe)) = (craft.at, probe) else {
+                    continue;
+                };
+                if let Some(cell) = survey.step(at, craft.height_m, craft.speed_m_s, probe.shown) {
+                    let (name, count) = (&survey.plan.cells[cell].name, survey.sampled());
+                    let text = format!("cell {name} sampled  {count}/{}", survey.plan.cells.len());
+                    sampled.push((craft.id, text));
+                }
+            }
+        }
+        for (id, text) in sampled {
+            notices.push(Notice {
+                at: self.elapsed,
+                vehicle: Some(id),
+                severity: Severity::Info,
+                text,
+            });
+        }
+    }
+
+    fn step_objectives(&mut self, notices: &mut Vec<Notice>) {
+        let mission = Arc::clone(&self.mission);
+        let standings = self.standings();
+        for (index, (objective, standing)) in mission.objectives.iter().zip(standings).enumerate() {
+            if standing.met != self.met[index] {
+                self.met[index] = standing.met;
+                let verb = if standing.met { "met" } else { "open again" };
+                let text = format!("objective {verb}: {} ({})", objective.id, standing.result);
+                self.say("objective", None, Severity::Notice, text, notices);
+            }
+        }
+    }
+
+    fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
+        for seconds in WARN_BEFORE_S {
+            let mark = self
+                .mission
+                .time_limit
+                .saturating_sub(Duration::from_secs(seconds));
+            if previous < mark && mark <= self.elapsed {
+                self.say(
+                    "alert",
+                    None,
+                    Severity::Warning,
+                    format!("{seconds} s left"),
+                    notices,
+                );
+            }
+        }
+    }
+
+    fn decide(&mut self, now: Duration, notices: &mut Vec<Notice>) {
+        let standings = self.standings();
+        let mut mandatory = standings
+            .iter()
+            .zip(&self.mission.objectives)
+            .filter(|(_, o)| o.mandatory);
+        let all_met = mandatory.clone().all(|(standing, _)| standing.met);
+        let settled = mandatory.all(|(standing, _)| standing.settled);
+        let down = |craft: &Craft| craft.lost || craft.down_for >= super::objective::DOWN_FOR;
+        let all_down = !self.crafts.is_empty() && self.crafts.iter().all(down);
+        let all_lost = !self.crafts.is_empty() && self.crafts.iter().all(|craft| craft.lost);
+        let verdict = if all_met {
+            Outcome::Passed
+        } else {
+            Outcome::Failed
+        };
+        if all_lost || (settled && all_down) {
+            self.end(verdict, notices);
+        } else if now >= self.mission.time_limit {
+            self.end(
+                if all_met {
+                    Outcome::Passed
+                } else {
+                    Outcome::TimedOut
+                },
+                notices,
+            );
+        }
+    }
+
+    fn end(&mut self, outcome: Outcome, notices: &mut Vec<Notice>) {
+        self.ended = Some(outcome);
+        self.say(
+            "phase",
+            None,
+            Severity::Notice,
+            format!("mission {outcome}"),
+            notices,
+        );
+    }
+
+    fn say(
+        &mut self,
+        kind: &str,
+        vehicle: Option<SystemId>,
+        severity: Severity,
+        text: String,
+        notices: &mut Vec<Notice>,
+    ) {
+        notices.push(Notice {
+            at: self.elapsed,
+            vehicle,
+            severity,
+            text: text.clone(),
+        });
+        self.record(kind, vehicle, text);
+    }
+
+    fn record(&mut self, kind: &str, vehicle: Option<SystemId>, text: String) {
+        self.events.push(EventReport {
+            at_s: rounded(self.elapsed.as_secs_f64(), 1),
+            kind: kind.to_owned(),
+            vehicle,
+            text,
+        });
+    }
+
+    fn standings(&self) -> Vec<Standing> {
+        let scene = Scene {
+            vehicles: &self.crafts,
+            surveys: &self.surveys,
+        };
+        self.trackers
+            .iter()
+            .map(|tracker| tracker.standing(&scene))
+            .collect()
+    }
+
+    fn score_with(&self, standings: &[Standing]) -> crate::scoring::Score {
+        crate::scoring::score(&self.mission.scoring, &result::facts(self, standings))
+    }
+
+    fn readings(&self) -> Vec<Reading> {
+        let of = |craft: &Craft| {
+            let id = craft.id;
+            let reading = move |probe: &Probe| Reading {
+                vehicle: id,
+                sensor: probe.sensor.name.to_owned(),
+                value: probe.shown,
+                unit: probe.sensor.unit,
+            };
+            craft.probes.iter().map(reading).collect::<Vec<_>>()
+        };
+        self.crafts.iter().flat_map(of).collect()
+    }
+
+    fn hint(&self, standings: &[Standing]) -> Option<String> {
+        let open = standings
+            .iter()
+            .any(|standing| !standing.landing && !standing.settled);
+        let phase = if !open {
+            Phase::Done
+        } else if self.crafts.iter().any(|craft| craft.airborne) {
+            Phase::Air
+        } else if self.crafts.iter().any(|craft| craft.armed) {
+            Phase::Armed
+        } else {
+            Phase::Ground
+        };
+        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
+        self.ended.is_none().then(|| found.text.clone())
+    }
+
+    fn cells(&self) -> Vec<Cell> {
+        let of = |survey: &Survey| {
+            let cell = |index: usize| Cell {
+                name: survey.plan.cells[index].name.clone(),
+                centre: self.mission.origin.place(survey.plan.cells[index].centre),
+                side_m: survey.plan.side_m,
+                sampled: survey.is_sampled(index),
+                value: survey.mean(index),
+            };
+            (0..survey.plan.cells.len()).map(cell).collect::<Vec<_>>()
+        };
+        self.surveys.iter().flat_map(of).collect()
+    }
+}

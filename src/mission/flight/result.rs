@@ -1,0 +1,132 @@
+//! From a flight to its facts, and from these to its report.
+
+use super::{Flight, Standing};
+use crate::ledger::{Entry, Ledger};
+use crate::scoring::{
+    ComponentReport, Facts, LedgerReport, ObjectiveFact, ObjectiveReport, Report, RowReport, Score,
+    grade, improvements, rounded, score,
+};
+
+/// What the score depends on.
+pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
+    let objectives = flight.mission.objectives.iter().zip(standings);
+    let used: Vec<f64> = flight
+        .crafts
+        .iter()
+        .filter_map(super::Craft::used_wh)
+        .collect();
+    Facts {
+        objectives: objectives
+            .map(|(objective, standing)| ObjectiveFact {
+                id: objective.id.clone(),
+                title: objective.title.clone(),
+                value: objective.value,
+                fraction: standing.fraction,
+                measure: standing.measure,
+                met: standing.met,
+                mandatory: objective.mandatory,
+                result: standing.result.clone(),
+                target: standing.target.clone(),
+                advice: standing.advice.clone(),
+            })
+            .collect(),
+        quality: mean_quality(standings),
+        elapsed: flight.elapsed,
+        energy_wh: (!used.is_empty()).then(|| used.iter().sum()),
+        safety: flight.safety.events().to_vec(),
+        commands: flight.tally,
+        vehicles: flight.mission.vehicles,
+    }
+}
+
+/// The mean over all products.
+fn mean_quality(standings: &[Standing]) -> Option<(f64, String)> {
+    let all: Vec<&(f64, String)> = standings
+        .iter()
+        .filter_map(|s| s.quality.as_ref())
+        .collect();
+    let words: Vec<&str> = all.iter().map(|(_, words)| words.as_str()).collect();
+    let sum: f64 = all.iter().map(|(value, _)| value).sum();
+    (!all.is_empty()).then(|| (sum / all.len() as f64, words.join(", ")))
+}
+
+/// The report.
+pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
+    let mut facts = facts(flight, &flight.standings());
+    // Rows may have ended after the last step.
+    facts.commands = flight.commands.tally(ledger);
+    let mission = &flight.mission;
+    let score = score(&mission.scoring, &facts);
+    let commands = flight.commands.entries(ledger);
+    Report {
+        mission: mission.id.clone(),
+        revision: mission.rev,
+        seed: flight.seed,
+        backend: "embedded".to_owned(),
+        passed: flight.ended == Some(super::Outcome::Passed),
+        score: score.points,
+        medal: score
+            .medal
+            .filter(|_| flight.ended == Some(super::Outcome::Passed)),
+        sim_time_s: rounded(flight.elapsed.as_secs_f64(), 1),
+        objectives: objectives(&facts),
+        components: components(&score),
+        ledger: commands
+            .map(|(at, entry)| command(at.as_secs_f64(), entry))
+            .collect(),
+        events: flight.events.clone(),
+        title: mission.title.clone(),
+        outcome: flight
+            .ended
+            .map_or("flying".to_owned(), |outcome| outcome.to_string()),
+        grade: grade(score.points).to_owned(),
+        vehicles: flight.crafts.len(),
+        time_limit_s: rounded(mission.time_limit.as_secs_f64(), 1),
+        par_time_s: rounded(mission.scoring.par_time.as_secs_f64(), 1),
+        energy_wh: facts.energy_wh.map(|energy| rounded(energy, 2)),
+        par_energy_wh: rounded(mission.scoring.par_energy_wh, 2),
+        gold_missing: score.gold_missing,
+        improvements: improvements(&mission.scoring, &facts),
+        wall_time_s: None,
+    }
+}
+
+fn objectives(facts: &Facts) -> Vec<ObjectiveReport> {
+    let report = |objective: &ObjectiveFact| ObjectiveReport {
+        id: objective.id.clone(),
+        title: objective.title.clone(),
+        mandatory: objective.mandatory,
+        met: objective.met,
+        result: objective.result.clone(),
+        target: objective.target.clone(),
+        points: rounded(objective.value * objective.fraction, 1),
+        points_max: rounded(objective.value, 1),
+    };
+    facts.objectives.iter().map(report).collect()
+}
+
+fn components(score: &Score) -> Vec<ComponentReport> {
+    let report = |component: &crate::scoring::ComponentScore| ComponentReport {
+        name: component.component.name().to_owned(),
+        weight: rounded(component.weight, 3),
+        value: rounded(component.value, 3),
+        points: rounded(f64::from(component.points_tenths) / 10.0, 1),
+        moved_by: component.moved_by.clone(),
+    };
+    score.components.iter().map(report).collect()
+}
+
+fn command(at_s: f64, entry: &Entry) -> LedgerReport {
+    let row = |row: &crate::ledger::Row| RowReport {
+        vehicle: row.vehicle,
+        state: row.state.to_string(),
+        failed: row.state.is_failure(),
+        tries: row.tries,
+        explanation: row.explanation.clone(),
+    };
+    LedgerReport {
+        at_s: rounded(at_s, 1),
+        line: entry.line.clone(),
+        rows: entry.rows.iter().map(row).collect(),
+    }
+}

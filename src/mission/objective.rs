@@ -1,0 +1,101 @@
+//! Objectives: what a trainee has to reach. One file per kind.
+
+use std::fmt::Debug;
+use std::time::Duration;
+
+use super::craft::Craft;
+use super::file::Reader;
+use super::flight::World;
+use super::survey::{Survey, SurveyPlan};
+
+pub(super) mod map_error;
+pub(super) mod recover;
+pub(super) mod sample_cells;
+
+/// An objective of a mission.
+#[derive(Debug)]
+pub(crate) struct Objective {
+    pub id: String,
+    pub title: String,
+    /// Its share of the objectives' points.
+    pub value: f64,
+    /// Whether the mission fails without it.
+    pub mandatory: bool,
+    pub kind: Box<dyn Kind>,
+}
+
+/// What an objective asks for.
+pub(crate) trait Kind: Debug + Send + Sync {
+    /// The survey that it needs, if it needs one.
+    fn survey(&self) -> Option<&SurveyPlan> {
+        None
+    }
+
+    /// Starts to watch a flight in a world.
+    fn start(&self, world: &World) -> Box<dyn Tracker>;
+}
+
+/// Watches one objective during a flight.
+pub(crate) trait Tracker: Debug + Send + Sync {
+    /// How the objective stands.
+    fn standing(&self, scene: &Scene<'_>) -> Standing;
+}
+
+/// What trackers see.
+pub(crate) struct Scene<'a> {
+    pub vehicles: &'a [Craft],
+    pub surveys: &'a [Survey],
+}
+
+impl Scene<'_> {
+    /// The survey that an objective asked for.
+    pub fn survey(&self, id: &str) -> Option<&Survey> {
+        self.surveys.iter().find(|survey| survey.plan.id == id)
+    }
+}
+
+/// How an objective stands.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Standing {
+    /// 0 to 1.
+    pub fraction: f64,
+    /// The measured quantity, for gates.
+    pub measure: f64,
+    pub met: bool,
+    /// Whether the flight need not go on for its sake.
+    pub settled: bool,
+    /// Whether it is about coming home, the last thing of a flight.
+    pub landing: bool,
+    /// Quality of the product, 0 to 1, with what it came from, for kinds that make one.
+    pub quality: Option<(f64, String)>,
+    /// The result in words.
+    pub result: String,
+    /// The target in words.
+    pub target: String,
+    /// What would reach it, in words.
+    pub advice: String,
+}
+
+/// How long vehicles must stand still on the ground before the flight counts as over.
+pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);
+
+/// `clamp((x - partial) / (target - partial), 0, 1)`; works for targets below the partial mark too.
+pub(crate) fn partial_credit(x: f64, partial: f64, target: f64) -> f64 {
+    let span = target - partial;
+    if span.abs() < 1e-12 {
+        let reached = if span >= 0.0 {
+            x >= target
+        } else {
+            x <= target
+        };
+        return f64::from(u8::from(reached));
+    }
+    ((x - partial) / span).clamp(0.0, 1.0)
+}
+
+/// All kinds by name.
+pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
+    ("sample_cells", sample_cells::read),
+    ("map_error", map_error::read),
+    ("recover", recover::read),
+];

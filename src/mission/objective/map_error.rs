@@ -1,0 +1,148 @@
+//! `map_error`: the map made of a survey's cell means must be close to the truth.
+//!
+//! The error is the root of the mean squared difference between measured and true cell means, divided by the mean of
+//! the true ones (NRMSE). A cell that was not sampled is a blank on the map and counts as a reading of zero.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::Point;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::flight::World;
+use crate::mission::survey::{Survey, SurveyPlan};
+
+/// The truth of a cell is the mean over a grid of this many points squared.
+const POINTS_PER_SIDE: u32 = 5;
+/// An error this large is worth no quality at all.
+const WORTHLESS: f64 = 0.5;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MapErrorFile {
+    of: Spanned<String>,
+    height: Spanned<f64>,
+    target: Spanned<f64>,
+    partial_from: Spanned<f64>,
+}
+
+#[derive(Debug)]
+struct MapError {
+    of: SurveyPlan,
+    height_m: f64,
+    target: f64,
+    partial_from: f64,
+}
+
+#[derive(Debug)]
+struct MapTracker {
+    of: String,
+    height_m: f64,
+    truth: Vec<f64>,
+    target: f64,
+    partial_from: f64,
+}
+
+/// Reads a `[[objectives]]` of kind `map_error`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: MapErrorFile = faults.read(section)?;
+    let target = faults.number(&file.target, 0.0..=10.0, "target");
+    let partial_from = faults.number(&file.partial_from, 0.0..=10.0, "partial_from");
+    if partial_from <= target {
+        faults.add(
+            file.partial_from.span(),
+            "`partial_from` must be above `target`: a smaller error is better",
+        );
+    }
+    Some(Box::new(MapError {
+        of: draft.survey(&file.of, faults)?,
+        height_m: faults.number(&file.height, 0.0..=1000.0, "height"),
+        target,
+        partial_from,
+    }))
+}
+
+impl Kind for MapError {
+    fn start(&self, world: &World) -> Box<dyn Tracker> {
+        let cell_mean = |centre: Point| {
+            let step = self.of.side_m / f64::from(POINTS_PER_SIDE);
+            let offset = |index: u32| (f64::from(index) + 0.5) * step - self.of.side_m / 2.0;
+            let points =
+                (0..POINTS_PER_SIDE).flat_map(|x| (0..POINTS_PER_SIDE).map(move |y| (x, y)));
+            let sum: f64 = points
+                .map(|(x, y)| {
+                    world.concentration_ug_m3(
+                        [centre[0] + offset(x), centre[1] + offset(y)],
+                        self.height_m,
+                    )
+                })
+                .sum();
+            sum / f64::from(POINTS_PER_SIDE * POINTS_PER_SIDE) * self.of.sensor.unit_per_ug_m3
+        };
+        Box::new(MapTracker {
+            of: self.of.id.clone(),
+            height_m: self.height_m,
+            truth: self
+                .of
+                .cells
+                .iter()
+                .map(|cell| cell_mean(cell.centre))
+                .collect(),
+            target: self.target,
+            partial_from: self.partial_from,
+        })
+    }
+}
+
+impl MapTracker {
+    fn error(&self, survey: &Survey) -> f64 {
+        let count = self.truth.len().max(1) as f64;
+        let mean = self.truth.iter().sum::<f64>() / count;
+        let squares: f64 = self
+            .truth
+            .iter()
+            .enumerate()
+            .map(|(index, truth)| {
+                let measured = survey.mean(index).filter(|_| survey.is_sampled(index));
+                (measured.unwrap_or(0.0) - truth).powi(2)
+            })
+            .sum();
+        let rms = (squares / count).sqrt();
+        // Where the truth is clean air everywhere, any reading at all is an error.
+        if mean > 0.0 { rms / mean } else { rms }
+    }
+}
+
+impl Tracker for MapTracker {
+    fn standing(&self, scene: &Scene<'_>) -> Standing {
+        let survey = scene.survey(&self.of);
+        let begun = survey.is_some_and(|survey| survey.sampled() > 0);
+        let error = survey.filter(|_| begun).map(|survey| self.error(survey));
+        let whole = survey.is_some_and(|survey| survey.sampled() == self.truth.len());
+        let result = error.map_or("no map".to_owned(), |error| format!("error {error:.2}"));
+        let met = error.is_some_and(|error| error <= self.target);
+        Standing {
+            fraction: error.map_or(0.0, |error| {
+                partial_credit(error, self.partial_from, self.target)
+            }),
+            measure: error.unwrap_or(self.partial_from),
+            met,
+            settled: met || whole,
+            landing: false,
+            quality: Some((
+                error.map_or(0.0, |error| 1.0 - (error / WORTHLESS).min(1.0)),
+                error.map_or("no map".to_owned(), |error| format!("map error {error:.2}")),
+            )),
+            result,
+            target: format!("{:.2}", self.target),
+            advice: format!(
+                "Map every cell at {:.0} m with readings that have settled: fly slower, turn outside.",
+                self.height_m
+            ),
+        }
+    }
+}

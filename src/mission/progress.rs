@@ -1,0 +1,79 @@
+//! What the mission panel shows.
+
+use std::time::Duration;
+
+use crate::geo::LatLon;
+use crate::wire::SystemId;
+
+/// A mission as it stands now.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Progress {
+    /// Its title.
+    pub title: String,
+    /// Mission time used.
+    pub elapsed: Duration,
+    /// Mission time allowed.
+    pub limit: Duration,
+    /// The score if it ended now, 0 to 1000.
+    pub score_so_far: u16,
+    /// The objectives, in the mission's order.
+    pub objectives: Vec<ObjectiveProgress>,
+    /// What the virtual sensors show, in order of vehicle.
+    pub readings: Vec<Reading>,
+    /// What to do next, where the mission has advice.
+    pub hint: Option<String>,
+    /// The cells of all surveys; south-west first, then to the east.
+    pub cells: Vec<Cell>,
+}
+
+/// One objective as it stands now.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjectiveProgress {
+    /// Its title.
+    pub title: String,
+    /// Whether it is decided.
+    pub state: ObjectiveState,
+    /// How it stands, such as `7/9 cells`.
+    pub detail: String,
+    /// How far it is reached, 0 to 1.
+    pub fraction: f64,
+}
+
+/// Whether an objective is decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ObjectiveState {
+    /// Not reached yet.
+    Open,
+    /// Reached.
+    Met,
+    /// Not reached when the flight ended.
+    Missed,
+}
+
+/// What a virtual sensor shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// Which vehicle carries it.
+    pub vehicle: SystemId,
+    /// Its name.
+    pub sensor: String,
+    /// What it shows.
+    pub value: f64,
+    /// In this unit.
+    pub unit: &'static str,
+}
+
+/// One cell of a survey.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// Its name, such as `A1`.
+    pub name: String,
+    /// Its centre.
+    pub centre: LatLon,
+    /// Length of its sides, in metres.
+    pub side_m: f64,
+    /// Whether it has been sampled for long enough.
+    pub sampled: bool,
+    /// The mean of its readings so far, in the sensor's unit.
+    pub value: Option<f64>,
+}

@@ -1,0 +1,100 @@
+//! A survey: a grid of cells that a sensor has to be carried through.
+
+use super::sensor::Sensor;
+use super::{Point, TICK};
+
+/// A survey as the mission asks for it.
+#[derive(Debug, Clone)]
+pub(crate) struct SurveyPlan {
+    /// Id of the objective that asks for it.
+    pub id: String,
+    pub cells: Vec<CellPlan>,
+    pub side_m: f64,
+    pub sensor: &'static Sensor,
+    pub dwell_s: f64,
+    pub max_speed_m_s: f64,
+    /// Lowest and highest height that counts, above the origin.
+    pub heights_m: [f64; 2],
+}
+
+/// One cell of it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct CellPlan {
+    pub name: String,
+    pub centre: Point,
+}
+
+/// A survey as far as it is flown.
+#[derive(Debug, Clone)]
+pub(crate) struct Survey {
+    pub plan: SurveyPlan,
+    cells: Vec<CellLog>,
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct CellLog {
+    ticks: u32,
+    sum: f64,
+}
+
+impl Survey {
+    pub fn new(plan: &SurveyPlan) -> Self {
+        Self {
+            cells: vec![CellLog::default(); plan.cells.len()],
+            plan: plan.clone(),
+        }
+    }
+
+    /// Counts one tick of a vehicle; returns the cell that is sampled by it for long enough now.
+    pub fn step(&mut self, at: Point, height_m: f64, speed_m_s: f64, shown: f64) -> Option<usize> {
+        let [low, high] = self.plan.heights_m;
+        if !(low..=high).contains(&height_m) || speed_m_s > self.plan.max_speed_m_s {
+            return None;
+        }
+        let half = self.plan.side_m / 2.0;
+        let inside = |cell: &CellPlan| {
+            (at[0] - cell.centre[0]).abs() <= half && (at[1] - cell.centre[1]).abs() <= half
+        };
+        let index = self.plan.cells.iter().position(inside)?;
+        let before = self.is_sampled(index);
+        let cell = &mut self.cells[index];
+        cell.ticks += 1;
+        cell.sum += shown;
+        (!before && self.is_sampled(index)).then_some(index)
+    }
+
+    /// For how long a cell has been sampled.
+    pub fn dwell_s(&self, index: usize) -> f64 {
+        f64::from(self.cells[index].ticks) * TICK.as_secs_f64()
+    }
+
+    /// Whether that is long enough.
+    pub fn is_sampled(&self, index: usize) -> bool {
+        self.dwell_s(index) >= self.plan.dwell_s - 1e-9
+    }
+
+    /// How many cells are sampled.
+    pub fn sampled(&self) -> usize {
+        (0..self.cells.len())
+            .filter(|&index| self.is_sampled(index))
+            .count()
+    }
+
+    /// The mean of a cell's readings, in the sensor's unit.
+    pub fn mean(&self, index: usize) -> Option<f64> {
+        let cell = self.cells[index];
+        (cell.ticks > 0).then(|| cell.sum / f64::from(cell.ticks))
+    }
+}
+
+/// `A`, `B`, .. `Z`, `AA`, .. for 0, 1, ..
+pub(super) fn letters(mut column: usize) -> String {
+    let mut name = String::new();
+    loop {
+        name.insert(0, char::from(b'A' + (column % 26) as u8));
+        if column < 26 {
+            return name;
+        }
+        column = column / 26 - 1;
+    }
+}

@@ -1,0 +1,189 @@
+//! The score of a flight: eight components between 0 and 1, their weights, medals and grades.
+//!
+//! `score = 1000 * sum(weight * value)`. The facts of a flight go in, points and the reasons for them come out;
+//! nothing here knows mission files or telemetry formats except [`CommandLog`] (reads the ledger).
+//! Points are kept in tenths, so that the components printed in a debrief add up to the score exactly.
+
+use std::time::Duration;
+
+mod advice;
+mod command;
+mod component;
+mod gate;
+mod report;
+mod safety;
+
+pub use advice::{Improvement, improvements};
+pub use command::{CommandEvent, CommandLog, CommandTally};
+pub use component::{Component, ComponentScore, Weights};
+pub use gate::Gate;
+pub use report::{
+    ComponentReport, EventReport, LedgerReport, ObjectiveReport, Report, RowReport, rounded,
+};
+pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
+
+use serde::{Deserialize, Serialize};
+
+/// How a mission wants to be scored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rules {
+    /// The components' weights; they sum to 1.
+    pub weights: Weights,
+    /// A flight this short gets all points for time.
+    pub par_time: Duration,
+    /// A flight this frugal gets all points for energy, in Wh.
+    pub par_energy_wh: f64,
+    /// A flight this long gets none for time.
+    pub time_limit: Duration,
+    /// Points needed for gold, silver and bronze.
+    pub medals: Medals,
+    /// What gold needs besides points.
+    pub gold_requires: Vec<Gate>,
+}
+
+/// Points needed for each medal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Medals {
+    /// For gold.
+    pub gold: u16,
+    /// For silver.
+    pub silver: u16,
+    /// For bronze.
+    pub bronze: u16,
+}
+
+/// A medal. Every medal needs all mandatory objectives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Medal {
+    /// The lowest.
+    Bronze,
+    /// The middle one.
+    Silver,
+    /// The highest.
+    Gold,
+}
+
+impl Medal {
+    /// Its name in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bronze => "bronze",
+            Self::Silver => "silver",
+            Self::Gold => "gold",
+        }
+    }
+}
+
+/// How one objective went.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjectiveFact {
+    /// Its id in the mission file.
+    pub id: String,
+    /// Its title.
+    pub title: String,
+    /// Its share of the objectives' points.
+    pub value: f64,
+    /// How far it was reached, 0 to 1.
+    pub fraction: f64,
+    /// The measured quantity that gates may compare, such as cells sampled.
+    pub measure: f64,
+    /// Whether it was reached.
+    pub met: bool,
+    /// Whether the mission fails without it.
+    pub mandatory: bool,
+    /// The measured result in words.
+    pub result: String,
+    /// What was asked for, in words.
+    pub target: String,
+    /// What would have reached it, in words.
+    pub advice: String,
+}
+
+/// Everything about a flight that the score depends on.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Facts {
+    /// How the objectives went, in the mission's order.
+    pub objectives: Vec<ObjectiveFact>,
+    /// Quality of the product (map, detections), 0 to 1, with what it came from; `None` where a mission asks for none.
+    pub quality: Option<(f64, String)>,
+    /// Mission time used.
+    pub elapsed: Duration,
+    /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
+    pub energy_wh: Option<f64>,
+    /// Rules broken.
+    pub safety: Vec<SafetyEvent>,
+    /// How the commands went.
+    pub commands: CommandTally,
+    /// How many vehicles took part.
+    pub vehicles: usize,
+}
+
+/// The points of a flight.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Score {
+    /// All components that apply, in the order of [`Component::ALL`].
+    pub components: Vec<ComponentScore>,
+    /// 0 to 1000.
+    pub points: u16,
+    /// The medal, if it earned one.
+    pub medal: Option<Medal>,
+    /// What kept it from gold although the points would do, in words.
+    pub gold_missing: Vec<String>,
+}
+
+impl Score {
+    /// The value of a component, if it applies.
+    pub fn value(&self, component: Component) -> Option<f64> {
+        let found = self.components.iter().find(|c| c.component == component)?;
+        Some(found.value)
+    }
+}
+
+/// Scores a flight.
+pub fn score(rules: &Rules, facts: &Facts) -> Score {
+    let components = component::all(rules, facts);
+    let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
+    let points = ((tenths + 5) / 10).min(1000) as u16;
+    let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
+    let gold_missing: Vec<String> = rules
+        .gold_requires
+        .iter()
+        .filter(|gate| !gate.holds(facts, &components))
+        .map(Gate::to_string)
+        .collect();
+    let medal = medal(rules.medals, points, gold_missing.is_empty()).filter(|_| mandatory_met);
+    Score {
+        components,
+        points,
+        medal,
+        gold_missing,
+    }
+}
+
+fn medal(medals: Medals, points: u16, gold_open: bool) -> Option<Medal> {
+    if points >= medals.gold && gold_open {
+        Some(Medal::Gold)
+    } else if points >= medals.silver {
+        Some(Medal::Silver)
+    } else if points >= medals.bronze {
+        Some(Medal::Bronze)
+    } else {
+        None
+    }
+}
+
+/// The grade of a score, S to F.
+pub fn grade(points: u16) -> &'static str {
+    match points {
+        950.. => "S",
+        850.. => "A",
+        700.. => "B",
+        550.. => "C",
+        400.. => "D",
+        _ => "F",
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,196 @@
+//! Command quality: how many commands were refused, unsafe or given twice.
+
+use std::collections::{BTreeMap, btree_map};
+use std::time::Duration;
+
+use crate::ledger::{Entry, EntryId, Ledger, Row, RowState};
+use crate::vehicle::Vehicle;
+use crate::wire::SystemId;
+
+/// The same line to the same vehicle within this time is a duplicate.
+const DUPLICATE_WITHIN: Duration = Duration::from_secs(2);
+
+/// Counts of a flight's commands, one per command and vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct CommandTally {
+    /// Accepted and not given just before.
+    pub accepted: u32,
+    /// Refused, or never answered by a vehicle whose link was up.
+    pub rejected: u32,
+    /// Dangerous ones (kill, force).
+    pub dangerous: u32,
+    /// Given twice within 2 s.
+    pub duplicates: u32,
+}
+
+impl CommandTally {
+    /// `max(0, 1 - (rejected + 0.5 dangerous + 0.25 duplicates) / (0.25 accepted + 2))`.
+    pub fn value(&self) -> f64 {
+        let faults = f64::from(self.rejected)
+            + 0.5 * f64::from(self.dangerous)
+            + 0.25 * f64::from(self.duplicates);
+        (1.0 - faults / (0.25 * f64::from(self.accepted) + 2.0)).max(0.0)
+    }
+
+    pub(super) fn value_and_words(&self) -> (f64, String) {
+        let all = self.accepted + self.rejected + self.duplicates;
+        let mut faults = Vec::new();
+        for (count, word) in [
+            (self.rejected, "rejected"),
+            (self.dangerous, "unsafe"),
+            (self.duplicates, "given twice"),
+        ] {
+            if count > 0 {
+                faults.push(format!("{count} {word}"));
+            }
+        }
+        let words = match (all, faults.is_empty()) {
+            (0, true) => "no commands".to_owned(),
+            (_, true) => format!("{all} commands, none rejected"),
+            _ => format!("{} of {all} commands", faults.join(", ")),
+        };
+        (self.value(), words)
+    }
+}
+
+/// Reads the ledger while a mission runs: puts mission times on its entries and sees who had a link.
+#[derive(Debug, Clone, Default)]
+pub struct CommandLog {
+    /// The first entry that counts; `None` before the first step.
+    first: Option<EntryId>,
+    given_at: BTreeMap<EntryId, Duration>,
+    /// Rows that failed; true where the vehicle could not be heard, which excuses the operator.
+    excused: BTreeMap<(EntryId, SystemId), bool>,
+}
+
+/// Something about a command that a human should hear, as [`CommandLog::step`] finds it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CommandEvent {
+    /// Refused or never answered.
+    Rejected {
+        /// By which vehicle.
+        vehicle: SystemId,
+        /// The line and the reason.
+        text: String,
+    },
+    /// Arming was forced or its checks were switched off.
+    Forced {
+        /// With which vehicle.
+        vehicle: SystemId,
+    },
+}
+
+impl CommandLog {
+    /// Looks at the ledger once more; returns what happened since, oldest first. Entries from before the first
+    /// step do not count.
+    pub fn step(
+        &mut self,
+        now: Duration,
+        vehicles: &BTreeMap<SystemId, Vehicle>,
+        ledger: &Ledger,
+    ) -> Vec<CommandEvent> {
+        let first = *self.first.get_or_insert_with(|| {
+            let newest = ledger.entries().next_back();
+            newest.map_or(EntryId(0), |entry| EntryId(entry.id.0 + 1))
+        });
+        let mut events = Vec::new();
+        for entry in ledger.entries().filter(|entry| entry.id >= first) {
+            if let btree_map::Entry::Vacant(unseen) = self.given_at.entry(entry.id) {
+                unseen.insert(now);
+                if forces_arming(entry) {
+                    let forced = |row: &Row| CommandEvent::Forced {
+                        vehicle: row.vehicle,
+                    };
+                    events.extend(entry.rows.iter().map(forced));
+                }
+            }
+            for row in &entry.rows {
+                events.extend(self.look_at_row(entry, row, vehicles));
+            }
+        }
+        events
+    }
+
+    fn look_at_row(
+        &mut self,
+        entry: &Entry,
+        row: &Row,
+        vehicles: &BTreeMap<SystemId, Vehicle>,
+    ) -> Option<CommandEvent> {
+        let key = (entry.id, row.vehicle);
+        if !is_rejected(row) || self.excused.contains_key(&key) {
+            return None;
+        }
+        let unheard = vehicles
+            .get(&row.vehicle)
+            .is_none_or(|vehicle| vehicle.link.lost);
+        self.excused
+            .insert(key, unheard && row.state == RowState::TimedOut);
+        let reason = row
+            .explanation
+            .clone()
+            .unwrap_or_else(|| row.state.to_string());
+        Some(CommandEvent::Rejected {
+            vehicle: row.vehicle,
+            text: format!("{}: {reason}", entry.line),
+        })
+    }
+
+    /// The entries of this mission with the mission time at which each was given, oldest first.
+    pub fn entries<'a>(
+        &'a self,
+        ledger: &'a Ledger,
+    ) -> impl Iterator<Item = (Duration, &'a Entry)> {
+        ledger
+            .entries()
+            .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
+    }
+
+    /// Counts them.
+    pub fn tally(&self, ledger: &Ledger) -> CommandTally {
+        let mut tally = CommandTally::default();
+        let mut last: BTreeMap<(SystemId, &str), (Duration, bool)> = BTreeMap::new();
+        for (_, entry) in self.entries(ledger) {
+            for row in &entry.rows {
+                let before = last.insert((row.vehicle, &entry.line), (entry.at, is_rejected(row)));
+                // The first try after a refusal is no duplicate.
+                let duplicate = before.is_some_and(|(at, rejected)| {
+                    !rejected && entry.at.saturating_sub(at) <= DUPLICATE_WITHIN
+                });
+                let excused = self.excused.get(&(entry.id, row.vehicle)) == Some(&true);
+                let accepted = matches!(
+                    row.state,
+                    RowState::Accepted | RowState::Done | RowState::InProgress(_)
+                );
+                tally.dangerous += u32::from(is_dangerous(entry));
+                tally.rejected += u32::from(is_rejected(row) && !excused);
+                tally.duplicates += u32::from(accepted && duplicate);
+                tally.accepted += u32::from(accepted && !duplicate);
+            }
+        }
+        tally
+    }
+}
+
+fn is_rejected(row: &Row) -> bool {
+    matches!(row.state, RowState::Refused | RowState::TimedOut)
+}
+
+/// Kill, and anything with the magic number that forces disarming or arming.
+fn is_dangerous(entry: &Entry) -> bool {
+    entry.verb == "kill" || entry.line.contains("21196") || forces_arming(entry)
+}
+
+/// Whether a command arms by force or switches the arming checks off.
+fn forces_arming(entry: &Entry) -> bool {
+    let words: Vec<&str> = entry.line.split_whitespace().collect();
+    let arms_by_number = words.windows(3).any(|three| {
+        (three[0] == "400" || three[0].ends_with("COMPONENT_ARM_DISARM"))
+            && three[1].parse() == Ok(1.0)
+            && matches!(three[2], "21196" | "2989")
+    });
+    let checks_off = words
+        .windows(2)
+        .any(|two| two[0].eq_ignore_ascii_case("ARMING_CHECK") && two[1].parse() == Ok(0.0));
+    arms_by_number || checks_off
+}

@@ -1,0 +1,100 @@
+//! What gold needs besides points: `safety >= 0.85`, `crashes == 0`, `cells >= 9`.
+
+use std::fmt;
+
+use super::{Component, ComponentScore, Facts};
+
+/// One condition: a name, a comparison and a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gate {
+    name: String,
+    comparison: Comparison,
+    number: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Comparison {
+    AtLeast,
+    AtMost,
+    Equal,
+}
+
+const COMPARISONS: [(&str, Comparison); 3] = [
+    (">=", Comparison::AtLeast),
+    ("<=", Comparison::AtMost),
+    ("==", Comparison::Equal),
+];
+
+impl Gate {
+    /// Reads `NAME >= NUMBER` (or `<=`, `==`).
+    ///
+    /// # Errors
+    /// In words, when it has another form or the number is not finite.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let found = COMPARISONS
+            .iter()
+            .find_map(|&(sign, comparison)| text.split_once(sign).map(|parts| (parts, comparison)));
+        let Some(((name, number), comparison)) = found else {
+            return Err("a gate reads `NAME >= NUMBER`, with `>=`, `<=` or `==`".to_owned());
+        };
+        let number: f64 = number
+            .trim()
+            .parse()
+            .map_err(|_| format!("`{}` is not a number", number.trim()))?;
+        if !number.is_finite() {
+            return Err("the number of a gate must be finite".to_owned());
+        }
+        Ok(Self {
+            name: name.trim().to_owned(),
+            comparison,
+            number,
+        })
+    }
+
+    /// The name it compares: a component, `crashes`, or the id of an objective.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether it holds for a flight. A component that does not apply stands in nobody's way.
+    pub fn holds(&self, facts: &Facts, components: &[ComponentScore]) -> bool {
+        let Some(value) = self.value(facts, components) else {
+            return true;
+        };
+        match self.comparison {
+            Comparison::AtLeast => value >= self.number,
+            Comparison::AtMost => value <= self.number,
+            Comparison::Equal => (value - self.number).abs() < 1e-9,
+        }
+    }
+
+    fn value(&self, facts: &Facts, components: &[ComponentScore]) -> Option<f64> {
+        if self.name == "crashes" {
+            return Some(
+                facts
+                    .safety
+                    .iter()
+                    .filter(|event| event.kind.is_loss())
+                    .count() as f64,
+            );
+        }
+        if let Some(objective) = facts.objectives.iter().find(|o| o.id == self.name) {
+            return Some(objective.measure);
+        }
+        let component = Component::ALL.into_iter().find(|c| c.name() == self.name)?;
+        components
+            .iter()
+            .find(|c| c.component == component)
+            .map(|c| c.value)
+    }
+}
+
+impl fmt::Display for Gate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = COMPARISONS
+            .iter()
+            .find(|(_, comparison)| *comparison == self.comparison)
+            .map_or("", |(sign, _)| sign);
+        write!(f, "{} {sign} {}", self.name, self.number)
+    }
+}

@@ -1,0 +1,141 @@
+//! Rules broken, and what each costs.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::wire::SystemId;
+
+/// The same event of the same vehicle within this time is one event.
+const MERGED_WITHIN: Duration = Duration::from_secs(5);
+
+/// A rule that telemetry or the ledger can show as broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SafetyKind {
+    /// Outside the geofence, or inside a zone of its kind.
+    Geofence,
+    /// Above the highest height that the mission allows.
+    TooHigh,
+    /// Crashed or fell: the vehicle is lost.
+    Crash,
+    /// Motors stopped in the air by command.
+    DisarmInFlight,
+    /// Armed by force, or with the arming checks switched off.
+    ForcedArm,
+    /// Landed with less battery than the reserve.
+    LowReserve,
+    /// Landed too far from any pad.
+    OffPad,
+    /// The autopilot's battery failsafe, low.
+    BatteryLow,
+    /// The autopilot's battery failsafe, critical.
+    BatteryCritical,
+    /// The autopilot's EKF or ground-station failsafe.
+    OtherFailsafe,
+}
+
+impl SafetyKind {
+    /// The share of the safety component that is lost at once, and per second that it lasts, and at most.
+    fn price(self) -> (f64, f64, f64) {
+        match self {
+            Self::Geofence | Self::TooHigh => (0.20, 0.01, 0.40),
+            Self::Crash => (0.45, 0.0, 0.45),
+            Self::DisarmInFlight => (0.60, 0.0, 0.60),
+            Self::ForcedArm => (0.25, 0.0, 0.25),
+            Self::LowReserve => (0.10, 0.0, 0.10),
+            Self::OffPad => (0.05, 0.0, 0.05),
+            Self::BatteryLow | Self::OtherFailsafe => (0.08, 0.0, 0.08),
+            Self::BatteryCritical => (0.20, 0.0, 0.20),
+        }
+    }
+
+    /// Whether the vehicle is lost by it.
+    pub fn is_loss(self) -> bool {
+        matches!(self, Self::Crash | Self::DisarmInFlight)
+    }
+
+    /// How to avoid it, in words.
+    pub fn advice(self) -> &'static str {
+        match self {
+            Self::Geofence => {
+                "Stay inside the fence: check a goto's numbers against the map before Enter."
+            }
+            Self::TooHigh => "Stay below the mission's highest height; it is in the brief.",
+            Self::Crash => "Bring the vehicle down with rtl or land and wait for the disarm.",
+            Self::DisarmInFlight => "Never stop motors in the air; rtl or land end a flight.",
+            Self::ForcedArm => "Arm without force: wait until the checks before arming pass.",
+            Self::LowReserve => "Turn home earlier: land above the battery reserve.",
+            Self::OffPad => "Land on the pad: rtl flies there by itself.",
+            Self::BatteryLow | Self::BatteryCritical => {
+                "Turn home before the battery failsafe does it for you."
+            }
+            Self::OtherFailsafe => "Watch the vehicle's alerts: a failsafe took over.",
+        }
+    }
+}
+
+/// One rule broken once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SafetyEvent {
+    /// Which rule.
+    pub kind: SafetyKind,
+    /// By whom.
+    pub vehicle: SystemId,
+    /// Mission time of its beginning.
+    pub at: Duration,
+    /// How long it lasted; zero for what happens at once.
+    pub lasted: Duration,
+    /// In words, for the debrief.
+    pub text: String,
+}
+
+impl SafetyEvent {
+    /// The share of the safety component that it costs, 0 to 1.
+    pub fn lambda(&self) -> f64 {
+        let (once, per_s, most) = self.kind.price();
+        (once + per_s * self.lasted.as_secs_f64()).min(most)
+    }
+}
+
+/// `prod(1 - lambda)` over all events.
+pub fn safety_value(events: &[SafetyEvent]) -> f64 {
+    events.iter().map(|event| 1.0 - event.lambda()).product()
+}
+
+/// Collects events and merges repetitions.
+#[derive(Debug, Clone, Default)]
+pub struct SafetyLog {
+    events: Vec<SafetyEvent>,
+    /// Index of the newest event per vehicle and kind, and when it was seen last.
+    newest: BTreeMap<(SystemId, SafetyKind), (usize, Duration)>,
+}
+
+impl SafetyLog {
+    /// Notes that a rule is broken now. Called again while it stays broken, it lengthens the event; true for a new one.
+    pub fn note(&mut self, kind: SafetyKind, vehicle: SystemId, now: Duration, text: &str) -> bool {
+        if let Some((index, seen)) = self.newest.get_mut(&(vehicle, kind))
+            && now.saturating_sub(*seen) <= MERGED_WITHIN
+        {
+            *seen = now;
+            if kind.price().1 > 0.0 {
+                let event = &mut self.events[*index];
+                event.lasted = now.saturating_sub(event.at);
+            }
+            return false;
+        }
+        self.newest
+            .insert((vehicle, kind), (self.events.len(), now));
+        self.events.push(SafetyEvent {
+            kind,
+            vehicle,
+            at: now,
+            lasted: Duration::ZERO,
+            text: text.to_owned(),
+        });
+        true
+    }
+
+    /// All events, oldest first.
+    pub fn events(&self) -> &[SafetyEvent] {
+        &self.events
+    }
+}
