@@ -6,7 +6,7 @@ use std::time::Duration;
 use crossterm::event::KeyEvent;
 
 use super::state::{Activity, LinkSummary};
-use crate::debrief::Report;
+use crate::scoring::Report;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
 use crate::mission::Progress;

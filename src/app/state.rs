@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
-use crate::debrief::Report;
+use crate::scoring::Report;
 use crate::language::Context;
 use crate::vehicle::{Severity, VehicleClass};
 use crate::wire::SystemId;

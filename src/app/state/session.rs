@@ -97,6 +97,20 @@ pub struct LinkSummary {
 }
 
 impl Session {
+    /// A session that has just begun.
+    pub fn new(
+        activity: Activity,
+        places: BTreeMap<String, LatLon>,
+        names: BTreeMap<SystemId, String>,
+    ) -> Self {
+        Self {
+            activity: Some(activity),
+            places,
+            names,
+            ..Self::default()
+        }
+    }
+
     /// Opens a ledger entry.
     pub fn open(&mut self, at: Duration, line: &str, verb: &str, targets: &[SystemId]) -> EntryId {
         let entry = self.ledger.open(at, line, verb, targets);

@@ -5,9 +5,10 @@ use std::time::Duration;
 use crate::app::effect::Effect;
 use crate::app::event::Started;
 use crate::app::state::{Overlay, Screen, Session, State};
-use crate::debrief::{self, Report};
+use crate::debrief;
 use crate::mission::Progress;
 use crate::notice::{Notice, sanitised};
+use crate::scoring::Report;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::SystemId;
 
@@ -44,20 +45,11 @@ pub fn gone(state: &mut State, id: SystemId) {
 }
 
 pub fn started(state: &mut State, started: Started) {
-    let activity = Some(started.activity);
-    let again = state.session.activity == activity;
-    let groups = if again {
-        std::mem::take(&mut state.session.groups)
-    } else {
-        Default::default()
-    };
-    state.session = Session {
-        activity,
-        places: started.places,
-        names: started.names,
-        groups,
-        ..Session::default()
-    };
+    let mut session = Session::new(started.activity, started.places, started.names);
+    if session.activity == state.session.activity {
+        session.groups = std::mem::take(&mut state.session.groups);
+    }
+    state.session = session;
     state.screen = Screen::Fly {
         typed: String::new(),
     };
