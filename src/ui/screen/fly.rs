@@ -10,7 +10,7 @@ use crate::ui::widget::{below, ledger, mission, notices, swarm, telemetry};
 /// From this width on, telemetry and mission have a column each.
 const THREE_COLUMNS: u16 = 160;
 /// Columns of the telemetry pane, and of the mission below it.
-const SIDE_WIDTH: u16 = 37;
+const SIDE_WIDTH: u16 = 40;
 /// Columns of the mission where it stands alone.
 const MISSION_WIDTH: u16 = 56;
 /// Lines that the telemetry pane can fill, with its title.

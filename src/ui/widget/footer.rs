@@ -14,7 +14,7 @@ const FLY: &[(&str, &str)] = &[
     ("?", "help"),
     ("j k", "move"),
     ("Space", "select"),
-    ("3-9 Enter", "select"),
+    ("3-9 Enter", "list"),
     ("*", "all"),
     ("Esc", "none"),
     ("L", "links"),
@@ -24,10 +24,10 @@ const DEBRIEF: &[(&str, &str)] = &[("j k", "scroll"), ("r", "fly again"), ("h", 
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let row = below(area, area.height.saturating_sub(1));
-    put(buffer, row, 0, &line(state, theme));
+    put(buffer, row, 0, &line(state, theme, usize::from(area.width)));
 }
 
-fn line<'a>(state: &'a State, theme: &Theme) -> Line<'a> {
+fn line<'a>(state: &'a State, theme: &Theme, width: usize) -> Line<'a> {
     if let Screen::Fly { typed } = &state.screen
         && !typed.is_empty()
     {
@@ -47,9 +47,14 @@ fn line<'a>(state: &'a State, theme: &Theme) -> Line<'a> {
         Screen::Debrief { .. } => DEBRIEF,
     };
     let mut spans = vec![Span::raw(" ")];
+    let mut used = 1;
     for (key, what) in hints {
+        used += key.len() + what.len() + 3;
+        if used > width {
+            break;
+        }
         spans.push(Span::styled(*key, theme.style(Role::Key)));
-        spans.push(Span::styled(format!(" {what}   "), theme.style(Role::Muted)));
+        spans.push(Span::styled(format!(" {what}  "), theme.style(Role::Muted)));
     }
     Line::from(spans)
 }

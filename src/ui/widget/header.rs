@@ -12,7 +12,7 @@ use crate::ui::widget::{clip, clock, put};
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
     let header = Rect { height: 1, ..area };
     buffer.set_style(header, theme.style(Role::Header));
-    let right = right_part(state);
+    let right = right_part(state, area.width);
     let left_width = usize::from(area.width).saturating_sub(right.width() + 4);
     let title = state.session.activity.as_ref().map(|activity| activity.title());
     let name = format!(" {} ", state.screen.name());
@@ -29,15 +29,16 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Re
     }
 }
 
-fn right_part(state: &State) -> Line<'static> {
+fn right_part(state: &State, width: u16) -> Line<'static> {
     let mut parts = Vec::new();
     let dropped = state.notices.dropped;
     if dropped > 0 {
-        parts.push(format!("{dropped} notices dropped"));
+        let what = if width < 100 { "" } else { "notices " };
+        parts.push(format!("{dropped} {what}dropped"));
     }
     if !matches!(state.screen, Screen::Home { .. }) {
-        parts.push(count(state.session.vehicles.len(), "vehicle"));
-        parts.push(format!("{} armed", state.session.armed()));
+        let count = count(state.session.vehicles.len(), "vehicle");
+        parts.push(format!("{count}, {} armed", state.session.armed()));
         parts.push(links(state));
     }
     parts.push(clock(state.now));

@@ -12,7 +12,7 @@ use crate::ui::widget::{below, clip, clock, put, titled, wrap};
 use crate::vehicle::Vehicle;
 
 /// Columns of one cell in the grid.
-const CELL_WIDTH: u16 = 6;
+const CELL_WIDTH: u16 = 7;
 /// A grid is not drawn for cells that lie farther apart than this many cells.
 const GRID_LIMIT: usize = 64;
 
@@ -157,7 +157,8 @@ impl<'a> Grid<'a> {
             (None, false) => Role::Muted,
         });
         let text = match cell.value {
-            Some(value) if cell.sampled => amount(value),
+            Some(value) if cell.sampled && value.abs() < 99.95 => format!("{value:.1}"),
+            Some(value) if cell.sampled => format!("{value:.0}"),
             None if cell.sampled => "done".to_owned(),
             _ => cell.name.clone(),
         };

@@ -10,6 +10,9 @@ use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{below, clip, put, row_role, severity_role, titled};
 use crate::vehicle::{FixType, LandedState, Vehicle};
 
+/// Columns of the newest command: `takeoff timed out` fits.
+const COMMAND_WIDTH: u16 = 17;
+
 /// A column of the table.
 struct Column {
     title: &'static str,
@@ -33,16 +36,16 @@ struct Row<'a> {
 const COLUMNS: &[Column] = &[
     column("id", 3, 0, true, id),
     column("name", 10, 12, false, name),
-    column("mode", 8, 2, false, mode),
+    column("mode", 9, 2, false, mode),
     column("armed", 5, 3, false, armed),
     column("state", 7, 6, false, landed),
     column("alt m", 6, 4, true, altitude),
-    column("m/s", 5, 8, true, speed),
-    column("bat", 5, 5, true, battery),
+    column("m/s", 4, 8, true, speed),
+    column("bat", 4, 5, true, battery),
     column("GPS", 8, 11, false, gps),
     column("link", 5, 9, true, link),
     column("home m", 6, 10, true, home),
-    column("command", 16, 7, false, command),
+    column("command", COMMAND_WIDTH, 7, false, command),
     column("alert", 14, 1, false, alert_cell),
 ];
 
@@ -236,7 +239,7 @@ fn battery(row: &Row<'_>) -> (String, Role) {
     let battery = row.vehicle.battery();
     let Some(left) = battery.and_then(|battery| battery.remaining_percent) else {
         let voltage = battery.and_then(|battery| battery.voltage_v);
-        return voltage.map_or_else(unknown, |voltage| (format!("{voltage:.1}V"), Role::Text));
+        return voltage.map_or_else(unknown, |voltage| (format!("{voltage:.1}"), Role::Text));
     };
     let role = match left {
         0..=10 => Role::Danger,
@@ -279,12 +282,9 @@ fn command(row: &Row<'_>) -> (String, Role) {
         other => other.to_string(),
     };
     // The state is what must not be cut off.
-    let width = COMMAND_WIDTH.saturating_sub(state.chars().count() + 1);
+    let width = usize::from(COMMAND_WIDTH).saturating_sub(state.chars().count() + 1);
     (format!("{} {state}", clip(&entry.verb, width)), row_role(line.state))
 }
-
-/// Columns of the command column.
-const COMMAND_WIDTH: usize = 16;
 
 fn alert_cell(row: &Row<'_>) -> (String, Role) {
     match &row.alert {

@@ -10,7 +10,7 @@ use crate::ui::widget::{below, put, severity_role, titled, wrap};
 use crate::vehicle::{EkfFlags, Vehicle};
 
 /// Columns of the labels.
-const LABEL_WIDTH: usize = 8;
+const LABEL_WIDTH: usize = 9;
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
