@@ -1,0 +1,94 @@
+//! The one language for commands: `[targets] verb [arguments]`.
+//!
+//! The palette, pilot scripts, mission injects, key bindings, the ledger and the debrief all speak it. One
+//! table ([`verbs`]) declares every verb once; reading, completion, hints and the manual are made from it.
+//!
+//! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they stand
+//! before the verb, or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A
+//! number may carry its unit (`20m`, `5m/s`, `30s`, `3min`, `90deg`). `#` begins a comment.
+
+use std::collections::BTreeMap;
+
+use crate::commands::Command;
+use crate::geo::LatLon;
+use crate::vehicle::VehicleClass;
+use crate::wire::SystemId;
+
+mod argument;
+mod complete;
+mod form;
+mod lexer;
+mod manual;
+mod parse;
+mod pilot;
+mod read;
+mod table;
+mod targets;
+mod verb;
+mod wait;
+
+#[cfg(test)]
+mod tests;
+
+pub use argument::{Argument, Kind, Unit};
+pub use complete::{Completion, complete, hint};
+pub use manual::manual;
+pub use parse::parse;
+pub use pilot::{Pilot, PilotEvent, Script};
+pub use table::{verb, verbs};
+pub use targets::Targets;
+pub use verb::{Danger, Form, Retry, Verb};
+pub use wait::{Field, Relation, Situation, Until, Wait};
+
+/// What the words of a line may refer to.
+#[derive(Debug, Clone, Copy)]
+pub struct Context<'a> {
+    /// Named groups of vehicles, without the `@`.
+    pub groups: &'a BTreeMap<String, Vec<SystemId>>,
+    /// Named places; a name with blanks in it cannot be said.
+    pub places: &'a BTreeMap<String, LatLon>,
+    /// The vehicles there are; empty when nobody knows yet, and then every number will do.
+    pub vehicles: &'a [SystemId],
+    /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
+    pub class: VehicleClass,
+}
+
+static NO_GROUPS: BTreeMap<String, Vec<SystemId>> = BTreeMap::new();
+static NO_PLACES: BTreeMap<String, LatLon> = BTreeMap::new();
+
+impl Default for Context<'_> {
+    /// No groups, no places, unknown vehicles, copters.
+    fn default() -> Self {
+        Self {
+            groups: &NO_GROUPS,
+            places: &NO_PLACES,
+            vehicles: &[],
+            class: VehicleClass::Copter,
+        }
+    }
+}
+
+/// One line, understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Statement {
+    /// Whom it concerns.
+    pub targets: Targets,
+    /// What to do.
+    pub action: Action,
+    /// The line in its plainest spelling: single blanks, no comment, no aliases. It means the same.
+    pub line: String,
+}
+
+/// What a line asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Action {
+    /// A command to each target.
+    Command {
+        /// Its row in the table.
+        verb: &'static Verb,
+        /// What the row built of the arguments.
+        command: Command,
+    },
+    /// Hold a script until something is true of all targets.
+    Wait(Wait),
+}

@@ -1,0 +1,286 @@
+//! The arguments of a verb, as the table declares them, and their values.
+
+use std::ops::Range;
+
+use crate::geo::LatLon;
+
+/// One argument of a [`Form`](super::Form).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Argument {
+    /// What the builder calls it; in capitals it stands for its value in the usage.
+    pub name: &'static str,
+    /// The word that goes before the value; empty where the value stands alone.
+    pub keyword: &'static str,
+    /// What the value is.
+    pub kind: Kind,
+    /// Whether it may be left out.
+    pub optional: bool,
+    /// What it means.
+    pub help: &'static str,
+}
+
+impl Argument {
+    /// A value that stands alone.
+    pub(super) const fn value(name: &'static str, kind: Kind, help: &'static str) -> Self {
+        Self {
+            name,
+            keyword: "",
+            kind,
+            optional: false,
+            help,
+        }
+    }
+
+    /// A value after its keyword.
+    pub(super) const fn keyed(
+        keyword: &'static str,
+        name: &'static str,
+        kind: Kind,
+        help: &'static str,
+    ) -> Self {
+        Self {
+            name,
+            keyword,
+            kind,
+            optional: false,
+            help,
+        }
+    }
+
+    /// A keyword without a value.
+    pub(super) const fn flag(keyword: &'static str, help: &'static str) -> Self {
+        Self {
+            name: keyword,
+            keyword,
+            kind: Kind::Flag,
+            optional: false,
+            help,
+        }
+    }
+
+    /// The same, but it may be left out.
+    pub(super) const fn optional(self) -> Self {
+        Self {
+            optional: true,
+            ..self
+        }
+    }
+
+    /// The value in a usage line: its name in capitals, or the words to choose from.
+    pub(super) fn placeholder(&self) -> String {
+        match self.kind {
+            Kind::Choice(words) => words.join("|"),
+            Kind::Point => "LAT LON|PLACE".to_owned(),
+            _ => self.name.to_uppercase(),
+        }
+    }
+
+    /// Keyword and value in a usage line.
+    pub(super) fn usage(&self) -> String {
+        match (self.keyword, self.kind) {
+            (keyword, Kind::Flag) => keyword.to_owned(),
+            ("", _) => self.placeholder(),
+            (keyword, _) => format!("{keyword} {}", self.placeholder()),
+        }
+    }
+
+    /// What it means and which values it takes: "height above home, 0.5 to 1000 m".
+    pub(super) fn explained(&self) -> String {
+        match self.kind.limits() {
+            Some(limits) if self.help.is_empty() => limits,
+            Some(limits) => format!("{}, {limits}", self.help),
+            None => self.help.to_owned(),
+        }
+    }
+}
+
+/// What kind of value an argument takes; it also says what can complete it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// None: the keyword is all.
+    Flag,
+    /// A number with a unit, from a least to a greatest value.
+    Number(Unit, f64, f64),
+    /// A whole number with a unit, from a least to a greatest value.
+    Whole(Unit, f64, f64),
+    /// One of these words.
+    Choice(&'static [&'static str]),
+    /// A flight mode, by name or number.
+    Mode,
+    /// A named place, or latitude and longitude in degrees.
+    Point,
+    /// A parameter's name.
+    Parameter,
+    /// A MAVLink message, by name or id.
+    Message,
+    /// A `MAV_CMD`, by name or number.
+    MavCommand,
+}
+
+impl Kind {
+    /// The range of a number in words.
+    pub(super) fn limits(self) -> Option<String> {
+        let (Self::Number(unit, least, greatest) | Self::Whole(unit, least, greatest)) = self
+        else {
+            return None;
+        };
+        let symbol = unit.symbol();
+        let blank = if symbol.is_empty() { "" } else { " " };
+        if greatest >= f64::from(f32::MAX) {
+            Some(if symbol.is_empty() {
+                "a number".to_owned()
+            } else {
+                format!("in {symbol}")
+            })
+        } else {
+            Some(format!("{least} to {greatest}{blank}{symbol}"))
+        }
+    }
+}
+
+/// What a number counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// Nothing.
+    None,
+    /// Metres.
+    Metres,
+    /// Metres per second.
+    MetresPerSecond,
+    /// Seconds.
+    Seconds,
+    /// Degrees.
+    Degrees,
+    /// Degrees per second.
+    DegreesPerSecond,
+    /// Times per second.
+    Hertz,
+    /// Microseconds.
+    Microseconds,
+    /// Percent.
+    Percent,
+}
+
+impl Unit {
+    /// How it is written.
+    pub fn symbol(self) -> &'static str {
+        self.spellings().first().map_or("", |&(symbol, _)| symbol)
+    }
+
+    /// The spellings that are understood and what each multiplies the number by; the first is the unit itself.
+    pub(super) fn spellings(self) -> &'static [(&'static str, f64)] {
+        match self {
+            Self::None => &[],
+            Self::Metres => &[("m", 1.0), ("km", 1000.0)],
+            Self::MetresPerSecond => &[("m/s", 1.0), ("mps", 1.0), ("km/h", 1.0 / 3.6)],
+            Self::Seconds => &[
+                ("s", 1.0),
+                ("sec", 1.0),
+                ("min", 60.0),
+                ("ms", 0.001),
+                ("h", 3600.0),
+            ],
+            Self::Degrees => &[("deg", 1.0), ("°", 1.0)],
+            Self::DegreesPerSecond => &[("deg/s", 1.0), ("°/s", 1.0)],
+            Self::Hertz => &[("Hz", 1.0)],
+            Self::Microseconds => &[("us", 1.0)],
+            Self::Percent => &[("%", 1.0)],
+        }
+    }
+}
+
+/// A value as it was read.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value {
+    Flag,
+    Number(f64),
+    Word(String),
+    Point(LatLon),
+}
+
+/// A fault in arguments that only show together.
+pub(super) struct Problem {
+    /// The argument to point at.
+    pub argument: &'static str,
+    /// What is wrong.
+    pub message: String,
+}
+
+impl Problem {
+    pub fn new(argument: &'static str, message: impl Into<String>) -> Self {
+        Self {
+            argument,
+            message: message.into(),
+        }
+    }
+}
+
+/// The arguments of one line by name.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Arguments {
+    values: Vec<(&'static str, Value, Range<usize>)>,
+}
+
+impl Arguments {
+    pub fn insert(&mut self, name: &'static str, value: Value, span: Range<usize>) {
+        self.values.push((name, value, span));
+    }
+
+    fn get(&self, name: &str) -> Option<&Value> {
+        self.values
+            .iter()
+            .find(|(known, _, _)| *known == name)
+            .map(|(_, value, _)| value)
+    }
+
+    /// Where an argument was written.
+    pub fn span(&self, name: &str) -> Option<Range<usize>> {
+        self.values
+            .iter()
+            .find(|(known, _, _)| *known == name)
+            .map(|(_, _, span)| span.clone())
+    }
+
+    pub fn flag(&self, name: &str) -> bool {
+        self.get(name).is_some()
+    }
+
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.get(name)? {
+            Value::Number(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    pub fn word(&self, name: &str) -> Option<&str> {
+        match self.get(name)? {
+            Value::Word(word) => Some(word),
+            _ => None,
+        }
+    }
+
+    pub fn point(&self, name: &str) -> Option<LatLon> {
+        match self.get(name)? {
+            Value::Point(point) => Some(*point),
+            _ => None,
+        }
+    }
+
+    /// A number that the form requires.
+    pub fn required(&self, name: &'static str) -> Result<f64, Problem> {
+        self.number(name)
+            .ok_or_else(|| Problem::new(name, format!("{name} is missing")))
+    }
+
+    /// A word that the form requires.
+    pub fn required_word(&self, name: &'static str) -> Result<&str, Problem> {
+        self.word(name)
+            .ok_or_else(|| Problem::new(name, format!("{name} is missing")))
+    }
+
+    /// A point that the form requires.
+    pub fn required_point(&self, name: &'static str) -> Result<LatLon, Problem> {
+        self.point(name)
+            .ok_or_else(|| Problem::new(name, format!("{name} is missing")))
+    }
+}

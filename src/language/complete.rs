@@ -1,0 +1,215 @@
+//! What could come next in a line.
+
+use std::cmp::Reverse;
+use std::ops::Range;
+
+use nucleo_matcher::pattern::{AtomKind, CaseMatching, Normalization, Pattern};
+use nucleo_matcher::{Config, Matcher, Utf32Str};
+
+use super::argument::Kind;
+use super::form::{Expected, fit};
+use super::lexer::{Word, comment_start, words};
+use super::parse::{Head, head};
+use super::read::mode_names;
+use super::verb::Verb;
+use super::{Context, Targets, verbs};
+
+/// How many completions are worth showing.
+const SHOWN: usize = 200;
+
+/// A word that could stand at the cursor.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Completion {
+    /// The word as it would be inserted.
+    pub text: String,
+    /// What it means.
+    pub hint: String,
+    /// What it takes the place of, in bytes of the line; empty where a new word begins.
+    pub replaces: Range<usize>,
+}
+
+/// The words that could stand at the cursor (in bytes of the line), best first. Matching is fuzzy: `tko` finds
+/// `takeoff`. Numbers cannot be completed; [`hint`] tells about them.
+pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion> {
+    let cursor = floor_boundary(line, cursor);
+    if comment_start(line).is_some_and(|at| at < cursor) {
+        return Vec::new();
+    }
+    let mut before = words(&line[..cursor]);
+    let partial = before.pop_if(|word| word.span.end == cursor);
+    let replaces = partial.as_ref().map_or(cursor..cursor, |word| {
+        let end = words(line)
+            .into_iter()
+            .find(|whole| whole.span.contains(&word.span.start))
+            .map_or(cursor, |whole| whole.span.end);
+        word.span.start..end
+    });
+    let written = partial.map_or("", |word| word.text);
+    ranked(candidates(&before, context), written)
+        .into_iter()
+        .take(SHOWN)
+        .map(|(text, hint)| Completion {
+            text,
+            hint,
+            replaces: replaces.clone(),
+        })
+        .collect()
+}
+
+/// What to write next: the forms of the verb that the line still fits, the next argument between ‹ and ›, and what
+/// it means. `None` before there is a verb.
+pub fn hint(line: &str, context: &Context) -> Option<String> {
+    let words = words(line);
+    let head = head(&words, context).ok()?;
+    let rest = &words[head.len..];
+    let mut hints: Vec<String> = Vec::new();
+    let mut next: Vec<&'static str> = Vec::new();
+    for form in head.verb.forms {
+        let fit = fit(form, rest, context);
+        if fit.misfit.is_some() {
+            continue;
+        }
+        let marked = fit
+            .expected
+            .iter()
+            .find(|expected| !expected.argument().optional)
+            .or(fit.expected.first())
+            .map(|expected| expected.argument());
+        let mut hint = form.usage(head.verb.name, marked);
+        if let Some(explained) = marked
+            .map(|m| m.explained())
+            .filter(|text| !text.is_empty())
+        {
+            hint = format!("{hint}: {explained}");
+        }
+        next.extend(marked.map(|argument| argument.name));
+        hints.push(hint);
+    }
+    match hints.as_slice() {
+        [] => None,
+        [_] if next.is_empty() => Some(format!("{}: {}", head.verb.name, head.verb.summary)),
+        hints => Some(hints.join("  |  ")),
+    }
+}
+
+/// Everything that could follow these words, with what it means.
+fn candidates(before: &[Word], context: &Context) -> Vec<(String, String)> {
+    match before {
+        [] => {
+            let mut all = verb_names(context);
+            all.extend(target_names(context));
+            all
+        }
+        [word] if Targets::looks_like(word) => match Targets::read(word, context) {
+            Ok(_) => verb_names(context),
+            Err(_) => Vec::new(),
+        },
+        words => match head(words, context) {
+            Ok(head) => following(&head, words, context),
+            Err(_) => Vec::new(),
+        },
+    }
+}
+
+fn following(head: &Head, words: &[Word], context: &Context) -> Vec<(String, String)> {
+    let rest = &words[head.len..];
+    let mut all: Vec<(String, String)> = Vec::new();
+    let waits = head.verb.name == "wait" && head.targets == Targets::Selection && rest.is_empty();
+    if waits {
+        all.extend(target_names(context));
+    }
+    for form in head.verb.forms {
+        let fit = fit(form, rest, context);
+        for expected in fit.expected {
+            for candidate in names(expected, context) {
+                if !all.iter().any(|(known, _)| *known == candidate.0) {
+                    all.push(candidate);
+                }
+            }
+        }
+    }
+    all
+}
+
+fn names(expected: Expected, context: &Context) -> Vec<(String, String)> {
+    match expected {
+        Expected::Keyword(argument) => {
+            let hint = match argument.kind {
+                Kind::Flag => argument.help.to_owned(),
+                _ => format!("{}: {}", argument.usage(), argument.explained()),
+            };
+            vec![(argument.keyword.to_owned(), hint)]
+        }
+        Expected::Value(argument) => {
+            let mut names = argument.kind.names(context);
+            for (_, hint) in &mut names {
+                if hint.is_empty() {
+                    argument.help.clone_into(hint);
+                }
+            }
+            names
+        }
+    }
+}
+
+fn verb_names(context: &Context) -> Vec<(String, String)> {
+    let described = |verb: &Verb| {
+        let usage = verb.usage();
+        (
+            verb.name.to_owned(),
+            format!("{}: {}", usage.join(" | "), verb.summary),
+        )
+    };
+    let mut names: Vec<(String, String)> = verbs().iter().map(described).collect();
+    for mode in mode_names(context) {
+        let name = mode.to_ascii_lowercase();
+        if super::verb(&name).is_none() {
+            names.push((name, format!("change the mode to {mode}")));
+        }
+    }
+    names
+}
+
+fn target_names(context: &Context) -> Vec<(String, String)> {
+    let mut names = vec![("all".to_owned(), "every vehicle".to_owned())];
+    for (group, ids) in context.groups {
+        names.push((format!("@{group}"), Targets::Ids(ids.clone()).to_string()));
+    }
+    for id in context.vehicles {
+        names.push((id.to_string(), "vehicle".to_owned()));
+    }
+    names
+}
+
+/// Those that match what is written, best first; all in their order where nothing is written yet.
+fn ranked(candidates: Vec<(String, String)>, written: &str) -> Vec<(String, String)> {
+    if written.is_empty() {
+        return candidates;
+    }
+    let pattern = Pattern::new(
+        written,
+        CaseMatching::Ignore,
+        Normalization::Smart,
+        AtomKind::Fuzzy,
+    );
+    let mut matcher = Matcher::new(Config::DEFAULT);
+    let mut buffer = Vec::new();
+    let mut scored: Vec<(u32, (String, String))> = candidates
+        .into_iter()
+        .filter_map(|candidate| {
+            let score = pattern.score(Utf32Str::new(&candidate.0, &mut buffer), &mut matcher)?;
+            Some((score, candidate))
+        })
+        .collect();
+    // Of equally good ones the shorter is nearer to what was written.
+    scored.sort_by_key(|(score, (text, _))| (Reverse(*score), text.len()));
+    scored.into_iter().map(|(_, candidate)| candidate).collect()
+}
+
+fn floor_boundary(line: &str, at: usize) -> usize {
+    let mut at = at.min(line.len());
+    while !line.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}

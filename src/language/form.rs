@@ -1,0 +1,234 @@
+//! Fits the words of a line to the forms of a verb.
+
+use super::Context;
+use super::argument::{Argument, Arguments, Kind, Value};
+use super::lexer::Word;
+use super::read::Misread;
+use super::verb::Form;
+
+/// How far the words of a line fit a form.
+pub(super) struct Fit {
+    /// What was read.
+    pub arguments: Arguments,
+    /// What may come after the last word.
+    pub expected: Vec<Expected>,
+    /// Whether nothing is missing.
+    pub complete: bool,
+    /// The first word that does not fit.
+    pub misfit: Option<Misfit>,
+}
+
+/// A word that does not fit.
+pub(super) struct Misfit {
+    /// Which one.
+    pub word: usize,
+    /// Whether it is of the right kind and only its value is wrong.
+    pub specific: bool,
+    /// What is wrong, if only one thing was possible.
+    pub message: Option<String>,
+    /// What was expected instead.
+    pub expected: Vec<Expected>,
+}
+
+/// What may come next.
+#[derive(Clone, Copy)]
+pub(super) enum Expected {
+    /// The keyword of this argument.
+    Keyword(&'static Argument),
+    /// The value of this argument.
+    Value(&'static Argument),
+}
+
+impl Expected {
+    /// The argument that is meant.
+    pub fn argument(self) -> &'static Argument {
+        match self {
+            Self::Keyword(argument) | Self::Value(argument) => argument,
+        }
+    }
+
+    /// In an error or a hint: "`up`" or "ALTITUDE (height above home, 0.5 to 1000 m)".
+    pub fn describe(self) -> String {
+        match self {
+            Self::Keyword(argument) => format!("`{}`", argument.keyword),
+            Self::Value(argument) => {
+                let explained = argument.explained();
+                if explained.is_empty() {
+                    argument.placeholder()
+                } else {
+                    format!("{} ({explained})", argument.placeholder())
+                }
+            }
+        }
+    }
+}
+
+/// Where the reading stands.
+struct Reader<'a> {
+    form: &'static Form,
+    context: &'a Context<'a>,
+    filled: Vec<bool>,
+    arguments: Arguments,
+}
+
+/// What one step of reading came to.
+enum Step {
+    Took(usize),
+    Unfinished(&'static Argument),
+    Misfit(Misfit),
+}
+
+/// Fits words to a form as far as they go.
+pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit {
+    let mut reader = Reader {
+        form,
+        context,
+        filled: vec![false; form.arguments.len()],
+        arguments: Arguments::default(),
+    };
+    let mut at = 0;
+    while at < words.len() {
+        match reader.step(&words[at..]) {
+            Step::Took(count) => at += count,
+            Step::Unfinished(argument) => {
+                return reader.end(vec![Expected::Value(argument)], false, None);
+            }
+            Step::Misfit(mut misfit) => {
+                misfit.word += at;
+                return reader.end(Vec::new(), false, Some(misfit));
+            }
+        }
+    }
+    let complete = reader
+        .form
+        .arguments
+        .iter()
+        .zip(&reader.filled)
+        .all(|(argument, filled)| argument.optional || *filled);
+    let expected = reader.expected();
+    reader.end(expected, complete, None)
+}
+
+impl Reader<'_> {
+    fn end(self, expected: Vec<Expected>, complete: bool, misfit: Option<Misfit>) -> Fit {
+        Fit {
+            arguments: self.arguments,
+            expected,
+            complete,
+            misfit,
+        }
+    }
+
+    /// The arguments that may come now: all up to the first that has to come before the rest.
+    fn open(&self) -> Vec<usize> {
+        let mut open = Vec::new();
+        for (index, argument) in self.form.arguments.iter().enumerate() {
+            if self.filled[index] {
+                continue;
+            }
+            open.push(index);
+            let in_order = argument.keyword.is_empty() || argument.kind == Kind::Flag;
+            if in_order && !argument.optional {
+                break;
+            }
+        }
+        open
+    }
+
+    fn expected(&self) -> Vec<Expected> {
+        let mut value_seen = false;
+        self.open()
+            .into_iter()
+            .map(|index| &self.form.arguments[index])
+            .filter(|argument| {
+                // Of several optional values in a row the first comes first.
+                let again = argument.keyword.is_empty() && argument.optional && value_seen;
+                value_seen |= argument.keyword.is_empty();
+                !again
+            })
+            .map(|argument| {
+                if argument.keyword.is_empty() {
+                    Expected::Value(argument)
+                } else {
+                    Expected::Keyword(argument)
+                }
+            })
+            .collect()
+    }
+
+    fn step(&mut self, words: &[Word]) -> Step {
+        let open = self.open();
+        let arguments = self.form.arguments;
+        let keyed = open.iter().copied().find(|&index| {
+            !arguments[index].keyword.is_empty() && words[0].is(arguments[index].keyword)
+        });
+        match keyed {
+            Some(index) if arguments[index].kind == Kind::Flag => {
+                self.fill(index, Value::Flag, words, 1);
+                Step::Took(1)
+            }
+            Some(index) => self.keyed(index, words),
+            None => self.positional(&open, words),
+        }
+    }
+
+    fn keyed(&mut self, index: usize, words: &[Word]) -> Step {
+        let argument = &self.form.arguments[index];
+        match argument.kind.read(&words[1..], self.context) {
+            Ok((value, count)) => {
+                self.fill(index, value, words, count + 1);
+                Step::Took(count + 1)
+            }
+            Err(Misread::Incomplete) => Step::Unfinished(argument),
+            Err(Misread::Wrong { word, message, .. }) => Step::Misfit(Misfit {
+                word: word + 1,
+                specific: true,
+                message: Some(message),
+                expected: vec![Expected::Value(argument)],
+            }),
+        }
+    }
+
+    fn positional(&mut self, open: &[usize], words: &[Word]) -> Step {
+        let expected = self.expected();
+        let mut misfit = Misfit {
+            word: 0,
+            specific: false,
+            message: None,
+            expected,
+        };
+        for &index in open {
+            let argument = &self.form.arguments[index];
+            if !argument.keyword.is_empty() {
+                continue;
+            }
+            match argument.kind.read(words, self.context) {
+                Ok((value, count)) => {
+                    self.fill(index, value, words, count);
+                    return Step::Took(count);
+                }
+                Err(Misread::Incomplete) => return Step::Unfinished(argument),
+                Err(Misread::Wrong {
+                    word,
+                    specific,
+                    message,
+                }) => {
+                    let further = (word, specific) > (misfit.word, misfit.specific);
+                    if further || misfit.message.is_none() && misfit.expected.len() == 1 {
+                        (misfit.word, misfit.specific) = (word, specific);
+                        misfit.message = Some(message);
+                    }
+                }
+            }
+        }
+        Step::Misfit(misfit)
+    }
+
+    fn fill(&mut self, index: usize, value: Value, words: &[Word], count: usize) {
+        let start = words[0].span.start;
+        let end = words[count - 1].span.end;
+        self.filled[index] = true;
+        self.arguments
+            .insert(self.form.arguments[index].name, value, start..end);
+    }
+}

@@ -1,0 +1,94 @@
+//! A line to words.
+
+use std::ops::Range;
+
+/// A word and where it lies, in bytes of the line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Word<'a> {
+    pub text: &'a str,
+    pub span: Range<usize>,
+}
+
+impl Word<'_> {
+    /// Whether it is this word, upper or lower case.
+    pub fn is(&self, other: &str) -> bool {
+        self.text.eq_ignore_ascii_case(other)
+    }
+}
+
+/// The words of a line: separated by blanks, comparison signs stand for themselves, and a `#` that begins a word
+/// begins a comment.
+pub(super) fn words(line: &str) -> Vec<Word<'_>> {
+    let code = &line[..comment_start(line).unwrap_or(line.len())];
+    let mut words = Vec::new();
+    let mut start = None;
+    let mut last = None;
+    for (at, c) in code.char_indices() {
+        let kind = Kind::of(c);
+        if last != Some(kind) {
+            if let Some(start) = start.take() {
+                words.push(start..at);
+            }
+            if kind != Kind::Blank {
+                start = Some(at);
+            }
+        }
+        last = Some(kind);
+    }
+    if let Some(start) = start {
+        words.push(start..code.len());
+    }
+    words
+        .into_iter()
+        .map(|span| Word {
+            text: &line[span.clone()],
+            span,
+        })
+        .collect()
+}
+
+/// Where the comment of a line begins, if it has one.
+pub(super) fn comment_start(line: &str) -> Option<usize> {
+    line.match_indices('#').map(|(at, _)| at).find(|&at| {
+        line[..at]
+            .chars()
+            .next_back()
+            .is_none_or(char::is_whitespace)
+    })
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Blank,
+    Letter,
+    Sign,
+}
+
+impl Kind {
+    fn of(c: char) -> Self {
+        match c {
+            '<' | '>' | '=' => Self::Sign,
+            c if c.is_whitespace() => Self::Blank,
+            _ => Self::Letter,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_know_where_they_are() {
+        let found = words("  wait altitude>=19 # high");
+        let texts: Vec<&str> = found.iter().map(|word| word.text).collect();
+        assert_eq!(texts, ["wait", "altitude", ">=", "19"]);
+        assert_eq!(found[2].span, 15..17);
+    }
+
+    #[test]
+    fn a_hash_inside_a_word_is_no_comment() {
+        assert_eq!(words("goto tree#2").len(), 2);
+        assert_eq!(words("# goto").len(), 0);
+    }
+}

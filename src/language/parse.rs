@@ -1,0 +1,254 @@
+//! A line to a statement.
+
+use std::ops::Range;
+
+use super::argument::Kind;
+use super::form::{Expected, Fit, Misfit, fit};
+use super::lexer::{Word, words};
+use super::read::{mode_named, mode_names};
+use super::table::{verb, verbs};
+use super::verb::{Meaning, Verb};
+use super::{Action, Context, Statement, Targets};
+use crate::diagnostic::Diagnostic;
+
+/// The beginning of a line: everything before the arguments.
+pub(super) struct Head {
+    pub targets: Targets,
+    pub verb: &'static Verb,
+    /// How the verb was said: its name, or the name of a mode.
+    pub said: String,
+    /// How many words there are before the arguments; a mode that stands for `mode MODE` is an argument.
+    pub len: usize,
+}
+
+/// Reads a line.
+///
+/// # Errors
+/// The first fault, with its place in the line.
+pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
+    let words = words(line);
+    let head = head(&words, context)?;
+    let rest = &words[head.len..];
+    let (meaning, _) = understand(&head, rest, &words, context)?;
+    let action = match meaning {
+        Meaning::Command(command) => Action::Command {
+            verb: head.verb,
+            command,
+        },
+        Meaning::Wait(wait) => Action::Wait(wait),
+    };
+    Ok(Statement {
+        line: normalised(&head, rest),
+        targets: head.targets,
+        action,
+    })
+}
+
+/// Reads targets and verb.
+///
+/// # Errors
+/// When there is none, or they are wrong.
+pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic> {
+    let mut at = 0;
+    let mut targets = Targets::Selection;
+    if let Some(word) = words.first()
+        && Targets::looks_like(word)
+    {
+        targets = Targets::read(word, context)?;
+        at = 1;
+    }
+    let Some(word) = words.get(at) else {
+        let end = end_of(words);
+        return Err(Diagnostic::new(end, "a command is missing")
+            .with_help("such as `all arm` or `1-3 takeoff 20`"));
+    };
+    let Some(found) = verb(word.text) else {
+        // A mode's name alone changes to it.
+        if mode_named(word.text, context).is_some()
+            && let Some(mode) = verb("mode")
+        {
+            return Ok(Head {
+                targets,
+                verb: mode,
+                said: String::new(),
+                len: at,
+            });
+        }
+        return Err(unknown_verb(word, context));
+    };
+    at += 1;
+    if found.name == "wait"
+        && let Some(word) = words.get(at)
+        && targets_of_wait(word, words.len() - at)
+    {
+        if targets != Targets::Selection {
+            let message = "the targets are named twice";
+            return Err(Diagnostic::new(word.span.clone(), message));
+        }
+        targets = Targets::read(word, context)?;
+        at += 1;
+    }
+    Ok(Head {
+        targets,
+        verb: found,
+        said: found.name.to_owned(),
+        len: at,
+    })
+}
+
+/// `wait 5` is a time, `wait 5 armed` waits for vehicle 5; `wait 5s` is a time in any case.
+fn targets_of_wait(word: &Word, left: usize) -> bool {
+    let numbers = word
+        .text
+        .bytes()
+        .all(|byte| byte.is_ascii_digit() || byte == b'-' || byte == b',');
+    Targets::looks_like(word)
+        && (!word.text.starts_with(|c: char| c.is_ascii_digit()) || numbers && left > 1)
+}
+
+/// Builds the meaning with the form that fits, and says which.
+pub(super) fn understand(
+    head: &Head,
+    rest: &[Word],
+    all: &[Word],
+    context: &Context,
+) -> Result<(Meaning, usize), Diagnostic> {
+    let mut fits = Vec::new();
+    for (index, form) in head.verb.forms.iter().enumerate() {
+        let fit = fit(form, rest, context);
+        if fit.complete {
+            return match (form.build)(&fit.arguments) {
+                Ok(meaning) => Ok((meaning, index)),
+                Err(problem) => {
+                    let span = fit.arguments.span(problem.argument);
+                    let span = span.unwrap_or_else(|| end_of(all));
+                    Err(Diagnostic::new(span, problem.message))
+                }
+            };
+        }
+        fits.push(fit);
+    }
+    Err(fault(head.verb, &fits, rest, all, context))
+}
+
+/// The fault of the form that the line comes closest to.
+fn fault(verb: &Verb, fits: &[Fit], rest: &[Word], all: &[Word], context: &Context) -> Diagnostic {
+    let progress = |fit: &Fit| match &fit.misfit {
+        Some(misfit) => (misfit.word, misfit.specific),
+        None => (rest.len(), false),
+    };
+    let furthest = fits.iter().map(progress).max().unwrap_or((0, false));
+    let closest: Vec<&Fit> = fits
+        .iter()
+        .filter(|fit| progress(fit) == furthest)
+        .collect();
+    match rest.get(furthest.0) {
+        Some(word) => {
+            let misfits: Vec<&Misfit> = closest
+                .iter()
+                .filter_map(|fit| fit.misfit.as_ref())
+                .collect();
+            misfit_fault(verb, word, &misfits, context)
+        }
+        None => {
+            let expected = closest.iter().flat_map(|fit| fit.expected.iter());
+            let missing = list(expected.copied().filter(|e| !e.argument().optional));
+            Diagnostic::new(end_of(all), format!("{} needs {missing}", verb.name))
+                .with_help(format!("for example `{}`", verb.examples[0]))
+        }
+    }
+}
+
+fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context) -> Diagnostic {
+    let span = word.span.clone();
+    let expected = || {
+        misfits
+            .iter()
+            .flat_map(|misfit| misfit.expected.iter().copied())
+    };
+    let message = match misfits {
+        [misfit, ..] if misfit.specific || misfits.len() == 1 => misfit.message.clone(),
+        _ => None,
+    };
+    if expected().next().is_none() {
+        let message = format!("`{}` is too much: nothing can follow here", word.text);
+        return Diagnostic::new(span, message)
+            .with_help(format!("say it as `{}`", verb.usage().join("` or `")));
+    }
+    let what = list(expected());
+    let specific = misfits.iter().any(|misfit| misfit.specific);
+    let fault = match message {
+        Some(message) => Diagnostic::new(span, message),
+        None => Diagnostic::new(
+            span,
+            format!("`{}` does not fit here: expected {what}", word.text),
+        ),
+    };
+    let names: Vec<String> = expected()
+        .flat_map(|item| names_of(item, context))
+        .collect();
+    let fault = fault.with_nearest(word.text, names.iter().map(String::as_str));
+    match fault.help {
+        None if !specific => fault.with_help(format!("expected {what}")),
+        _ => fault,
+    }
+}
+
+/// The words that something expected can be.
+fn names_of(expected: Expected, context: &Context) -> Vec<String> {
+    match expected {
+        Expected::Keyword(argument) => vec![argument.keyword.to_owned()],
+        Expected::Value(argument) => match argument.kind {
+            Kind::Flag => Vec::new(),
+            kind => kind
+                .names(context)
+                .into_iter()
+                .map(|(name, _)| name)
+                .collect(),
+        },
+    }
+}
+
+/// "A, B or C", each once.
+fn list(expected: impl Iterator<Item = Expected>) -> String {
+    let mut texts: Vec<String> = Vec::new();
+    for text in expected.map(Expected::describe) {
+        if !texts.contains(&text) {
+            texts.push(text);
+        }
+    }
+    match texts.split_last() {
+        None => "nothing more".to_owned(),
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+    }
+}
+
+fn unknown_verb(word: &Word, context: &Context) -> Diagnostic {
+    let fault = Diagnostic::new(
+        word.span.clone(),
+        format!("there is no command `{}`", word.text),
+    );
+    let names = verbs()
+        .iter()
+        .flat_map(|verb| std::iter::once(verb.name).chain(verb.aliases.iter().copied()));
+    fault.with_nearest(word.text, names.chain(mode_names(context)))
+}
+
+/// The place right after the last word.
+fn end_of(words: &[Word]) -> Range<usize> {
+    let end = words.last().map_or(0, |word| word.span.end);
+    end..end
+}
+
+/// The line in its plainest spelling.
+fn normalised(head: &Head, rest: &[Word]) -> String {
+    let targets = head.targets.to_string();
+    let mut parts: Vec<&str> = vec![&targets, &head.said];
+    if head.verb.name == "wait" {
+        parts.swap(0, 1);
+    }
+    parts.extend(rest.iter().map(|word| word.text));
+    parts.retain(|part| !part.is_empty());
+    parts.join(" ")
+}

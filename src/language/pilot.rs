@@ -1,0 +1,215 @@
+//! Pilot scripts: lines of the language, one after the other.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::lexer::words;
+use super::wait::{Until, Wait};
+use super::{Action, Context, Statement, Targets, parse};
+use crate::diagnostic::Diagnostic;
+use crate::ledger::Ledger;
+use crate::vehicle::Vehicle;
+use crate::wire::SystemId;
+
+/// A script that has no fault.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Script {
+    steps: Vec<Step>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Step {
+    /// Its line in the source, counted from 1.
+    line: usize,
+    statement: Statement,
+    /// The vehicles that are meant; `None` is all there are when it comes to it.
+    vehicles: Option<Vec<SystemId>>,
+}
+
+impl Script {
+    /// Reads a script. Empty lines and comments (`#`) are fine. A script has no selection: every line but a wait
+    /// for a time says whom it means.
+    ///
+    /// # Errors
+    /// Every fault, with its place in the whole source.
+    pub fn parse(source: &str, context: &Context) -> Result<Self, Vec<Diagnostic>> {
+        let mut steps = Vec::new();
+        let mut faults = Vec::new();
+        let mut start = 0;
+        for (index, line) in source.split_inclusive('\n').enumerate() {
+            if !words(line).is_empty() {
+                match step(line, index + 1, context) {
+                    Ok(step) => steps.push(step),
+                    Err(mut fault) => {
+                        fault.span = fault.span.start + start..fault.span.end + start;
+                        faults.push(fault);
+                    }
+                }
+            }
+            start += line.len();
+        }
+        if faults.is_empty() {
+            Ok(Self { steps })
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// Its statements, in order.
+    pub fn statements(&self) -> impl Iterator<Item = &Statement> {
+        self.steps.iter().map(|step| &step.statement)
+    }
+}
+
+fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic> {
+    let statement = parse(line, context)?;
+    let pause = matches!(
+        statement.action,
+        Action::Wait(Wait {
+            until: Until::Passed(_),
+            ..
+        })
+    );
+    let span = words(line).first().map_or(0..0, |word| word.span.clone());
+    let vehicles = match &statement.targets {
+        Targets::Selection if !pause => {
+            return Err(Diagnostic::new(span, "a script has no selection")
+                .with_help(format!("say who, as `{}`", with_all(&statement))));
+        }
+        Targets::Selection | Targets::All => None,
+        targets => Some(
+            targets
+                .resolve(&[], context)
+                .map_err(|reason| Diagnostic::new(span, reason))?,
+        ),
+    };
+    Ok(Step {
+        line: number,
+        statement,
+        vehicles,
+    })
+}
+
+/// The line with `all` where the targets go.
+fn with_all(statement: &Statement) -> String {
+    match statement.line.strip_prefix("wait ") {
+        Some(rest) => format!("wait all {rest}"),
+        None => format!("all {}", statement.line),
+    }
+}
+
+/// Something that a script does.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PilotEvent {
+    /// This is to be carried out now.
+    Do(Statement),
+    /// A wait went on for too long; the script continues.
+    WaitTimedOut {
+        /// Its line in the source, counted from 1.
+        line: usize,
+        /// The line.
+        text: String,
+    },
+    /// The script is over. Comes once.
+    Finished,
+}
+
+/// A script being flown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pilot {
+    script: Script,
+    next: usize,
+    waiting_since: Option<Duration>,
+    finished: bool,
+}
+
+impl Pilot {
+    /// At the beginning of a script.
+    pub fn new(script: Script) -> Self {
+        Self {
+            script,
+            next: 0,
+            waiting_since: None,
+            finished: false,
+        }
+    }
+
+    /// Whether the script is over.
+    pub fn finished(&self) -> bool {
+        self.finished
+    }
+
+    /// The line that holds the script now, counted from 1, and what it says.
+    pub fn waiting_for(&self) -> Option<(usize, &str)> {
+        let step = self.script.steps.get(self.next)?;
+        self.waiting_since?;
+        Some((step.line, &step.statement.line))
+    }
+
+    /// What the script does now.
+    ///
+    /// The caller opens the ledger's entries for the statements before the next step: a wait that follows a
+    /// command is looked at no earlier than that, so that `wait all arrived` means the goto before it.
+    pub fn step(
+        &mut self,
+        now: Duration,
+        vehicles: &BTreeMap<SystemId, Vehicle>,
+        ledger: &Ledger,
+    ) -> Vec<PilotEvent> {
+        let mut events = Vec::new();
+        let mut acted = false;
+        while let Some(step) = self.script.steps.get(self.next) {
+            if let Action::Wait(wait) = &step.statement.action {
+                let since = *self.waiting_since.get_or_insert(now);
+                let waited = now.saturating_sub(since);
+                if !(is_over(wait, waited) || !acted && step.met(wait, vehicles, ledger)) {
+                    if acted || waited < wait.timeout || is_pause(wait) {
+                        return events;
+                    }
+                    events.push(PilotEvent::WaitTimedOut {
+                        line: step.line,
+                        text: step.statement.line.clone(),
+                    });
+                }
+                self.waiting_since = None;
+            } else {
+                events.push(PilotEvent::Do(step.statement.clone()));
+                acted = true;
+            }
+            self.next += 1;
+        }
+        if !self.finished {
+            self.finished = true;
+            events.push(PilotEvent::Finished);
+        }
+        events
+    }
+}
+
+fn is_pause(wait: &Wait) -> bool {
+    matches!(wait.until, Until::Passed(_))
+}
+
+/// Whether a wait for a time is over.
+fn is_over(wait: &Wait, waited: Duration) -> bool {
+    matches!(wait.until, Until::Passed(time) if waited >= time)
+}
+
+impl Step {
+    /// Whether the condition holds for all that are meant, and for one at least.
+    fn met(&self, wait: &Wait, vehicles: &BTreeMap<SystemId, Vehicle>, ledger: &Ledger) -> bool {
+        match &self.vehicles {
+            None => {
+                !vehicles.is_empty()
+                    && vehicles
+                        .values()
+                        .all(|vehicle| wait.until.holds(vehicle, ledger))
+            }
+            Some(ids) => ids.iter().all(|id| {
+                vehicles
+                    .get(id)
+                    .is_some_and(|vehicle| wait.until.holds(vehicle, ledger))
+            }),
+        }
+    }
+}

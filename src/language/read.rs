@@ -1,0 +1,291 @@
+//! Words to values.
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+
+use super::Context;
+use super::argument::{Kind, Unit, Value};
+use super::lexer::Word;
+use crate::commands::{command_by_name, command_names};
+use crate::geo::LatLon;
+use crate::vehicle::VehicleClass;
+
+/// Message ids have 24 bits.
+const HIGHEST_MESSAGE: u32 = 0x00FF_FFFF;
+
+/// Why words are not the value that was expected.
+pub(super) enum Misread {
+    /// The value has more words than there are.
+    Incomplete,
+    /// This one is wrong.
+    Wrong {
+        /// Which word, counted from the first of the value.
+        word: usize,
+        /// Whether it is of the right kind and only its value is wrong: then no other argument was meant.
+        specific: bool,
+        /// What is wrong.
+        message: String,
+    },
+}
+
+impl Misread {
+    fn kind(message: String) -> Self {
+        Self::Wrong {
+            word: 0,
+            specific: false,
+            message,
+        }
+    }
+
+    fn value(message: String) -> Self {
+        Self::Wrong {
+            word: 0,
+            specific: true,
+            message,
+        }
+    }
+
+    fn at(self, at: usize) -> Self {
+        match self {
+            Self::Wrong {
+                word,
+                specific,
+                message,
+            } => Self::Wrong {
+                word: word + at,
+                specific,
+                message,
+            },
+            Self::Incomplete => Self::Incomplete,
+        }
+    }
+}
+
+impl Kind {
+    /// Reads a value off the beginning of `words`, of which there is one at least. Also says how many it took.
+    pub(super) fn read(self, words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
+        let Some(first) = words.first() else {
+            return Err(Misread::Incomplete);
+        };
+        let text = first.text;
+        let value = match self {
+            Self::Flag => Value::Flag,
+            Self::Number(unit, least, greatest) => {
+                Value::Number(number(text, unit, least, greatest)?)
+            }
+            Self::Whole(unit, least, greatest) => {
+                let value = number(text, unit, least, greatest)?;
+                if value.fract() != 0.0 {
+                    return Err(Misread::value(format!("`{text}` is no whole number")));
+                }
+                Value::Number(value)
+            }
+            Self::Choice(choices) => choices
+                .iter()
+                .find(|choice| first.is(choice))
+                .map(|choice| Value::Word((*choice).to_owned()))
+                .ok_or_else(|| {
+                    Misread::kind(format!("`{text}` is none of {}", choices.join(", ")))
+                })?,
+            Self::Mode => Value::Word(mode(text, context)?),
+            Self::Point => return point(words, context),
+            Self::Parameter => Value::Word(parameter(text)?),
+            Self::Message => Value::Number(f64::from(message(text)?)),
+            Self::MavCommand => Value::Number(f64::from(command(text)?)),
+        };
+        Ok((value, 1))
+    }
+
+    /// The words that this kind of value can be, with what each means.
+    pub(super) fn names(self, context: &Context) -> Vec<(String, String)> {
+        match self {
+            Self::Choice(choices) => choices
+                .iter()
+                .map(|choice| ((*choice).to_owned(), String::new()))
+                .collect(),
+            Self::Mode => mode_names(context)
+                .into_iter()
+                .map(|name| (name.to_owned(), "mode".to_owned()))
+                .collect(),
+            Self::Point => context
+                .places
+                .iter()
+                .map(|(name, at)| (name.clone(), format!("{:.6} {:.6}", at.lat_deg, at.lon_deg)))
+                .collect(),
+            Self::Message => MavMessage::all_messages()
+                .iter()
+                .map(|(name, id)| ((*name).to_owned(), format!("message {id}")))
+                .collect(),
+            Self::MavCommand => command_names()
+                .iter()
+                .map(|(number, name)| ((*name).to_owned(), format!("command {number}")))
+                .collect(),
+            Self::Flag | Self::Number(..) | Self::Whole(..) | Self::Parameter => Vec::new(),
+        }
+    }
+}
+
+/// A number in its range, its unit taken off.
+fn number(text: &str, unit: Unit, least: f64, greatest: f64) -> Result<f64, Misread> {
+    let (digits, suffix) = text.split_at(number_length(text));
+    let Ok(written) = digits.parse::<f64>() else {
+        return Err(Misread::kind(format!("`{text}` is no number")));
+    };
+    let spelling = unit
+        .spellings()
+        .iter()
+        .find(|(spelling, _)| suffix.is_empty() || spelling.eq_ignore_ascii_case(suffix));
+    let factor = match (spelling, suffix) {
+        (_, "") => 1.0,
+        (Some(&(_, factor)), _) => factor,
+        (None, _) => return Err(Misread::value(wrong_unit(text, suffix, unit))),
+    };
+    let value = written * factor;
+    // Not a plain comparison of the two ends: it has to fail for what is no number, too.
+    if (least..=greatest).contains(&value) {
+        return Ok(value);
+    }
+    let limits = Kind::Number(unit, least, greatest).limits();
+    Err(Misread::value(match limits {
+        Some(limits) if value.is_finite() => format!("`{text}` is out of range: {limits}"),
+        _ => format!("`{text}` is too large"),
+    }))
+}
+
+fn wrong_unit(text: &str, suffix: &str, unit: Unit) -> String {
+    let known: Vec<&str> = unit.spellings().iter().map(|&(name, _)| name).collect();
+    if known.is_empty() {
+        format!("`{text}`: this number has no unit")
+    } else {
+        format!("`{suffix}` is no unit for this: use {}", known.join(", "))
+    }
+}
+
+/// How many bytes of `text` are a decimal number: sign, digits with a point, exponent.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| {
+        bytes[from..]
+            .iter()
+            .take_while(|byte| byte.is_ascii_digit())
+            .count()
+    };
+    let mut at = usize::from(text.starts_with(['+', '-']));
+    at += digits(at);
+    if bytes.get(at) == Some(&b'.') {
+        at += 1 + digits(at + 1);
+    }
+    if matches!(bytes.get(at), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(at + 1), Some(b'+' | b'-')));
+        let exponent = digits(at + 1 + sign);
+        if exponent > 0 {
+            at += 1 + sign + exponent;
+        }
+    }
+    at
+}
+
+fn mode(text: &str, context: &Context) -> Result<String, Misread> {
+    if text.parse::<u8>().is_ok() {
+        return Ok(text.to_owned());
+    }
+    mode_named(text, context).map(str::to_owned).ok_or_else(|| {
+        Misread::kind(format!(
+            "there is no mode `{text}`{}",
+            match context.class {
+                VehicleClass::Copter => " in a copter",
+                VehicleClass::Plane => " in a plane",
+                VehicleClass::Rover => " in a rover",
+                VehicleClass::Sub => " in a sub",
+                VehicleClass::Other => "",
+            }
+        ))
+    })
+}
+
+/// The proper name of a mode.
+pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> {
+    classes(context)
+        .iter()
+        .find_map(|class| class.mode(text).and_then(|mode| mode.name()))
+}
+
+/// The names of all modes, each once.
+pub(super) fn mode_names(context: &Context) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = Vec::new();
+    for (_, name) in classes(context).iter().flat_map(|class| class.modes()) {
+        if !names.contains(name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+fn classes(context: &Context) -> Vec<VehicleClass> {
+    match context.class {
+        VehicleClass::Other => vec![
+            VehicleClass::Copter,
+            VehicleClass::Plane,
+            VehicleClass::Rover,
+            VehicleClass::Sub,
+        ],
+        class => vec![class],
+    }
+}
+
+fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
+    let Some(first) = words.first() else {
+        return Err(Misread::Incomplete);
+    };
+    if let Some(&place) = context.places.get(first.text) {
+        return Ok((Value::Point(place), 1));
+    }
+    if number_length(first.text) == 0 || first.text.parse::<f64>().is_err() {
+        return Err(Misread::kind(format!("there is no place `{}`", first.text)));
+    }
+    let lat_deg = number(first.text, Unit::Degrees, -90.0, 90.0)?;
+    let Some(second) = words.get(1) else {
+        return Err(Misread::Incomplete);
+    };
+    let lon_deg =
+        number(second.text, Unit::Degrees, -180.0, 180.0).map_err(|misread| misread.at(1))?;
+    Ok((Value::Point(LatLon::new(lat_deg, lon_deg)), 2))
+}
+
+fn parameter(text: &str) -> Result<String, Misread> {
+    let good = text
+        .bytes()
+        .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    if good && text.len() <= 16 {
+        Ok(text.to_ascii_uppercase())
+    } else {
+        Err(Misread::value(format!(
+            "`{text}` cannot be a parameter: 1 to 16 letters, digits and `_`"
+        )))
+    }
+}
+
+fn message(text: &str) -> Result<u32, Misread> {
+    if let Ok(id) = text.parse::<u32>() {
+        return if id <= HIGHEST_MESSAGE {
+            Ok(id)
+        } else {
+            Err(Misread::value(format!(
+                "{id} is no message id: they run to {HIGHEST_MESSAGE}"
+            )))
+        };
+    }
+    MavMessage::all_messages()
+        .iter()
+        .find(|(name, _)| name.eq_ignore_ascii_case(text))
+        .map(|&(_, id)| id)
+        .ok_or_else(|| Misread::kind(format!("there is no message `{text}`")))
+}
+
+fn command(text: &str) -> Result<u16, Misread> {
+    if text.bytes().all(|byte| byte.is_ascii_digit()) {
+        return text
+            .parse()
+            .map_err(|_| Misread::value(format!("{text} is no MAV_CMD: they run to 65535")));
+    }
+    command_by_name(text).ok_or_else(|| Misread::kind(format!("there is no MAV_CMD `{text}`")))
+}

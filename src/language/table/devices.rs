@@ -1,0 +1,209 @@
+//! Verbs about outputs, messages, parameters and bare MAVLink.
+
+use super::{ASK, Built, ONCE, command};
+use crate::commands::Command;
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::verb::{Danger, Form, Verb};
+
+/// Whatever fits a float on the wire.
+const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::MAX as f64);
+const ANY_I32: Kind = Kind::Whole(Unit::None, i32::MIN as f64, i32::MAX as f64);
+
+pub(super) const SERVO: Verb = Verb {
+    name: "servo",
+    aliases: &[],
+    summary: "set a servo output",
+    examples: &["servo 9 1500us"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value("output", Kind::Whole(Unit::None, 1.0, 16.0), "output"),
+            Argument::value(
+                "pulse",
+                Kind::Whole(Unit::Microseconds, 500.0, 2500.0),
+                "pulse width",
+            ),
+        ],
+        build: |given| {
+            command(Command::Servo {
+                output: given.required("output")? as u8,
+                pulse_us: given.required("pulse")? as u16,
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: ASK,
+};
+
+pub(super) const RELAY: Verb = Verb {
+    name: "relay",
+    aliases: &[],
+    summary: "switch a relay",
+    examples: &["relay 0 on"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value("relay", Kind::Whole(Unit::None, 0.0, 15.0), "relay"),
+            Argument::value("state", Kind::Choice(&["on", "off"]), ""),
+        ],
+        build: |given| {
+            command(Command::Relay {
+                relay: given.required("relay")? as u8,
+                on: given.required_word("state")? == "on",
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: ASK,
+};
+
+pub(super) const REBOOT: Verb = Verb {
+    name: "reboot",
+    aliases: &[],
+    summary: "reboot the autopilot; refused while armed",
+    examples: &["2 reboot"],
+    forms: &[Form {
+        arguments: &[],
+        build: |_| command(Command::Reboot),
+    }],
+    danger: Danger::Confirm,
+    retry: ONCE,
+};
+
+pub(super) const INTERVAL: Verb = Verb {
+    name: "interval",
+    aliases: &[],
+    summary: "ask for a message so many times a second; 0 switches it off",
+    examples: &["interval ATTITUDE 10", "interval 33 2Hz"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value("message", Kind::Message, "name or id"),
+            Argument::value("rate", Kind::Number(Unit::Hertz, 0.0, 1000.0), ""),
+        ],
+        build: |given| {
+            command(Command::MessageInterval {
+                message: given.required("message")? as u32,
+                rate_hz: given.required("rate")?,
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: ASK,
+};
+
+pub(super) const REQUEST: Verb = Verb {
+    name: "request",
+    aliases: &[],
+    summary: "ask for a message once",
+    examples: &["request AUTOPILOT_VERSION", "1 request 242"],
+    forms: &[Form {
+        arguments: &[Argument::value("message", Kind::Message, "name or id")],
+        build: |given| {
+            command(Command::RequestMessage {
+                message: given.required("message")? as u32,
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: ASK,
+};
+
+pub(super) const PARAM: Verb = Verb {
+    name: "param",
+    aliases: &["parameter"],
+    summary: "read or write a parameter",
+    examples: &["param get WPNAV_SPEED", "all param set WPNAV_SPEED 500"],
+    forms: &[
+        Form {
+            arguments: &[
+                Argument::flag("get", "read it"),
+                Argument::value("name", Kind::Parameter, "its name"),
+            ],
+            build: |given| {
+                let name = given.required_word("name")?.to_owned();
+                command(Command::GetParameter { name })
+            },
+        },
+        Form {
+            arguments: &[
+                Argument::flag("set", "write it"),
+                Argument::value("name", Kind::Parameter, "its name"),
+                Argument::value("value", ANY, "the new value"),
+            ],
+            build: |given| {
+                command(Command::SetParameter {
+                    name: given.required_word("name")?.to_owned(),
+                    value: given.required("value")? as f32,
+                })
+            },
+        },
+    ],
+    danger: Danger::None,
+    retry: ASK,
+};
+
+pub(super) const LONG: Verb = Verb {
+    name: "long",
+    aliases: &[],
+    summary: "any MAV_CMD as COMMAND_LONG; parameters left out are 0",
+    examples: &["long NAV_TAKEOFF 0 0 0 0 0 0 20", "long 400 1"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value("command", Kind::MavCommand, "name or number"),
+            Argument::value("p1", ANY, "").optional(),
+            Argument::value("p2", ANY, "").optional(),
+            Argument::value("p3", ANY, "").optional(),
+            Argument::value("p4", ANY, "").optional(),
+            Argument::value("p5", ANY, "").optional(),
+            Argument::value("p6", ANY, "").optional(),
+            Argument::value("p7", ANY, "").optional(),
+        ],
+        build: |given| {
+            command(Command::Long {
+                command: given.required("command")? as u16,
+                params: ["p1", "p2", "p3", "p4", "p5", "p6", "p7"]
+                    .map(|name| given.number(name).unwrap_or(0.0) as f32),
+            })
+        },
+    }],
+    danger: Danger::Confirm,
+    retry: ONCE,
+};
+
+pub(super) const INT: Verb = Verb {
+    name: "int",
+    aliases: &[],
+    summary: "any MAV_CMD as COMMAND_INT; x and y are degrees times 1e7 where they are a place",
+    examples: &["int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value("command", Kind::MavCommand, "name or number"),
+            Argument::value("frame", Kind::Whole(Unit::None, 0.0, 255.0), "MAV_FRAME"),
+            Argument::value("p1", ANY, ""),
+            Argument::value("p2", ANY, ""),
+            Argument::value("p3", ANY, ""),
+            Argument::value("p4", ANY, ""),
+            Argument::value("x", ANY_I32, ""),
+            Argument::value("y", ANY_I32, ""),
+            Argument::value("z", ANY, ""),
+        ],
+        build: int,
+    }],
+    danger: Danger::Confirm,
+    retry: ONCE,
+};
+
+fn int(given: &Arguments) -> Built {
+    let params: Result<Vec<f32>, Problem> = ["p1", "p2", "p3", "p4"]
+        .into_iter()
+        .map(|name| Ok(given.required(name)? as f32))
+        .collect();
+    command(Command::Int {
+        command: given.required("command")? as u16,
+        frame: given.required("frame")? as u8,
+        params: params?
+            .try_into()
+            .map_err(|_| Problem::new("p4", "four parameters are needed"))?,
+        x: given.required("x")? as i32,
+        y: given.required("y")? as i32,
+        z: given.required("z")? as f32,
+    })
+}

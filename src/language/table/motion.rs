@@ -1,0 +1,359 @@
+//! Verbs that move a vehicle in GUIDED, and what it looks at and comes home to.
+
+use std::time::Duration;
+
+use super::{ASK, Built, CHANGE, SETPOINT, command, given};
+use crate::commands::{Command, Destination, Heading, SpeedAxis};
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::verb::{Danger, Form, Verb};
+
+/// Heights above home or the origin; below lies the ground.
+const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
+/// Distances in the local frame.
+const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
+const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
+const VELOCITY_LIMIT: Kind = Kind::Number(Unit::MetresPerSecond, -50.0, 50.0);
+
+const KEEP: Argument = Argument::flag("keep", "the nose stays as it is").optional();
+const FACE: Argument =
+    Argument::keyed("face", "heading", HEADING, "where the nose points").optional();
+
+pub(super) const GOTO: Verb = Verb {
+    name: "goto",
+    aliases: &["go"],
+    summary: "fly to a place in GUIDED: metres from the vehicle's own origin, metres from where it is, or a point",
+    examples: &[
+        "1-2 goto n 100 e 50 up 30",
+        "goto by n 10 e -5 up 2",
+        "3 goto 50.4501 30.5234 up 40 keep",
+        "goto n 0 e 0 face 90deg",
+    ],
+    forms: &[
+        Form {
+            arguments: &[
+                Argument::keyed("n", "north", WAY, "north of the origin"),
+                Argument::keyed("e", "east", WAY, "east of the origin"),
+                Argument::keyed("up", "up", HEIGHT, "above the origin").optional(),
+                KEEP,
+                FACE,
+            ],
+            build: |given| {
+                goto(
+                    given,
+                    Destination::Local {
+                        north_m: given.required("north")?,
+                        east_m: given.required("east")?,
+                        up_m: given.number("up"),
+                    },
+                )
+            },
+        },
+        Form {
+            arguments: &[
+                Argument::flag("by", "from where it is"),
+                Argument::keyed("n", "north", WAY, "to the north").optional(),
+                Argument::keyed("e", "east", WAY, "to the east").optional(),
+                Argument::keyed("up", "up", WAY, "upwards").optional(),
+                KEEP,
+                FACE,
+            ],
+            build: goto_by,
+        },
+        Form {
+            arguments: &[
+                Argument::value("point", Kind::Point, "a named place or degrees"),
+                Argument::keyed("up", "up", HEIGHT, "above home").optional(),
+                KEEP,
+                FACE,
+            ],
+            build: |given| {
+                goto(
+                    given,
+                    Destination::Global {
+                        at_point: given.required_point("point")?,
+                        altitude_m: given.number("up"),
+                    },
+                )
+            },
+        },
+    ],
+    danger: Danger::None,
+    retry: SETPOINT,
+};
+
+fn goto_by(arguments: &Arguments) -> Built {
+    if given(arguments, &["north", "east", "up"]).is_none() {
+        return Err(Problem::new(
+            "by",
+            "by how much? say `by n 10`, `by e -5`, `by up 2`",
+        ));
+    }
+    let part = |name| arguments.number(name).unwrap_or(0.0);
+    goto(
+        arguments,
+        Destination::Offset {
+            north_m: part("north"),
+            east_m: part("east"),
+            up_m: part("up"),
+        },
+    )
+}
+
+fn goto(arguments: &Arguments, destination: Destination) -> Built {
+    let heading = match (arguments.flag("keep"), arguments.number("heading")) {
+        (true, Some(_)) => {
+            let message = "the nose can keep its heading or face another, not both";
+            return Err(Problem::new("heading", message));
+        }
+        (true, None) => Heading::Keep,
+        (false, Some(degrees)) => Heading::Fixed(degrees),
+        (false, None) => Heading::Auto,
+    };
+    command(Command::Goto {
+        destination,
+        heading,
+    })
+}
+
+pub(super) const ALTITUDE: Verb = Verb {
+    name: "altitude",
+    aliases: &["alt"],
+    summary: "climb or descend where it is, in GUIDED",
+    examples: &["altitude 35", "2 alt 12.5m"],
+    forms: &[Form {
+        arguments: &[Argument::value("altitude", HEIGHT, "height above home")],
+        build: |given| {
+            command(Command::Altitude {
+                altitude_m: given.required("altitude")?,
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: SETPOINT,
+};
+
+pub(super) const SPEED: Verb = Verb {
+    name: "speed",
+    aliases: &[],
+    summary: "change how fast it flies",
+    examples: &["speed 5", "all speed climb 2m/s"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value(
+                "axis",
+                Kind::Choice(&["ground", "climb", "descend"]),
+                "over ground unless said",
+            )
+            .optional(),
+            Argument::value("speed", Kind::Number(Unit::MetresPerSecond, 0.1, 100.0), ""),
+        ],
+        build: |given| {
+            let axis = match given.word("axis") {
+                Some("climb") => SpeedAxis::Climb,
+                Some("descend") => SpeedAxis::Descend,
+                _ => SpeedAxis::Ground,
+            };
+            command(Command::Speed {
+                axis,
+                speed_m_s: given.required("speed")?,
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+pub(super) const YAW: Verb = Verb {
+    name: "yaw",
+    aliases: &["turn"],
+    summary: "turn the nose: to a heading, or `by` so much (clockwise positive)",
+    examples: &["yaw 270", "yaw by -90deg rate 30"],
+    forms: &[
+        Form {
+            arguments: &[
+                Argument::value("angle", HEADING, "clockwise from north"),
+                Argument::keyed("rate", "rate", TURN_RATE, "how fast").optional(),
+            ],
+            build: |given| yaw(given, false),
+        },
+        Form {
+            arguments: &[
+                Argument::flag("by", "from the present heading").optional(),
+                Argument::value(
+                    "angle",
+                    Kind::Number(Unit::Degrees, -180.0, 180.0),
+                    "clockwise positive",
+                ),
+                Argument::keyed("rate", "rate", TURN_RATE, "how fast").optional(),
+            ],
+            build: |given| match given.flag("by") {
+                true => yaw(given, true),
+                false => Err(Problem::new(
+                    "angle",
+                    "a heading runs from 0 to 360; say `by` to turn the other way",
+                )),
+            },
+        },
+    ],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+const TURN_RATE: Kind = Kind::Number(Unit::DegreesPerSecond, 1.0, 360.0);
+
+fn yaw(arguments: &Arguments, relative: bool) -> Built {
+    command(Command::Yaw {
+        angle_deg: arguments.required("angle")?,
+        relative,
+        rate_deg_s: arguments.number("rate"),
+    })
+}
+
+pub(super) const VELOCITY: Verb = Verb {
+    name: "velocity",
+    aliases: &["vel"],
+    summary: "fly with a velocity for a time in GUIDED, then stop",
+    examples: &["velocity n 1 e 0 d 0 for 5s", "2 velocity up 0.5m/s for 10"],
+    forms: &[Form {
+        arguments: &[
+            Argument::keyed("n", "north", VELOCITY_LIMIT, "northwards").optional(),
+            Argument::keyed("e", "east", VELOCITY_LIMIT, "eastwards").optional(),
+            Argument::keyed("d", "down", VELOCITY_LIMIT, "downwards").optional(),
+            Argument::keyed("up", "up", VELOCITY_LIMIT, "upwards").optional(),
+            Argument::keyed(
+                "for",
+                "time",
+                Kind::Number(Unit::Seconds, 0.2, 600.0),
+                "for how long",
+            ),
+        ],
+        build: velocity,
+    }],
+    danger: Danger::None,
+    retry: SETPOINT,
+};
+
+fn velocity(arguments: &Arguments) -> Built {
+    if given(arguments, &["north", "east", "down", "up"]).is_none() {
+        return Err(Problem::new(
+            "time",
+            "which way? say `n`, `e`, `d` or `up` and a speed",
+        ));
+    }
+    if arguments.flag("down") && arguments.flag("up") {
+        return Err(Problem::new("up", "it can go `d` or `up`, not both"));
+    }
+    let part = |name| arguments.number(name).unwrap_or(0.0);
+    command(Command::Velocity {
+        ned_m_s: [
+            part("north"),
+            part("east"),
+            arguments.number("up").map_or(part("down"), |up| -up),
+        ],
+        lasting: Duration::from_secs_f64(arguments.required("time")?),
+    })
+}
+
+pub(super) const ORBIT: Verb = Verb {
+    name: "orbit",
+    aliases: &[],
+    summary: "circle around a point; a negative radius turns the other way",
+    examples: &["orbit 30", "orbit -20m speed 3 at 50.4501 30.5234 up 25"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value(
+                "radius",
+                Kind::Number(Unit::Metres, -10_000.0, 10_000.0),
+                "clockwise positive",
+            ),
+            Argument::keyed(
+                "speed",
+                "speed",
+                Kind::Number(Unit::MetresPerSecond, 0.1, 50.0),
+                "3 m/s unless said",
+            )
+            .optional(),
+            Argument::keyed("at", "centre", Kind::Point, "where it is unless said").optional(),
+            Argument::keyed("up", "up", HEIGHT, "above home").optional(),
+        ],
+        build: |given| {
+            let radius_m = given.required("radius")?;
+            if radius_m.abs() < 1.0 {
+                return Err(Problem::new(
+                    "radius",
+                    "a circle needs a radius of 1 m at least",
+                ));
+            }
+            command(Command::Orbit {
+                radius_m,
+                speed_m_s: given.number("speed").unwrap_or(3.0),
+                centre: given.point("centre"),
+                altitude_m: given.number("up"),
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+pub(super) const ROI: Verb = Verb {
+    name: "roi",
+    aliases: &["look"],
+    summary: "point nose and camera at a place, until `roi off`",
+    examples: &["roi 50.4501 30.5234 up 2", "all roi off"],
+    forms: &[
+        Form {
+            arguments: &[
+                Argument::value("point", Kind::Point, "a named place or degrees"),
+                Argument::keyed(
+                    "up",
+                    "up",
+                    Kind::Number(Unit::Metres, -1000.0, 10_000.0),
+                    "above home, 0 unless said",
+                )
+                .optional(),
+            ],
+            build: |given| {
+                let up_m = given.number("up").unwrap_or(0.0);
+                command(Command::RegionOfInterest {
+                    target: Some((given.required_point("point")?, up_m)),
+                })
+            },
+        },
+        Form {
+            arguments: &[Argument::flag("off", "look ahead again")],
+            build: |_| command(Command::RegionOfInterest { target: None }),
+        },
+    ],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+pub(super) const HOME: Verb = Verb {
+    name: "home",
+    aliases: &["sethome"],
+    summary: "set home: where it is, or a point with its height above sea level",
+    examples: &["home here", "home 50.4501 30.5234 180"],
+    forms: &[
+        Form {
+            arguments: &[Argument::flag("here", "where it is")],
+            build: |_| command(Command::SetHome { place: None }),
+        },
+        Form {
+            arguments: &[
+                Argument::value("point", Kind::Point, "a named place or degrees"),
+                Argument::value(
+                    "altitude",
+                    Kind::Number(Unit::Metres, -500.0, 9000.0),
+                    "above mean sea level",
+                ),
+            ],
+            build: |given| {
+                let place = (given.required_point("point")?, given.required("altitude")?);
+                command(Command::SetHome { place: Some(place) })
+            },
+        },
+    ],
+    danger: Danger::None,
+    retry: ASK,
+};

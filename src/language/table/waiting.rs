@@ -1,0 +1,146 @@
+//! The verb that holds a script.
+
+use std::time::Duration;
+
+use super::{Built, ONCE};
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::verb::{Danger, Form, Meaning, Verb};
+use crate::language::wait::{DEFAULT_TIMEOUT, Field, Relation, Situation, Until, Wait};
+
+/// Times in scripts: up to a day.
+const TIME: Kind = Kind::Number(Unit::Seconds, 0.0, 86_400.0);
+const TIMEOUT: Argument = Argument::keyed(
+    "timeout",
+    "timeout",
+    TIME,
+    "60 s unless said; then the script goes on",
+)
+.optional();
+const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");
+
+pub(super) const WAIT: Verb = Verb {
+    name: "wait",
+    aliases: &[],
+    summary: "hold a script for a time, or until something is true of all targets; goes on after 60 s \
+              unless a timeout is given",
+    examples: &[
+        "wait 5s",
+        "wait all altitude > 19 timeout 30s",
+        "wait all arrived",
+        "wait 1-3 mode GUIDED timeout 10s",
+        "wait all disarmed timeout 3min",
+    ],
+    forms: &[
+        Form {
+            arguments: &[Argument::value("time", TIME, "how long")],
+            build: |given| wait(given, Until::Passed(seconds(given.required("time")?))),
+        },
+        Form {
+            arguments: &[
+                Argument::value(
+                    "situation",
+                    Kind::Choice(&[
+                        "armed", "disarmed", "arrived", "landed", "airborne", "ready",
+                    ]),
+                    "",
+                ),
+                TIMEOUT,
+            ],
+            build: |given| {
+                let situation = Situation::named(given.required_word("situation")?);
+                let situation = situation.ok_or_else(|| Problem::new("situation", "unknown"))?;
+                wait(given, Until::Situation(situation))
+            },
+        },
+        Form {
+            arguments: &[
+                Argument::flag("mode", "in this mode"),
+                Argument::value("name", Kind::Mode, "name or number"),
+                TIMEOUT,
+            ],
+            build: |given| wait(given, Until::Mode(given.required_word("name")?.to_owned())),
+        },
+        Form {
+            arguments: &[
+                Argument::value(
+                    "field",
+                    Kind::Choice(&["altitude", "distance"]),
+                    "above home, to home",
+                ),
+                RELATION,
+                Argument::value("value", Kind::Number(Unit::Metres, -10_000.0, 1e6), ""),
+                TIMEOUT,
+            ],
+            build: compare,
+        },
+        Form {
+            arguments: &[
+                Argument::value("field", Kind::Choice(&["speed"]), "over ground"),
+                RELATION,
+                Argument::value(
+                    "value",
+                    Kind::Number(Unit::MetresPerSecond, 0.0, 1000.0),
+                    "",
+                ),
+                TIMEOUT,
+            ],
+            build: compare,
+        },
+        Form {
+            arguments: &[
+                Argument::value("field", Kind::Choice(&["battery"]), "charge left"),
+                RELATION,
+                Argument::value("value", Kind::Number(Unit::Percent, 0.0, 100.0), ""),
+                TIMEOUT,
+            ],
+            build: compare,
+        },
+        Form {
+            arguments: &[
+                Argument::value("field", Kind::Choice(&["heading"]), "clockwise from north"),
+                RELATION,
+                Argument::value("value", Kind::Number(Unit::Degrees, 0.0, 360.0), ""),
+                TIMEOUT,
+            ],
+            build: compare,
+        },
+        Form {
+            arguments: &[
+                Argument::value("field", Kind::Choice(&["sats"]), "satellites in use"),
+                RELATION,
+                Argument::value("value", Kind::Whole(Unit::None, 0.0, 255.0), ""),
+                TIMEOUT,
+            ],
+            build: compare,
+        },
+    ],
+    danger: Danger::None,
+    retry: ONCE,
+};
+
+fn compare(given: &Arguments) -> Built {
+    let field = Field::named(given.required_word("field")?);
+    let relation = Relation::named(given.required_word("relation")?);
+    wait(
+        given,
+        Until::Compared {
+            field: field.ok_or_else(|| Problem::new("field", "unknown"))?,
+            relation: relation.ok_or_else(|| Problem::new("relation", "unknown"))?,
+            value: given.required("value")?,
+        },
+    )
+}
+
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "it is the last expression of functions that can fail"
+)]
+fn wait(given: &Arguments, until: Until) -> Built {
+    let timeout = given.number("timeout").map_or(DEFAULT_TIMEOUT, seconds);
+    Ok(Meaning::Wait(Wait { until, timeout }))
+}
+
+/// The ranges of the table keep it from being negative or endless.
+fn seconds(time: f64) -> Duration {
+    Duration::try_from_secs_f64(time).unwrap_or(DEFAULT_TIMEOUT)
+}

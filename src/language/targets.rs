@@ -1,0 +1,171 @@
+//! Whom a line concerns.
+
+use std::fmt;
+
+use super::Context;
+use super::lexer::Word;
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::wire::SystemId;
+
+/// The highest system id of a vehicle; 255 is ours by convention.
+const HIGHEST: SystemId = 254;
+
+/// Whom a line concerns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Targets {
+    /// Those that are selected in the console.
+    Selection,
+    /// Every vehicle.
+    All,
+    /// These, sorted, each once.
+    Ids(Vec<SystemId>),
+    /// A named group, without the `@`.
+    Group(String),
+}
+
+impl fmt::Display for Targets {
+    /// As it is written in a line; nothing for the selection. Runs are joined.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Selection => Ok(()),
+            Self::All => f.write_str("all"),
+            Self::Group(name) => write!(f, "@{name}"),
+            Self::Ids(ids) => {
+                let runs = ids.chunk_by(|a, b| a.checked_add(1) == Some(*b));
+                for (index, run) in runs.enumerate() {
+                    if index > 0 {
+                        f.write_str(",")?;
+                    }
+                    match run {
+                        [first, .., last] => write!(f, "{first}-{last}")?,
+                        one => write!(f, "{}", one.first().copied().unwrap_or_default())?,
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl Targets {
+    /// The vehicles that are meant.
+    ///
+    /// # Errors
+    /// In plain words when nobody is meant: an empty selection, a group or a vehicle that does not exist.
+    pub fn resolve(
+        &self,
+        selection: &[SystemId],
+        context: &Context,
+    ) -> Result<Vec<SystemId>, String> {
+        let ids = match self {
+            Self::Selection if selection.is_empty() => {
+                return Err(
+                    "no vehicle is selected: select some, or say who, such as `all` or `1-3`"
+                        .to_owned(),
+                );
+            }
+            Self::Selection => selection.to_vec(),
+            Self::All => context.vehicles.to_vec(),
+            Self::Ids(ids) => {
+                if let Some(&missing) = ids.iter().find(|&&id| !exists(id, context)) {
+                    return Err(no_vehicle(missing, context));
+                }
+                ids.clone()
+            }
+            Self::Group(name) => context
+                .groups
+                .get(name)
+                .ok_or_else(|| format!("there is no group `@{name}`"))?
+                .clone(),
+        };
+        if ids.is_empty() {
+            return Err(match self {
+                Self::Group(name) => format!("the group `@{name}` is empty"),
+                _ => "there are no vehicles yet".to_owned(),
+            });
+        }
+        Ok(ids)
+    }
+
+    /// Whether a word is meant as targets: `all`, or a number or `@` at its beginning.
+    pub(super) fn looks_like(word: &Word) -> bool {
+        word.is("all")
+            || word
+                .text
+                .starts_with(|c: char| c.is_ascii_digit() || c == '@')
+    }
+
+    /// Reads a word such as `all`, `1-4,7` or `@red`.
+    pub(super) fn read(word: &Word, context: &Context) -> Result<Self, Diagnostic> {
+        if word.is("all") {
+            return Ok(Self::All);
+        }
+        if let Some(name) = word.text.strip_prefix('@') {
+            return if context.groups.contains_key(name) {
+                Ok(Self::Group(name.to_owned()))
+            } else {
+                Err(unknown_group(name, word, context))
+            };
+        }
+        let mut ids = Vec::new();
+        let mut start = word.span.start;
+        for part in word.text.split(',') {
+            let span = start..start + part.len();
+            ids.extend(range(part, context).map_err(|reason| Diagnostic::new(span, reason))?);
+            start += part.len() + 1;
+        }
+        ids.sort_unstable();
+        ids.dedup();
+        Ok(Self::Ids(ids))
+    }
+}
+
+fn unknown_group(name: &str, word: &Word, context: &Context) -> Diagnostic {
+    let fault = Diagnostic::new(word.span.clone(), format!("there is no group `@{name}`"));
+    let names = context.groups.keys().map(String::as_str);
+    if let Some(near) = nearest(name, names.clone()) {
+        fault.with_help(format!("did you mean `@{near}`?"))
+    } else if context.groups.is_empty() {
+        fault.with_help("there are no groups here")
+    } else {
+        let known: Vec<String> = names.map(|name| format!("@{name}")).collect();
+        fault.with_help(format!("there are {}", known.join(", ")))
+    }
+}
+
+/// The ids of `4` or `1-4`.
+fn range(part: &str, context: &Context) -> Result<Vec<SystemId>, String> {
+    let (first, last) = match part.split_once('-') {
+        Some((first, last)) => (id(first, part)?, id(last, part)?),
+        None => (id(part, part)?, id(part, part)?),
+    };
+    if first > last {
+        return Err(format!("`{part}` runs backwards: say `{last}-{first}`"));
+    }
+    match (first..=last).find(|&id| !exists(id, context)) {
+        Some(missing) => Err(no_vehicle(missing, context)),
+        None => Ok((first..=last).collect()),
+    }
+}
+
+fn id(text: &str, part: &str) -> Result<SystemId, String> {
+    if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
+        return Err(format!(
+            "`{part}` names no vehicles: say a number, a range such as `1-4`, `@group` or `all`"
+        ));
+    }
+    text.parse()
+        .ok()
+        .filter(|id| (1..=HIGHEST).contains(id))
+        .ok_or_else(|| format!("{text} is no system id: they run from 1 to {HIGHEST}"))
+}
+
+fn exists(id: SystemId, context: &Context) -> bool {
+    context.vehicles.is_empty() || context.vehicles.contains(&id)
+}
+
+fn no_vehicle(id: SystemId, context: &Context) -> String {
+    let mut known = context.vehicles.to_vec();
+    known.sort_unstable();
+    format!("there is no vehicle {id}, only {}", Targets::Ids(known))
+}

@@ -1,0 +1,223 @@
+//! What a script waits for.
+
+use std::time::Duration;
+
+use crate::ledger::{Ledger, RowState};
+use crate::vehicle::{LandedState, Vehicle};
+
+/// How long a wait lasts at most, unless it says otherwise.
+pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
+/// How near to its target a vehicle has arrived, in metres, where the ledger cannot tell.
+const ARRIVED_M: f64 = 2.0;
+/// Slower than this is standing still.
+const STILL_M_S: f32 = 0.5;
+
+/// Holds a script.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wait {
+    /// What for.
+    pub until: Until,
+    /// When to go on regardless.
+    pub timeout: Duration,
+}
+
+/// What a script waits for, of every target.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Until {
+    /// So much time has passed; targets play no part.
+    Passed(Duration),
+    /// The vehicle is in this situation.
+    Situation(Situation),
+    /// The vehicle is in the mode of this name or number.
+    Mode(String),
+    /// A figure is above or below a value.
+    Compared {
+        /// Which figure.
+        field: Field,
+        /// How it has to compare.
+        relation: Relation,
+        /// With what, in the field's unit.
+        value: f64,
+    },
+}
+
+/// A situation that a vehicle can be in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Situation {
+    /// Its motors are armed.
+    Armed,
+    /// Its motors are disarmed.
+    Disarmed,
+    /// It has reached where the last takeoff, goto, altitude, land or rtl was to bring it.
+    Arrived,
+    /// It is on the ground.
+    Landed,
+    /// It is in the air.
+    Airborne,
+    /// It would arm.
+    Ready,
+}
+
+/// A figure that can be compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Field {
+    /// Height above home in metres.
+    Altitude,
+    /// Speed over ground in m/s.
+    Speed,
+    /// Charge left in percent.
+    Battery,
+    /// Distance to home in metres.
+    Distance,
+    /// Heading in degrees.
+    Heading,
+    /// Satellites in use.
+    Satellites,
+}
+
+/// How a figure has to compare.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// `>`
+    Above,
+    /// `<`
+    Below,
+    /// `>=`
+    AtLeast,
+    /// `<=`
+    AtMost,
+}
+
+impl Situation {
+    pub(super) fn named(word: &str) -> Option<Self> {
+        Some(match word {
+            "armed" => Self::Armed,
+            "disarmed" => Self::Disarmed,
+            "arrived" => Self::Arrived,
+            "landed" => Self::Landed,
+            "airborne" => Self::Airborne,
+            "ready" => Self::Ready,
+            _ => return None,
+        })
+    }
+
+    fn holds(self, vehicle: &Vehicle, ledger: &Ledger) -> bool {
+        let heard = vehicle.heartbeat.is_some();
+        match self {
+            Self::Armed => vehicle.armed(),
+            Self::Disarmed => heard && !vehicle.armed(),
+            Self::Arrived => arrived(vehicle, ledger),
+            Self::Landed => landed(vehicle),
+            Self::Airborne => vehicle.airborne(),
+            Self::Ready => vehicle.ready_to_arm(),
+        }
+    }
+}
+
+impl Field {
+    pub(super) fn named(word: &str) -> Option<Self> {
+        Some(match word {
+            "altitude" => Self::Altitude,
+            "speed" => Self::Speed,
+            "battery" => Self::Battery,
+            "distance" => Self::Distance,
+            "heading" => Self::Heading,
+            "sats" => Self::Satellites,
+            _ => return None,
+        })
+    }
+
+    /// The figure, if the vehicle has said it.
+    pub fn of(self, vehicle: &Vehicle) -> Option<f64> {
+        match self {
+            Self::Altitude => vehicle.altitude_m(),
+            Self::Speed => vehicle.ground_speed_m_s().map(f64::from),
+            Self::Battery => vehicle.battery()?.remaining_percent.map(f64::from),
+            Self::Distance => vehicle.distance_home_m(),
+            Self::Heading => vehicle.heading_deg().map(f64::from),
+            Self::Satellites => vehicle.gps?.satellites.map(f64::from),
+        }
+    }
+}
+
+impl Relation {
+    pub(super) fn named(word: &str) -> Option<Self> {
+        Some(match word {
+            ">" => Self::Above,
+            "<" => Self::Below,
+            ">=" => Self::AtLeast,
+            "<=" => Self::AtMost,
+            _ => return None,
+        })
+    }
+
+    /// Whether it holds between two numbers.
+    pub fn holds(self, figure: f64, value: f64) -> bool {
+        match self {
+            Self::Above => figure > value,
+            Self::Below => figure < value,
+            Self::AtLeast => figure >= value,
+            Self::AtMost => figure <= value,
+        }
+    }
+}
+
+impl Until {
+    /// Whether it is true of a vehicle. A time is never true of one.
+    pub fn holds(&self, vehicle: &Vehicle, ledger: &Ledger) -> bool {
+        match self {
+            Self::Passed(_) => false,
+            Self::Situation(situation) => situation.holds(vehicle, ledger),
+            Self::Mode(name) => vehicle.mode().is_some_and(|mode| {
+                mode.is(name)
+                    || name
+                        .parse::<u32>()
+                        .is_ok_and(|number| mode.number == number)
+            }),
+            Self::Compared {
+                field,
+                relation,
+                value,
+            } => field
+                .of(vehicle)
+                .is_some_and(|figure| relation.holds(figure, *value)),
+        }
+    }
+}
+
+fn landed(vehicle: &Vehicle) -> bool {
+    match vehicle.landed {
+        LandedState::OnGround => true,
+        LandedState::Undefined => vehicle.heartbeat.is_some() && !vehicle.airborne(),
+        LandedState::InAir | LandedState::Takeoff | LandedState::Landing => false,
+    }
+}
+
+/// Whether the last order to be somewhere else has been carried out: the ledger knows; where it saw no effect
+/// in time, standing still at the target counts.
+fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
+    let last = ledger.entries().rev().find_map(|entry| {
+        let moves = ["takeoff", "goto", "altitude", "rtl", "land"].contains(&entry.verb.as_str());
+        let row = entry.rows.iter().find(|row| row.vehicle == vehicle.id)?;
+        moves.then_some((entry.verb.as_str(), row.state))
+    });
+    match last {
+        Some((_, state)) if !state.is_final() => false,
+        Some(("rtl" | "land", _)) => landed(vehicle),
+        Some((_, RowState::Done)) => true,
+        _ => still_at_target(vehicle),
+    }
+}
+
+fn still_at_target(vehicle: &Vehicle) -> bool {
+    let (Some(global), Some(target)) = (vehicle.global, vehicle.target) else {
+        return false;
+    };
+    let near = target
+        .at_point
+        .is_some_and(|point| global.at_point.distance_m(point) <= ARRIVED_M);
+    let level = target
+        .altitude_m
+        .is_none_or(|altitude_m| (global.altitude_m - altitude_m).abs() <= ARRIVED_M);
+    near && level && global.ground_speed_m_s() < STILL_M_S
+}
