@@ -1,5 +1,6 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 
+pub mod app;
 pub mod commands;
 pub mod debrief;
 pub mod diagnostic;
@@ -12,5 +13,6 @@ pub mod mission;
 pub mod notice;
 pub mod scoring;
 pub mod sim;
+pub mod ui;
 pub mod vehicle;
 pub mod wire;

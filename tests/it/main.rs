@@ -1,4 +1,5 @@
 //! The one integration-test binary.
 
-mod layering;
-mod recordings;
+mod fixtures;
+mod harness;
+mod screens;

@@ -1,0 +1,228 @@
+//! What the command line can do besides commanding vehicles: a small table beside the verbs.
+
+use std::ops::Range;
+
+use crate::diagnostic::Diagnostic;
+use crate::language::Completion;
+
+/// One thing the console itself can do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ConsoleVerb {
+    /// How it is called.
+    pub name: &'static str,
+    /// How it is written.
+    pub usage: &'static str,
+    /// What it does.
+    pub summary: &'static str,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Select,
+    Group,
+    Theme,
+    Plain(Deed),
+}
+
+/// A line that the console carries out itself.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ConsoleLine {
+    /// Select these vehicles.
+    Select(String),
+    /// Give vehicles a group's name; no targets means the selection.
+    Group {
+        /// The name, without `@`.
+        name: String,
+        /// The targets as they were written.
+        targets: String,
+    },
+    /// Draw with a theme.
+    Theme(String),
+    /// One without arguments.
+    Plain(Deed),
+}
+
+/// Console lines without arguments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Deed {
+    /// Help.
+    Help,
+    /// The links' counters.
+    Links,
+    /// The mission's brief.
+    Brief,
+    /// End the mission.
+    Abandon,
+    /// The same mission again.
+    Restart,
+    /// Back to the home screen.
+    Leave,
+    /// Leave the program.
+    Quit,
+}
+
+/// Everything the console itself can do.
+pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
+    verb("select", "select TARGETS", "select vehicles: 1-4,7  @red  all  none", Kind::Select),
+    verb("group", "group NAME [TARGETS]", "call vehicles @NAME from now on", Kind::Group),
+    verb("theme", "theme NAME", "change the colours", Kind::Theme),
+    verb("help", "help", "keys and verbs", Kind::Plain(Deed::Help)),
+    verb("links", "links", "what the links count", Kind::Plain(Deed::Links)),
+    verb("brief", "brief", "the mission's brief", Kind::Plain(Deed::Brief)),
+    verb("abandon", "abandon", "end the mission and see the debrief", Kind::Plain(Deed::Abandon)),
+    verb("restart", "restart", "fly the same mission again from its start", Kind::Plain(Deed::Restart)),
+    verb("leave", "leave", "end the session, back to the home screen", Kind::Plain(Deed::Leave)),
+    verb("quit", "quit", "leave the program", Kind::Plain(Deed::Quit)),
+];
+
+const fn verb(
+    name: &'static str,
+    usage: &'static str,
+    summary: &'static str,
+    kind: Kind,
+) -> ConsoleVerb {
+    ConsoleVerb {
+        name,
+        usage,
+        summary,
+        kind,
+    }
+}
+
+/// Reads a line that is the console's own; `None` if it is not, so that the grammar of commands may try.
+pub fn parse(line: &str, themes: &[String]) -> Option<Result<ConsoleLine, Diagnostic>> {
+    let words = words(line);
+    let (first, arguments) = words.split_first()?;
+    let verb = find(&line[first.clone()])?;
+    Some(read(verb, line, arguments, themes))
+}
+
+/// The usage of the console's own verb that a line begins with.
+pub fn usage(line: &str) -> Option<&'static str> {
+    let words = words(line);
+    find(&line[words.first()?.clone()]).map(|verb| verb.usage)
+}
+
+/// What could stand at the end of the line, if the console itself has something to offer.
+pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion> {
+    let before = line.get(..cursor).unwrap_or(line);
+    let start = before.rfind(char::is_whitespace).map_or(0, |at| at + 1);
+    let (head, word) = before.split_at(start);
+    let completion = |text: &str, hint: &str| Completion {
+        text: text.to_owned(),
+        hint: hint.to_owned(),
+        replaces: start..before.len(),
+    };
+    if head.trim().is_empty() {
+        let fitting = CONSOLE_VERBS.iter().filter(|verb| verb.name.starts_with(word));
+        return fitting.map(|verb| completion(verb.name, verb.summary)).collect();
+    }
+    if head.trim() != "theme" {
+        return Vec::new();
+    }
+    let fitting = themes.iter().filter(|theme| theme.starts_with(word));
+    fitting.map(|theme| completion(theme, "theme")).collect()
+}
+
+fn find(word: &str) -> Option<&'static ConsoleVerb> {
+    CONSOLE_VERBS.iter().find(|verb| verb.name == word)
+}
+
+/// Where the words of a line lie.
+fn words(line: &str) -> Vec<Range<usize>> {
+    line.split_whitespace()
+        .map(|word| {
+            let start = word.as_ptr().addr() - line.as_ptr().addr();
+            start..start + word.len()
+        })
+        .collect()
+}
+
+fn read(
+    verb: &ConsoleVerb,
+    line: &str,
+    arguments: &[Range<usize>],
+    themes: &[String],
+) -> Result<ConsoleLine, Diagnostic> {
+    let most = match verb.kind {
+        Kind::Plain(_) => 0,
+        Kind::Select | Kind::Theme => 1,
+        Kind::Group => 2,
+    };
+    if let Some(extra) = arguments.get(most) {
+        return Err(Diagnostic::new(extra.clone(), "nothing more is expected here")
+            .with_help(format!("usage: {}", verb.usage)));
+    }
+    let text = |at: usize| arguments.get(at).map(|span| line[span.clone()].to_owned());
+    let missing = || {
+        let end = line.trim_end().len();
+        Diagnostic::new(end..end, "something is missing here")
+            .with_help(format!("usage: {}", verb.usage))
+    };
+    match verb.kind {
+        Kind::Plain(deed) => Ok(ConsoleLine::Plain(deed)),
+        Kind::Select => text(0).map(ConsoleLine::Select).ok_or_else(missing),
+        Kind::Group => {
+            let name = text(0).ok_or_else(missing)?;
+            Ok(ConsoleLine::Group {
+                name: name.trim_start_matches('@').to_owned(),
+                targets: text(1).unwrap_or_default(),
+            })
+        }
+        Kind::Theme => {
+            let name = text(0).ok_or_else(missing)?;
+            if themes.contains(&name) {
+                return Ok(ConsoleLine::Theme(name));
+            }
+            let known = themes.iter().map(String::as_str);
+            Err(Diagnostic::new(arguments[0].clone(), format!("no theme is named `{name}`"))
+                .with_help(format!("there are: {}", themes.join(", ")))
+                .with_nearest(&name, known))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn themes() -> Vec<String> {
+        ["dark", "light"].map(str::to_owned).to_vec()
+    }
+
+    #[test]
+    fn only_the_consoles_own_lines_are_taken() {
+        assert_eq!(parse("1-2 arm", &themes()), None);
+        assert_eq!(parse("", &themes()), None);
+        assert_eq!(
+            parse(" theme  light ", &themes()),
+            Some(Ok(ConsoleLine::Theme("light".to_owned())))
+        );
+        assert_eq!(
+            parse("group @red 1-3", &themes()),
+            Some(Ok(ConsoleLine::Group { name: "red".to_owned(), targets: "1-3".to_owned() }))
+        );
+    }
+
+    #[test]
+    fn faults_point_at_the_word() {
+        let cases = [("theme drak", 6..10), ("quit now", 5..8), ("select", 6..6)];
+        for (line, span) in cases {
+            let fault = parse(line, &themes()).expect("its own").expect_err(line);
+            assert_eq!(fault.span, span, "{line}");
+            assert!(fault.help.is_some(), "{line}");
+        }
+    }
+
+    #[test]
+    fn words_complete_from_their_beginning() {
+        let texts = |line: &str| -> Vec<String> {
+            let found = complete(line, line.len(), &themes());
+            found.into_iter().map(|completion| completion.text).collect()
+        };
+        assert_eq!(texts("th"), ["theme"]);
+        assert_eq!(texts("theme l"), ["light"]);
+        assert_eq!(texts("1 th"), Vec::<String>::new());
+    }
+}

@@ -1,0 +1,40 @@
+//! What the shell has to do.
+
+use crate::commands::Command;
+use crate::language::Verb;
+use crate::ledger::EntryId;
+use crate::wire::SystemId;
+
+/// Work for the run loop.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Effect {
+    /// Leave the program.
+    Quit,
+    /// Give a command to vehicles; the ledger entry is open already.
+    Command {
+        /// Where the outcome belongs.
+        entry: EntryId,
+        /// The vehicles, sorted.
+        targets: Vec<SystemId>,
+        /// Its row of the verb table: retries and deadline.
+        verb: &'static Verb,
+        /// What to do.
+        command: Command,
+    },
+    /// Start a mission, by id.
+    StartMission(String),
+    /// Start free flight with simulated vehicles.
+    StartFree,
+    /// Connect to vehicles at these addresses.
+    Connect(Vec<String>),
+    /// End the mission now; its report follows as an event.
+    AbandonMission,
+    /// Start the same mission again.
+    RestartMission,
+    /// Stop what runs and drop its links; the state has forgotten it already.
+    LeaveSession,
+    /// Draw with this theme from now on, and remember it.
+    SetTheme(String),
+    /// Ring the terminal's bell.
+    Bell,
+}

@@ -1,0 +1,62 @@
+//! What happened.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crossterm::event::KeyEvent;
+
+use super::state::{Activity, LinkSummary};
+use crate::scoring::Report;
+use crate::geo::LatLon;
+use crate::ledger::RowUpdate;
+use crate::mission::Progress;
+use crate::notice::Notice;
+use crate::vehicle::Vehicle;
+use crate::wire::SystemId;
+
+/// Something that the console reacts to.
+#[derive(Debug, Clone)]
+pub enum Event {
+    /// A key was pressed (releases and repeats of modifiers are ignored).
+    Key(KeyEvent),
+    /// Text was pasted.
+    Paste(String),
+    /// The terminal has another size.
+    Resize,
+    /// Time passed; nothing else moves the console's clock.
+    Tick {
+        /// Since the start of the program.
+        now: Duration,
+    },
+    /// What was asked for runs: forget the session before it and show the new one.
+    Started(Box<Started>),
+    /// A vehicle's telemetry changed.
+    Vehicle(Box<Vehicle>),
+    /// A vehicle will not come back.
+    VehicleGone(SystemId),
+    /// Something to tell.
+    Notice(Notice),
+    /// So many notices were dropped so far because the console was busy.
+    NoticesDropped(u64),
+    /// A command came one step further with one vehicle.
+    Row(RowUpdate),
+    /// How the links are doing.
+    Links(Vec<LinkSummary>),
+    /// How the mission is going.
+    Mission(Box<Progress>),
+    /// The mission is over.
+    MissionEnded(Box<Report>),
+    /// The shell could not do something; the text says what, where, and what to do.
+    Failed(String),
+}
+
+/// A session that has just begun.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Started {
+    /// What is being done.
+    pub activity: Activity,
+    /// The places that commands may name.
+    pub places: BTreeMap<String, LatLon>,
+    /// Names of vehicles, where they have one.
+    pub names: BTreeMap<SystemId, String>,
+}

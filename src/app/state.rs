@@ -1,0 +1,236 @@
+//! Everything that the console shows. Only [`update`](super::update()) changes it; drawing reads it.
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::time::Duration;
+
+use crate::scoring::Report;
+use crate::language::Context;
+use crate::vehicle::{Severity, VehicleClass};
+use crate::wire::SystemId;
+
+mod alert;
+mod help;
+mod ids;
+mod notices;
+mod overlay;
+mod session;
+
+pub use super::keymap::Keymap;
+pub use alert::{Alert, alert};
+pub use help::{HelpLine, help_lines};
+pub use ids::{parse_ranges, ranges};
+pub use notices::{NoticeLine, NoticeLog};
+pub use overlay::{Confirm, Connect, Consequence, Order, Overlay, Palette};
+pub use session::{Activity, LinkSummary, Session};
+
+/// Lines of the command line's history kept.
+const HISTORY_KEPT: usize = 200;
+/// How long a message stays on the last line of the screen.
+const MESSAGE_LIFE: Duration = Duration::from_secs(8);
+
+/// The whole console.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// The program's clock.
+    pub now: Duration,
+    /// The room that is shown.
+    pub screen: Screen,
+    /// What lies over it.
+    pub overlay: Option<Overlay>,
+    /// What is being flown.
+    pub session: Session,
+    /// What was said.
+    pub notices: NoticeLog,
+    /// The missions on offer.
+    pub missions: Vec<MissionListing>,
+    /// The names of the themes on offer.
+    pub themes: Vec<String>,
+    /// The name of the theme in use.
+    pub theme: String,
+    /// What the keys do.
+    pub keymap: Keymap,
+    /// Lines given before, oldest first.
+    pub history: VecDeque<String>,
+    /// The last answer of the console itself.
+    message: Option<Message>,
+    revision: u64,
+}
+
+/// A room of the console, with what only this room needs.
+#[derive(Debug, Clone)]
+pub enum Screen {
+    /// Where to begin.
+    Home {
+        /// The line under the cursor: the missions first, then [`HomeItem`]s.
+        cursor: usize,
+    },
+    /// The swarm in flight.
+    Fly {
+        /// The vehicle list that is being typed, `3-9`; empty if none.
+        typed: String,
+    },
+    /// What the flight was worth.
+    Debrief {
+        /// The result.
+        report: Box<Report>,
+        /// The same as text, line by line.
+        lines: Vec<String>,
+        /// The first line shown.
+        scroll: usize,
+        /// When it opened: keys that were meant for the flight must not close it.
+        since: Duration,
+    },
+}
+
+impl Screen {
+    /// The name that the header shows.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Home { .. } => "HOME",
+            Self::Fly { .. } => "FLY",
+            Self::Debrief { .. } => "DEBRIEF",
+        }
+    }
+}
+
+/// What the home screen offers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HomeItem {
+    /// The mission at this place of [`State::missions`].
+    Mission(usize),
+    /// Fly without a task.
+    Free,
+    /// Connect to vehicles elsewhere.
+    Connect,
+    /// Leave the program.
+    Quit,
+}
+
+/// A mission on offer.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MissionListing {
+    /// Its id.
+    pub id: String,
+    /// Its name.
+    pub title: String,
+    /// What the trainee is told before.
+    pub brief: String,
+}
+
+/// The console's own answer to something, shown for a while on the last line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Message {
+    /// What it says.
+    pub text: String,
+    /// How serious it is.
+    pub severity: Severity,
+    at: Duration,
+}
+
+impl State {
+    /// The home screen of a console that has just started.
+    pub fn new(missions: Vec<MissionListing>, themes: Vec<String>, theme: String) -> Self {
+        Self {
+            now: Duration::ZERO,
+            screen: Screen::Home { cursor: 0 },
+            overlay: None,
+            session: Session::default(),
+            notices: NoticeLog::default(),
+            missions,
+            themes,
+            theme,
+            keymap: Keymap::default(),
+            history: VecDeque::new(),
+            message: None,
+            revision: 0,
+        }
+    }
+
+    /// A number that moves whenever something visible may have changed.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Marks the screen as changed.
+    pub fn touch(&mut self) {
+        self.revision += 1;
+    }
+
+    /// What the home screen offers, from the top.
+    pub fn home_items(&self) -> Vec<HomeItem> {
+        let missions = (0..self.missions.len()).map(HomeItem::Mission);
+        let others = [HomeItem::Free, HomeItem::Connect, HomeItem::Quit];
+        missions.chain(others).collect()
+    }
+
+    /// The message that is still fresh.
+    pub fn message(&self) -> Option<&Message> {
+        self.message
+            .as_ref()
+            .filter(|message| self.now.saturating_sub(message.at) < MESSAGE_LIFE)
+    }
+
+    /// Answers the user on the last line.
+    pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
+        self.message = Some(Message {
+            text: text.into(),
+            severity,
+            at: self.now,
+        });
+    }
+
+    /// Takes the message back.
+    pub fn hush(&mut self) {
+        self.message = None;
+    }
+
+    /// The vehicles that a command without targets goes to: the selection, else the one under the cursor.
+    pub fn addressed(&self) -> Vec<SystemId> {
+        if self.session.selection.is_empty() {
+            self.session.cursor.into_iter().collect()
+        } else {
+            self.session.selection.iter().copied().collect()
+        }
+    }
+
+    /// Runs `work` with what the grammar has to know: groups, places, vehicles.
+    pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
+        let vehicles: Vec<SystemId> = self.session.vehicles.keys().copied().collect();
+        work(&Context {
+            groups: &self.session.groups,
+            places: &self.session.places,
+            vehicles: &vehicles,
+            class: self.class(),
+        })
+    }
+
+    /// Keeps a line that was given, once.
+    pub fn remember(&mut self, line: &str) {
+        self.history.retain(|known| known != line);
+        self.history.push_back(line.to_owned());
+        if self.history.len() > HISTORY_KEPT {
+            self.history.pop_front();
+        }
+    }
+
+    /// The listing of the mission that is being flown.
+    pub fn flown_mission(&self) -> Option<&MissionListing> {
+        let Some(Activity::Mission { id, .. }) = &self.session.activity else {
+            return None;
+        };
+        self.missions.iter().find(|mission| mission.id == *id)
+    }
+
+    /// The class whose modes a command line may name: that of the first vehicle it would go to.
+    fn class(&self) -> VehicleClass {
+        let first = self.addressed().first().copied();
+        let vehicle = first.and_then(|id| self.session.vehicles.get(&id));
+        let heartbeat = vehicle.and_then(|vehicle| vehicle.heartbeat);
+        heartbeat.map_or(VehicleClass::Copter, |heartbeat| heartbeat.class)
+    }
+}
+
+/// The selected vehicles.
+pub type Selection = BTreeSet<SystemId>;
+/// Named groups of vehicles.
+pub type Groups = BTreeMap<String, Vec<SystemId>>;

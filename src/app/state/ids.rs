@@ -1,0 +1,64 @@
+//! Sets of vehicles as people write them: `1-4,7`.
+
+use crate::wire::SystemId;
+
+/// Ids as ranges, `1-4,7`; two neighbours stay apart (`1,2`). The ids have to be sorted.
+pub fn ranges(ids: impl IntoIterator<Item = SystemId>) -> String {
+    let mut runs: Vec<(SystemId, SystemId)> = Vec::new();
+    for id in ids {
+        match runs.last_mut() {
+            Some((_, last)) if last.checked_add(1) == Some(id) => *last = id,
+            _ => runs.push((id, id)),
+        }
+    }
+    let words = runs.into_iter().map(|(first, last)| match last - first {
+        0 => first.to_string(),
+        1 => format!("{first},{last}"),
+        _ => format!("{first}-{last}"),
+    });
+    words.collect::<Vec<_>>().join(",")
+}
+
+/// Reads what [`ranges`] writes, in any order.
+///
+/// # Errors
+/// Plain words when a part is neither a number from 1 to 255 nor a range of them.
+pub fn parse_ranges(text: &str) -> Result<Vec<SystemId>, String> {
+    let mut ids = Vec::new();
+    for part in text.split(',') {
+        let (first, last) = part.split_once('-').unwrap_or((part, part));
+        let number = |word: &str| match word.trim().parse::<SystemId>() {
+            Ok(id) if id > 0 => Ok(id),
+            _ => Err(format!("`{part}` is no vehicle: write 3, 3-9 or 1,4-6")),
+        };
+        let (first, last) = (number(first)?, number(last)?);
+        ids.extend(first.min(last)..=first.max(last));
+    }
+    ids.sort_unstable();
+    ids.dedup();
+    Ok(ids)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn ranges_are_short_and_exact() {
+        assert_eq!(ranges([1, 2, 3, 4, 7, 9, 10, 255]), "1-4,7,9,10,255");
+        assert_eq!(ranges([]), "");
+        assert_eq!(parse_ranges("9-7,1"), Ok(vec![1, 7, 8, 9]));
+        for wrong in ["", "0", "256", "1-", "1,,2", "a", "-3"] {
+            assert!(parse_ranges(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_written_reads_back(ids in proptest::collection::btree_set(1u8.., 1..40)) {
+            let ids: Vec<_> = ids.into_iter().collect();
+            prop_assert_eq!(parse_ranges(&ranges(ids.clone())), Ok(ids));
+        }
+    }
+}

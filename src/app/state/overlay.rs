@@ -1,0 +1,98 @@
+//! What can lie over a screen; one at a time.
+
+use tui_input::Input;
+
+use crate::app::effect::Effect;
+use crate::commands::Command;
+use crate::diagnostic::Diagnostic;
+use crate::language::{Completion, Verb};
+use crate::wire::SystemId;
+
+/// An overlay. It takes the keys while it is there.
+#[derive(Debug, Clone)]
+pub enum Overlay {
+    /// The command line.
+    Palette(Palette),
+    /// A question before something dangerous.
+    Confirm(Confirm),
+    /// The prompt for addresses.
+    Connect(Connect),
+    /// Keys and verbs.
+    Help {
+        /// The first line shown.
+        scroll: usize,
+    },
+    /// What the links count.
+    Links,
+    /// The mission's brief.
+    Brief,
+}
+
+/// The command line while it is being written.
+#[derive(Debug, Clone, Default)]
+pub struct Palette {
+    /// The line and its cursor.
+    pub input: Input,
+    /// What could stand at the cursor, best first.
+    pub completions: Vec<Completion>,
+    /// The completion that Tab has put in.
+    pub chosen: Option<usize>,
+    /// To whom the line goes as it stands; empty where it goes to nobody.
+    pub recipients: String,
+    /// The usage of the verb, or what comes next.
+    pub hint: Option<String>,
+    /// What was wrong when the line was given.
+    pub fault: Option<Diagnostic>,
+    /// The line before Tab was pressed first.
+    pub before_tab: String,
+    /// Which line of the history is shown, counted from the newest.
+    pub history_at: Option<usize>,
+    /// The line that was being written before the history was looked through.
+    pub draft: String,
+}
+
+/// A question that only its answer confirms; any other key takes the thing back.
+#[derive(Debug, Clone)]
+pub struct Confirm {
+    /// What would happen, and to whom: `KILL 3: 1 3 5`.
+    pub question: String,
+    /// Why it is asked.
+    pub reason: String,
+    /// What has to be typed.
+    pub answer: String,
+    /// What has been typed of it.
+    pub typed: String,
+    /// What then happens.
+    pub then: Consequence,
+}
+
+/// What a confirmed question leads to.
+#[derive(Debug, Clone)]
+pub enum Consequence {
+    /// A command goes out.
+    Order(Order),
+    /// The shell does something.
+    Effect(Effect),
+}
+
+/// A command with its targets, ready to go out.
+#[derive(Debug, Clone)]
+pub struct Order {
+    /// The whole line, with its targets.
+    pub line: String,
+    /// The vehicles, sorted.
+    pub targets: Vec<SystemId>,
+    /// Its row of the verb table.
+    pub verb: &'static Verb,
+    /// What to do.
+    pub command: Command,
+}
+
+/// The prompt for addresses.
+#[derive(Debug, Clone, Default)]
+pub struct Connect {
+    /// Addresses with blanks between them.
+    pub input: Input,
+    /// What was wrong with them.
+    pub fault: Option<String>,
+}

@@ -1,0 +1,165 @@
+//! What is being flown: forgotten as a whole when the session ends.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::{Groups, Selection};
+use crate::geo::LatLon;
+use crate::ledger::{Entry, EntryId, Ledger, Row};
+use crate::mission::Progress;
+use crate::vehicle::{Vehicle, VehicleClass};
+use crate::wire::SystemId;
+
+/// A session.
+#[derive(Debug, Clone, Default)]
+pub struct Session {
+    /// What is being done; `None` between sessions.
+    pub activity: Option<Activity>,
+    /// The vehicles, as their telemetry said last.
+    pub vehicles: BTreeMap<SystemId, Vehicle>,
+    /// Names of vehicles, where they have one.
+    pub names: BTreeMap<SystemId, String>,
+    /// The vehicles that commands go to; none selected means the one under the cursor.
+    pub selection: Selection,
+    /// The vehicle under the cursor.
+    pub cursor: Option<SystemId>,
+    /// All commands of the session.
+    pub ledger: Ledger,
+    /// The links, in the order of their addresses.
+    pub links: Vec<LinkSummary>,
+    /// The mission's progress, if one is flown.
+    pub mission: Option<Progress>,
+    /// The groups that commands may name.
+    pub groups: Groups,
+    /// The places that commands may name.
+    pub places: BTreeMap<String, LatLon>,
+    /// The newest entry of the ledger for each vehicle.
+    latest: BTreeMap<SystemId, EntryId>,
+}
+
+/// What a session is about.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Activity {
+    /// A mission with the given id.
+    Mission {
+        /// Its id.
+        id: String,
+        /// Its name.
+        title: String,
+    },
+    /// Simulated vehicles without a task.
+    Free,
+    /// Vehicles elsewhere.
+    Connected {
+        /// Where they are.
+        addresses: Vec<String>,
+    },
+}
+
+impl Activity {
+    /// What the header says.
+    pub fn title(&self) -> String {
+        match self {
+            Self::Mission { title, .. } => title.clone(),
+            Self::Free => "free flight".to_owned(),
+            Self::Connected { addresses } => addresses.join(" "),
+        }
+    }
+}
+
+/// What a link counts.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LinkSummary {
+    /// Its address.
+    pub name: String,
+    /// Its state in words, such as `up` or `retry in 4 s`.
+    pub state: String,
+    /// Whether it carries data.
+    pub up: bool,
+    /// Bytes per second received.
+    pub bytes_in_per_s: f64,
+    /// Bytes per second sent.
+    pub bytes_out_per_s: f64,
+    /// Messages per second received.
+    pub messages_in_per_s: f64,
+    /// Messages per second sent.
+    pub messages_out_per_s: f64,
+    /// Frames dropped for their checksum.
+    pub bad_crc: u64,
+    /// Bytes skipped to find the next frame.
+    pub skipped_bytes: u64,
+    /// Frames missing by sequence numbers.
+    pub lost: u64,
+    /// Messages that the dialect does not have.
+    pub unknown: u64,
+    /// Round trip by TIMESYNC.
+    pub round_trip: Option<Duration>,
+}
+
+impl Session {
+    /// A session that has just begun.
+    pub fn new(
+        activity: Activity,
+        places: BTreeMap<String, LatLon>,
+        names: BTreeMap<SystemId, String>,
+    ) -> Self {
+        Self {
+            activity: Some(activity),
+            places,
+            names,
+            ..Self::default()
+        }
+    }
+
+    /// Opens a ledger entry.
+    pub fn open(&mut self, at: Duration, line: &str, verb: &str, targets: &[SystemId]) -> EntryId {
+        let entry = self.ledger.open(at, line, verb, targets);
+        for &id in targets {
+            self.latest.insert(id, entry);
+        }
+        entry
+    }
+
+    /// The newest command to a vehicle, with how it went there.
+    pub fn latest(&self, vehicle: SystemId) -> Option<(&Entry, &Row)> {
+        let entry = self.ledger.entry(*self.latest.get(&vehicle)?)?;
+        let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
+        Some((entry, row))
+    }
+
+    /// What a vehicle is called: its name, else what it is.
+    pub fn name(&self, vehicle: &Vehicle) -> &str {
+        if let Some(name) = self.names.get(&vehicle.id) {
+            return name;
+        }
+        match vehicle.heartbeat.map(|heartbeat| heartbeat.class) {
+            Some(VehicleClass::Copter) => "copter",
+            Some(VehicleClass::Plane) => "plane",
+            Some(VehicleClass::Rover) => "rover",
+            Some(VehicleClass::Sub) => "sub",
+            Some(VehicleClass::Other) | None => "vehicle",
+        }
+    }
+
+    /// How many vehicles are armed.
+    pub fn armed(&self) -> usize {
+        self.vehicles.values().filter(|vehicle| vehicle.armed()).count()
+    }
+
+    /// The place of the cursor in the list of vehicles.
+    pub fn cursor_row(&self) -> usize {
+        self.cursor
+            .map_or(0, |cursor| self.vehicles.range(..cursor).count())
+    }
+
+    /// Puts the cursor on a row of the list.
+    pub fn set_cursor_row(&mut self, row: usize) {
+        let id = self.vehicles.keys().nth(row).copied();
+        self.cursor = id.or(self.cursor);
+    }
+
+    /// The vehicle under the cursor.
+    pub fn under_cursor(&self) -> Option<&Vehicle> {
+        self.vehicles.get(&self.cursor?)
+    }
+}

@@ -1,0 +1,153 @@
+//! Keys: to the overlay if there is one, else through the keymap.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use std::time::Duration;
+use tui_input::{Input, InputRequest};
+
+use super::{act, order, palette};
+use crate::app::action::Action;
+use crate::app::effect::Effect;
+use crate::app::keymap::Place;
+use crate::app::state::{Confirm, Connect, Overlay, Screen, State};
+use crate::notice::sanitised;
+use crate::vehicle::Severity;
+
+/// Keys pressed so soon after the debrief has opened were meant for the flight.
+const DEBRIEF_DEAF: Duration = Duration::from_secs(1);
+
+pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
+    if key.kind == KeyEventKind::Release {
+        return Vec::new();
+    }
+    match state.overlay.take() {
+        Some(Overlay::Palette(line)) => palette::key(state, line, key),
+        Some(Overlay::Confirm(question)) => confirm(state, question, key),
+        Some(Overlay::Connect(prompt)) => connect(state, prompt, key),
+        Some(reader) => read(state, reader, key),
+        None => on_screen(state, key),
+    }
+}
+
+pub fn paste(state: &mut State, text: &str) {
+    let first_line = text.lines().next().unwrap_or_default();
+    let text = sanitised(first_line);
+    match state.overlay.take() {
+        Some(Overlay::Palette(mut line)) => {
+            insert(&mut line.input, &text);
+            palette::edited(state, line);
+        }
+        Some(Overlay::Connect(mut prompt)) => {
+            insert(&mut prompt.input, &text);
+            state.overlay = Some(Overlay::Connect(prompt));
+        }
+        other => state.overlay = other,
+    }
+}
+
+/// Applies a key to a line of text; false if it is no editing key.
+pub fn edit(input: &mut Input, key: KeyEvent) -> bool {
+    let control = key.modifiers.contains(KeyModifiers::CONTROL);
+    let alt = key.modifiers.contains(KeyModifiers::ALT);
+    let request = match key.code {
+        KeyCode::Char('a') if control => InputRequest::GoToStart,
+        KeyCode::Char('e') if control => InputRequest::GoToEnd,
+        KeyCode::Char('u') if control => InputRequest::DeleteFromStart,
+        KeyCode::Char('k') if control => InputRequest::DeleteTillEnd,
+        KeyCode::Char('w') if control => InputRequest::DeletePrevWord,
+        KeyCode::Char(c) if !control && !alt && !c.is_control() => InputRequest::InsertChar(c),
+        KeyCode::Backspace if control || alt => InputRequest::DeletePrevWord,
+        KeyCode::Backspace => InputRequest::DeletePrevChar,
+        KeyCode::Delete => InputRequest::DeleteNextChar,
+        KeyCode::Left if control => InputRequest::GoToPrevWord,
+        KeyCode::Right if control => InputRequest::GoToNextWord,
+        KeyCode::Left => InputRequest::GoToPrevChar,
+        KeyCode::Right => InputRequest::GoToNextChar,
+        KeyCode::Home => InputRequest::GoToStart,
+        KeyCode::End => InputRequest::GoToEnd,
+        _ => return false,
+    };
+    input.handle(request);
+    true
+}
+
+fn insert(input: &mut Input, text: &str) {
+    for c in text.chars() {
+        input.handle(InputRequest::InsertChar(c));
+    }
+}
+
+fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
+    let place = match &state.screen {
+        Screen::Home { .. } => Place::Home,
+        Screen::Fly { .. } => Place::Fly,
+        Screen::Debrief { since, .. } => {
+            if state.now.saturating_sub(*since) < DEBRIEF_DEAF {
+                return Vec::new();
+            }
+            Place::Debrief
+        }
+    };
+    match state.keymap.resolve(key, place) {
+        Some(action) => act::act(state, action),
+        None => Vec::new(),
+    }
+}
+
+/// Only the exact answer confirms; any other key means no.
+fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effect> {
+    if let KeyCode::Char(c) = key.code
+        && !key.modifiers.contains(KeyModifiers::CONTROL)
+    {
+        question.typed.push(c);
+        if question.typed == question.answer {
+            return order::carry_out(state, question.then);
+        }
+        if question.answer.starts_with(&question.typed) {
+            state.overlay = Some(Overlay::Confirm(question));
+            return Vec::new();
+        }
+    }
+    let text = format!("cancelled, nothing was done: {}", question.question);
+    state.say(Severity::Notice, text);
+    Vec::new()
+}
+
+fn connect(state: &mut State, mut prompt: Connect, key: KeyEvent) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    match state.keymap.resolve(key, Place::Prompt) {
+        Some(Action::Escape) => return effects,
+        Some(Action::Submit) => {
+            let addresses = prompt.input.value().split_whitespace();
+            let addresses: Vec<String> = addresses.map(str::to_owned).collect();
+            if addresses.is_empty() {
+                prompt.fault = Some("write an address, such as tcp:127.0.0.1:5760".to_owned());
+            } else {
+                // The prompt stays until the session has started, or says here why it could not.
+                prompt.fault = None;
+                effects.push(Effect::Connect(addresses));
+            }
+        }
+        _ => {
+            if edit(&mut prompt.input, key) {
+                prompt.fault = None;
+            }
+        }
+    }
+    state.overlay = Some(Overlay::Connect(prompt));
+    effects
+}
+
+fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
+    match state.keymap.resolve(key, Place::Reader) {
+        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Move(step)) => {
+            if let Overlay::Help { scroll } = &mut reader {
+                let count = crate::app::state::help_lines(&state.keymap).len();
+                *scroll = step.apply(*scroll, count);
+            }
+        }
+        _ => {}
+    }
+    state.overlay = Some(reader);
+    Vec::new()
+}

@@ -1,0 +1,97 @@
+//! From a line to the vehicles: targets, the question before something dangerous, the ledger.
+
+use super::act;
+use crate::app::effect::Effect;
+use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
+use crate::diagnostic::Diagnostic;
+use crate::language::{self, Action, Danger, Statement, Targets};
+use crate::wire::SystemId;
+
+/// Up to so many targets are named one by one.
+const NAMED_TARGETS: usize = 12;
+
+/// Reads a command line and finds its targets.
+pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
+    state.with_context(|context| {
+        let statement = language::parse(line, context)?;
+        let selection = state.addressed();
+        let targets = statement
+            .targets
+            .resolve(&selection, context)
+            .map_err(|text| Diagnostic::new(first_word(line), text))?;
+        if targets.is_empty() {
+            let text = "there is no vehicle that this could go to";
+            return Err(Diagnostic::new(first_word(line), text));
+        }
+        order(line, statement, targets)
+    })
+}
+
+/// Sends a command off, or asks before a dangerous one.
+pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
+    if order.verb.danger == Danger::None {
+        return carry_out(state, Consequence::Order(order));
+    }
+    let count = order.targets.len();
+    let named = if count > NAMED_TARGETS {
+        ranges(order.targets.iter().copied())
+    } else {
+        let ids = order.targets.iter().map(SystemId::to_string);
+        ids.collect::<Vec<_>>().join(" ")
+    };
+    state.overlay = Some(Overlay::Confirm(Confirm {
+        question: format!("{} {count}: {named}", order.verb.name.to_uppercase()),
+        reason: order.verb.summary.to_owned(),
+        answer: count.to_string(),
+        typed: String::new(),
+        then: Consequence::Order(order),
+    }));
+    Vec::new()
+}
+
+/// Does what was confirmed, or needed no question.
+pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
+    let order = match consequence {
+        Consequence::Order(order) => order,
+        Consequence::Effect(effect) => {
+            if effect == Effect::LeaveSession {
+                act::go_home(state);
+            }
+            return vec![effect];
+        }
+    };
+    let now = state.now;
+    let entry = state.session.open(now, &order.line, order.verb.name, &order.targets);
+    vec![Effect::Command {
+        entry,
+        targets: order.targets,
+        verb: order.verb,
+        command: order.command,
+    }]
+}
+
+fn order(line: &str, statement: Statement, targets: Vec<SystemId>) -> Result<Order, Diagnostic> {
+    let Action::Command { verb, command } = statement.action else {
+        let start = line.find("wait").unwrap_or(0);
+        let end = (start + "wait".len()).min(line.len());
+        return Err(Diagnostic::new(start..end, "`wait` is for pilot scripts")
+            .with_help("the console never waits: give the next command when you see fit"));
+    };
+    // The ledger has to say to whom the command went, also after the selection has changed.
+    let line = match statement.targets {
+        Targets::Selection => format!("{} {}", ranges(targets.iter().copied()), statement.line),
+        _ => statement.line,
+    };
+    Ok(Order {
+        line,
+        targets,
+        verb,
+        command,
+    })
+}
+
+fn first_word(line: &str) -> std::ops::Range<usize> {
+    let start = line.len() - line.trim_start().len();
+    let length = line[start..].find(char::is_whitespace);
+    start..length.map_or(line.trim_end().len(), |length| start + length)
+}

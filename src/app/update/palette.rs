@@ -1,0 +1,240 @@
+//! The command line.
+
+use crossterm::event::KeyEvent;
+use tui_input::Input;
+
+use super::{act, keys, order};
+use crate::app::action::Action;
+use crate::app::console::{self, ConsoleLine, Deed};
+use crate::app::effect::Effect;
+use crate::app::keymap::Place;
+use crate::app::state::{Overlay, Palette, State, parse_ranges, ranges};
+use crate::diagnostic::Diagnostic;
+use crate::language;
+use crate::vehicle::Severity;
+use crate::wire::SystemId;
+
+/// Opens the command line with a text in it.
+pub fn open(state: &mut State, line: String) {
+    let palette = Palette {
+        input: Input::new(line),
+        ..Palette::default()
+    };
+    edited(state, palette);
+}
+
+/// A key while the command line is open.
+pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Vec<Effect> {
+    match state.keymap.resolve(key, Place::Prompt) {
+        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Submit) => return submit(state, palette),
+        Some(Action::Complete) => complete(state, palette, true),
+        Some(Action::CompleteBack) => complete(state, palette, false),
+        Some(Action::Older) => browse(state, palette, true),
+        Some(Action::Newer) => browse(state, palette, false),
+        _ => {
+            if keys::edit(&mut palette.input, key) {
+                palette.history_at = None;
+                edited(state, palette);
+            } else {
+                state.overlay = Some(Overlay::Palette(palette));
+            }
+        }
+    }
+    Vec::new()
+}
+
+/// The line has changed: what could stand there now?
+pub fn edited(state: &mut State, mut palette: Palette) {
+    let line = palette.input.value().to_owned();
+    let cursor = byte_cursor(&palette.input);
+    palette.fault = None;
+    palette.chosen = None;
+    palette.recipients = recipients(state, &line);
+    palette.hint = console::usage(&line)
+        .map(str::to_owned)
+        .or_else(|| state.with_context(|context| language::hint(&line, context)));
+    let mut found = state.with_context(|context| language::complete(&line, cursor, context));
+    found.extend(console::complete(&line, cursor, &state.themes));
+    // Words that begin as typed come before words that only contain the letters.
+    found.sort_by_key(|completion| {
+        let typed = line.get(completion.replaces.clone()).unwrap_or_default();
+        !completion.text.starts_with(typed)
+    });
+    palette.completions = found;
+    palette.before_tab = line;
+    state.overlay = Some(Overlay::Palette(palette));
+}
+
+fn byte_cursor(input: &Input) -> usize {
+    let at = input.value().char_indices().nth(input.cursor());
+    at.map_or(input.value().len(), |(at, _)| at)
+}
+
+/// Puts the next (or previous) choice in; with a single one, goes on to the next word.
+fn complete(state: &mut State, mut palette: Palette, forward: bool) {
+    let count = palette.completions.len();
+    if count == 0 {
+        state.overlay = Some(Overlay::Palette(palette));
+        return;
+    }
+    let next = match palette.chosen {
+        Some(at) if forward => (at + 1) % count,
+        Some(at) => (at + count - 1) % count,
+        None if forward => 0,
+        None => count - 1,
+    };
+    let completion = &palette.completions[next];
+    let line = &palette.before_tab;
+    let head = line.get(..completion.replaces.start).unwrap_or(line);
+    let tail = line.get(completion.replaces.end..).unwrap_or_default();
+    let gap = if tail.starts_with(' ') { "" } else { " " };
+    let start = format!("{head}{}{gap}", completion.text);
+    let cursor = start.chars().count();
+    palette.input = Input::new(format!("{start}{tail}")).with_cursor(cursor);
+    palette.fault = None;
+    if count == 1 {
+        edited(state, palette);
+    } else {
+        palette.chosen = Some(next);
+        state.overlay = Some(Overlay::Palette(palette));
+    }
+}
+
+fn browse(state: &mut State, mut palette: Palette, older: bool) {
+    let count = state.history.len();
+    let at = match (palette.history_at, older) {
+        (None, true) if count > 0 => Some(0),
+        (Some(at), true) => Some((at + 1).min(count.saturating_sub(1))),
+        (Some(at), false) => at.checked_sub(1),
+        (None, _) => {
+            state.overlay = Some(Overlay::Palette(palette));
+            return;
+        }
+    };
+    if palette.history_at.is_none() {
+        palette.draft = palette.input.value().to_owned();
+    }
+    palette.history_at = at;
+    let shown = at.and_then(|at| state.history.iter().rev().nth(at));
+    palette.input = Input::new(shown.cloned().unwrap_or_else(|| palette.draft.clone()));
+    edited(state, palette);
+}
+
+fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
+    let line = palette.input.value().to_owned();
+    if line.trim().is_empty() {
+        return Vec::new();
+    }
+    match carry_out(state, &line) {
+        Ok(effects) => {
+            state.remember(line.trim());
+            effects
+        }
+        Err(fault) => {
+            // The line stays as it was written, with the wrong word marked.
+            let palette = Palette {
+                fault: Some(fault),
+                ..palette
+            };
+            state.overlay = Some(Overlay::Palette(palette));
+            Vec::new()
+        }
+    }
+}
+
+fn carry_out(state: &mut State, line: &str) -> Result<Vec<Effect>, Diagnostic> {
+    match console::parse(line, &state.themes) {
+        Some(own) => console_line(state, line, own?),
+        None => {
+            let order = order::prepare(state, line)?;
+            Ok(order::give(state, order))
+        }
+    }
+}
+
+fn console_line(
+    state: &mut State,
+    line: &str,
+    own: ConsoleLine,
+) -> Result<Vec<Effect>, Diagnostic> {
+    let at_last_word = |text: String| {
+        let end = line.trim_end().len();
+        let start = line[..end].rfind(char::is_whitespace).map_or(0, |at| at + 1);
+        Diagnostic::new(start..end, text)
+    };
+    match own {
+        ConsoleLine::Select(targets) => {
+            let ids = targeted(state, &targets).map_err(at_last_word)?;
+            act::select(state, &ids);
+        }
+        ConsoleLine::Group { name, targets } => {
+            let ids = targeted(state, &targets).map_err(at_last_word)?;
+            group(state, name, ids).map_err(at_last_word)?;
+        }
+        ConsoleLine::Theme(name) => {
+            state.theme.clone_from(&name);
+            return Ok(vec![Effect::SetTheme(name)]);
+        }
+        ConsoleLine::Plain(deed) => return Ok(plain(state, deed)),
+    }
+    Ok(Vec::new())
+}
+
+fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
+    match deed {
+        Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
+        Deed::Links => state.overlay = Some(Overlay::Links),
+        Deed::Brief => act::brief(state),
+        Deed::Abandon => return act::abandon(state),
+        Deed::Restart => return act::restart(state),
+        Deed::Leave => return act::leave(state),
+        Deed::Quit => return act::quit(state),
+    }
+    Vec::new()
+}
+
+fn group(state: &mut State, name: String, ids: Vec<SystemId>) -> Result<(), String> {
+    let word = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
+    if name.is_empty() || !name.chars().all(word) {
+        return Err(format!("`{name}` is no name: use letters, digits, - and _"));
+    }
+    if ids.is_empty() {
+        return Err("there is no vehicle to put into the group".to_owned());
+    }
+    let members = ranges(ids.iter().copied());
+    state.say(Severity::Notice, format!("@{name} is now {members}"));
+    state.session.groups.insert(name, ids);
+    Ok(())
+}
+
+/// To whom a line goes as far as it has been written: it should never be a guess.
+fn recipients(state: &State, line: &str) -> String {
+    let first = line.split_whitespace().next().unwrap_or_default();
+    let named = first == "all" || first.starts_with(|c: char| c == '@' || c.is_ascii_digit());
+    if console::usage(line).is_some() || state.session.vehicles.is_empty() {
+        return String::new();
+    }
+    if named {
+        let ids = targeted(state, first).unwrap_or_default();
+        return if ids.is_empty() { String::new() } else { format!("to {}", ranges(ids)) };
+    }
+    let why = if state.session.selection.is_empty() { "under the cursor" } else { "selected" };
+    format!("to {} ({why})", ranges(state.addressed()))
+}
+
+/// The vehicles that a word names; nothing means those that a command would go to.
+fn targeted(state: &State, word: &str) -> Result<Vec<SystemId>, String> {
+    match word {
+        "" => Ok(state.addressed()),
+        "none" => Ok(Vec::new()),
+        "all" => Ok(state.session.vehicles.keys().copied().collect()),
+        _ => match word.strip_prefix('@') {
+            Some(name) => {
+                let members = state.session.groups.get(name).cloned();
+                members.ok_or_else(|| format!("no group is named `{name}`"))
+            }
+            None => parse_ranges(word),
+        },
+    }
+}

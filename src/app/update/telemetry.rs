@@ -1,0 +1,102 @@
+//! What comes from the shell: time, vehicles, notices, the mission's course.
+
+use std::time::Duration;
+
+use crate::app::effect::Effect;
+use crate::app::event::Started;
+use crate::app::state::{Overlay, Screen, Session, State};
+use crate::debrief;
+use crate::mission::Progress;
+use crate::notice::{Notice, sanitised};
+use crate::scoring::Report;
+use crate::vehicle::{Severity, Vehicle};
+use crate::wire::SystemId;
+
+pub fn tick(state: &mut State, now: Duration) {
+    // The clock shows seconds, and messages live for whole seconds: nothing else on the screen depends on time.
+    let visible = now.as_secs() != state.now.as_secs();
+    state.now = now;
+    if visible {
+        state.touch();
+    }
+}
+
+/// A snapshot that arrives after its session has ended belongs to nobody.
+pub fn vehicle(state: &mut State, vehicle: Vehicle) {
+    let session = &mut state.session;
+    if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&vehicle) {
+        return;
+    }
+    session.cursor.get_or_insert(vehicle.id);
+    session.vehicles.insert(vehicle.id, vehicle);
+    state.touch();
+}
+
+pub fn gone(state: &mut State, id: SystemId) {
+    let session = &mut state.session;
+    let row = session.cursor_row();
+    session.vehicles.remove(&id);
+    session.selection.remove(&id);
+    if session.cursor == Some(id) {
+        session.cursor = None;
+        let last = session.vehicles.len().saturating_sub(1);
+        session.set_cursor_row(row.min(last));
+    }
+}
+
+pub fn started(state: &mut State, started: Started) {
+    let mut session = Session::new(started.activity, started.places, started.names);
+    if session.activity == state.session.activity {
+        session.groups = std::mem::take(&mut state.session.groups);
+    }
+    state.session = session;
+    state.screen = Screen::Fly {
+        typed: String::new(),
+    };
+    state.overlay = None;
+    state.hush();
+}
+
+pub fn notice(state: &mut State, notice: Notice) -> Vec<Effect> {
+    let serious = notice.severity <= Severity::Critical;
+    state.notices.push(Notice {
+        text: sanitised(&notice.text),
+        ..notice
+    });
+    if serious { vec![Effect::Bell] } else { Vec::new() }
+}
+
+pub fn progress(state: &mut State, progress: Progress) {
+    if state.session.activity.is_some() {
+        state.session.mission = Some(progress);
+    }
+}
+
+/// Shows the debrief. The command line stays open over it, or the rest of a line that is being typed
+/// would be taken as keys of the debrief.
+pub fn ended(state: &mut State, report: Box<Report>) {
+    let text = debrief::text(&report);
+    state.screen = Screen::Debrief {
+        lines: text.lines().map(sanitised).collect(),
+        report,
+        scroll: 0,
+        since: state.now,
+    };
+    if !matches!(state.overlay, Some(Overlay::Palette(_))) {
+        state.overlay = None;
+    }
+}
+
+pub fn failed(state: &mut State, text: &str) {
+    let text = sanitised(text);
+    if let Some(Overlay::Connect(connect)) = &mut state.overlay {
+        connect.fault = Some(text.clone());
+    }
+    state.say(Severity::Error, text.clone());
+    state.notices.push(Notice {
+        at: state.now,
+        vehicle: None,
+        severity: Severity::Error,
+        text,
+    });
+}

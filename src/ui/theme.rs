@@ -1,0 +1,157 @@
+//! Themes: what the roles of the console look like. A widget asks for a role ("warning"), never for a
+//! colour; a theme file gives each role a style and may inherit the rest from another theme.
+
+use std::collections::BTreeMap;
+
+use ratatui::style::{Color, Modifier, Style};
+
+use crate::diagnostic::Diagnostic;
+
+mod colour;
+mod file;
+
+pub use colour::ColourDepth;
+
+/// The themes that are part of the program: name and file.
+const EMBEDDED: [(&str, &str); 4] = [
+    ("dark", include_str!("../../themes/dark.toml")),
+    ("light", include_str!("../../themes/light.toml")),
+    ("high-contrast", include_str!("../../themes/high-contrast.toml")),
+    ("monochrome", include_str!("../../themes/monochrome.toml")),
+];
+
+/// What a piece of the screen means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Role {
+    /// Ordinary text, and the background of everything.
+    Text,
+    /// Labels, units and whatever else may stay in the background.
+    Muted,
+    /// Names of panes and columns.
+    Title,
+    /// Rules between panes.
+    Border,
+    /// What deserves a second look without being good or bad.
+    Accent,
+    /// The first line of the screen.
+    Header,
+    /// Names of keys.
+    Key,
+    /// The line under the cursor.
+    Cursor,
+    /// Selected vehicles.
+    Selected,
+    /// Works, done.
+    Ok,
+    /// Plain news.
+    Info,
+    /// Wants attention soon.
+    Warning,
+    /// Wants attention now.
+    Danger,
+    /// The word of an input that is wrong.
+    Error,
+}
+
+impl Role {
+    /// Every role with its name in theme files.
+    pub const ALL: [(&'static str, Self); 14] = [
+        ("text", Self::Text),
+        ("muted", Self::Muted),
+        ("title", Self::Title),
+        ("border", Self::Border),
+        ("accent", Self::Accent),
+        ("header", Self::Header),
+        ("key", Self::Key),
+        ("cursor", Self::Cursor),
+        ("selected", Self::Selected),
+        ("ok", Self::Ok),
+        ("info", Self::Info),
+        ("warning", Self::Warning),
+        ("danger", Self::Danger),
+        ("error", Self::Error),
+    ];
+}
+
+/// A style for every role.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Theme {
+    name: String,
+    styles: BTreeMap<Role, Style>,
+}
+
+impl Theme {
+    /// The names of the themes that are part of the program.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        EMBEDDED.iter().map(|&(name, _)| name)
+    }
+
+    /// One of the themes that are part of the program.
+    pub fn named(name: &str) -> Option<Self> {
+        let (name, source) = EMBEDDED.iter().find(|(known, _)| *known == name)?;
+        let theme = Self::parse(source).ok()?;
+        Some(Self {
+            name: (*name).to_owned(),
+            ..theme
+        })
+    }
+
+    /// Reads a theme file. `inherits` may name any theme that is part of the program; a theme that
+    /// inherits nothing has to give every role.
+    ///
+    /// # Errors
+    /// Every fault of the file, each at its place.
+    pub fn parse(source: &str) -> Result<Self, Vec<Diagnostic>> {
+        let styles = file::read(source)?;
+        Ok(Self {
+            name: "custom".to_owned(),
+            styles,
+        })
+    }
+
+    /// The same with the colours that a terminal can show; without any colour it becomes the
+    /// monochrome theme, because a role that is told by its background alone would vanish.
+    #[must_use]
+    pub fn for_colours(&self, depth: ColourDepth) -> Self {
+        if depth == ColourDepth::None {
+            return Self::named("monochrome").unwrap_or_else(|| self.stripped());
+        }
+        self.mapped(|colour| depth.map(colour))
+    }
+
+    /// The theme's name; `custom` for one that is not part of the program.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The style of a role.
+    pub fn style(&self, role: Role) -> Style {
+        self.styles.get(&role).copied().unwrap_or_default()
+    }
+
+    fn stripped(&self) -> Self {
+        self.mapped(|_| Color::Reset)
+    }
+
+    fn mapped(&self, map: impl Fn(Color) -> Color) -> Self {
+        let mut theme = self.clone();
+        for style in theme.styles.values_mut() {
+            style.fg = style.fg.map(&map);
+            style.bg = style.bg.map(&map);
+        }
+        theme
+    }
+}
+
+impl Default for Theme {
+    /// The dark theme.
+    fn default() -> Self {
+        Self::named("dark").unwrap_or_else(|| Self {
+            name: "plain".to_owned(),
+            styles: BTreeMap::from([(Role::Cursor, Style::new().add_modifier(Modifier::REVERSED))]),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,82 @@
+//! Colours for terminals that have fewer of them.
+
+use ratatui::style::Color;
+
+/// How many colours a terminal can show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ColourDepth {
+    /// None: only bold, underline and reverse.
+    None,
+    /// The sixteen basic ones.
+    Sixteen,
+    /// xterm's 256.
+    Indexed,
+    /// 24 bit.
+    True,
+}
+
+/// The basic colours as xterm shows them by default.
+const BASIC: [(Color, [u8; 3]); 16] = [
+    (Color::Black, [0, 0, 0]),
+    (Color::Red, [205, 0, 0]),
+    (Color::Green, [0, 205, 0]),
+    (Color::Yellow, [205, 205, 0]),
+    (Color::Blue, [0, 0, 238]),
+    (Color::Magenta, [205, 0, 205]),
+    (Color::Cyan, [0, 205, 205]),
+    (Color::Gray, [229, 229, 229]),
+    (Color::DarkGray, [127, 127, 127]),
+    (Color::LightRed, [255, 0, 0]),
+    (Color::LightGreen, [0, 255, 0]),
+    (Color::LightYellow, [255, 255, 0]),
+    (Color::LightBlue, [92, 92, 255]),
+    (Color::LightMagenta, [255, 0, 255]),
+    (Color::LightCyan, [0, 255, 255]),
+    (Color::White, [255, 255, 255]),
+];
+/// The steps of one channel in xterm's colour cube.
+const CUBE_STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
+
+impl ColourDepth {
+    /// The nearest colour that the terminal has.
+    pub fn map(self, colour: Color) -> Color {
+        match (self, colour) {
+            (Self::None, _) => Color::Reset,
+            (Self::Indexed, Color::Rgb(r, g, b)) => Color::Indexed(nearest_indexed([r, g, b])),
+            (Self::Sixteen, Color::Rgb(r, g, b)) => nearest_basic([r, g, b]),
+            (Self::Sixteen, Color::Indexed(index)) => nearest_basic(rgb_of_index(index)),
+            (_, colour) => colour,
+        }
+    }
+}
+
+fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
+    a.iter()
+        .zip(b)
+        .map(|(&x, y)| u32::from(x.abs_diff(y)).pow(2))
+        .sum()
+}
+
+fn nearest_basic(rgb: [u8; 3]) -> Color {
+    let nearest = BASIC
+        .iter()
+        .min_by_key(|(_, basic)| distance(rgb, *basic));
+    nearest.map_or(Color::Reset, |&(colour, _)| colour)
+}
+
+fn nearest_indexed(rgb: [u8; 3]) -> u8 {
+    (16..=255)
+        .min_by_key(|&index| distance(rgb, rgb_of_index(index)))
+        .unwrap_or(0)
+}
+
+fn rgb_of_index(index: u8) -> [u8; 3] {
+    match index {
+        0..=15 => BASIC[usize::from(index)].1,
+        16..=231 => {
+            let cell = usize::from(index - 16);
+            [cell / 36, cell / 6 % 6, cell % 6].map(|step| CUBE_STEPS[step])
+        }
+        232..=255 => [8 + 10 * (index - 232); 3],
+    }
+}

@@ -1,0 +1,191 @@
+//! Parts of screens, and what they share: rules with titles, clipped and wrapped text, roles of states.
+
+use std::time::Duration;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Clear, Widget};
+
+use super::theme::{Role, Theme};
+use crate::ledger::RowState;
+use crate::vehicle::Severity;
+
+pub mod connect;
+pub mod footer;
+pub mod header;
+pub mod ledger;
+pub mod mission;
+pub mod notices;
+pub mod overlay;
+pub mod palette;
+pub mod swarm;
+pub mod telemetry;
+
+/// Draws a rule with a title along the top of `area` and returns what is left below it.
+pub fn titled(title: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+    let Some(mut x) = put(buffer, area, 0, &Line::styled("── ", theme.style(Role::Border))) else {
+        return area;
+    };
+    let right = area.right();
+    let title = clip(title, usize::from(area.width.saturating_sub(4)));
+    x = buffer
+        .set_stringn(x, area.y, title, usize::from(right - x), theme.style(Role::Title))
+        .0;
+    if x < right {
+        let rest = "─".repeat(usize::from(right - x).saturating_sub(1));
+        buffer.set_stringn(x + 1, area.y, rest, usize::from(right - x), theme.style(Role::Border));
+    }
+    below(area, 1)
+}
+
+/// Clears a box in the middle of things, draws its frame and returns its inside.
+pub fn boxed(title: &str, role: Role, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+    Clear.render(area, buffer);
+    buffer.set_style(area, theme.style(Role::Text));
+    let block = Block::bordered()
+        .border_style(theme.style(role))
+        .title(Span::styled(format!(" {title} "), theme.style(Role::Title)));
+    let inner = block.inner(area);
+    block.render(area, buffer);
+    Rect {
+        x: inner.x + 1,
+        width: inner.width.saturating_sub(2),
+        ..inner
+    }
+}
+
+/// A box of a size in the middle of an area, made smaller where it does not fit.
+pub fn centred(width: u16, height: u16, area: Rect) -> Rect {
+    let (width, height) = (width.min(area.width), height.min(area.height));
+    Rect {
+        x: area.x + (area.width - width) / 2,
+        y: area.y + (area.height - height) / 2,
+        width,
+        height,
+    }
+}
+
+/// What is left of an area below its first rows.
+pub fn below(area: Rect, rows: u16) -> Rect {
+    let rows = rows.min(area.height);
+    Rect {
+        y: area.y + rows,
+        height: area.height - rows,
+        ..area
+    }
+}
+
+/// Writes a line into a row of an area, clipped to it; returns where it ended, or `None` if the area has no such row.
+pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option<u16> {
+    if row >= area.height || area.width == 0 {
+        return None;
+    }
+    Some(buffer.set_line(area.x, area.y + row, line, area.width).0)
+}
+
+/// A text cut to a width, with a mark where something is missing.
+pub fn clip(text: &str, width: usize) -> String {
+    if Span::raw(text).width() <= width {
+        return text.to_owned();
+    }
+    let mut clipped = String::new();
+    for c in text.chars() {
+        clipped.push(c);
+        if Span::raw(clipped.as_str()).width() + 1 > width {
+            clipped.pop();
+            break;
+        }
+    }
+    if width > 0 {
+        clipped.push('…');
+    }
+    clipped
+}
+
+/// A text broken into lines of at most `width` columns, between words where possible. Line breaks in the text stay.
+pub fn wrap(text: &str, width: usize) -> Vec<String> {
+    let width = width.max(1);
+    let mut lines = Vec::new();
+    for paragraph in text.trim_end().split('\n') {
+        let indent = paragraph.len() - paragraph.trim_start().len();
+        let mut line = " ".repeat(indent.min(width / 2));
+        let mut empty = true;
+        for word in paragraph.split_whitespace() {
+            let joined = Span::raw(line.as_str()).width() + 1 + Span::raw(word).width();
+            if !empty && joined > width {
+                lines.push(std::mem::take(&mut line));
+                empty = true;
+            }
+            if !empty {
+                line.push(' ');
+            }
+            empty = false;
+            line.push_str(word);
+            while Span::raw(line.as_str()).width() > width {
+                let at = line.char_indices().nth(width).map_or(line.len(), |(at, _)| at);
+                if at == line.len() {
+                    break;
+                }
+                let rest = line.split_off(at);
+                lines.push(std::mem::replace(&mut line, rest));
+            }
+        }
+        lines.push(line);
+    }
+    lines
+}
+
+/// A time as minutes and seconds, with hours where there are any.
+pub fn clock(time: Duration) -> String {
+    let seconds = time.as_secs();
+    let (hours, minutes, seconds) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
+    if hours > 0 {
+        format!("{hours}:{minutes:02}:{seconds:02}")
+    } else {
+        format!("{minutes:02}:{seconds:02}")
+    }
+}
+
+/// How a severity looks.
+pub fn severity_role(severity: Severity) -> Role {
+    match severity {
+        Severity::Emergency | Severity::Alert | Severity::Critical | Severity::Error => Role::Danger,
+        Severity::Warning => Role::Warning,
+        Severity::Notice => Role::Accent,
+        Severity::Info => Role::Info,
+        Severity::Debug => Role::Muted,
+    }
+}
+
+/// How the state of a command looks.
+pub fn row_role(state: RowState) -> Role {
+    match state {
+        RowState::Done => Role::Ok,
+        RowState::Queued | RowState::Superseded => Role::Muted,
+        RowState::Sent | RowState::InProgress(_) | RowState::Accepted => Role::Accent,
+        RowState::NoEffect => Role::Warning,
+        RowState::Refused | RowState::TimedOut => Role::Danger,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_cut_with_a_mark_and_wrapped_between_words() {
+        assert_eq!(clip("position", 8), "position");
+        assert_eq!(clip("position", 5), "posi…");
+        assert_eq!(clip("position", 0), "");
+        assert_eq!(clip("日本語", 4), "日…");
+        assert_eq!(wrap("one two  three\n\nfour", 8), ["one two", "three", "", "four"]);
+        assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
+    }
+
+    #[test]
+    fn clocks_grow_hours_when_needed() {
+        assert_eq!(clock(Duration::from_secs(62)), "01:02");
+        assert_eq!(clock(Duration::from_secs(3723)), "1:02:03");
+    }
+}

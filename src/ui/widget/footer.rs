@@ -1,0 +1,60 @@
+//! The last line: what is being typed, else what the console has to say, else what the keys do.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::app::state::{Screen, State};
+use crate::ui::theme::{Role, Theme};
+use crate::ui::widget::{below, put, severity_role};
+
+const HOME: &[(&str, &str)] = &[("j k", "move"), ("Enter", "take"), (":", "command"), ("?", "help"), ("q", "quit")];
+const FLY: &[(&str, &str)] = &[
+    (":", "command"),
+    ("?", "help"),
+    ("j k", "move"),
+    ("Space", "select"),
+    ("3-9 Enter", "list"),
+    ("*", "all"),
+    ("Esc", "none"),
+    ("L", "links"),
+];
+const DEBRIEF: &[(&str, &str)] = &[("j k", "scroll"), ("r", "fly again"), ("h", "home screen"), (":", "command"), ("?", "help")];
+
+/// Draws the footer into the last row of the screen.
+pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let row = below(area, area.height.saturating_sub(1));
+    put(buffer, row, 0, &line(state, theme, usize::from(area.width)));
+}
+
+fn line<'a>(state: &'a State, theme: &Theme, width: usize) -> Line<'a> {
+    if let Screen::Fly { typed } = &state.screen
+        && !typed.is_empty()
+    {
+        return Line::from(vec![
+            Span::styled(" vehicles ", theme.style(Role::Muted)),
+            Span::styled(typed.as_str(), theme.style(Role::Selected)),
+            Span::styled("_  Enter selects   a t g m h l r commands them   Esc drops", theme.style(Role::Muted)),
+        ]);
+    }
+    if let Some(message) = state.message() {
+        let role = severity_role(message.severity);
+        return Line::styled(format!(" {}", message.text), theme.style(role));
+    }
+    let hints = match state.screen {
+        Screen::Home { .. } => HOME,
+        Screen::Fly { .. } => FLY,
+        Screen::Debrief { .. } => DEBRIEF,
+    };
+    let mut spans = vec![Span::raw(" ")];
+    let mut used = 1;
+    for (key, what) in hints {
+        used += key.len() + what.len() + 3;
+        if used > width {
+            break;
+        }
+        spans.push(Span::styled(*key, theme.style(Role::Key)));
+        spans.push(Span::styled(format!(" {what}  "), theme.style(Role::Muted)));
+    }
+    Line::from(spans)
+}

@@ -1,0 +1,63 @@
+//! The first line: where we are, how late it is, how many, over which links.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::app::state::{Screen, State};
+use crate::ui::theme::{Role, Theme};
+use crate::ui::widget::{clip, clock, put};
+
+/// Draws the header and returns the area between it and the footer.
+pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+    let header = Rect { height: 1, ..area };
+    buffer.set_style(header, theme.style(Role::Header));
+    let right = right_part(state, area.width);
+    let left_width = usize::from(area.width).saturating_sub(right.width() + 4);
+    let title = state.session.activity.as_ref().map(|activity| activity.title());
+    let name = format!(" {} ", state.screen.name());
+    let title = clip(&title.unwrap_or_default(), left_width.saturating_sub(name.len() + 1));
+    let bold = theme.style(Role::Header).add_modifier(ratatui::style::Modifier::BOLD);
+    let left = Line::from(vec![Span::styled(name, bold), Span::raw(format!(" {title}"))]);
+    put(buffer, header, 0, &left);
+    let start = area.width.saturating_sub(right.width() as u16 + 1);
+    put(buffer, Rect { x: area.x + start, width: area.width - start, ..header }, 0, &right);
+    Rect {
+        y: area.y + 1,
+        height: area.height.saturating_sub(2),
+        ..area
+    }
+}
+
+fn right_part(state: &State, width: u16) -> Line<'static> {
+    let mut parts = Vec::new();
+    let dropped = state.notices.dropped;
+    if dropped > 0 {
+        let what = if width < 100 { "" } else { "notices " };
+        parts.push(format!("{dropped} {what}dropped"));
+    }
+    if !matches!(state.screen, Screen::Home { .. }) {
+        let count = count(state.session.vehicles.len(), "vehicle");
+        parts.push(format!("{count}, {} armed", state.session.armed()));
+        parts.push(links(state));
+    }
+    parts.push(clock(state.now));
+    Line::raw(parts.join("   "))
+}
+
+fn links(state: &State) -> String {
+    let links = &state.session.links;
+    match links.as_slice() {
+        [] => "no link".to_owned(),
+        [link] => clip(&format!("{} {}", link.name, link.state), 30),
+        links => {
+            let up = links.iter().filter(|link| link.up).count();
+            format!("{up}/{} links up", links.len())
+        }
+    }
+}
+
+fn count(number: usize, what: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {what}{plural}")
+}

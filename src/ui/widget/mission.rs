@@ -1,0 +1,170 @@
+//! The mission pane: objectives, sensors, advice and the surveyed cells.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+
+use crate::app::state::State;
+use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+use crate::ui::theme::{Role, Theme};
+use crate::ui::widget::{below, clip, clock, put, titled, wrap};
+use crate::vehicle::Vehicle;
+
+/// Columns of one cell in the grid.
+const CELL_WIDTH: u16 = 7;
+/// A grid is not drawn for cells that lie farther apart than this many cells.
+const GRID_LIMIT: usize = 64;
+
+/// Draws the pane.
+pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let Some(progress) = &state.session.mission else {
+        return;
+    };
+    let title = format!(
+        "mission  {} of {}  score {}",
+        clock(progress.elapsed),
+        clock(progress.limit),
+        progress.score_so_far
+    );
+    let inner = titled(&title, theme, area, buffer);
+    let mut lines = text_lines(progress, usize::from(inner.width), theme);
+    lines.truncate(usize::from(inner.height));
+    for (row, line) in lines.iter().enumerate() {
+        put(buffer, inner, row as u16, line);
+    }
+    let rest = below(inner, lines.len() as u16);
+    if let Some(grid) = Grid::of(&progress.cells) {
+        grid.draw(state, theme, rest, buffer);
+    }
+}
+
+fn text_lines(progress: &Progress, width: usize, theme: &Theme) -> Vec<Line<'static>> {
+    let mut lines = Vec::new();
+    for objective in &progress.objectives {
+        lines.push(objective_line(objective, width, theme));
+    }
+    lines.extend(progress.readings.chunks(2).map(|pair| reading_line(pair, theme)));
+    if let Some(hint) = &progress.hint {
+        let hint = wrap(&format!("hint: {hint}"), width);
+        lines.extend(hint.into_iter().map(|line| Line::styled(line, theme.style(Role::Accent))));
+    }
+    lines
+}
+
+fn objective_line(objective: &ObjectiveProgress, width: usize, theme: &Theme) -> Line<'static> {
+    let (mark, role) = match objective.state {
+        ObjectiveState::Open => ("[ ]", Role::Text),
+        ObjectiveState::Met => ("[x]", Role::Ok),
+        ObjectiveState::Missed => ("[!]", Role::Danger),
+    };
+    let room = width.saturating_sub(mark.len() + 2 + objective.detail.chars().count());
+    let title = clip(&objective.title, room);
+    let title = format!("{title:room$}");
+    Line::from(vec![
+        Span::styled(format!("{mark} {title} "), theme.style(role)),
+        Span::styled(objective.detail.clone(), theme.style(Role::Muted)),
+    ])
+}
+
+fn reading_line(readings: &[Reading], theme: &Theme) -> Line<'static> {
+    let mut spans = Vec::new();
+    for reading in readings {
+        let label = format!("{} {} ", reading.vehicle, reading.sensor);
+        spans.push(Span::styled(label, theme.style(Role::Muted)));
+        spans.push(Span::raw(format!("{} {}   ", amount(reading.value), reading.unit)));
+    }
+    Line::from(spans)
+}
+
+/// A value with as many decimals as its size deserves.
+fn amount(value: f64) -> String {
+    let decimals = match value.abs() {
+        size if size >= 100.0 => 0,
+        size if size >= 10.0 => 1,
+        _ => 2,
+    };
+    format!("{value:.decimals$}")
+}
+
+/// Cells with their places in rows (the northernmost first) and columns (the westernmost first).
+struct Grid<'a> {
+    cells: Vec<(usize, usize, &'a Cell)>,
+    columns: usize,
+}
+
+impl<'a> Grid<'a> {
+    fn of(cells: &'a [Cell]) -> Option<Self> {
+        let first = cells.first()?;
+        let side = first.side_m.max(0.1);
+        let places: Vec<(f64, f64)> = cells.iter().map(|cell| first.centre.offset_to(cell.centre)).collect();
+        let north = places.iter().fold(f64::MIN, |most, place| most.max(place.0));
+        let west = places.iter().fold(f64::MAX, |least, place| least.min(place.1));
+        let cells: Vec<_> = cells
+            .iter()
+            .zip(&places)
+            .map(|(cell, place)| {
+                let row = ((north - place.0) / side).round() as usize;
+                let column = ((place.1 - west) / side).round() as usize;
+                (row, column, cell)
+            })
+            .collect();
+        let most = cells.iter().map(|&(row, column, _)| row.max(column)).max()?;
+        let columns = cells.iter().map(|&(_, column, _)| column).max()? + 1;
+        (most < GRID_LIMIT).then_some(Self { cells, columns })
+    }
+
+    /// A cell shows its name until it has been sampled, then what was found there.
+    fn draw(&self, state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+        let fits = area.width / self.columns.max(1) as u16;
+        let width = fits.min(CELL_WIDTH);
+        if width < 3 {
+            return;
+        }
+        let lost = self.cells.iter().any(|&(row, ..)| row >= usize::from(area.height));
+        let names = if lost && area.height > 0 { area.height - 1 } else { area.height };
+        for &(row, column, cell) in &self.cells {
+            if row >= usize::from(names) {
+                continue;
+            }
+            let here = Rect {
+                x: area.x + column as u16 * width,
+                y: area.y + row as u16,
+                width,
+                height: 1,
+            };
+            let (text, style) = self.cell(cell, state, theme);
+            put(buffer, here, 0, &Line::styled(clip(&text, usize::from(width) - 1), style));
+        }
+        if lost {
+            let text = "more cells on a larger screen";
+            put(buffer, area, names, &Line::styled(text, theme.style(Role::Muted)));
+        }
+    }
+
+    fn cell(&self, cell: &Cell, state: &State, theme: &Theme) -> (String, Style) {
+        let over = |vehicle: &&Vehicle| {
+            vehicle.airborne()
+                && vehicle.global.is_some_and(|global| {
+                    let (north, east) = cell.centre.offset_to(global.at_point);
+                    north.abs().max(east.abs()) < cell.side_m / 2.0
+                })
+        };
+        let here = state.session.vehicles.values().find(over);
+        let style = theme.style(match (here, cell.sampled) {
+            (Some(_), _) => Role::Cursor,
+            (None, true) => Role::Ok,
+            (None, false) => Role::Muted,
+        });
+        let text = match cell.value {
+            Some(value) if cell.sampled && value.abs() < 99.95 => format!("{value:.1}"),
+            Some(value) if cell.sampled => format!("{value:.0}"),
+            None if cell.sampled => "done".to_owned(),
+            _ => cell.name.clone(),
+        };
+        match here {
+            Some(vehicle) => (format!("{}>{text}", vehicle.id), style),
+            None => (text, style),
+        }
+    }
+}

@@ -1,0 +1,295 @@
+//! The swarm table: a line per vehicle. Only the lines that are seen are built.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::app::state::{Alert, Session, State, alert, ranges};
+use crate::ledger::RowState;
+use crate::ui::theme::{Role, Theme};
+use crate::ui::widget::{below, clip, put, row_role, severity_role, titled};
+use crate::vehicle::{FixType, LandedState, Vehicle};
+
+/// Columns of the newest command: `takeoff timed out` fits.
+const COMMAND_WIDTH: u16 = 17;
+
+/// A column of the table.
+struct Column {
+    title: &'static str,
+    /// Its width; the last column takes what is left and wants at least this.
+    width: u16,
+    /// The columns with the smallest ranks are kept on narrow screens.
+    rank: u8,
+    /// Numbers stand at the right.
+    right: bool,
+    cell: fn(&Row<'_>) -> (String, Role),
+}
+
+/// What a line is made from.
+struct Row<'a> {
+    vehicle: &'a Vehicle,
+    session: &'a Session,
+    alert: Option<Alert>,
+}
+
+/// In the order of display. Ranks say which go first when the screen is narrow.
+const COLUMNS: &[Column] = &[
+    column("id", 3, 0, true, id),
+    column("name", 10, 12, false, name),
+    column("mode", 9, 2, false, mode),
+    column("armed", 5, 3, false, armed),
+    column("state", 7, 6, false, landed),
+    column("alt m", 6, 4, true, altitude),
+    column("m/s", 4, 8, true, speed),
+    column("bat", 4, 5, true, battery),
+    column("GPS", 8, 11, false, gps),
+    column("link", 5, 9, true, link),
+    column("home m", 6, 10, true, home),
+    column("command", COMMAND_WIDTH, 7, false, command),
+    column("alert", 14, 1, false, alert_cell),
+];
+
+const fn column(
+    title: &'static str,
+    width: u16,
+    rank: u8,
+    right: bool,
+    cell: fn(&Row<'_>) -> (String, Role),
+) -> Column {
+    Column {
+        title,
+        width,
+        rank,
+        right,
+        cell,
+    }
+}
+
+/// Draws the table.
+pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let session = &state.session;
+    let rows = usize::from(area.height.saturating_sub(2));
+    let count = session.vehicles.len();
+    // The cursor stays in the middle while the list scrolls under it.
+    let first = session.cursor_row().saturating_sub(rows / 2).min(count.saturating_sub(rows));
+    let inner = titled(&title(session, first, rows), theme, area, buffer);
+    let columns = fitting(inner.width);
+    draw_titles(&columns, theme, inner, buffer);
+    let list = below(inner, 1);
+    if count == 0 {
+        let text = "  waiting for the first vehicle ...";
+        put(buffer, list, 0, &Line::styled(text, theme.style(Role::Muted)));
+    }
+    let seen = session.vehicles.values().skip(first).take(rows);
+    for (at, vehicle) in seen.enumerate() {
+        let line = Rect { y: list.y + at as u16, height: 1, ..list };
+        draw_vehicle(vehicle, state, &columns, (theme, line), buffer);
+    }
+}
+
+fn title(session: &Session, first: usize, rows: usize) -> String {
+    let count = session.vehicles.len();
+    let mut title = "swarm".to_owned();
+    if count > rows {
+        title.push_str(&format!("  {}-{} of {count}", first + 1, (first + rows).min(count)));
+    }
+    if !session.selection.is_empty() {
+        let chosen = ranges(session.selection.iter().copied());
+        title.push_str(&format!("  selected {}: {}", session.selection.len(), clip(&chosen, 40)));
+    }
+    title
+}
+
+/// The columns that fit, with their widths; the last one takes what is left.
+fn fitting(width: u16) -> Vec<(&'static Column, u16)> {
+    let mut by_rank: Vec<&Column> = COLUMNS.iter().collect();
+    by_rank.sort_by_key(|column| column.rank);
+    // Two marks in front: cursor and selection.
+    let mut left = width.saturating_sub(2);
+    let mut worst = 0;
+    for column in by_rank {
+        if column.width + 1 > left {
+            break;
+        }
+        left -= column.width + 1;
+        worst = column.rank;
+    }
+    let kept = COLUMNS.iter().filter(|column| column.rank <= worst);
+    let mut columns: Vec<_> = kept.map(|column| (column, column.width)).collect();
+    if let Some((_, width)) = columns.last_mut() {
+        *width += left;
+    }
+    columns
+}
+
+fn draw_titles(
+    columns: &[(&Column, u16)],
+    theme: &Theme,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let mut x = 2;
+    for (column, width) in columns {
+        let text = aligned(column.title, *width, column.right);
+        let place = Rect { x: area.x + x, width: *width, height: 1, ..area };
+        put(buffer, place, 0, &Line::styled(text, theme.style(Role::Muted)));
+        x += width + 1;
+    }
+}
+
+fn draw_vehicle(
+    vehicle: &Vehicle,
+    state: &State,
+    columns: &[(&Column, u16)],
+    (theme, area): (&Theme, Rect),
+    buffer: &mut Buffer,
+) {
+    let session = &state.session;
+    let under_cursor = session.cursor == Some(vehicle.id);
+    let selected = session.selection.contains(&vehicle.id);
+    let cursor_mark = if under_cursor { ">" } else { " " };
+    let selection_mark = if selected { "*" } else { " " };
+    let marks = Line::from(vec![
+        Span::raw(cursor_mark),
+        Span::styled(selection_mark, theme.style(Role::Selected)),
+    ]);
+    put(buffer, area, 0, &marks);
+    let row = Row {
+        vehicle,
+        session,
+        alert: alert(vehicle, state.now),
+    };
+    let mut x = 2;
+    for (column, width) in columns {
+        let (text, role) = (column.cell)(&row);
+        let role = if selected && column.title == "id" { Role::Selected } else { role };
+        let place = Rect { x: area.x + x, width: *width, ..area };
+        let text = aligned(&text, *width, column.right);
+        put(buffer, place, 0, &Line::styled(text, theme.style(role)));
+        x += width + 1;
+    }
+    if under_cursor {
+        buffer.set_style(area, theme.style(Role::Cursor));
+    }
+}
+
+fn aligned(text: &str, width: u16, right: bool) -> String {
+    let width = usize::from(width);
+    let text = clip(text, width);
+    if right { format!("{text:>width$}") } else { text }
+}
+
+/// A number that may not be known.
+fn number(value: Option<f64>, decimals: usize) -> (String, Role) {
+    match value {
+        Some(value) => (format!("{value:.decimals$}"), Role::Text),
+        None => unknown(),
+    }
+}
+
+fn unknown() -> (String, Role) {
+    ("-".to_owned(), Role::Muted)
+}
+
+fn id(row: &Row<'_>) -> (String, Role) {
+    (row.vehicle.id.to_string(), Role::Text)
+}
+
+fn name(row: &Row<'_>) -> (String, Role) {
+    (row.session.name(row.vehicle).to_owned(), Role::Muted)
+}
+
+fn mode(row: &Row<'_>) -> (String, Role) {
+    row.vehicle.mode().map_or_else(unknown, |mode| (mode.to_string(), Role::Text))
+}
+
+fn armed(row: &Row<'_>) -> (String, Role) {
+    let vehicle = row.vehicle;
+    if vehicle.heartbeat.is_none() {
+        unknown()
+    } else if vehicle.armed() {
+        ("ARMED".to_owned(), Role::Accent)
+    } else if vehicle.ready_to_arm() {
+        ("ready".to_owned(), Role::Ok)
+    } else {
+        ("safe".to_owned(), Role::Muted)
+    }
+}
+
+fn landed(row: &Row<'_>) -> (String, Role) {
+    let text = match row.vehicle.landed {
+        LandedState::Undefined => return unknown(),
+        LandedState::OnGround => return ("ground".to_owned(), Role::Muted),
+        LandedState::InAir => "air",
+        LandedState::Takeoff => "takeoff",
+        LandedState::Landing => "landing",
+    };
+    (text.to_owned(), Role::Text)
+}
+
+fn altitude(row: &Row<'_>) -> (String, Role) {
+    number(row.vehicle.altitude_m(), 1)
+}
+
+fn speed(row: &Row<'_>) -> (String, Role) {
+    number(row.vehicle.ground_speed_m_s().map(f64::from), 1)
+}
+
+fn battery(row: &Row<'_>) -> (String, Role) {
+    let battery = row.vehicle.battery();
+    let Some(left) = battery.and_then(|battery| battery.remaining_percent) else {
+        let voltage = battery.and_then(|battery| battery.voltage_v);
+        return voltage.map_or_else(unknown, |voltage| (format!("{voltage:.1}"), Role::Text));
+    };
+    let role = match left {
+        0..=10 => Role::Danger,
+        11..=25 => Role::Warning,
+        _ => Role::Text,
+    };
+    (format!("{left}%"), role)
+}
+
+fn gps(row: &Row<'_>) -> (String, Role) {
+    let Some(gps) = row.vehicle.gps else {
+        return unknown();
+    };
+    let role = if gps.fix < FixType::Fix3d { Role::Warning } else { Role::Text };
+    let satellites = gps.satellites.map_or(String::new(), |count| format!(" {count}"));
+    (format!("{}{satellites}", gps.fix), role)
+}
+
+fn link(row: &Row<'_>) -> (String, Role) {
+    let link = &row.vehicle.link;
+    if link.lost {
+        return ("LOST".to_owned(), Role::Danger);
+    }
+    let role = if link.percent() < 90 { Role::Warning } else { Role::Text };
+    (format!("{}%", link.percent()), role)
+}
+
+fn home(row: &Row<'_>) -> (String, Role) {
+    number(row.vehicle.distance_home_m(), 0)
+}
+
+fn command(row: &Row<'_>) -> (String, Role) {
+    let Some((entry, line)) = row.session.latest(row.vehicle.id) else {
+        return (String::new(), Role::Muted);
+    };
+    let state = match line.state {
+        RowState::Done => "done".to_owned(),
+        RowState::InProgress(percent) => format!("{percent} %"),
+        RowState::Sent if line.tries > 1 => format!("try {}", line.tries),
+        other => other.to_string(),
+    };
+    // The state is what must not be cut off.
+    let width = usize::from(COMMAND_WIDTH).saturating_sub(state.chars().count() + 1);
+    (format!("{} {state}", clip(&entry.verb, width)), row_role(line.state))
+}
+
+fn alert_cell(row: &Row<'_>) -> (String, Role) {
+    match &row.alert {
+        Some(alert) => (alert.text.clone(), severity_role(alert.severity)),
+        None => (String::new(), Role::Text),
+    }
+}
+

@@ -1,0 +1,159 @@
+//! A console without terminal, clock or vehicles: tests press keys and read the screen.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use sortie::app::effect::Effect;
+use sortie::app::event::{Event, Started};
+use sortie::app::state::{Activity, MissionListing, State};
+use sortie::app::update;
+use sortie::ledger::{EntryId, RowState, RowUpdate};
+use sortie::notice::Notice;
+use sortie::ui::{self, Theme};
+use sortie::vehicle::{Severity, Vehicle};
+
+use crate::fixtures;
+
+/// The console and what it asked the shell to do last.
+pub struct Console {
+    pub state: State,
+    pub effects: Vec<Effect>,
+}
+
+impl Console {
+    /// On the home screen, with one mission on offer.
+    pub fn new() -> Self {
+        let missions = vec![MissionListing {
+            id: "m01".to_owned(),
+            title: "Air sample at the yard".to_owned(),
+            brief: fixtures::BRIEF.to_owned(),
+        }];
+        let themes = Theme::names().map(str::to_owned).collect();
+        let mut console = Self {
+            state: State::new(missions, themes, "dark".to_owned()),
+            effects: Vec::new(),
+        };
+        console.at(0);
+        console
+    }
+
+    /// In free flight with `count` vehicles on the ground.
+    pub fn flying(count: u8) -> Self {
+        let mut console = Self::new();
+        console.start(Activity::Free);
+        for id in 1..=count {
+            console.hear(Event::Vehicle(Box::new(fixtures::parked(id))));
+        }
+        console
+    }
+
+    pub fn start(&mut self, activity: Activity) {
+        self.hear(Event::Started(Box::new(Started {
+            activity,
+            places: BTreeMap::new(),
+            names: BTreeMap::new(),
+        })));
+    }
+
+    pub fn hear(&mut self, event: Event) -> &mut Self {
+        self.effects = update(&mut self.state, event);
+        self
+    }
+
+    /// Sets the clock.
+    pub fn at(&mut self, seconds: u64) -> &mut Self {
+        let now = Duration::from_secs(seconds);
+        self.hear(Event::Tick { now })
+    }
+
+    pub fn vehicle(&mut self, vehicle: Vehicle) -> &mut Self {
+        self.hear(Event::Vehicle(Box::new(vehicle)))
+    }
+
+    /// Presses a key: a character, or a name such as `enter` or `ctrl-c`.
+    pub fn press(&mut self, name: &str) -> &mut Self {
+        let plain = |code| KeyEvent::new(code, KeyModifiers::NONE);
+        let key = match name {
+            "enter" => plain(KeyCode::Enter),
+            "esc" => plain(KeyCode::Esc),
+            "tab" => plain(KeyCode::Tab),
+            "shift-tab" => plain(KeyCode::BackTab),
+            "up" => plain(KeyCode::Up),
+            "down" => plain(KeyCode::Down),
+            "left" => plain(KeyCode::Left),
+            "end" => plain(KeyCode::End),
+            "backspace" => plain(KeyCode::Backspace),
+            "space" => plain(KeyCode::Char(' ')),
+            _ => {
+                let last = name.chars().last().expect("a key has a name");
+                let control = name.strip_prefix("ctrl-").is_some();
+                let modifiers = if control { KeyModifiers::CONTROL } else { KeyModifiers::NONE };
+                KeyEvent::new(KeyCode::Char(last), modifiers)
+            }
+        };
+        self.hear(Event::Key(key))
+    }
+
+    /// Types characters.
+    pub fn write(&mut self, text: &str) -> &mut Self {
+        for c in text.chars() {
+            self.press(&c.to_string());
+        }
+        self
+    }
+
+    /// Gives a line on the command line.
+    pub fn give(&mut self, line: &str) -> &mut Self {
+        self.press(":").write(line).press("enter")
+    }
+
+    /// The newest command's row of a vehicle changes.
+    pub fn row(&mut self, vehicle: u8, state: RowState, explanation: Option<&str>) -> &mut Self {
+        let newest = self.state.session.ledger.entries().len() as u32 - 1;
+        self.hear(Event::Row(RowUpdate {
+            entry: EntryId(newest),
+            vehicle,
+            state,
+            tries: 1,
+            at: self.state.now,
+            explanation: explanation.map(str::to_owned),
+        }))
+    }
+
+    pub fn notice(&mut self, severity: Severity, vehicle: Option<u8>, text: &str) -> &mut Self {
+        self.hear(Event::Notice(Notice {
+            at: self.state.now,
+            vehicle,
+            severity,
+            text: text.to_owned(),
+        }))
+    }
+
+    /// The targets of the one command that the last event sent out.
+    pub fn sent_to(&self) -> Vec<u8> {
+        match self.effects.as_slice() {
+            [Effect::Command { targets, .. }] => targets.clone(),
+            other => panic!("no single command went out: {other:?}"),
+        }
+    }
+
+    /// The screen as text, with blanks at the ends of lines cut.
+    pub fn screen(&self, width: u16, height: u16) -> String {
+        let backend = TestBackend::new(width, height);
+        let mut terminal = Terminal::new(backend).expect("a test terminal");
+        let theme = Theme::default();
+        terminal
+            .draw(|frame| ui::draw(&self.state, &theme, frame))
+            .expect("a test terminal");
+        let buffer = terminal.backend().buffer();
+        let rows = buffer.content.chunks(usize::from(width.max(1)));
+        let lines = rows.map(|row| {
+            let line: String = row.iter().map(ratatui::buffer::Cell::symbol).collect();
+            line.trim_end().to_owned()
+        });
+        lines.collect::<Vec<_>>().join("\n")
+    }
+}

@@ -1,0 +1,178 @@
+//! Every screen and overlay as text, at the sizes that people use, and at sizes that nobody should.
+
+use std::time::Duration;
+
+use sortie::app::event::Event;
+use sortie::app::state::{Activity, LinkSummary};
+use sortie::ledger::RowState;
+use sortie::vehicle::{Severity, Vehicle};
+
+use crate::fixtures;
+use crate::harness::Console;
+
+const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
+
+fn check(name: &str, console: &Console) {
+    for (width, height) in SIZES {
+        insta::assert_snapshot!(format!("{name}_{width}x{height}"), console.screen(width, height));
+    }
+}
+
+fn link(name: &str, state: &str, up: bool) -> LinkSummary {
+    LinkSummary {
+        name: name.to_owned(),
+        state: state.to_owned(),
+        up,
+        bytes_in_per_s: 4123.0,
+        bytes_out_per_s: 52.0,
+        messages_in_per_s: 96.0,
+        messages_out_per_s: 2.0,
+        bad_crc: 3,
+        skipped_bytes: 1205,
+        lost: 17,
+        unknown: 1,
+        round_trip: Some(Duration::from_millis(4)),
+    }
+}
+
+/// A mission with all that can go wrong in it.
+fn busy() -> Console {
+    let mut console = Console::new();
+    console.start(Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".to_owned(),
+    });
+    let mut lost: Vehicle = fixtures::airborne(3, 120.0, 31.5);
+    lost.link.lost = true;
+    lost.link.last_heard = Some(Duration::from_secs(180));
+    let mut unready = fixtures::parked(4);
+    unready.health = unready.health.map(|health| sortie::vehicle::Health { healthy: 0, ..health });
+    unready.prearm.push("Need Position Estimate".to_owned());
+    console.at(185);
+    for vehicle in [fixtures::airborne(1, 20.0, 20.1), fixtures::airborne(2, 35.0, 20.0), lost, unready] {
+        console.vehicle(vehicle);
+    }
+    console.hear(Event::Links(vec![link("pipe:1", "up", true), link("udpin:0.0.0.0:14550", "retry in 4 s", false)]));
+    console.give("all arm");
+    for vehicle in 1..=3 {
+        console.row(vehicle, RowState::Done, None);
+    }
+    console.row(4, RowState::Refused, Some("arm refused: PreArm: Need Position Estimate"));
+    console.at(190).give("1-3 takeoff 20");
+    console.row(1, RowState::Done, None).row(2, RowState::Accepted, None).row(3, RowState::TimedOut, Some("takeoff: no answer in 5 s"));
+    console.notice(Severity::Info, Some(1), "Arming motors");
+    console.notice(Severity::Info, Some(2), "Arming motors");
+    console.notice(Severity::Critical, Some(4), "PreArm: Need Position Estimate");
+    console.notice(Severity::Critical, Some(4), "PreArm: Need Position Estimate");
+    console.at(191).notice(Severity::Alert, Some(3), "link lost: nothing heard for 3 s");
+    console.hear(Event::NoticesDropped(12));
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console
+}
+
+#[test]
+fn home() {
+    check("home", &Console::new());
+    let mut console = Console::new();
+    console.press("j");
+    check("home_free", &console);
+}
+
+#[test]
+fn connect_prompt_with_an_error() {
+    let mut console = Console::new();
+    console.press("down").press("down").press("enter").write("tcp:nowhere").press("enter");
+    console.hear(Event::Failed("`tcp:nowhere` has no port: write tcp:HOST:PORT".to_owned()));
+    check("connect", &console);
+}
+
+#[test]
+fn free_flight_before_and_after_the_first_vehicles() {
+    check("waiting", &Console::flying(0));
+    check("free", &Console::flying(4));
+}
+
+#[test]
+fn a_mission_in_flight() {
+    check("mission", &busy());
+    insta::assert_snapshot!("mission_120x40", busy().screen(120, 40));
+}
+
+#[test]
+fn a_swarm_larger_than_the_screen() {
+    let mut console = Console::flying(250);
+    console.write("100-120,7").press("enter").press("down");
+    check("large", &console);
+}
+
+#[test]
+fn the_command_line_offers_and_marks() {
+    let mut console = busy();
+    check("palette_empty", console.press(":"));
+    check("palette_wrong", console.write("1-2 takeof 20").press("enter"));
+    console.press("esc").press(":");
+    insta::assert_snapshot!("palette_tab_80x24", console.write("t").press("tab").screen(80, 24));
+}
+
+#[test]
+fn questions_help_links_and_brief() {
+    let mut console = busy();
+    check("confirm", console.give("1-3 kill"));
+    check("help", console.press("esc").press("?"));
+    check("links", console.press("esc").press("L"));
+    check("brief", console.press("esc").press("b"));
+    insta::assert_snapshot!("leave_80x24", console.press("esc").give("leave").screen(80, 24));
+}
+
+#[test]
+fn debrief() {
+    let mut console = busy();
+    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    check("debrief", &console);
+}
+
+#[test]
+fn a_terminal_that_is_too_small_is_told_so() {
+    insta::assert_snapshot!("small_60x20", busy().screen(60, 20));
+}
+
+#[test]
+fn no_size_of_terminal_panics() {
+    let mut consoles = vec![Console::new(), Console::flying(0), Console::flying(250), busy()];
+    for keys in [[":", "t"], ["?", "j"], ["L", "j"], ["b", "j"], ["*", "j"]] {
+        let mut console = busy();
+        console.press(keys[0]).press(keys[1]);
+        consoles.push(console);
+    }
+    let mut console = busy();
+    console.give("1-3 kill");
+    consoles.push(console);
+    let mut console = busy();
+    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    consoles.push(console);
+    for console in &consoles {
+        for width in [1, 2, 5, 79, 80, 81, 97, 120, 159, 160, 161, 200, 250] {
+            for height in [1, 2, 3, 23, 24, 25, 33, 50, 80] {
+                console.screen(width, height);
+            }
+        }
+    }
+}
+
+#[test]
+fn text_from_vehicles_never_reaches_the_terminal_as_control() {
+    let mut console = busy();
+    let escape = "x\u{1b}[2Jy\u{9b}31m\u{7}";
+    console.state.session.names.insert(1, escape.to_owned());
+    console.notice(Severity::Critical, Some(1), escape);
+    let mut vehicle = fixtures::parked(1);
+    vehicle.health = vehicle.health.map(|health| sortie::vehicle::Health { healthy: 0, ..health });
+    vehicle.prearm.push(escape.to_owned());
+    console.vehicle(vehicle);
+    for (width, height) in SIZES {
+        let screen = console.screen(width, height);
+        assert!(screen.contains('x'), "{screen}");
+        let control = screen.chars().find(|&c| c.is_control() && c != '\n');
+        assert_eq!(control, None, "{screen}");
+    }
+}
