@@ -1,5 +1,8 @@
 //! The one integration-test binary.
 
 mod fixtures;
+mod fleet;
 mod harness;
+mod layering;
+mod recordings;
 mod screens;

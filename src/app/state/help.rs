@@ -33,7 +33,9 @@ pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
     let targets = "targets: 3  1-4,7  @group  all; none means the selection";
     lines.push(HelpLine::Entry("1-4,7 arm".to_owned(), targets.to_owned()));
     for verb in verbs() {
-        lines.push(entry(verb.usage, verb.summary));
+        for usage in verb.usage() {
+            lines.push(entry(&usage, verb.summary));
+        }
     }
     lines.push(HelpLine::Blank);
     lines.push(HelpLine::Title("the console itself"));
