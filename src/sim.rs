@@ -15,6 +15,7 @@ mod battery;
 mod body;
 mod commands;
 mod control;
+mod failsafe;
 mod inbound;
 mod leg;
 mod mode;

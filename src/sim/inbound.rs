@@ -84,6 +84,9 @@ fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgo
 fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
     let own = |target: u8| target == 0 || target == autopilot.system;
     match message {
+        MavMessage::HEARTBEAT(_) if frame.system == autopilot.tuning.ground_station => {
+            autopilot.failsafe.heard = Some(autopilot.uptime());
+        }
         MavMessage::SET_MODE(data) if own(data.target_system) => {
             // No acknowledgement: the vehicle has none for this message.
             if let Ok(number) = u8::try_from(data.custom_mode) {
