@@ -384,3 +384,35 @@ fn a_circle_keeps_its_radius() {
     }
     assert!(most < 1.5, "{most}");
 }
+
+#[test]
+fn slanted_legs_take_as_long_as_the_real_ones() {
+    let mut ground = Ground::hovering(30.0);
+    let away = |t: &Truth, goal: [f64; 3]| {
+        let off = [0, 1, 2].map(|axis| t.position_ned_m[axis] - goal[axis]);
+        off[0].hypot(off[1]).hypot(off[2])
+    };
+    ground.goto([100.0, 50.0, -40.0]);
+    let first = ground.until(40.0, |t| away(t, [100.0, 50.0, -40.0]) < 1.0);
+    close("up and away", first, 15.3, 0.05);
+    ground.run(8.0);
+    ground.goto([0.0, -50.0, -20.0]);
+    let second = ground.until(40.0, |t| away(t, [0.0, -50.0, -20.0]) < 1.5);
+    close("down and back", second, 18.5, 0.05);
+}
+
+#[test]
+fn a_low_return_climbs_to_its_altitude_first_and_near_home_stays_under_the_cone() {
+    for (away_m, altitude_m) in [(60.0, 15.0), (2.0, 6.0)] {
+        let mut ground = Ground::hovering(5.0);
+        ground.goto([away_m, 0.0, -5.0]);
+        ground.run(20.0);
+        ground.long(MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH, [0.0]);
+        let mut highest: f64 = 0.0;
+        ground.until(120.0, |t| {
+            highest = highest.max(height(t));
+            !t.armed
+        });
+        close("highest", highest, altitude_m, 0.03);
+    }
+}
