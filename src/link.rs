@@ -187,6 +187,27 @@ pub struct LinkStatus {
     pub last_error: Option<String>,
 }
 
+impl LinkStatus {
+    fn new(id: LinkId, name: String, state: LinkState) -> Self {
+        Self {
+            id,
+            name,
+            state,
+            local: None,
+            peers: 0,
+            decoder: Counters::default(),
+            sent_bytes: 0,
+            sent_messages: 0,
+            dropped_out: 0,
+            rates: Rates::default(),
+            lost: Vec::new(),
+            lost_total: 0,
+            reconnects: 0,
+            last_error: None,
+        }
+    }
+}
+
 /// The way to a link's task. The task lives on without it.
 #[derive(Debug, Clone)]
 pub struct LinkHandle {
@@ -250,22 +271,7 @@ pub fn open_with(
     };
     let can_send = !matches!(transport, Transport::Address(Address::File { .. }));
     let (outbox, to_send) = mpsc::channel(OUTBOX_LEN);
-    let (published, status) = watch::channel(LinkStatus {
-        id,
-        name,
-        state,
-        local: None,
-        peers: 0,
-        decoder: Counters::default(),
-        sent_bytes: 0,
-        sent_messages: 0,
-        dropped_out: 0,
-        rates: Rates::default(),
-        lost: Vec::new(),
-        lost_total: 0,
-        reconnects: 0,
-        last_error: None,
-    });
+    let (published, status) = watch::channel(LinkStatus::new(id, name, state));
     let refused = Arc::new(AtomicU64::new(0));
     let meter = meter::Meter::new(published, Arc::clone(&refused));
     let link = task::Link::new(id, config, meter, inbound, to_send, cancel);
