@@ -169,9 +169,9 @@ pub struct LinkStatus {
     pub peers: usize,
     /// What its decoders have seen.
     pub decoder: Counters,
-    /// Bytes handed to the operating system.
+    /// Bytes sent, or about to be: a peer that does not read may never get the last of them.
     pub sent_bytes: u64,
-    /// Messages handed to the operating system, heartbeats included; one to three peers counts three times.
+    /// Messages sent, or about to be, heartbeats included; one to three peers counts three times.
     pub sent_messages: u64,
     /// Messages that were not sent: the queue was full, the link down, the peer gone or not reading.
     pub dropped_out: u64,

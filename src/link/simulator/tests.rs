@@ -155,6 +155,11 @@ async fn a_reboot_closes_the_tcp_connection_and_the_link_comes_back() {
     assert_eq!(rig.next().await.frames[0].system, 2);
     assert!(rig.link.send(To::Everyone, reboot(2)));
     acknowledged(&mut rig).await;
+    let lost = rig
+        .until(|s| matches!(s.state, LinkState::Waiting { .. }))
+        .await;
+    let reason = lost.last_error.expect("a reason");
+    assert!(reason.contains("closed from the other side"), "{reason}");
     rig.until(|s| s.reconnects == 1 && s.state == LinkState::Up)
         .await;
     assert_eq!(rig.next().await.frames[0].system, 2);
