@@ -17,11 +17,11 @@ use super::port::Link;
 use super::telemetry;
 use crate::wire::{Content, Frame, Outgoing};
 
-/// COMMAND_ACK.
+/// `COMMAND_ACK`.
 const COMMAND_ACK: u32 = 77;
 /// The index in the answer to a parameter that was asked or set by name.
 const BY_NAME: u16 = u16::MAX;
-/// In RC_CHANNELS_OVERRIDE: leave the channel as it is, and give it back to the transmitter.
+/// In `RC_CHANNELS_OVERRIDE`: leave the channel as it is, and give it back to the transmitter.
 const UNCHANGED: u16 = u16::MAX;
 const RELEASED: u16 = 0;
 
@@ -84,6 +84,9 @@ fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgo
 fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
     let own = |target: u8| target == 0 || target == autopilot.system;
     match message {
+        MavMessage::HEARTBEAT(_) if frame.system == autopilot.tuning.ground_station => {
+            autopilot.failsafe.heard = Some(autopilot.uptime());
+        }
         MavMessage::SET_MODE(data) if own(data.target_system) => {
             // No acknowledgement: the vehicle has none for this message.
             if let Ok(number) = u8::try_from(data.custom_mode) {
@@ -106,29 +109,31 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         MavMessage::PARAM_REQUEST_READ(data) if own(data.target_system) => {
             read_parameter(autopilot, link, data);
         }
-        MavMessage::TIMESYNC(data) if data.tc1 == 0 => {
-            link.reply(MavMessage::TIMESYNC(TIMESYNC_DATA {
-                tc1: autopilot.uptime().as_nanos() as i64,
-                ts1: data.ts1,
-                target_system: frame.system,
-                target_component: frame.component,
-            }));
-        }
+        MavMessage::TIMESYNC(data) if data.tc1 == 0 => link.reply(time(autopilot, frame, data.ts1)),
         MavMessage::AUTOPILOT_VERSION_REQUEST(data) if own(data.target_system) => {
             link.replies
                 .extend(telemetry::message(148, autopilot).map(Into::into));
         }
-        MavMessage::RC_CHANNELS_OVERRIDE(data) if own(data.target_system) => {
-            if frame.system == autopilot.tuning.ground_station {
-                override_sticks(autopilot, data);
-            }
+        MavMessage::RC_CHANNELS_OVERRIDE(data)
+            if own(data.target_system) && frame.system == autopilot.tuning.ground_station =>
+        {
+            override_sticks(autopilot, data);
         }
         other => {
-            if let Some(answer) = plans::answer(autopilot.system, other, frame) {
-                link.reply(answer);
-            }
+            let answer = plans::answer(autopilot.system, other, frame);
+            link.replies.extend(answer.map(Into::into));
         }
     }
+}
+
+/// The vehicle's clock beside the asker's stamp.
+fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
+    MavMessage::TIMESYNC(TIMESYNC_DATA {
+        tc1: autopilot.uptime().as_nanos() as i64,
+        ts1,
+        target_system: frame.system,
+        target_component: frame.component,
+    })
 }
 
 fn override_sticks(autopilot: &mut Autopilot, data: &RC_CHANNELS_OVERRIDE_DATA) {
@@ -179,7 +184,7 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
     }
 }
 
-/// PARAM_VALUE with the place in the list.
+/// `PARAM_VALUE` with the place in the list.
 pub(super) fn parameter_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
     MavMessage::PARAM_VALUE(value_of(autopilot, parameter))
 }
