@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::encode::{self, FRAME_GLOBAL, FRAME_RELATIVE, IntFields};
 use super::setpoint::{
-    above_ground, acknowledged_int, goto, height, needs_guided, position, setpoint,
+    above_ground, acknowledged_int, goto, heading, height, needs_guided, position, setpoint,
 };
 use super::{Command, SpeedAxis};
 use crate::geo::wrap_360;
@@ -216,7 +216,8 @@ impl Command {
                 relative,
                 rate_deg_s,
             } => {
-                let turned = yaw_params(*angle_deg, *relative, rate_deg_s.unwrap_or(0.0));
+                let rate = rate_deg_s.unwrap_or(0.0);
+                let turned = yaw_params(vehicle, *angle_deg, *relative, rate)?;
                 (cmd::CONDITION_YAW, turned)
             }
             Self::SetHome { .. } => (cmd::DO_SET_HOME, params(&[1.0])),
@@ -308,19 +309,25 @@ fn params(given: &[f32]) -> [f32; 7] {
     all
 }
 
-/// CONDITION_YAW wants an angle without sign; the direction is a parameter of its own, 0 for the shortest.
-fn yaw_params(angle_deg: f64, relative: bool, rate_deg_s: f64) -> [f32; 7] {
-    let (angle, direction) = if relative {
-        (angle_deg.abs(), if angle_deg < 0.0 { -1.0 } else { 1.0 })
+/// CONDITION_YAW with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A
+/// relative turn is worked out here, since a vehicle that is asked twice for a relative one turns twice.
+fn yaw_params(
+    vehicle: &Vehicle,
+    angle_deg: f64,
+    relative: bool,
+    rate_deg_s: f64,
+) -> Result<[f32; 7], String> {
+    let (heading, direction) = if relative {
+        let now = f64::from(heading(vehicle)?);
+        (now + angle_deg, if angle_deg < 0.0 { -1.0 } else { 1.0 })
     } else {
-        (wrap_360(angle_deg), 0.0)
+        (angle_deg, 0.0)
     };
-    params(&[
-        angle as f32,
+    Ok(params(&[
+        wrap_360(heading) as f32,
         rate_deg_s as f32,
         direction,
-        f32::from(u8::from(relative)),
-    ])
+    ]))
 }
 
 /// The mode in which a vehicle stays where it is; `None` where pausing does it.

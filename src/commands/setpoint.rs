@@ -18,9 +18,7 @@ pub(super) fn goto(
     let yaw_deg = match heading {
         Heading::Auto => None,
         Heading::Fixed(degrees) => Some(degrees),
-        Heading::Keep => Some(f64::from(vehicle.heading_deg().ok_or_else(|| {
-            format!("vehicle {} has not said where its nose points", vehicle.id)
-        })?)),
+        Heading::Keep => Some(f64::from(self::heading(vehicle)?)),
     };
     if class(vehicle) == VehicleClass::Plane {
         return reposition(vehicle, destination);
@@ -173,6 +171,12 @@ pub(super) fn position(vehicle: &Vehicle) -> Result<LatLon, String> {
         .global
         .map(|global| global.at_point)
         .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
+}
+
+pub(super) fn heading(vehicle: &Vehicle) -> Result<f32, String> {
+    vehicle
+        .heading_deg()
+        .ok_or_else(|| format!("vehicle {} has not said where its nose points", vehicle.id))
 }
 
 pub(super) fn height(vehicle: &Vehicle) -> Result<f64, String> {

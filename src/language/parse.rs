@@ -177,19 +177,16 @@ fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context
     }
     let what = list(expected());
     let specific = misfits.iter().any(|misfit| misfit.specific);
-    let fault = match message {
-        Some(message) => Diagnostic::new(span, message),
-        None => Diagnostic::new(
-            span,
-            format!("`{}` does not fit here: expected {what}", word.text),
-        ),
-    };
     let names: Vec<String> = expected()
         .flat_map(|item| names_of(item, context))
         .collect();
-    let fault = fault.with_nearest(word.text, names.iter().map(String::as_str));
+    let says_what = message.is_none() || specific;
+    let message =
+        message.unwrap_or_else(|| format!("`{}` does not fit here: expected {what}", word.text));
+    let fault =
+        Diagnostic::new(span, message).with_nearest(word.text, names.iter().map(String::as_str));
     match fault.help {
-        None if !specific => fault.with_help(format!("expected {what}")),
+        None if !says_what => fault.with_help(format!("expected {what}")),
         _ => fault,
     }
 }
