@@ -41,9 +41,9 @@ const SETPOINT_EVERY: Duration = Duration::from_millis(200);
 /// What answers a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
-    /// COMMAND_ACK of this `MAV_CMD`.
+    /// `COMMAND_ACK` of this `MAV_CMD`.
     Ack(u16),
-    /// PARAM_VALUE of this parameter.
+    /// `PARAM_VALUE` of this parameter.
     Parameter(String),
     /// Nothing ever comes (setpoints): only the effect tells.
     None,
@@ -69,7 +69,7 @@ impl Request {
         }
     }
 
-    /// Prepares the next try: the same messages, with the confirmation of a COMMAND_LONG counted up.
+    /// Prepares the next try: the same messages, with the confirmation of a `COMMAND_LONG` counted up.
     pub fn again(&mut self) {
         for message in &mut self.messages {
             encode::confirm_again(message);
@@ -149,7 +149,7 @@ impl Command {
         }
     }
 
-    /// What a PARAM_VALUE says about a parameter command, as "WPNAV_SPEED = 500".
+    /// What a `PARAM_VALUE` says about a parameter command, as "`WPNAV_SPEED` = 500".
     ///
     /// # Errors
     /// In plain words when the vehicle kept another value than was set. Whole-numbered parameters cut off the
@@ -171,7 +171,7 @@ impl Command {
         }
     }
 
-    /// Command and parameters of those that go as COMMAND_LONG.
+    /// Command and parameters of those that go as `COMMAND_LONG`.
     fn long_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), String> {
         let number = vehicle.id;
         Ok(match self {
@@ -231,7 +231,7 @@ impl Command {
         })
     }
 
-    /// COMMAND_LONG of what does not depend on the vehicle's state.
+    /// `COMMAND_LONG` of what does not depend on the vehicle's state.
     fn device_fields(&self) -> Result<(u16, [f32; 7]), String> {
         Ok(match self {
             Self::Servo { output, pulse_us } => (
@@ -255,7 +255,7 @@ impl Command {
         })
     }
 
-    /// The fields of those that go as COMMAND_INT.
+    /// The fields of those that go as `COMMAND_INT`.
     fn int_fields(&self, vehicle: &Vehicle) -> Result<IntFields, String> {
         match self {
             Self::Orbit {
@@ -309,7 +309,7 @@ fn params(given: &[f32]) -> [f32; 7] {
     all
 }
 
-/// CONDITION_YAW with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A
+/// `CONDITION_YAW` with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A
 /// relative turn is worked out here, since a vehicle that is asked twice for a relative one turns twice.
 fn yaw_params(
     vehicle: &Vehicle,

@@ -35,7 +35,7 @@ pub(super) fn goto(
     }
 }
 
-/// ArduPlane flies to a point by DO_REPOSITION only.
+/// ArduPlane flies to a point by `DO_REPOSITION` only.
 fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, String> {
     let (point, altitude_m) = match destination {
         Destination::Global {
@@ -192,7 +192,7 @@ fn local(vehicle: &Vehicle) -> Result<[f64; 3], String> {
         .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
 }
 
-/// A request that COMMAND_ACK answers.
+/// A request that `COMMAND_ACK` answers.
 pub(super) fn acknowledged_int(vehicle: &Vehicle, fields: &IntFields) -> Result<Request, String> {
     let message = encode::int(vehicle, fields)?;
     Ok(Request::new(message, Answer::Ack(fields.command)))

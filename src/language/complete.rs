@@ -6,7 +6,7 @@ use std::ops::Range;
 use nucleo_matcher::pattern::{AtomKind, CaseMatching, Normalization, Pattern};
 use nucleo_matcher::{Config, Matcher, Utf32Str};
 
-use super::argument::Kind;
+use super::argument::{Argument, Kind};
 use super::form::{Expected, fit};
 use super::lexer::{Word, comment_start, words};
 use super::parse::{Head, head};
@@ -77,7 +77,7 @@ pub fn hint(line: &str, context: &Context) -> Option<String> {
             .map(|expected| expected.argument());
         let mut hint = form.usage(head.verb.name, marked);
         if let Some(explained) = marked
-            .map(|m| m.explained())
+            .map(Argument::explained)
             .filter(|text| !text.is_empty())
         {
             hint = format!("{hint}: {explained}");
@@ -213,3 +213,6 @@ fn floor_boundary(line: &str, at: usize) -> usize {
     }
     at
 }
+
+#[cfg(test)]
+mod tests;

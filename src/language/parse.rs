@@ -142,21 +142,18 @@ fn fault(verb: &Verb, fits: &[Fit], rest: &[Word], all: &[Word], context: &Conte
         .iter()
         .filter(|fit| progress(fit) == furthest)
         .collect();
-    match rest.get(furthest.0) {
-        Some(word) => {
-            let misfits: Vec<&Misfit> = closest
-                .iter()
-                .filter_map(|fit| fit.misfit.as_ref())
-                .collect();
-            misfit_fault(verb, word, &misfits, context)
-        }
-        None => {
-            let expected = closest.iter().flat_map(|fit| fit.expected.iter());
-            let missing = list(expected.copied().filter(|e| !e.argument().optional));
-            Diagnostic::new(end_of(all), format!("{} needs {missing}", verb.name))
-                .with_help(format!("for example `{}`", verb.examples[0]))
-        }
-    }
+    let Some(word) = rest.get(furthest.0) else {
+        let expected = closest.iter().flat_map(|fit| fit.expected.iter());
+        let missing = list(expected.copied().filter(|e| !e.argument().optional));
+        let example = verb.examples.first().unwrap_or(&verb.name);
+        return Diagnostic::new(end_of(all), format!("{} needs {missing}", verb.name))
+            .with_help(format!("for example `{example}`"));
+    };
+    let misfits: Vec<&Misfit> = closest
+        .iter()
+        .filter_map(|fit| fit.misfit.as_ref())
+        .collect();
+    misfit_fault(verb, word, &misfits, context)
 }
 
 fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context) -> Diagnostic {
