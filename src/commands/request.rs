@@ -201,6 +201,21 @@ impl Command {
                 None => (cmd::DO_PAUSE_CONTINUE, params(&[0.0])),
             },
             Self::Resume => (cmd::DO_PAUSE_CONTINUE, params(&[1.0])),
+            Self::SetHome { .. } => (cmd::DO_SET_HOME, params(&[1.0])),
+            Self::Reboot if vehicle.armed() => {
+                return Err(format!(
+                    "vehicle {number} is armed: disarm it before a reboot"
+                ));
+            }
+            Self::Reboot => (cmd::PREFLIGHT_REBOOT_SHUTDOWN, params(&[1.0])),
+            Self::Speed { .. } | Self::Yaw { .. } => return self.motion_fields(vehicle),
+            other => return other.device_fields(),
+        })
+    }
+
+    /// `COMMAND_LONG` of what changes a movement.
+    fn motion_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), String> {
+        Ok(match self {
             Self::Speed { axis, speed_m_s } => {
                 let kind = match axis {
                     SpeedAxis::Ground => 1.0,
@@ -220,14 +235,7 @@ impl Command {
                 let turned = yaw_params(vehicle, *angle_deg, *relative, rate)?;
                 (cmd::CONDITION_YAW, turned)
             }
-            Self::SetHome { .. } => (cmd::DO_SET_HOME, params(&[1.0])),
-            Self::Reboot if vehicle.armed() => {
-                return Err(format!(
-                    "vehicle {number} is armed: disarm it before a reboot"
-                ));
-            }
-            Self::Reboot => (cmd::PREFLIGHT_REBOOT_SHUTDOWN, params(&[1.0])),
-            other => other.device_fields()?,
+            other => return Err(format!("{other:?} is not sent as COMMAND_LONG")),
         })
     }
 

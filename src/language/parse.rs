@@ -64,36 +64,44 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
     };
     let Some(found) = verb(word.text) else {
         // A mode's name alone changes to it.
-        if mode_named(word.text, context).is_some()
-            && let Some(mode) = verb("mode")
-        {
-            return Ok(Head {
+        return match (mode_named(word.text, context), verb("mode")) {
+            (Some(_), Some(mode)) => Ok(Head {
                 targets,
                 verb: mode,
                 said: String::new(),
                 len: at,
-            });
-        }
-        return Err(unknown_verb(word, context));
+            }),
+            _ => Err(unknown_verb(word, context)),
+        };
     };
-    at += 1;
-    if found.name == "wait"
-        && let Some(word) = words.get(at)
-        && targets_of_wait(word, words.len() - at)
-    {
-        if targets != Targets::Selection {
-            let message = "the targets are named twice";
-            return Err(Diagnostic::new(word.span.clone(), message));
-        }
-        targets = Targets::read(word, context)?;
-        at += 1;
-    }
-    Ok(Head {
+    let mut head = Head {
         targets,
         verb: found,
         said: found.name.to_owned(),
-        len: at,
-    })
+        len: at + 1,
+    };
+    if found.name == "wait" {
+        targets_after(&mut head, words, context)?;
+    }
+    Ok(head)
+}
+
+/// The targets of a `wait` may stand after it.
+fn targets_after(head: &mut Head, words: &[Word], context: &Context) -> Result<(), Diagnostic> {
+    let left = words.len() - head.len;
+    let Some(word) = words.get(head.len) else {
+        return Ok(());
+    };
+    if !targets_of_wait(word, left) {
+        return Ok(());
+    }
+    if head.targets != Targets::Selection {
+        let message = "the targets are named twice";
+        return Err(Diagnostic::new(word.span.clone(), message));
+    }
+    head.targets = Targets::read(word, context)?;
+    head.len += 1;
+    Ok(())
 }
 
 /// `wait 5` is a time, `wait 5 armed` waits for vehicle 5; `wait 5s` is a time in any case.

@@ -53,6 +53,16 @@ fn an_effect_shows_when_telemetry_says_so_and_not_before() {
 }
 
 #[test]
+fn a_low_takeoff_is_not_over_before_it_began() {
+    let mut ground = on_the_ground("GUIDED");
+    if let Some(global) = &mut ground.global {
+        global.altitude_m = 0.1;
+    }
+    let takeoff = Command::Takeoff { altitude_m: 0.8 };
+    assert_eq!(takeoff.effect(&ground).seen(&ground), Some(false));
+}
+
+#[test]
 fn patience_grows_with_the_way() {
     let near = offset(1.0).effect(&flying("GUIDED")).within();
     let destination = Destination::Local {

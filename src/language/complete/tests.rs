@@ -54,7 +54,8 @@ fn the_hint_marks_what_comes_next() {
         "{}",
         hint("goto n 1 ")
     );
-    assert_eq!(hint("goto ").matches("  |  ").count(), 2);
+    assert_eq!(hint("goto "), "goto ‹n NORTH | by | LAT LON|PLACE›");
+    assert_eq!(hint("all arm now"), "");
     assert_eq!(hint("arm"), "arm: start the motors");
     assert_eq!(hint("nonsense"), "");
 }
