@@ -13,13 +13,17 @@ use crate::wire::SystemId;
 const FALL_FROM_M: f64 = 2.0;
 /// The ground is this near when a touchdown is judged.
 const NEAR_GROUND_M: f64 = 3.0;
-/// Touching down faster than this is a crash; ArduCopter lands with 0.5 m/s.
+/// Touching down faster than this is a crash; `ArduCopter` lands with 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
 /// A landing farther than this from every pad costs safety.
 const OFF_PAD_M: f64 = 3.0;
 
 /// A vehicle in a mission.
 #[derive(Debug, Clone)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "independent facts about one vehicle"
+)]
 pub(crate) struct Craft {
     pub id: SystemId,
     /// Where it is, once it has said so.
@@ -212,7 +216,7 @@ impl Craft {
     }
 }
 
-/// What a status text of ArduPilot or its simulator tells about safety.
+/// What a status text of `ArduPilot` or its simulator tells about safety.
 fn from_text(text: &str) -> Option<Breach> {
     if let Some(rest) = text.strip_prefix("SIM Hit ground at ") {
         let speed: f64 = rest.split_whitespace().next()?.parse().ok()?;

@@ -58,11 +58,11 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
     {
         let text = format!("Bring the quality from {quality:.2} to {GOOD_QUALITY:.2} ({words}).");
         mend(text, &|facts| {
-            facts.quality = Some((GOOD_QUALITY, String::new()))
+            facts.quality = Some((GOOD_QUALITY, String::new()));
         });
     }
     if facts.elapsed > rules.par_time {
-        let late_s = (facts.elapsed - rules.par_time).as_secs_f64();
+        let late_s = facts.elapsed.saturating_sub(rules.par_time).as_secs_f64();
         let text = format!("Be {late_s:.0} s faster: that is par.");
         mend(text, &|facts| facts.elapsed = rules.par_time);
     }
@@ -76,7 +76,7 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
     let kinds: BTreeSet<_> = facts.safety.iter().map(|event| event.kind).collect();
     for kind in kinds {
         mend(kind.advice().to_owned(), &|facts| {
-            facts.safety.retain(|event| event.kind != kind)
+            facts.safety.retain(|event| event.kind != kind);
         });
     }
     if facts.commands.value() < 1.0 {
