@@ -6,7 +6,7 @@ use super::sensor::Probe;
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
 use crate::scoring::SafetyKind;
-use crate::vehicle::{StatusText, Vehicle};
+use crate::vehicle::{GlobalPosition, StatusText, Vehicle};
 use crate::wire::SystemId;
 
 /// Motors that stop above this height let a vehicle fall.
@@ -135,7 +135,9 @@ impl Craft {
         self.airborne = vehicle.airborne();
         self.flown |= self.airborne && self.armed;
         self.speed_m_s = vehicle.ground_speed_m_s().map_or(0.0, f64::from);
-        if let Some(global) = vehicle.global {
+        let sound =
+            |global: &GlobalPosition| global.at_point.is_valid() && global.altitude_m.is_finite();
+        if let Some(global) = vehicle.global.filter(sound) {
             let at = mission.origin.point(global.at_point);
             let distance = |pad: &Point| (at[0] - pad[0]).hypot(at[1] - pad[1]);
             self.pad_distance_m = mission.pads.iter().map(distance).min_by(f64::total_cmp);
@@ -151,7 +153,12 @@ impl Craft {
             self.battery_percent = battery.remaining_percent.map(f64::from);
             let from_charge =
                 || Some(f64::from(battery.consumed_mah?) / 1000.0 * f64::from(battery.voltage_v?));
-            if let Some(now) = battery.consumed_wh.map(f64::from).or_else(from_charge) {
+            if let Some(now) = battery
+                .consumed_wh
+                .map(f64::from)
+                .or_else(from_charge)
+                .filter(|wh| wh.is_finite())
+            {
                 let first = self.energy_wh.map_or(now, |(first, _)| first);
                 self.energy_wh = Some((first, now));
             }

@@ -54,7 +54,7 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
     {
         let text = format!("Bring the quality from {quality:.2} to {GOOD_QUALITY:.2} ({words}).");
         remedies.mend(text, |facts| {
-            facts.quality = Some((GOOD_QUALITY, String::new()))
+            facts.quality = Some((GOOD_QUALITY, String::new()));
         });
     }
     remedies.reach_par(rules);
@@ -78,7 +78,7 @@ impl Remedies<'_> {
         let late = self.facts.elapsed.saturating_sub(rules.par_time);
         let text = format!("Be {:.0} s faster: that is par.", late.as_secs_f64());
         self.mend(text, |facts| {
-            facts.elapsed = facts.elapsed.min(rules.par_time)
+            facts.elapsed = facts.elapsed.min(rules.par_time);
         });
         if let Some(used_wh) = self.facts.energy_wh {
             let text = format!(
@@ -86,7 +86,7 @@ impl Remedies<'_> {
                 used_wh - rules.par_energy_wh
             );
             self.mend(text, |facts| {
-                facts.energy_wh = Some(used_wh.min(rules.par_energy_wh))
+                facts.energy_wh = Some(used_wh.min(rules.par_energy_wh));
             });
         }
     }
