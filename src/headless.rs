@@ -72,6 +72,10 @@ impl Exercise {
                 session: Session::new(index as SystemId + 1, AUTOPILOT_COMPONENT, Duration::ZERO),
             });
         }
+        // From here on commands count.
+        exercise
+            .flight
+            .step(Duration::ZERO, &exercise.vehicles, &exercise.ledger);
         exercise
     }
 

@@ -13,8 +13,10 @@ use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent};
 use crate::geo::LatLon;
 use crate::headless;
+use crate::ledger::Ledger;
 use crate::link::{Address, Endpoint, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
+use crate::notice::Notice;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::store;
@@ -112,10 +114,13 @@ impl Running {
 
     async fn start_mission(&mut self, name: &str, backend: &Backend) -> anyhow::Result<Started> {
         let mission = Arc::new(find_mission(name)?);
+        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
+        // From here on commands count.
+        flight.step(Duration::ZERO, &BTreeMap::new(), &Ledger::new());
         let config = headless::world_config(&mission, backend.seed);
         self.simulate(&config, backend.speedup).await?;
         self.mission = Some(MissionClock {
-            flight: Flight::new(Arc::clone(&mission), backend.seed),
+            flight,
             started: backend.clock.now(),
             speedup: backend.speedup,
             stepped: Duration::ZERO,
@@ -203,7 +208,8 @@ impl Running {
             let said = clock
                 .flight
                 .step(clock.stepped, &shown.vehicles, &shown.ledger);
-            events.extend(said.into_iter().map(Event::Notice));
+            // The mission speaks on its own clock; the console's notices are on the program's.
+            events.extend(said.into_iter().map(|notice| Event::Notice(Notice { at: now, ..notice })));
         }
         events.push(Event::Mission(Box::new(clock.flight.progress())));
         if clock.flight.outcome().is_some() {

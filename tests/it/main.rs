@@ -1,9 +1,12 @@
 //! The one integration-test binary.
 
+mod command_line;
 mod fixtures;
 mod fleet;
 mod harness;
 mod layering;
 mod missions;
+mod pty;
 mod recordings;
 mod screens;
+mod terminal;

@@ -1,0 +1,132 @@
+//! The whole program in a pseudo-terminal: sessions that read like scripts.
+
+use std::process::Command;
+
+use crate::terminal::Terminal;
+
+/// Free flight from the home screen, with everybody ready to arm.
+fn free_flight(columns: u16, rows: u16) -> Terminal {
+    let mut terminal = Terminal::start(&["fly", "--speedup", "5"], columns, rows);
+    terminal
+        .see("4 vehicles")
+        .wait("four ready vehicles", |screen| screen.matches("ready").count() >= 4);
+    terminal
+}
+
+fn signal(terminal: &Terminal, name: &str) {
+    let process_id = terminal.process_id().to_string();
+    let sent = Command::new("kill").args([name, &process_id]).status();
+    assert!(sent.expect("kill is there").success());
+}
+
+/// The terminal is as it was: the shell's screen, its cursor, no bracketed paste.
+fn is_given_back(terminal: &Terminal) {
+    assert!(!terminal.in_alternate_screen());
+    assert!(!terminal.cursor_is_hidden());
+    assert!(terminal.raw().contains("\u{1b}[?2004l"), "bracketed paste is off");
+}
+
+#[test]
+fn four_drones_take_off_move_and_come_home() {
+    let mut terminal = free_flight(120, 40);
+    terminal.command("all guided").see("4 effect seen");
+    terminal.command("all arm").wait("four armed", |screen| screen.contains("4 armed"));
+    terminal.command("all takeoff 15").see("all takeoff 15  4 effect seen");
+    terminal
+        .command("1-2 goto n 30 e 10 up 20")
+        .see("1-2 goto n 30 e 10 up 20  2 effect seen");
+    terminal.command("all rtl").see("all rtl  4 effect seen");
+    terminal.wait("all landed", |screen| screen.contains("0 armed"));
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+    is_given_back(&terminal);
+}
+
+#[test]
+fn free_flight_is_reached_from_the_home_screen() {
+    let mut terminal = Terminal::start(&[], 80, 24);
+    terminal.see("HOME").see("Air sample").see("Free flight");
+    terminal.press("j\r").see("FLY").see("4 vehicles");
+    terminal.command("leave").see("HOME");
+    terminal.press("q");
+    assert_eq!(terminal.end(), 0);
+    is_given_back(&terminal);
+}
+
+#[test]
+fn a_kill_names_its_targets_and_wants_their_number() {
+    let mut terminal = free_flight(80, 24);
+    terminal.command("1,3,4 kill").see("KILL 3: 1 3 4").press("x");
+    terminal.see_no_more("KILL 3: 1 3 4");
+    terminal.command("1,3,4 kill").see("KILL 3: 1 3 4").press("3");
+    terminal.see("1,3-4 kill").see("3 effect seen");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn a_slip_is_marked_and_keeps_the_line() {
+    let mut terminal = free_flight(80, 24);
+    terminal.command("all takeof 20").see("did you mean").see("all takeof 20");
+    terminal.press("\u{1b}").see_no_more("did you mean");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn ranges_select_and_commands_go_to_the_selection() {
+    let mut terminal = free_flight(120, 40);
+    terminal.press("2-3\r").command("guided").see("2-3 guided  2 effect seen");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn a_mission_that_is_abandoned_ends_in_its_debrief() {
+    let mut terminal = Terminal::start(&["fly", "01", "--speedup", "5"], 80, 24);
+    terminal.see("1 vehicle").see("8 of 9");
+    terminal.command("abandon").see("DEBRIEF").see("ABANDONED").see("OBJECTIVES");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn a_terminal_that_is_too_small_is_told_so_until_it_grows() {
+    let mut terminal = free_flight(80, 24);
+    terminal.resize(60, 15).see("80").see("24").see("60").see("15");
+    terminal.resize(120, 40).see("4 vehicles").see("ledger");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn being_terminated_gives_the_terminal_back() {
+    for name in ["-TERM", "-HUP"] {
+        let mut terminal = free_flight(80, 24);
+        signal(&terminal, name);
+        terminal.end();
+        is_given_back(&terminal);
+    }
+}
+
+#[test]
+fn an_address_where_nobody_listens_is_explained_on_the_screen() {
+    // Port 1 needs privileges to listen on and nobody does.
+    let mut terminal = Terminal::start(&["connect", "tcp:127.0.0.1:1"], 120, 40);
+    terminal.see("tcp:127.0.0.1:1").see("refused");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn without_colours_states_are_still_told_apart() {
+    let mut terminal = Terminal::start_with(&["fly"], 80, 24, &[("NO_COLOR", "1")]);
+    terminal.see("4 vehicles").see("STABILIZE");
+    let raw = terminal.raw();
+    for sequence in ["\u{1b}[38;", "\u{1b}[48;"] {
+        assert!(!raw.contains(sequence), "a colour was sent");
+    }
+    assert!(raw.contains("\u{1b}[1m") || raw.contains("\u{1b}[7m"), "nothing stands out");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
