@@ -2,6 +2,7 @@
 
 pub mod app;
 pub mod commands;
+pub mod debrief;
 pub mod diagnostic;
 pub mod geo;
 pub mod language;

@@ -202,4 +202,6 @@ impl Mission {
 }
 
 #[cfg(test)]
+pub(crate) mod fake;
+#[cfg(test)]
 mod tests;

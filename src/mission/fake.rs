@@ -1,0 +1,223 @@
+//! A vehicle for tests that flies in straight lines and reports what a copter would.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::{Flight, Mission, Report, TICK};
+use crate::ledger::{Ledger, RowState, RowUpdate};
+use crate::vehicle::{
+    Battery, GlobalPosition, Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass,
+};
+
+/// Ends of the lines through all nine cells, north and east; the turns lie outside.
+pub(crate) const ROUTE: [(f64, f64); 6] = [
+    (40.0, -35.0),
+    (40.0, 35.0),
+    (60.0, 35.0),
+    (60.0, -35.0),
+    (80.0, -35.0),
+    (80.0, 35.0),
+];
+
+/// A flight with one vehicle.
+pub(crate) struct Pilot {
+    pub flight: Flight,
+    pub ledger: Ledger,
+    pub now: Duration,
+    pub disarmed_at: Option<Duration>,
+    vehicles: BTreeMap<u8, Vehicle>,
+    /// North, east, up.
+    position_m: [f64; 3],
+    armed_s: f64,
+}
+
+impl Pilot {
+    pub fn new(seed: u64) -> Self {
+        let mission =
+            Mission::parse(include_str!("../../missions/01-air-sample.toml")).expect("it is good");
+        let mut vehicle = Vehicle::new(1, 1);
+        vehicle.landed = LandedState::OnGround;
+        vehicle.heartbeat = Some(Heartbeat {
+            mav_type: 2,
+            autopilot: 3,
+            class: VehicleClass::Copter,
+            mode: Mode {
+                class: VehicleClass::Copter,
+                number: 4,
+            },
+            armed: false,
+            status: SystemStatus::Standby,
+            at: Duration::ZERO,
+        });
+        let mut pilot = Self {
+            flight: Flight::new(Arc::new(mission), seed),
+            ledger: Ledger::new(),
+            now: Duration::ZERO,
+            disarmed_at: None,
+            vehicles: BTreeMap::from([(1, vehicle)]),
+            position_m: [0.0; 3],
+            armed_s: 0.0,
+        };
+        pilot.report_state([0.0; 3]);
+        pilot
+    }
+
+    pub fn report(&self) -> Report {
+        self.flight.report(&self.ledger)
+    }
+
+    pub fn tick(&mut self) {
+        self.flight.step(self.now, &self.vehicles, &self.ledger);
+        self.now += TICK;
+        if self.vehicles[&1].armed() {
+            self.armed_s += TICK.as_secs_f64();
+        }
+    }
+
+    pub fn wait(&mut self, seconds: f64) {
+        for _ in 0..(seconds / TICK.as_secs_f64()) as u32 {
+            self.tick();
+        }
+    }
+
+    pub fn set_armed(&mut self, armed: bool) {
+        let vehicle = self.vehicles.get_mut(&1).expect("there from the start");
+        vehicle
+            .heartbeat
+            .as_mut()
+            .expect("there from the start")
+            .armed = armed;
+    }
+
+    pub fn command(&mut self, line: &str, state: RowState) {
+        let verb = line.split_whitespace().nth(1).unwrap_or_default();
+        let entry = self.ledger.open(self.now, line, verb, &[1]);
+        self.ledger.apply(&RowUpdate {
+            entry,
+            vehicle: 1,
+            state,
+            tries: 1,
+            at: self.now,
+            explanation: None,
+        });
+    }
+
+    pub fn take_off(&mut self, height_m: f64) {
+        self.wait(2.0);
+        self.command("1 arm", RowState::Done);
+        self.set_armed(true);
+        self.wait(1.0);
+        self.set_landed(LandedState::InAir);
+        self.fly_to([self.position_m[0], self.position_m[1], height_m], 2.5);
+    }
+
+    pub fn goto(&mut self, north_m: f64, east_m: f64, speed_m_s: f64) {
+        self.fly_to([north_m, east_m, self.position_m[2]], speed_m_s);
+    }
+
+    pub fn survey(&mut self) {
+        self.goto(ROUTE[0].0, ROUTE[0].1, 10.0);
+        for (north, east) in ROUTE {
+            self.command(&format!("1 goto n {north} e {east}"), RowState::Done);
+            self.goto(north, east, 3.5);
+            self.wait(2.0);
+        }
+    }
+
+    pub fn land(&mut self) {
+        self.fly_to([self.position_m[0], self.position_m[1], 10.0], 1.5);
+        self.fly_to([self.position_m[0], self.position_m[1], 0.0], 0.5);
+        self.wait(2.0);
+        self.set_landed(LandedState::OnGround);
+        self.set_armed(false);
+        self.disarmed_at = Some(self.now);
+        for _ in 0..100 {
+            if self.flight.outcome().is_some() {
+                return;
+            }
+            self.tick();
+        }
+    }
+
+    fn set_landed(&mut self, landed: LandedState) {
+        self.vehicles
+            .get_mut(&1)
+            .expect("there from the start")
+            .landed = landed;
+    }
+
+    fn fly_to(&mut self, to: [f64; 3], speed_m_s: f64) {
+        loop {
+            let step: [f64; 3] = std::array::from_fn(|axis| to[axis] - self.position_m[axis]);
+            let distance = step.iter().map(|s| s * s).sum::<f64>().sqrt();
+            let reach = speed_m_s * TICK.as_secs_f64();
+            let share = if distance <= reach {
+                1.0
+            } else {
+                reach / distance
+            };
+            for (position, step) in self.position_m.iter_mut().zip(step) {
+                *position += share * step;
+            }
+            self.report_state(step.map(|s| s * share / TICK.as_secs_f64()));
+            self.tick();
+            if distance <= reach {
+                self.report_state([0.0; 3]);
+                return;
+            }
+        }
+    }
+
+    fn report_state(&mut self, velocity_m_s: [f64; 3]) {
+        let start = self.flight.mission().starts()[0];
+        let vehicle = self.vehicles.get_mut(&1).expect("there from the start");
+        let [north, east, up] = self.position_m;
+        vehicle.global = Some(GlobalPosition {
+            at_point: start.at.moved(north, east),
+            altitude_amsl_m: start.altitude_amsl_m + up,
+            altitude_m: up,
+            north_m_s: velocity_m_s[0] as f32,
+            east_m_s: velocity_m_s[1] as f32,
+            down_m_s: -velocity_m_s[2] as f32,
+            heading_deg: None,
+            at: self.now,
+        });
+        // The default battery: 3300 mAh, 12.6 V, 468 mAh a minute in the air.
+        let used_mah = self.armed_s / 60.0 * 468.0;
+        vehicle.batteries = vec![Battery {
+            id: 0,
+            voltage_v: Some(12.6),
+            current_a: None,
+            consumed_mah: Some(used_mah as f32),
+            consumed_wh: None,
+            remaining_percent: Some((100.0 - used_mah / 33.0).max(0.0) as u8),
+            at: self.now,
+        }];
+    }
+}
+
+/// The whole mission as the reference pilot flies it.
+pub(crate) fn fly_the_cells(seed: u64) -> Pilot {
+    let mut pilot = Pilot::new(seed);
+    pilot.take_off(20.0);
+    pilot.survey();
+    pilot.goto(0.0, 0.0, 10.0);
+    pilot.wait(5.0);
+    pilot.land();
+    pilot
+}
+
+/// Arms, and waits until the mission is over.
+pub(crate) fn do_nothing() -> Pilot {
+    let mut pilot = Pilot::new(1);
+    pilot.wait(2.0);
+    pilot.command("1 arm", RowState::Done);
+    pilot.set_armed(true);
+    pilot.wait(10.0);
+    pilot.set_armed(false);
+    while pilot.flight.outcome().is_none() {
+        pilot.tick();
+    }
+    pilot
+}
