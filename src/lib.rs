@@ -11,7 +11,6 @@ pub mod messages;
 pub mod mission;
 pub mod notice;
 pub mod scoring;
-pub mod debrief;
 pub mod sim;
 pub mod ui;
 pub mod vehicle;

@@ -24,17 +24,34 @@ pub mod telemetry;
 
 /// Draws a rule with a title along the top of `area` and returns what is left below it.
 pub fn titled(title: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
-    let Some(mut x) = put(buffer, area, 0, &Line::styled("── ", theme.style(Role::Border))) else {
+    let Some(mut x) = put(
+        buffer,
+        area,
+        0,
+        &Line::styled("── ", theme.style(Role::Border)),
+    ) else {
         return area;
     };
     let right = area.right();
     let title = clip(title, usize::from(area.width.saturating_sub(4)));
     x = buffer
-        .set_stringn(x, area.y, title, usize::from(right - x), theme.style(Role::Title))
+        .set_stringn(
+            x,
+            area.y,
+            title,
+            usize::from(right - x),
+            theme.style(Role::Title),
+        )
         .0;
     if x < right {
         let rest = "─".repeat(usize::from(right - x).saturating_sub(1));
-        buffer.set_stringn(x + 1, area.y, rest, usize::from(right - x), theme.style(Role::Border));
+        buffer.set_stringn(
+            x + 1,
+            area.y,
+            rest,
+            usize::from(right - x),
+            theme.style(Role::Border),
+        );
     }
     below(area, 1)
 }
@@ -123,7 +140,10 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
             empty = false;
             line.push_str(word);
             while Span::raw(line.as_str()).width() > width {
-                let at = line.char_indices().nth(width).map_or(line.len(), |(at, _)| at);
+                let at = line
+                    .char_indices()
+                    .nth(width)
+                    .map_or(line.len(), |(at, _)| at);
                 if at == line.len() {
                     break;
                 }
@@ -150,7 +170,9 @@ pub fn clock(time: Duration) -> String {
 /// How a severity looks.
 pub fn severity_role(severity: Severity) -> Role {
     match severity {
-        Severity::Emergency | Severity::Alert | Severity::Critical | Severity::Error => Role::Danger,
+        Severity::Emergency | Severity::Alert | Severity::Critical | Severity::Error => {
+            Role::Danger
+        }
         Severity::Warning => Role::Warning,
         Severity::Notice => Role::Accent,
         Severity::Info => Role::Info,
@@ -179,7 +201,10 @@ mod tests {
         assert_eq!(clip("position", 5), "posi…");
         assert_eq!(clip("position", 0), "");
         assert_eq!(clip("日本語", 4), "日…");
-        assert_eq!(wrap("one two  three\n\nfour", 8), ["one two", "three", "", "four"]);
+        assert_eq!(
+            wrap("one two  three\n\nfour", 8),
+            ["one two", "three", "", "four"]
+        );
         assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
     }
 

@@ -39,10 +39,23 @@ pub fn parked(id: u8) -> Vehicle {
         heading_deg: Some(0.0),
         at,
     });
-    vehicle.home = Some(Place { at_point: pad, altitude_amsl_m: 180.0 });
+    vehicle.home = Some(Place {
+        at_point: pad,
+        altitude_amsl_m: 180.0,
+    });
     vehicle.landed = LandedState::OnGround;
-    vehicle.attitude = Some(Attitude { roll_deg: 0.2, pitch_deg: -0.4, yaw_deg: 90.0, at });
-    vehicle.gps = Some(Gps { fix: FixType::RtkFixed, satellites: Some(14), hdop: Some(0.8), at });
+    vehicle.attitude = Some(Attitude {
+        roll_deg: 0.2,
+        pitch_deg: -0.4,
+        yaw_deg: 90.0,
+        at,
+    });
+    vehicle.gps = Some(Gps {
+        fix: FixType::RtkFixed,
+        satellites: Some(14),
+        hdop: Some(0.8),
+        at,
+    });
     vehicle.health = Some(Health {
         present: 0,
         enabled: 0,
@@ -122,8 +135,18 @@ pub fn progress() -> Progress {
         limit: Duration::from_secs(600),
         score_so_far: 412,
         objectives: vec![
-            objective("Measure the air over the yard", ObjectiveState::Open, "4/9 cells", 0.44),
-            objective("Find the highest concentration", ObjectiveState::Met, "B2", 1.0),
+            objective(
+                "Measure the air over the yard",
+                ObjectiveState::Open,
+                "4/9 cells",
+                0.44,
+            ),
+            objective(
+                "Find the highest concentration",
+                ObjectiveState::Met,
+                "B2",
+                1.0,
+            ),
             objective("Land on the pad", ObjectiveState::Open, "", 0.0),
         ],
         readings: vec![Reading {

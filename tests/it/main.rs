@@ -1,5 +1,6 @@
 //! The one integration-test binary.
 
+mod console;
 mod fixtures;
 mod harness;
 mod screens;

@@ -143,7 +143,10 @@ impl Session {
 
     /// How many vehicles are armed.
     pub fn armed(&self) -> usize {
-        self.vehicles.values().filter(|vehicle| vehicle.armed()).count()
+        self.vehicles
+            .values()
+            .filter(|vehicle| vehicle.armed())
+            .count()
     }
 
     /// The place of the cursor in the list of vehicles.

@@ -113,7 +113,7 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
         }
     };
     if palette.history_at.is_none() {
-        palette.draft = palette.input.value().to_owned();
+        palette.input.value().clone_into(&mut palette.draft);
     }
     palette.history_at = at;
     let shown = at.and_then(|at| state.history.iter().rev().nth(at));
@@ -144,13 +144,11 @@ fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
 }
 
 fn carry_out(state: &mut State, line: &str) -> Result<Vec<Effect>, Diagnostic> {
-    match console::parse(line, &state.themes) {
-        Some(own) => console_line(state, line, own?),
-        None => {
-            let order = order::prepare(state, line)?;
-            Ok(order::give(state, order))
-        }
+    if let Some(own) = console::parse(line, &state.themes) {
+        return console_line(state, line, own?);
     }
+    let order = order::prepare(state, line)?;
+    Ok(order::give(state, order))
 }
 
 fn console_line(
@@ -160,7 +158,9 @@ fn console_line(
 ) -> Result<Vec<Effect>, Diagnostic> {
     let at_last_word = |text: String| {
         let end = line.trim_end().len();
-        let start = line[..end].rfind(char::is_whitespace).map_or(0, |at| at + 1);
+        let start = line[..end]
+            .rfind(char::is_whitespace)
+            .map_or(0, |at| at + 1);
         Diagnostic::new(start..end, text)
     };
     match own {
@@ -217,9 +217,17 @@ fn recipients(state: &State, line: &str) -> String {
     }
     if named {
         let ids = targeted(state, first).unwrap_or_default();
-        return if ids.is_empty() { String::new() } else { format!("to {}", ranges(ids)) };
+        return if ids.is_empty() {
+            String::new()
+        } else {
+            format!("to {}", ranges(ids))
+        };
     }
-    let why = if state.session.selection.is_empty() { "under the cursor" } else { "selected" };
+    let why = if state.session.selection.is_empty() {
+        "under the cursor"
+    } else {
+        "selected"
+    };
     format!("to {} ({why})", ranges(state.addressed()))
 }
 

@@ -57,13 +57,17 @@ pub fn started(state: &mut State, started: Started) {
     state.hush();
 }
 
-pub fn notice(state: &mut State, notice: Notice) -> Vec<Effect> {
+pub fn notice(state: &mut State, notice: &Notice) -> Vec<Effect> {
     let serious = notice.severity <= Severity::Critical;
     state.notices.push(Notice {
         text: sanitised(&notice.text),
-        ..notice
+        ..notice.clone()
     });
-    if serious { vec![Effect::Bell] } else { Vec::new() }
+    if serious {
+        vec![Effect::Bell]
+    } else {
+        Vec::new()
+    }
 }
 
 pub fn progress(state: &mut State, progress: Progress) {

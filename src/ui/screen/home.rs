@@ -13,7 +13,11 @@ const LIST_WIDTH: u16 = 34;
 
 /// Draws the list with its cursor, and a text about the line under it.
 pub fn draw(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let list = Rect { x: area.x + 1, width: LIST_WIDTH, ..below(area, 1) };
+    let list = Rect {
+        x: area.x + 1,
+        width: LIST_WIDTH,
+        ..below(area, 1)
+    };
     let about = Rect {
         x: list.right() + 2,
         width: area.width.saturating_sub(LIST_WIDTH + 4).min(88),
@@ -45,17 +49,33 @@ fn draw_list(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &m
     }
     let inner = titled("sortie", theme, area, buffer);
     let rows = usize::from(inner.height);
-    let first = cursor_line.saturating_sub(rows / 2).min(lines.len().saturating_sub(rows));
+    let first = cursor_line
+        .saturating_sub(rows / 2)
+        .min(lines.len().saturating_sub(rows));
     for (row, (at, text)) in lines.into_iter().skip(first).take(rows).enumerate() {
         let Some(at) = at else {
-            put(buffer, inner, row as u16, &Line::styled(text, theme.style(Role::Muted)));
+            put(
+                buffer,
+                inner,
+                row as u16,
+                &Line::styled(text, theme.style(Role::Muted)),
+            );
             continue;
         };
         let mark = if at == cursor { "> " } else { "  " };
         let text = clip(&text, usize::from(inner.width).saturating_sub(3));
-        put(buffer, inner, row as u16, &Line::raw(format!("{mark}{text}")));
+        put(
+            buffer,
+            inner,
+            row as u16,
+            &Line::raw(format!("{mark}{text}")),
+        );
         if at == cursor {
-            let line = Rect { y: inner.y + row as u16, height: 1, ..inner };
+            let line = Rect {
+                y: inner.y + row as u16,
+                height: 1,
+                ..inner
+            };
             buffer.set_style(line, theme.style(Role::Cursor));
         }
     }

@@ -60,7 +60,11 @@ pub fn read(source: &str) -> Result<BTreeMap<Role, Style>, Vec<Diagnostic>> {
             );
         }
     }
-    if faults.is_empty() { Ok(styles) } else { Err(faults) }
+    if faults.is_empty() {
+        Ok(styles)
+    } else {
+        Err(faults)
+    }
 }
 
 fn inherited(parent: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> BTreeMap<Role, Style> {

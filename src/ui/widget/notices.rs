@@ -41,18 +41,29 @@ fn lines<'a>(line: &NoticeLine, width: usize, theme: &Theme) -> Vec<Line<'a>> {
         head.push_str(&format!("{vehicles}: "));
     }
     let indent = head.chars().count();
-    let count = if line.count > 1 { format!(" (x{})", line.count) } else { String::new() };
+    let count = if line.count > 1 {
+        format!(" (x{})", line.count)
+    } else {
+        String::new()
+    };
     let room = width.saturating_sub(indent);
     let mut texts = wrap(&format!("{}{count}", notice.text), room);
     if texts.len() > MOST_LINES {
         // What is cut off must not take the count with it.
         let last = texts.drain(MOST_LINES - 1..).collect::<Vec<_>>().join(" ");
         let last = last.strip_suffix(&count).unwrap_or(&last).to_owned();
-        texts.push(format!("{}{count}", clip(&last, room.saturating_sub(count.len()))));
+        texts.push(format!(
+            "{}{count}",
+            clip(&last, room.saturating_sub(count.len()))
+        ));
     }
     let mut lines = Vec::new();
     for (at, text) in texts.into_iter().enumerate() {
-        let head = if at == 0 { head.clone() } else { " ".repeat(indent) };
+        let head = if at == 0 {
+            head.clone()
+        } else {
+            " ".repeat(indent)
+        };
         lines.push(Line::from(vec![
             Span::styled(head, theme.style(Role::Muted)),
             Span::styled(text, style),

@@ -9,10 +9,13 @@ use tui_input::Input;
 use crate::app::state::Palette;
 use crate::diagnostic::Diagnostic;
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, boxed, clip, put};
+use crate::ui::widget::{below, boxed, clip, put, wrap};
 
 /// Rows of the box: frame, line, mark, message, choices.
 const HEIGHT: u16 = 13;
+/// What is told while there is no verb yet.
+const GRAMMAR: &str =
+    "[targets] verb [arguments]    Tab completes, Up and Down bring back older lines";
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
@@ -30,9 +33,20 @@ pub fn draw(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) -
     match fault {
         Some(fault) => draw_fault(palette.input.value(), fault, scroll, (theme, inner), buffer),
         None => {
-            let hint = palette.hint.as_deref().unwrap_or_default();
-            let hint = clip(hint, usize::from(inner.width - PROMPT));
-            put(buffer, indented(inner), 1, &Line::styled(hint, theme.style(Role::Muted)));
+            let hint = palette.hint.as_deref().unwrap_or(GRAMMAR);
+            let place = indented(inner);
+            for (row, line) in wrap(hint, usize::from(place.width))
+                .into_iter()
+                .take(2)
+                .enumerate()
+            {
+                put(
+                    buffer,
+                    place,
+                    row as u16 + 1,
+                    &Line::styled(line, theme.style(Role::Muted)),
+                );
+            }
         }
     }
     draw_choices(palette, theme, below(inner, 3), buffer);
@@ -47,7 +61,10 @@ pub fn draw_line(
     area: Rect,
     buffer: &mut Buffer,
 ) -> (Position, usize) {
-    let text = Rect { height: 1.min(area.height), ..indented(area) };
+    let text = Rect {
+        height: 1.min(area.height),
+        ..indented(area)
+    };
     let scroll = input.visual_scroll(usize::from(text.width).saturating_sub(1).max(1));
     put(buffer, area, 0, &Line::styled(": ", theme.style(Role::Key)));
     let (before, wrong, after) = parts(input.value(), fault);
@@ -56,7 +73,9 @@ pub fn draw_line(
         Span::styled(wrong, theme.style(Role::Error)),
         Span::raw(after),
     ]);
-    Paragraph::new(line).scroll((0, scroll as u16)).render(text, buffer);
+    Paragraph::new(line)
+        .scroll((0, scroll as u16))
+        .render(text, buffer);
     let column = input.visual_cursor().saturating_sub(scroll) as u16;
     let x = (text.x + column).min(text.right().saturating_sub(1));
     (Position::new(x, text.y), scroll)
@@ -68,7 +87,11 @@ fn parts<'a>(line: &'a str, fault: Option<&Diagnostic>) -> (&'a str, &'a str, &'
     let Some(span) = fault.map(|fault| &fault.span) else {
         return whole;
     };
-    match (line.get(..span.start), line.get(span.clone()), line.get(span.end..)) {
+    match (
+        line.get(..span.start),
+        line.get(span.clone()),
+        line.get(span.end..),
+    ) {
         (Some(before), Some(wrong), Some(after)) => (before, wrong, after),
         _ => whole,
     }
@@ -86,9 +109,20 @@ fn draw_fault(
     let start = Span::raw(before).width().saturating_sub(scroll);
     let carets = "^".repeat(Span::raw(wrong).width().max(1));
     let style = theme.style(Role::Danger);
-    let text = Rect { height: area.height, ..indented(area) };
-    put(buffer, text, 1, &Line::styled(format!("{}{carets}", " ".repeat(start)), style));
-    let help = fault.help.as_ref().map_or(String::new(), |help| format!(" - {help}"));
+    let text = Rect {
+        height: area.height,
+        ..indented(area)
+    };
+    put(
+        buffer,
+        text,
+        1,
+        &Line::styled(format!("{}{carets}", " ".repeat(start)), style),
+    );
+    let help = fault
+        .help
+        .as_ref()
+        .map_or(String::new(), |help| format!(" - {help}"));
     let message = clip(&format!("{}{help}", fault.message), usize::from(text.width));
     put(buffer, text, 2, &Line::styled(message, style));
 }
@@ -97,10 +131,21 @@ fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffe
     let rows = usize::from(area.height);
     let count = palette.completions.len();
     let chosen = palette.chosen.unwrap_or(0);
-    let first = (chosen + 1).saturating_sub(rows).min(count.saturating_sub(rows));
-    let widest = palette.completions.iter().map(|choice| choice.text.chars().count()).max();
+    let first = (chosen + 1)
+        .saturating_sub(rows)
+        .min(count.saturating_sub(rows));
+    let widest = palette
+        .completions
+        .iter()
+        .map(|choice| choice.text.chars().count())
+        .max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
-    let seen = palette.completions.iter().enumerate().skip(first).take(rows);
+    let seen = palette
+        .completions
+        .iter()
+        .enumerate()
+        .skip(first)
+        .take(rows);
     for (row, (at, choice)) in seen.enumerate() {
         let is_chosen = palette.chosen == Some(at);
         let mark = if is_chosen { "> " } else { "  " };
@@ -113,7 +158,11 @@ fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffe
         ]);
         put(buffer, area, row as u16, &line);
         if is_chosen {
-            let row = Rect { y: area.y + row as u16, height: 1, ..area };
+            let row = Rect {
+                y: area.y + row as u16,
+                height: 1,
+                ..area
+            };
             buffer.set_style(row, theme.style(Role::Cursor));
         }
     }
