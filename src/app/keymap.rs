@@ -122,17 +122,16 @@ impl Press {
 
 impl Default for Keymap {
     fn default() -> Self {
-        let rows = [GENERAL, MOVES, FLIGHT, PROMPT].concat();
-        let bindings = rows
-            .into_iter()
-            .map(|(press, place, action, description)| Binding {
-                press,
-                place,
-                action,
-                description,
-            });
+        let (screens, readers) = (moves(Place::Anywhere), moves(Place::Reader));
+        let rows = [GENERAL, &screens, &readers, FLIGHT, PROMPT].concat();
+        let binding = |(press, place, action, description)| Binding {
+            press,
+            place,
+            action,
+            description,
+        };
         Self {
-            bindings: bindings.collect(),
+            bindings: rows.into_iter().map(binding).collect(),
         }
     }
 }
@@ -199,66 +198,21 @@ const GENERAL: &[Row] = &[
     (Press::Control('c'), Place::Reader, Action::Escape, "close"),
 ];
 
-const fn up(place: Place) -> [Row; 6] {
+/// The keys that move a cursor or scroll.
+fn moves(place: Place) -> [Row; 8] {
+    let row = |press, step, description| (press, place, Action::Move(step), description);
+    let plain = Press::Plain;
     [
-        (key('k'), place, Action::Move(Step::Up), "up"),
-        (
-            Press::Plain(KeyCode::Up),
-            place,
-            Action::Move(Step::Up),
-            "up",
-        ),
-        (
-            Press::Plain(KeyCode::PageUp),
-            place,
-            Action::Move(Step::PageUp),
-            "ten up",
-        ),
-        (key('j'), place, Action::Move(Step::Down), "down"),
-        (
-            Press::Plain(KeyCode::Down),
-            place,
-            Action::Move(Step::Down),
-            "down",
-        ),
-        (
-            Press::Plain(KeyCode::PageDown),
-            place,
-            Action::Move(Step::PageDown),
-            "ten down",
-        ),
+        row(key('j'), Step::Down, "down"),
+        row(plain(KeyCode::Down), Step::Down, "down"),
+        row(key('k'), Step::Up, "up"),
+        row(plain(KeyCode::Up), Step::Up, "up"),
+        row(plain(KeyCode::PageDown), Step::PageDown, "ten down"),
+        row(plain(KeyCode::PageUp), Step::PageUp, "ten up"),
+        row(plain(KeyCode::Home), Step::First, "to the first"),
+        row(plain(KeyCode::End), Step::Last, "to the last"),
     ]
 }
-
-const MOVES: &[Row] = &{
-    let (any, reader) = (up(Place::Anywhere), up(Place::Reader));
-    [
-        any[0],
-        any[1],
-        any[2],
-        any[3],
-        any[4],
-        any[5],
-        (
-            Press::Plain(KeyCode::Home),
-            Place::Anywhere,
-            Action::Move(Step::First),
-            "to the first",
-        ),
-        (
-            Press::Plain(KeyCode::End),
-            Place::Anywhere,
-            Action::Move(Step::Last),
-            "to the last",
-        ),
-        reader[0],
-        reader[1],
-        reader[2],
-        reader[3],
-        reader[4],
-        reader[5],
-    ]
-};
 
 const FLIGHT: &[Row] = &[
     (

@@ -344,3 +344,65 @@ fn serious_notices_ring_the_bell() {
     console.notice(Severity::Critical, Some(1), "EKF failsafe");
     assert_eq!(console.effects, [Effect::Bell]);
 }
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig::with_cases(60))]
+    #[test]
+    fn no_sequence_of_keys_breaks_the_console(
+        keys in proptest::collection::vec(proptest::sample::select(KEYS), 1..80),
+    ) {
+        let mut console = Console::flying(3);
+        for key in keys {
+            console.press(key);
+            let effects = std::mem::take(&mut console.effects);
+            if effects.contains(&Effect::LeaveSession) {
+                proptest::prop_assert!(console.state.session.activity.is_none());
+            }
+            proptest::prop_assert!(!effects.iter().any(is_kill), "killed without its question");
+        }
+        console.screen(80, 24);
+    }
+}
+
+/// No digit among them, so that no question about a kill can be answered.
+const KEYS: &[&str] = &[
+    ":",
+    "?",
+    "*",
+    "!",
+    "space",
+    "enter",
+    "esc",
+    "tab",
+    "shift-tab",
+    "up",
+    "down",
+    "left",
+    "end",
+    "backspace",
+    "a",
+    "l",
+    "k",
+    "i",
+    "q",
+    "u",
+    "t",
+    "y",
+    "h",
+    "r",
+    "b",
+    "L",
+    "j",
+    "-",
+    ",",
+    "@",
+    "ж",
+    "ctrl-c",
+    "ctrl-p",
+    "ctrl-w",
+    "ctrl-u",
+];
+
+fn is_kill(effect: &Effect) -> bool {
+    matches!(effect, Effect::Command { verb, .. } if verb.name == "kill")
+}

@@ -2,10 +2,15 @@
 
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Binding, Keymap, Place};
-use crate::language::verbs;
+use crate::language::{Verb, verbs};
 
 /// Columns of a usage that leaves room for an explanation beside it.
 pub const SHORT_USAGE: usize = 28;
+
+/// Columns of a summary that fits beside it.
+const SHORT_SUMMARY: usize = 42;
+/// Verbs that only pilot scripts can say.
+pub const SCRIPT_VERBS: &[&str] = &["wait"];
 
 /// One line of the help.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,6 +19,8 @@ pub enum HelpLine {
     Title(&'static str),
     /// Something to press or write, and what it does.
     Entry(String, String),
+    /// An explanation below an entry.
+    Note(&'static str),
     /// Space between.
     Blank,
 }
@@ -33,19 +40,14 @@ pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
         lines.push(HelpLine::Blank);
     }
     lines.push(HelpLine::Title("commands: [targets] verb [arguments]"));
-    let targets = "targets: 3  1-4,7  @group  all; none means the selection";
-    lines.push(HelpLine::Entry("1-4,7 arm".to_owned(), targets.to_owned()));
-    for verb in verbs() {
-        // The summary stands beside the last usage, or below it where that is long.
-        let mut usages = verb.usage();
-        let last = usages.pop().unwrap_or_default();
-        lines.extend(usages.iter().map(|usage| entry(usage, "")));
-        if last.chars().count() <= SHORT_USAGE {
-            lines.push(entry(&last, verb.summary));
-        } else {
-            lines.push(entry(&last, ""));
-            lines.push(entry("", verb.summary));
-        }
+    lines.push(HelpLine::Note(
+        "targets: 3  1-4,7  @group  all; none means the selection",
+    ));
+    for verb in verbs()
+        .iter()
+        .filter(|verb| !SCRIPT_VERBS.contains(&verb.name))
+    {
+        lines.extend(explained(verb));
     }
     lines.push(HelpLine::Blank);
     lines.push(HelpLine::Title("the console itself"));
@@ -54,6 +56,20 @@ pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
             .iter()
             .map(|verb| entry(verb.usage, verb.summary)),
     );
+    lines
+}
+
+/// A verb: its summary beside its usage, or below where one of them is long.
+fn explained(verb: &Verb) -> Vec<HelpLine> {
+    let usages = verb.usage();
+    if let [usage] = usages.as_slice()
+        && usage.chars().count() <= SHORT_USAGE
+        && verb.summary.chars().count() <= SHORT_SUMMARY
+    {
+        return vec![entry(usage, verb.summary)];
+    }
+    let mut lines: Vec<HelpLine> = usages.iter().map(|usage| entry(usage, "")).collect();
+    lines.push(HelpLine::Note(verb.summary));
     lines
 }
 

@@ -8,7 +8,7 @@ use crate::app::action::Action;
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::state::{Overlay, Palette, State, parse_ranges, ranges};
+use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language;
 use crate::vehicle::Severity;
@@ -56,10 +56,12 @@ pub fn edited(state: &mut State, mut palette: Palette) {
         .or_else(|| state.with_context(|context| language::hint(&line, context)));
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
     found.extend(console::complete(&line, cursor, &state.themes));
-    // Words that begin as typed come before words that only contain the letters.
+    found.retain(|completion| !SCRIPT_VERBS.contains(&completion.text.as_str()));
+    // Words that begin as typed come before words that only contain the letters, and commands before modes.
     found.sort_by_key(|completion| {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
-        !completion.text.starts_with(typed)
+        let command = language::verb(&completion.text).is_some();
+        (!completion.text.starts_with(typed), !command)
     });
     palette.completions = found;
     palette.before_tab = line;

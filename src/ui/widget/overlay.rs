@@ -79,6 +79,7 @@ fn draw_help(state: &State, scroll: usize, theme: &Theme, area: Rect, buffer: &m
 fn help_line<'a>(line: &'a HelpLine, theme: &Theme) -> Line<'a> {
     match line {
         HelpLine::Title(text) => Line::styled(*text, theme.style(Role::Title)),
+        HelpLine::Note(text) => Line::styled(format!("      {text}"), theme.style(Role::Muted)),
         HelpLine::Blank => Line::default(),
         HelpLine::Entry(what, meaning) => Line::from(vec![
             Span::styled(format!("  {what:SHORT_USAGE$} "), theme.style(Role::Key)),

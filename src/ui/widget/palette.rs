@@ -14,8 +14,7 @@ use crate::ui::widget::{below, boxed, clip, put, wrap};
 /// Rows of the box: frame, line, mark, message, choices.
 const HEIGHT: u16 = 13;
 /// What is told while there is no verb yet.
-const GRAMMAR: &str =
-    "[targets] verb [arguments]    Tab completes, Up and Down bring back older lines";
+const GRAMMAR: &str = "[targets] verb [arguments]: Tab completes, Up brings back older lines";
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
@@ -150,11 +149,16 @@ fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffe
         let is_chosen = palette.chosen == Some(at);
         let mark = if is_chosen { "> " } else { "  " };
         let name = clip(&choice.text, name_width);
+        // A verb without arguments has its name for a usage: once is enough.
+        let hint = choice
+            .hint
+            .strip_prefix(&format!("{}: ", choice.text))
+            .unwrap_or(&choice.hint);
         let hint_width = usize::from(area.width).saturating_sub(name_width + 4);
         let line = Line::from(vec![
             Span::raw(mark),
             Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
-            Span::styled(clip(&choice.hint, hint_width), theme.style(Role::Muted)),
+            Span::styled(clip(hint, hint_width), theme.style(Role::Muted)),
         ]);
         put(buffer, area, row as u16, &line);
         if is_chosen {

@@ -174,10 +174,9 @@ fn ekf(vehicle: &Vehicle) -> String {
 fn attitude(vehicle: &Vehicle) -> String {
     let attitude = vehicle.attitude;
     attitude.map_or(String::new(), |attitude| {
-        format!(
-            "roll {:+.0}°  pitch {:+.0}°",
-            attitude.roll_deg, attitude.pitch_deg
-        )
+        // Adding zero turns a rounded -0 into +0, which does not flicker.
+        let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
+        format!("roll {roll:+.0}°  pitch {pitch:+.0}°")
     })
 }
 
