@@ -44,6 +44,19 @@ pub fn parked(id: u8) -> Vehicle {
         altitude_amsl_m: 180.0,
     });
     vehicle.landed = LandedState::OnGround;
+    add_instruments(&mut vehicle, at);
+    vehicle.link = LinkQuality {
+        last_heard: Some(at),
+        received: 990,
+        missing: 10,
+        round_trip: Some(Duration::from_millis(3)),
+        ..LinkQuality::default()
+    };
+    vehicle
+}
+
+/// Attitude, GPS, health, battery and filter of a vehicle in order.
+fn add_instruments(vehicle: &mut Vehicle, at: Duration) {
     vehicle.attitude = Some(Attitude {
         roll_deg: 0.2,
         pitch_deg: -0.4,
@@ -80,14 +93,6 @@ pub fn parked(id: u8) -> Vehicle {
         compass_variance: 0.04,
         at,
     });
-    vehicle.link = LinkQuality {
-        last_heard: Some(at),
-        received: 990,
-        missing: 10,
-        round_trip: Some(Duration::from_millis(3)),
-        ..LinkQuality::default()
-    };
-    vehicle
 }
 
 /// The same in the air in GUIDED.

@@ -18,9 +18,12 @@ struct ThemeFile {
     roles: BTreeMap<Spanned<String>, StyleEntry>,
 }
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-#[derive(Default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a field of the theme file"
+)]
 struct StyleEntry {
     fg: Option<Spanned<String>>,
     bg: Option<Spanned<String>>,

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Screen, State};
+use crate::app::state::{Activity, Screen, State};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{clip, clock, put};
 
@@ -14,11 +14,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Re
     buffer.set_style(header, theme.style(Role::Header));
     let right = right_part(state, area.width);
     let left_width = usize::from(area.width).saturating_sub(right.width() + 4);
-    let title = state
-        .session
-        .activity
-        .as_ref()
-        .map(|activity| activity.title());
+    let title = state.session.activity.as_ref().map(Activity::title);
     let name = format!(" {} ", state.screen.name());
     let title = clip(
         &title.unwrap_or_default(),

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use crate::app::state::{State, ranges};
@@ -44,49 +45,38 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn entry_lines<'a>(entry: &'a Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
-    let time = format!("{} ", clock(entry.at));
-    let long = summary(entry, true);
-    let short = summary(entry, false);
-    let used = time.len() + entry.line.chars().count() + 2;
-    let role = entry_role(entry);
-    let outcome = |text: String| Span::styled(text, theme.style(role));
-    let mut lines = Vec::new();
-    let head = |line: String| {
-        vec![
-            Span::styled(time.clone(), theme.style(Role::Muted)),
-            Span::raw(line),
-        ]
-    };
-    let fitting = [long, short.clone()]
-        .into_iter()
-        .find(|text| used + text.chars().count() <= width);
-    match fitting {
-        Some(text) => {
-            let mut spans = head(format!("{}  ", entry.line));
-            spans.push(outcome(text));
-            lines.push(Line::from(spans));
-        }
-        None => {
-            let room = width.saturating_sub(time.len());
-            lines.push(Line::from(head(clip(&entry.line, room))));
-            for part in wrap(&short, width.saturating_sub(INDENT)) {
-                lines.push(Line::from(vec![
-                    Span::raw(" ".repeat(INDENT)),
-                    outcome(part),
-                ]));
-            }
-        }
-    }
+fn entry_lines<'a>(entry: &Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
+    let style = theme.style(entry_role(entry));
+    let mut lines = head_lines(entry, width, theme);
     for (text, vehicles) in explanations(entry) {
         let plural = if vehicles.len() == 1 { "" } else { "s" };
         let text = format!("vehicle{plural} {}: {text}", ranges(vehicles));
-        for line in wrap(&text, width.saturating_sub(INDENT)) {
-            let line = format!("{:INDENT$}{line}", "");
-            lines.push(Line::styled(line, theme.style(role)));
-        }
+        let wrapped = wrap(&text, width.saturating_sub(INDENT));
+        lines.extend(wrapped.iter().map(|line| indented(line, style)));
     }
     lines
+}
+
+/// The command and what became of it: on one line where it fits, else below each other.
+fn head_lines<'a>(entry: &Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
+    let style = theme.style(entry_role(entry));
+    let time = Span::styled(format!("{} ", clock(entry.at)), theme.style(Role::Muted));
+    let room = width.saturating_sub(time.width());
+    let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
+    let short = summary(entry, false);
+    let mut fitting = [summary(entry, true), short.clone()].into_iter();
+    if let Some(text) = fitting.find(|text| text.chars().count() <= free) {
+        let line = Span::raw(format!("{}  ", entry.line));
+        return vec![Line::from(vec![time, line, Span::styled(text, style)])];
+    }
+    let mut lines = vec![Line::from(vec![time, Span::raw(clip(&entry.line, room))])];
+    let wrapped = wrap(&short, width.saturating_sub(INDENT));
+    lines.extend(wrapped.iter().map(|line| indented(line, style)));
+    lines
+}
+
+fn indented<'a>(text: &str, style: Style) -> Line<'a> {
+    Line::styled(format!("{:INDENT$}{text}", ""), style)
 }
 
 /// How many vehicles are in which state, in words.

@@ -178,7 +178,7 @@ impl<'a> Grid<'a> {
                 width,
                 height: 1,
             };
-            let (text, style) = self.cell(cell, state, theme);
+            let (text, style) = Self::cell(cell, state, theme);
             put(
                 buffer,
                 here,
@@ -197,7 +197,7 @@ impl<'a> Grid<'a> {
         }
     }
 
-    fn cell(&self, cell: &Cell, state: &State, theme: &Theme) -> (String, Style) {
+    fn cell(cell: &Cell, state: &State, theme: &Theme) -> (String, Style) {
         let over = |vehicle: &&Vehicle| {
             vehicle.airborne()
                 && vehicle.global.is_some_and(|global| {

@@ -13,6 +13,8 @@ use crate::ui::widget::{below, boxed, clip, put, wrap};
 
 /// Rows of the box: frame, line, mark, message, choices.
 const HEIGHT: u16 = 13;
+/// Rows of the hint, or of the mark under a wrong word and what is wrong with it.
+const HINT_ROWS: usize = 2;
 /// What is told while there is no verb yet.
 const GRAMMAR: &str = "[targets] verb [arguments]: Tab completes, Up brings back older lines";
 /// Columns before the line.
@@ -29,23 +31,19 @@ pub fn draw(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) -
     let inner = boxed(title.trim_end(), Role::Accent, theme, place, buffer);
     let fault = palette.fault.as_ref();
     let (cursor, scroll) = draw_line(&palette.input, fault, theme, inner, buffer);
-    match fault {
-        Some(fault) => draw_fault(palette.input.value(), fault, scroll, (theme, inner), buffer),
-        None => {
-            let hint = palette.hint.as_deref().unwrap_or(GRAMMAR);
-            let place = indented(inner);
-            for (row, line) in wrap(hint, usize::from(place.width))
-                .into_iter()
-                .take(2)
-                .enumerate()
-            {
-                put(
-                    buffer,
-                    place,
-                    row as u16 + 1,
-                    &Line::styled(line, theme.style(Role::Muted)),
-                );
-            }
+    if let Some(fault) = fault {
+        draw_fault(palette.input.value(), fault, scroll, (theme, inner), buffer);
+    } else {
+        let hint = palette.hint.as_deref().unwrap_or(GRAMMAR);
+        let place = below(indented(inner), 1);
+        let lines = wrap(hint, usize::from(place.width));
+        for (row, line) in lines.into_iter().take(HINT_ROWS).enumerate() {
+            put(
+                buffer,
+                place,
+                row as u16,
+                &Line::styled(line, theme.style(Role::Muted)),
+            );
         }
     }
     draw_choices(palette, theme, below(inner, 3), buffer);

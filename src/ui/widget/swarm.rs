@@ -101,23 +101,16 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
 
 fn title(session: &Session, first: usize, rows: usize) -> String {
     let count = session.vehicles.len();
-    let mut title = "swarm".to_owned();
+    let mut parts = vec!["swarm".to_owned()];
     if count > rows {
-        title.push_str(&format!(
-            "  {}-{} of {count}",
-            first + 1,
-            (first + rows).min(count)
-        ));
+        let last = (first + rows).min(count);
+        parts.push(format!("{}-{last} of {count}", first + 1));
     }
     if !session.selection.is_empty() {
-        let chosen = ranges(session.selection.iter().copied());
-        title.push_str(&format!(
-            "  selected {}: {}",
-            session.selection.len(),
-            clip(&chosen, 40)
-        ));
+        let chosen = clip(&ranges(session.selection.iter().copied()), 40);
+        parts.push(format!("selected {}: {chosen}", session.selection.len()));
     }
-    title
+    parts.join("  ")
 }
 
 /// The columns that fit, with their widths; the last one takes what is left.
