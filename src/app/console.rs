@@ -213,17 +213,19 @@ fn read(
         }
         Kind::Theme => {
             let name = text(0).ok_or_else(missing)?;
-            if themes.contains(&name) {
-                return Ok(ConsoleLine::Theme(name));
-            }
-            let known = themes.iter().map(String::as_str);
-            Err(
-                Diagnostic::new(arguments[0].clone(), format!("no theme is named `{name}`"))
-                    .with_help(format!("there are: {}", themes.join(", ")))
-                    .with_nearest(&name, known),
-            )
+            theme(name, arguments[0].clone(), themes)
         }
     }
+}
+
+fn theme(name: String, span: Range<usize>, themes: &[String]) -> Result<ConsoleLine, Diagnostic> {
+    if themes.contains(&name) {
+        return Ok(ConsoleLine::Theme(name));
+    }
+    let known = themes.iter().map(String::as_str);
+    Err(Diagnostic::new(span, format!("no theme is named `{name}`"))
+        .with_help(format!("there are: {}", themes.join(", ")))
+        .with_nearest(&name, known))
 }
 
 #[cfg(test)]

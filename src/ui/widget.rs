@@ -93,6 +93,30 @@ pub fn below(area: Rect, rows: u16) -> Rect {
     }
 }
 
+/// One row of an area, empty if the area has no such row.
+pub fn row_of(area: Rect, row: u16) -> Rect {
+    let area = below(area, row);
+    upper(area, 1)
+}
+
+/// The first rows of an area.
+pub fn upper(area: Rect, rows: u16) -> Rect {
+    Rect {
+        height: rows.min(area.height),
+        ..area
+    }
+}
+
+/// Some columns of an area, counted from its left edge.
+pub fn columns(area: Rect, from: u16, width: u16) -> Rect {
+    let from = from.min(area.width);
+    Rect {
+        x: area.x + from,
+        width: width.min(area.width - from),
+        ..area
+    }
+}
+
 /// Writes a line into a row of an area, clipped to it; returns where it ended, or `None` if the area has no such row.
 pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option<u16> {
     if row >= area.height || area.width == 0 {

@@ -5,10 +5,12 @@ use crate::app::keymap::{Binding, Keymap, Place};
 use crate::language::{Verb, verbs};
 
 /// Columns of a usage that leaves room for an explanation beside it.
-pub const SHORT_USAGE: usize = 28;
+pub const SHORT_USAGE: usize = 22;
 
 /// Columns of a summary that fits beside it.
-const SHORT_SUMMARY: usize = 42;
+const SHORT_SUMMARY: usize = 49;
+/// Columns of a note.
+const NOTE_WIDTH: usize = 66;
 /// Verbs that only pilot scripts can say.
 pub const SCRIPT_VERBS: &[&str] = &["wait"];
 
@@ -20,7 +22,7 @@ pub enum HelpLine {
     /// Something to press or write, and what it does.
     Entry(String, String),
     /// An explanation below an entry.
-    Note(&'static str),
+    Note(String),
     /// Space between.
     Blank,
 }
@@ -40,7 +42,7 @@ pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
         lines.push(HelpLine::Blank);
     }
     lines.push(HelpLine::Title("commands: [targets] verb [arguments]"));
-    lines.push(HelpLine::Note(
+    lines.extend(notes(
         "targets: 3  1-4,7  @group  all; none means the selection",
     ));
     for verb in verbs()
@@ -69,8 +71,25 @@ fn explained(verb: &Verb) -> Vec<HelpLine> {
         return vec![entry(usage, verb.summary)];
     }
     let mut lines: Vec<HelpLine> = usages.iter().map(|usage| entry(usage, "")).collect();
-    lines.push(HelpLine::Note(verb.summary));
+    lines.extend(notes(verb.summary));
     lines
+}
+
+/// A text in lines of the width of notes.
+fn notes(text: &str) -> Vec<HelpLine> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + word.chars().count() < NOTE_WIDTH => {
+                if !line.is_empty() {
+                    line.push(' ');
+                }
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.into_iter().map(HelpLine::Note).collect()
 }
 
 /// The keys of a place; keys with one meaning share a line.

@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 use crate::app::state::State;
 use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, clip, clock, put, titled, wrap};
+use crate::ui::widget::{below, clip, clock, columns, put, titled, wrap};
 use crate::vehicle::Vehicle;
 
 /// Columns of one cell in the grid.
@@ -156,44 +156,27 @@ impl<'a> Grid<'a> {
     fn draw(&self, state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         let fits = area.width / self.columns.max(1) as u16;
         let width = fits.min(CELL_WIDTH);
-        if width < 3 {
+        if width < 3 || area.height == 0 {
             return;
         }
-        let lost = self
-            .cells
-            .iter()
-            .any(|&(row, ..)| row >= usize::from(area.height));
-        let names = if lost && area.height > 0 {
-            area.height - 1
-        } else {
-            area.height
-        };
-        for &(row, column, cell) in &self.cells {
-            if row >= usize::from(names) {
-                continue;
-            }
-            let here = Rect {
-                x: area.x + column as u16 * width,
-                y: area.y + row as u16,
-                width,
-                height: 1,
-            };
-            let (text, style) = Self::cell(cell, state, theme);
-            put(
-                buffer,
-                here,
-                0,
-                &Line::styled(clip(&text, usize::from(width) - 1), style),
-            );
-        }
-        if lost {
+        let mut rows = area.height;
+        if self.rows() > usize::from(rows) {
+            rows -= 1;
             let text = "more cells on a larger screen";
             put(
                 buffer,
                 area,
-                names,
+                rows,
                 &Line::styled(text, theme.style(Role::Muted)),
             );
+        }
+        for &(row, column, cell) in &self.cells {
+            if row < usize::from(rows) {
+                let here = columns(area, column as u16 * width, width);
+                let (text, style) = Self::cell(cell, state, theme);
+                let text = clip(&text, usize::from(width) - 1);
+                put(buffer, here, row as u16, &Line::styled(text, style));
+            }
         }
     }
 

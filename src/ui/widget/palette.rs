@@ -8,8 +8,9 @@ use tui_input::Input;
 
 use crate::app::state::Palette;
 use crate::diagnostic::Diagnostic;
+use crate::language::Completion;
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, boxed, clip, put, wrap};
+use crate::ui::widget::{below, boxed, clip, put, row_of, wrap};
 
 /// Rows of the box: frame, line, mark, message, choices.
 const HEIGHT: u16 = 13;
@@ -125,49 +126,43 @@ fn draw_fault(
 }
 
 fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let choices = &palette.completions;
     let rows = usize::from(area.height);
-    let count = palette.completions.len();
-    let chosen = palette.chosen.unwrap_or(0);
-    let first = (chosen + 1)
-        .saturating_sub(rows)
-        .min(count.saturating_sub(rows));
-    let widest = palette
-        .completions
+    // The chosen one is the last row once the list has to scroll.
+    let first = palette
+        .chosen
+        .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
+    let widest = choices
         .iter()
         .map(|choice| choice.text.chars().count())
         .max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
-    let seen = palette
-        .completions
-        .iter()
-        .enumerate()
-        .skip(first)
-        .take(rows);
-    for (row, (at, choice)) in seen.enumerate() {
-        let is_chosen = palette.chosen == Some(at);
-        let mark = if is_chosen { "> " } else { "  " };
-        let name = clip(&choice.text, name_width);
-        // A verb without arguments has its name for a usage: once is enough.
-        let hint = choice
-            .hint
-            .strip_prefix(&format!("{}: ", choice.text))
-            .unwrap_or(&choice.hint);
-        let hint_width = usize::from(area.width).saturating_sub(name_width + 4);
-        let line = Line::from(vec![
-            Span::raw(mark),
-            Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
-            Span::styled(clip(hint, hint_width), theme.style(Role::Muted)),
-        ]);
+    for (row, choice) in choices.iter().skip(first).take(rows).enumerate() {
+        let is_chosen = palette.chosen == Some(first + row);
+        let line = choice_line(choice, is_chosen, name_width, theme);
         put(buffer, area, row as u16, &line);
         if is_chosen {
-            let row = Rect {
-                y: area.y + row as u16,
-                height: 1,
-                ..area
-            };
-            buffer.set_style(row, theme.style(Role::Cursor));
+            buffer.set_style(row_of(area, row as u16), theme.style(Role::Cursor));
         }
     }
+}
+
+fn choice_line<'a>(
+    choice: &'a Completion,
+    is_chosen: bool,
+    name_width: usize,
+    theme: &Theme,
+) -> Line<'a> {
+    let mark = if is_chosen { "> " } else { "  " };
+    let name = clip(&choice.text, name_width);
+    // A verb without arguments has its name for a usage: once is enough.
+    let said = format!("{}: ", choice.text);
+    let hint = choice.hint.strip_prefix(&said).unwrap_or(&choice.hint);
+    Line::from(vec![
+        Span::raw(mark),
+        Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
+        Span::styled(hint, theme.style(Role::Muted)),
+    ])
 }
 
 fn indented(area: Rect) -> Rect {

@@ -30,6 +30,7 @@ struct Row<'a> {
     vehicle: &'a Vehicle,
     session: &'a Session,
     alert: Option<Alert>,
+    selected: bool,
 }
 
 /// In the order of display. Ranks say which go first when the screen is narrow.
@@ -136,23 +137,16 @@ fn fitting(width: u16) -> Vec<(&'static Column, u16)> {
 }
 
 fn draw_titles(columns: &[(&Column, u16)], theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let mut x = 2;
-    for (column, width) in columns {
-        let text = aligned(column.title, *width, column.right);
-        let place = Rect {
-            x: area.x + x,
-            width: *width,
-            height: 1,
-            ..area
-        };
-        put(
-            buffer,
-            place,
-            0,
-            &Line::styled(text, theme.style(Role::Muted)),
-        );
-        x += width + 1;
-    }
+    let titles = columns
+        .iter()
+        .map(|(column, width)| aligned(column.title, *width, column.right));
+    let line = format!("   {}", titles.collect::<Vec<_>>().join(" "));
+    put(
+        buffer,
+        area,
+        0,
+        &Line::styled(line, theme.style(Role::Muted)),
+    );
 }
 
 fn draw_vehicle(
@@ -165,47 +159,38 @@ fn draw_vehicle(
     let session = &state.session;
     let under_cursor = session.cursor == Some(vehicle.id);
     let selected = session.selection.contains(&vehicle.id);
-    let cursor_mark = if under_cursor { ">" } else { " " };
-    let selection_mark = if selected { "*" } else { " " };
-    let marks = Line::from(vec![
-        Span::raw(cursor_mark),
-        Span::styled(selection_mark, theme.style(Role::Selected)),
-    ]);
-    put(buffer, area, 0, &marks);
     let row = Row {
         vehicle,
         session,
         alert: alert(vehicle, state.now),
+        selected,
     };
-    let mut x = 2;
+    let cursor_mark = if under_cursor { ">" } else { " " };
+    let selection_mark = if selected { "*" } else { " " };
+    let mut line = Line::from(vec![
+        Span::raw(cursor_mark),
+        Span::styled(selection_mark, theme.style(Role::Selected)),
+    ]);
     for (column, width) in columns {
         let (text, role) = (column.cell)(&row);
-        let role = if selected && column.title == "id" {
-            Role::Selected
-        } else {
-            role
-        };
-        let place = Rect {
-            x: area.x + x,
-            width: *width,
-            ..area
-        };
-        let text = aligned(&text, *width, column.right);
-        put(buffer, place, 0, &Line::styled(text, theme.style(role)));
-        x += width + 1;
+        let text = format!(" {}", aligned(&text, *width, column.right));
+        line.push_span(Span::styled(text, theme.style(role)));
     }
+    put(buffer, area, 0, &line);
     if under_cursor {
         buffer.set_style(area, theme.style(Role::Cursor));
     }
 }
 
+/// A text cut or filled up to a width.
 fn aligned(text: &str, width: u16, right: bool) -> String {
-    let width = usize::from(width);
-    let text = clip(text, width);
+    let text = clip(text, usize::from(width));
+    let missing = usize::from(width).saturating_sub(Span::raw(&text).width());
+    let blanks = " ".repeat(missing);
     if right {
-        format!("{text:>width$}")
+        blanks + &text
     } else {
-        text
+        text + &blanks
     }
 }
 
@@ -222,7 +207,12 @@ fn unknown() -> (String, Role) {
 }
 
 fn id(row: &Row<'_>) -> (String, Role) {
-    (row.vehicle.id.to_string(), Role::Text)
+    let role = if row.selected {
+        Role::Selected
+    } else {
+        Role::Text
+    };
+    (row.vehicle.id.to_string(), role)
 }
 
 fn name(row: &Row<'_>) -> (String, Role) {
