@@ -4,9 +4,12 @@
 //! changed: at most once per tick, so that any amount of telemetry costs one frame.
 
 use std::io;
+use std::ops::ControlFlow;
 use std::time::Duration;
 
-use crossterm::event::{Event as TerminalEvent, EventStream, KeyEventKind};
+use crossterm::event::{
+    Event as TerminalEvent, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers,
+};
 use futures_util::StreamExt as _;
 use tokio::signal::unix::{SignalKind, signal};
 use tokio::time::MissedTickBehavior;
@@ -95,6 +98,42 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
         }
     }
     Ok(())
+}
+
+/// Runs the console without a terminal and without a user, for measurements: at each of the given times a line
+/// goes through the command line, and `look` sees the bytes drawn so far after every tick.
+///
+/// # Errors
+/// What it was to begin with does not exist.
+pub async fn drive(
+    options: Options,
+    size: (u16, u16),
+    lines: &[(Duration, &str)],
+    mut look: impl FnMut(Duration, u64) -> ControlFlow<()>,
+) -> anyhow::Result<()> {
+    let mut console = Console::new(options)?;
+    let mut screen = Screen::nowhere(size.0, size.1)?;
+    console.begin().await;
+    let mut ticks = tokio::time::interval(TICK);
+    let mut lines = lines.iter().peekable();
+    loop {
+        ticks.tick().await;
+        console.tick().await;
+        console.draw(&mut screen)?;
+        let now = console.clock.now();
+        while let Some((_, line)) = lines.next_if(|(at, _)| *at <= now) {
+            console.feed(key(KeyCode::Char(':'))).await;
+            console.feed(Event::Paste((*line).to_owned())).await;
+            console.feed(key(KeyCode::Enter)).await;
+        }
+        if look(now, screen.bytes()).is_break() {
+            return Ok(());
+        }
+    }
+}
+
+fn key(code: KeyCode) -> Event {
+    Event::Key(KeyEvent::new(code, KeyModifiers::NONE))
 }
 
 struct Console {

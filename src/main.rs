@@ -1,3 +1,9 @@
-//! The `sortie` program.
+//! The `sortie` program; everything is in the library.
 
-fn main() {}
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+fn main() -> ExitCode {
+    sortie::cli::main(sortie::cli::Arguments::parse())
+}

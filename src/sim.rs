@@ -1,4 +1,4 @@
-//! The embedded simulator: ArduCopters that speak MAVLink, stepped by hand.
+//! The embedded simulator: `ArduCopters` that speak `MAVLink`, stepped by hand.
 //!
 //! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push bytes in and take
 //! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. The
@@ -6,7 +6,7 @@
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
-//! Behaviour and figures follow an ArduCopter 4.6 SITL. Missions, fences, rally points, logs and signing are not
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points, logs and signing are not
 //! simulated, and the vehicle does not claim them.
 
 mod arming;
@@ -33,6 +33,8 @@ mod yaw;
 mod tests;
 
 use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
 
 use self::autopilot::Autopilot;
 use self::port::Port;
@@ -106,7 +108,7 @@ pub struct Truth {
     pub armed: bool,
     /// Whether the vehicle touches the ground.
     pub on_ground: bool,
-    /// ArduCopter's `custom_mode`.
+    /// `ArduCopter`'s `custom_mode`.
     pub mode: u8,
     /// Volts.
     pub battery_voltage_v: f64,
@@ -195,19 +197,13 @@ impl World {
     /// Hands bytes to the vehicle. It handles them at once: the answers are ready for
     /// [`take_output`](Self::take_output).
     pub fn receive(&mut self, port: PortId, bytes: &[u8]) {
-        let Some(slot) = self.slots.get_mut(port.vehicle) else {
-            return;
-        };
-        let autopilot = &mut slot.autopilot;
-        let mut said = Vec::new();
-        for (serial, own) in &mut slot.ports {
-            if *serial == port.serial && own.open {
-                said = own.receive(autopilot, bytes);
-            }
-        }
-        for (serial, other) in &mut slot.ports {
-            if *serial != port.serial && other.open {
-                other.broadcast(&said);
+        if let Some(slot) = self.slots.get_mut(port.vehicle) {
+            let place = slot
+                .ports
+                .iter()
+                .position(|(serial, _)| *serial == port.serial);
+            if let Some(place) = place {
+                slot.with_port(place, |own, autopilot| own.receive(autopilot, bytes));
             }
         }
     }
@@ -241,7 +237,30 @@ impl World {
 }
 
 impl Slot {
+    /// Works with one open port; what the vehicle then says to everybody reaches the others too.
+    fn with_port(
+        &mut self,
+        place: usize,
+        work: impl FnOnce(&mut Port, &mut Autopilot) -> Vec<MavMessage>,
+    ) {
+        let Some((_, own)) = self.ports.get_mut(place).filter(|(_, port)| port.open) else {
+            return;
+        };
+        let said = work(own, &mut self.autopilot);
+        if said.is_empty() {
+            return;
+        }
+        for (other, (_, port)) in self.ports.iter_mut().enumerate() {
+            if other != place && port.open {
+                port.broadcast(&said);
+            }
+        }
+    }
+
     fn step(&mut self) {
+        for place in 0..self.ports.len() {
+            self.with_port(place, Port::end_of_burst);
+        }
         let autopilot = &mut self.autopilot;
         autopilot.step();
         let said = std::mem::take(&mut autopilot.outbox);

@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::os::fd::AsFd as _;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc;
 
 use crossterm::terminal::{
@@ -15,8 +15,9 @@ use crossterm::terminal::{
     disable_raw_mode, enable_raw_mode,
 };
 use crossterm::{cursor, event, execute, queue};
-use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
+use ratatui::layout::Rect;
+use ratatui::{Terminal, TerminalOptions, Viewport};
 
 use crate::ui::ColourDepth;
 
@@ -26,7 +27,16 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 /// The screen of the console.
 pub struct Screen {
     terminal: Terminal<CrosstermBackend<FrameWriter>>,
-    frames_waiting: Arc<AtomicUsize>,
+    traffic: Arc<Traffic>,
+}
+
+/// What goes to the terminal.
+#[derive(Debug, Default)]
+struct Traffic {
+    /// Pieces of frames that the writing thread has yet to write.
+    waiting: AtomicUsize,
+    /// Bytes made so far.
+    bytes: AtomicU64,
 }
 
 impl Screen {
@@ -48,17 +58,40 @@ impl Screen {
             event::EnableBracketedPaste,
             cursor::Hide
         )?;
-        let frames_waiting = Arc::new(AtomicUsize::new(0));
-        let writer = FrameWriter::start(Arc::clone(&frames_waiting))?;
+        let traffic = Arc::new(Traffic::default());
+        let writer = FrameWriter::to_terminal(Arc::clone(&traffic))?;
         Ok(Self {
             terminal: Terminal::new(CrosstermBackend::new(writer))?,
-            frames_waiting,
+            traffic,
         })
+    }
+
+    /// A screen of that size that leads nowhere, for measurements: frames are made and counted, not shown.
+    ///
+    /// # Errors
+    /// The terminal library refuses the size.
+    pub fn nowhere(columns: u16, rows: u16) -> io::Result<Self> {
+        crossterm::style::force_color_output(true);
+        let traffic = Arc::new(Traffic::default());
+        let writer = FrameWriter {
+            frame: Vec::new(),
+            frames: None,
+            traffic: Arc::clone(&traffic),
+        };
+        let viewport = Viewport::Fixed(Rect::new(0, 0, columns, rows));
+        let terminal =
+            Terminal::with_options(CrosstermBackend::new(writer), TerminalOptions { viewport })?;
+        Ok(Self { terminal, traffic })
     }
 
     /// Whether the last frame has gone out, so that another can be drawn.
     pub fn is_ready(&self) -> bool {
-        self.frames_waiting.load(Ordering::Acquire) == 0
+        self.traffic.waiting.load(Ordering::Acquire) == 0
+    }
+
+    /// Bytes made for the terminal so far.
+    pub fn bytes(&self) -> u64 {
+        self.traffic.bytes.load(Ordering::Relaxed)
     }
 
     /// Draws one frame; only what changed is written.
@@ -111,30 +144,31 @@ fn give_back_on_panic() {
 }
 
 /// Collects what is written and hands it to the writing thread in large pieces.
-pub struct FrameWriter {
+struct FrameWriter {
     frame: Vec<u8>,
-    frames: mpsc::Sender<Vec<u8>>,
-    frames_waiting: Arc<AtomicUsize>,
+    /// The writing thread; none where the frames lead nowhere.
+    frames: Option<mpsc::Sender<Vec<u8>>>,
+    traffic: Arc<Traffic>,
 }
 
 impl FrameWriter {
-    fn start(frames_waiting: Arc<AtomicUsize>) -> io::Result<Self> {
+    fn to_terminal(traffic: Arc<Traffic>) -> io::Result<Self> {
         // Not `io::stdout()`: its lock would be held during a write to a terminal that does not read.
         let mut terminal = File::from(io::stdout().as_fd().try_clone_to_owned()?);
         let (frames, frames_out) = mpsc::channel::<Vec<u8>>();
-        let done = Arc::clone(&frames_waiting);
+        let shared = Arc::clone(&traffic);
         std::thread::spawn(move || {
             for frame in frames_out {
                 // A write error means that the terminal is gone; the signal or the end of input that comes
                 // with it ends the console.
                 drop(terminal.write_all(&frame));
-                done.fetch_sub(1, Ordering::Release);
+                shared.waiting.fetch_sub(1, Ordering::Release);
             }
         });
         Ok(Self {
             frame: Vec::new(),
-            frames,
-            frames_waiting,
+            frames: Some(frames),
+            traffic,
         })
     }
 }
@@ -146,13 +180,19 @@ impl Write for FrameWriter {
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        if self.frame.is_empty() {
-            return Ok(());
+        let frame = std::mem::take(&mut self.frame);
+        self.traffic
+            .bytes
+            .fetch_add(frame.len() as u64, Ordering::Relaxed);
+        match &self.frames {
+            Some(frames) if !frame.is_empty() => {
+                self.traffic.waiting.fetch_add(1, Ordering::AcqRel);
+                frames
+                    .send(frame)
+                    .map_err(|_| io::Error::from(io::ErrorKind::BrokenPipe))
+            }
+            _ => Ok(()),
         }
-        self.frames_waiting.fetch_add(1, Ordering::AcqRel);
-        self.frames
-            .send(std::mem::take(&mut self.frame))
-            .map_err(|_| io::Error::from(io::ErrorKind::BrokenPipe))
     }
 }
 

@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::acknowledgement::Acknowledgement;
 use super::{Order, Report, precedence};
-use crate::commands::{AckResult, Answer, Command, Effect, Request, explain};
+use crate::commands::{AckResult, Answer, Effect, Request, explain};
 use crate::ledger::{RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::vehicle::{Severity, Vehicle};
@@ -133,8 +133,10 @@ impl Transaction {
             }
             (Some(Answer::Parameter(name)), Content::Message(MavMessage::PARAM_VALUE(value))) => {
                 if value.param_id.to_str().is_ok_and(|id| id.eq_ignore_ascii_case(name)) {
-                    let text = format!("{name} = {}", value.param_value);
-                    self.accept(Some(text), now);
+                    match self.order.command.parameter_outcome(value.param_value) {
+                        Ok(text) => self.accept(Some(text), now),
+                        Err(text) => self.end(RowState::Refused, Some(text)),
+                    }
                 }
             }
             _ => {}
@@ -206,15 +208,13 @@ impl Transaction {
         self.send(now, outgoing);
     }
 
-    /// Sends the request, again with a higher confirmation number.
+    /// Sends the request, and prepares it for another try.
     fn send(&mut self, now: Duration, outgoing: &mut Vec<Outgoing>) {
-        let Some(request) = &self.request else { return };
-        outgoing.extend(request.messages.iter().cloned().map(|mut message| {
-            if let Outgoing::Message(MavMessage::COMMAND_LONG(command)) = &mut message {
-                command.confirmation = self.tries;
-            }
-            message
-        }));
+        let Some(request) = &mut self.request else {
+            return;
+        };
+        outgoing.extend(request.messages.iter().cloned());
+        request.again();
         self.tries = self.tries.saturating_add(1);
         self.last_sent = now;
         self.pending.push((RowState::Sent, None));
@@ -266,7 +266,7 @@ impl Transaction {
         let repeat = self.order.command.repeat();
         if let Some(repeat) = &repeat {
             if now >= since + repeat.lasting {
-                self.stop(vehicle, outgoing);
+                outgoing.extend(self.request.as_mut().and_then(|request| request.closing.take()));
                 return self.end(RowState::Done, None);
             }
             if now >= self.last_sent + repeat.every {
@@ -293,17 +293,6 @@ impl Transaction {
                 self.send(now, outgoing);
             }
             Some(false) => {}
-        }
-    }
-
-    /// A velocity that was held for its time ends in standing still.
-    fn stop(&self, vehicle: &Vehicle, outgoing: &mut Vec<Outgoing>) {
-        let standing = Command::Velocity {
-            ned_m_s: [0.0; 3],
-            lasting: Duration::ZERO,
-        };
-        if let Ok(request) = standing.request(vehicle, 0) {
-            outgoing.extend(request.messages);
         }
     }
 

@@ -10,7 +10,7 @@ use super::task::Task;
 use super::telemetry;
 
 /// A vehicle that rests this long with its motors idle has landed.
-const LANDED_AFTER: Duration = Duration::from_millis(1000);
+const LANDED_AFTER: Duration = Duration::from_secs(1);
 /// In a landing the motors are disarmed this long after the touch.
 const DISARMED_AFTER_TOUCH: Duration = Duration::from_millis(2100);
 
@@ -49,7 +49,7 @@ impl Autopilot {
         reasons
     }
 
-    /// Whether SYS_STATUS may say that all pre-arm checks pass.
+    /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
     pub(super) fn is_armable(&self) -> bool {
         self.is_ready()
     }

@@ -33,6 +33,7 @@ pub(super) struct Place {
 
 /// Speeds asked by commands; they last until the mode changes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 pub(super) struct Speeds {
     pub(super) ground_m_s: Option<f64>,
     pub(super) up_m_s: Option<f64>,
@@ -58,7 +59,7 @@ pub(super) struct Autopilot {
     pub(super) yaw: YawControl,
     pub(super) mode: Mode,
     pub(super) task: Task,
-    /// The task that DO_PAUSE_CONTINUE interrupted.
+    /// The task that `DO_PAUSE_CONTINUE` interrupted.
     pub(super) paused: Option<Task>,
     pub(super) speeds: Speeds,
     pub(super) safety: Safety,
@@ -231,7 +232,7 @@ impl Autopilot {
 
     fn fly(&mut self) {
         let act = if self.safety.armed {
-            self.with_cockpit(|task, cockpit| task.step(cockpit))
+            self.with_cockpit(super::task::Task::step)
         } else {
             Act::Idle
         };
@@ -243,6 +244,7 @@ impl Autopilot {
                 Demand::Acceleration(self.control.demand(&self.body, lean_max))
             }
         };
+        self.end_turn();
         let wind = self.wind.step(self.body.height_m(), &self.tuning);
         if demand != Demand::Off || !self.body.on_ground {
             let moving = self.control.velocity_m_s.truncate();
@@ -261,14 +263,26 @@ impl Autopilot {
                 self.safety.landed = false;
             }
             if takeoff.reached {
-                self.end_takeoff();
+                let goal_m = takeoff.goal_m;
+                self.end_takeoff(goal_m);
             }
         }
     }
 
-    fn end_takeoff(&mut self) {
+    /// A turning rate lasts as long as the setpoint that asked for it.
+    fn end_turn(&mut self) {
+        let until = match &self.task {
+            Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
+            _ => return,
+        };
+        if self.uptime() >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
+            self.yaw.demand = YawDemand::Hold;
+        }
+    }
+
+    fn end_takeoff(&mut self, goal_m: DVec3) {
         self.task = match self.mode.number {
-            mode::GUIDED | mode::AUTO => Task::goto(self.control.path_m),
+            mode::GUIDED => Task::goto(goal_m),
             _ => Task::Piloted,
         };
     }

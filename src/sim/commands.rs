@@ -1,4 +1,4 @@
-//! MAV_CMD: one table from command number to handler.
+//! `MAV_CMD`: one table from command number to handler.
 
 mod flight;
 mod setup;
@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 use super::autopilot::Autopilot;
 use super::port::Link;
 
-/// A command as COMMAND_LONG or COMMAND_INT brought it.
+/// A command as `COMMAND_LONG` or `COMMAND_INT` brought it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Command {
     pub(super) number: u16,
@@ -20,7 +20,7 @@ pub(super) struct Command {
     pub(super) y: f64,
     /// Parameter 7.
     pub(super) z: f32,
-    /// The frame of a COMMAND_INT; a COMMAND_LONG has none.
+    /// The frame of a `COMMAND_INT`; a `COMMAND_LONG` has none.
     pub(super) frame: Option<u8>,
 }
 

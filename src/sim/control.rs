@@ -1,4 +1,4 @@
-//! ArduPilot's position control: a jerk- and acceleration-limited path towards the target (its square-root
+//! `ArduPilot`'s position control: a jerk- and acceleration-limited path towards the target (its square-root
 //! controller, `AP_Math/control.cpp`), and the feedback that makes the airframe follow the path.
 
 use glam::{DVec2, DVec3};
@@ -84,7 +84,7 @@ impl PositionControl {
         self.at_velocity(wanted.extend(climb), limits);
     }
 
-    /// Brings the path to a velocity; vertical speed limits do not apply, as in ArduPilot.
+    /// Brings the path to a velocity; vertical speed limits do not apply, as in `ArduPilot`.
     pub(super) fn at_velocity(&mut self, wanted_m_s: DVec3, limits: &Limits) {
         let error = wanted_m_s - self.velocity_m_s;
         let flat = error.truncate();

@@ -17,11 +17,11 @@ use super::port::Link;
 use super::telemetry;
 use crate::wire::{Content, Frame, Outgoing};
 
-/// COMMAND_ACK.
+/// `COMMAND_ACK`.
 const COMMAND_ACK: u32 = 77;
 /// The index in the answer to a parameter that was asked or set by name.
 const BY_NAME: u16 = u16::MAX;
-/// In RC_CHANNELS_OVERRIDE: leave the channel as it is, and give it back to the transmitter.
+/// In `RC_CHANNELS_OVERRIDE`: leave the channel as it is, and give it back to the transmitter.
 const UNCHANGED: u16 = u16::MAX;
 const RELEASED: u16 = 0;
 
@@ -179,7 +179,7 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
     }
 }
 
-/// PARAM_VALUE with the place in the list.
+/// `PARAM_VALUE` with the place in the list.
 pub(super) fn parameter_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
     MavMessage::PARAM_VALUE(value_of(autopilot, parameter))
 }

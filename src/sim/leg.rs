@@ -1,4 +1,4 @@
-//! A straight leg from rest to rest with limited jerk, planned once: what ArduPilot calls an S-curve.
+//! A straight leg from rest to rest with limited jerk, planned once: what `ArduPilot` calls an S-curve.
 
 use glam::DVec2;
 

@@ -18,7 +18,7 @@ pub(super) enum Entry {
 pub(super) struct Mode {
     /// `custom_mode` on the wire.
     pub(super) number: u8,
-    /// ArduCopter's name.
+    /// `ArduCopter`'s name.
     pub(super) name: &'static str,
     pub(super) entry: Entry,
     /// The autopilot holds or flies to positions: sets the GUIDED bit of `base_mode`.

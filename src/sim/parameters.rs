@@ -17,7 +17,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// The type as MAVLink names it.
+    /// The type as `MAVLink` names it.
     pub(super) fn on_the_wire(self) -> MavParamType {
         match self {
             Self::Int8 => MavParamType::MAV_PARAM_TYPE_INT8,

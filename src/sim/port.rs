@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::autopilot::Autopilot;
 use super::schedule::Schedule;
 use super::{inbound, telemetry};
-use crate::wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Outgoing};
+use crate::wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing};
 
 /// Bytes that wait for a reader at most.
 const PENDING_MAX: usize = 256 * 1024;
@@ -15,6 +15,8 @@ const PENDING_MAX: usize = 256 * 1024;
 const TELEMETRY_MAX: usize = PENDING_MAX - 32 * 1024;
 /// Incoming bytes are decoded in pieces, so that a flood does not gather in memory.
 const PIECE: usize = 4096;
+/// After a pause of this many steps nothing more belongs to the bytes that have come (a frame takes far less).
+const PAUSE_STEPS: u32 = 50;
 /// Parameters sent per step while a list is under way (2300 per second).
 const PARAMETERS_PER_STEP: u16 = 23;
 
@@ -44,6 +46,7 @@ pub(super) struct Port {
     decoder: Decoder,
     encoder: Encoder,
     pending: Vec<u8>,
+    quiet_steps: u32,
     pub(super) open: bool,
 }
 
@@ -59,6 +62,7 @@ impl Port {
             decoder: Decoder::new(),
             encoder: Encoder::new(system, AUTOPILOT_COMPONENT),
             pending: Vec::new(),
+            quiet_steps: 0,
             open: true,
         }
     }
@@ -67,21 +71,37 @@ impl Port {
     /// except for this link, which gets it in order with its answers.
     pub(super) fn receive(&mut self, autopilot: &mut Autopilot, bytes: &[u8]) -> Vec<MavMessage> {
         let mut for_others = Vec::new();
+        self.quiet_steps = 0;
         for piece in bytes.chunks(PIECE) {
             self.decoder.push(piece);
             while let Some(frame) = self.decoder.next_frame() {
-                self.link.heard = true;
-                inbound::handle(autopilot, &mut self.link, &frame);
-                let replies = std::mem::take(&mut self.link.replies);
-                for reply in &replies {
-                    self.answer(reply);
-                }
-                let said = std::mem::take(&mut autopilot.outbox);
-                self.broadcast(&said);
-                for_others.extend(said);
+                for_others.extend(self.handle(autopilot, &frame));
             }
         }
         for_others
+    }
+
+    /// Counts the pause since the last bytes; when it is long enough, frames behind a false start come out.
+    pub(super) fn end_of_burst(&mut self, autopilot: &mut Autopilot) -> Vec<MavMessage> {
+        let mut for_others = Vec::new();
+        self.quiet_steps = self.quiet_steps.saturating_add(1);
+        if self.quiet_steps == PAUSE_STEPS {
+            while let Some(frame) = self.decoder.next_frame_at_end() {
+                for_others.extend(self.handle(autopilot, &frame));
+            }
+        }
+        for_others
+    }
+
+    fn handle(&mut self, autopilot: &mut Autopilot, frame: &Frame) -> Vec<MavMessage> {
+        self.link.heard = true;
+        inbound::handle(autopilot, &mut self.link, frame);
+        for reply in std::mem::take(&mut self.link.replies) {
+            self.answer(&reply);
+        }
+        let said = std::mem::take(&mut autopilot.outbox);
+        self.broadcast(&said);
+        said
     }
 
     /// Sends what every ground station hears.

@@ -10,7 +10,7 @@ const HEARTBEAT_US: i64 = 1_000_000;
 /// Messages that are this many intervals late are given up.
 const LATE_INTERVALS: u64 = 4;
 
-/// The stream groups of REQUEST_DATA_STREAM with the messages of each.
+/// The stream groups of `REQUEST_DATA_STREAM` with the messages of each.
 const STREAMS: &[(u8, &[u32])] = &[
     (1, &[27, 116, 29]),
     (2, &[1, 125, 152, 42, 24, 62, 87]),
@@ -116,7 +116,7 @@ mod tests {
         let mut sent = 0;
         for step in 0..seconds * 100 {
             schedule.each_due(Duration::from_millis(step * 10), |due| {
-                sent += usize::from(due == id)
+                sent += usize::from(due == id);
             });
         }
         sent

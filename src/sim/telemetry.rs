@@ -7,6 +7,7 @@ mod sensors;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
+use self::Builder::{Always, Sometimes};
 use super::autopilot::Autopilot;
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
@@ -14,46 +15,60 @@ const SILENT: &[u32] = &[
     22, 34, 35, 100, 124, 127, 128, 132, 143, 162, 173, 180, 181, 226,
 ];
 
-type Builder = fn(&Autopilot) -> Option<MavMessage>;
+/// How a message is made: it can be made at any time, or not always.
+#[derive(Clone, Copy)]
+enum Builder {
+    Always(fn(&Autopilot) -> MavMessage),
+    Sometimes(fn(&Autopilot) -> Option<MavMessage>),
+}
+
+impl Builder {
+    fn build(self, autopilot: &Autopilot) -> Option<MavMessage> {
+        match self {
+            Always(build) => Some(build(autopilot)),
+            Sometimes(build) => build(autopilot),
+        }
+    }
+}
 
 /// Message ids with their builders, in rising order.
 const TABLE: &[(u32, Builder)] = &[
-    (0, health::heartbeat),
-    (1, health::sys_status),
-    (2, health::system_time),
-    (24, sensors::gps_raw_int),
-    (27, sensors::raw_imu),
-    (29, sensors::scaled_pressure),
-    (30, motion::attitude),
-    (31, motion::attitude_quaternion),
-    (32, motion::local_position_ned),
-    (33, motion::global_position_int),
-    (36, sensors::servo_output_raw),
-    (42, navigation::mission_current),
-    (49, navigation::gps_global_origin),
-    (62, navigation::nav_controller_output),
-    (65, sensors::rc_channels),
-    (74, motion::vfr_hud),
-    (85, navigation::position_target_local_ned),
-    (87, navigation::position_target_global_int),
-    (116, sensors::scaled_imu2),
-    (125, health::power_status),
-    (147, health::battery_status),
-    (148, health::autopilot_version),
-    (152, health::meminfo),
-    (163, motion::ahrs),
-    (164, motion::simstate),
-    (168, sensors::wind),
-    (178, motion::ahrs2),
-    (193, health::ekf_status_report),
-    (241, sensors::vibration),
-    (242, navigation::home_position),
-    (245, health::extended_sys_state),
+    (0, Always(health::heartbeat)),
+    (1, Always(health::sys_status)),
+    (2, Always(health::system_time)),
+    (24, Always(sensors::gps_raw_int)),
+    (27, Always(sensors::raw_imu)),
+    (29, Always(sensors::scaled_pressure)),
+    (30, Always(motion::attitude)),
+    (31, Always(motion::attitude_quaternion)),
+    (32, Sometimes(motion::local_position_ned)),
+    (33, Always(motion::global_position_int)),
+    (36, Always(sensors::servo_output_raw)),
+    (42, Always(navigation::mission_current)),
+    (49, Sometimes(navigation::gps_global_origin)),
+    (62, Always(navigation::nav_controller_output)),
+    (65, Always(sensors::rc_channels)),
+    (74, Always(motion::vfr_hud)),
+    (85, Sometimes(navigation::position_target_local_ned)),
+    (87, Sometimes(navigation::position_target_global_int)),
+    (116, Always(sensors::scaled_imu2)),
+    (125, Always(health::power_status)),
+    (147, Always(health::battery_status)),
+    (148, Always(health::autopilot_version)),
+    (152, Always(health::meminfo)),
+    (163, Always(motion::ahrs)),
+    (164, Always(motion::simstate)),
+    (168, Sometimes(sensors::wind)),
+    (178, Always(motion::ahrs2)),
+    (193, Always(health::ekf_status_report)),
+    (241, Always(sensors::vibration)),
+    (242, Sometimes(navigation::home_position)),
+    (245, Always(health::extended_sys_state)),
 ];
 
 /// The message of an id as it reads now; `None` if the vehicle has nothing to say under that id.
 pub(super) fn message(id: u32, autopilot: &Autopilot) -> Option<MavMessage> {
-    builder(id)?(autopilot)
+    builder(id)?.build(autopilot)
 }
 
 /// Whether the firmware knows the message, so that it can be asked for.
@@ -89,8 +104,8 @@ mod tests {
         for _ in 0..200 {
             autopilot.step();
         }
-        for &(id, build) in TABLE {
-            if let Some(message) = build(&autopilot) {
+        for &(id, builder) in TABLE {
+            if let Some(message) = builder.build(&autopilot) {
                 assert_eq!(message.message_id(), id);
             }
         }

@@ -2,6 +2,7 @@
 
 mod flight;
 mod ground;
+mod links;
 mod protocol;
 
 use super::*;

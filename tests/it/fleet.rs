@@ -246,10 +246,14 @@ async fn a_refused_arm_is_explained_in_plain_words() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_vehicle_that_reboots_is_noticed_and_resumed() {
-    let (addresses, cancel) = serve(world(1), 2.0).await;
+    let (addresses, cancel) = serve(world(1), 10.0).await;
     let mut console = Console::start();
     console.connect(&addresses[0]);
-    console.until_ready(&[1]).await;
+    console
+        .until("it has been up for a while", |console| {
+            console.vehicle(1).and_then(|vehicle| vehicle.boot_ms).is_some_and(|ms| ms > 10_000)
+        })
+        .await;
     console.give("reboot", &[1]);
     console
         .until("the reboot is noticed", |console| {

@@ -2,5 +2,8 @@
 
 mod console;
 mod fixtures;
+mod fleet;
 mod harness;
+mod layering;
+mod recordings;
 mod screens;

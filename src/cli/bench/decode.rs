@@ -1,5 +1,7 @@
 //! `sortie bench decode`: what one telemetry packet costs.
 
+use std::fs::File;
+use std::io::BufReader;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -86,8 +88,10 @@ fn time(work: impl FnOnce()) -> Duration {
 }
 
 fn frames_of(path: &PathBuf) -> Result<Vec<u8>, Failure> {
+    let file = File::open(path)
+        .map_err(|error| Failure::Invalid(format!("sortie: cannot read {}: {error}", path.display())))?;
     let mut bytes = Vec::new();
-    for record in TlogReader::open(path)? {
+    for record in TlogReader::new(BufReader::new(file)) {
         bytes.extend_from_slice(&record?.bytes);
     }
     Ok(bytes)

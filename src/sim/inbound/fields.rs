@@ -156,7 +156,7 @@ impl Payload<'_> {
     }
 }
 
-/// The offsets are those of the MAVLink definitions after sorting by field size.
+/// The offsets are those of the `MAVLink` definitions after sorting by field size.
 fn by_hand(id: u32, payload: &Payload<'_>) -> Option<Addressed> {
     let request = match id {
         23 => return Some(parameter_by_hand(payload)),

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use crate::wire::Frame;
 
-/// FTP: the answer's opcode for a refusal, and its reason (MAVLink FTP: NAK, FileNotFound).
+/// FTP: the answer's opcode for a refusal, and its reason (`MAVLink` FTP: NAK, `FileNotFound`).
 const FTP_REFUSED: u8 = 129;
 const FTP_FILE_NOT_FOUND: u8 = 10;
 /// Where the opcode stands in an FTP payload, where its size and request opcode, and where the data begins.

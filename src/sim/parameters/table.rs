@@ -1,6 +1,6 @@
 //! The parameters the simulated vehicle has, in the order in which it lists them.
 //!
-//! Names, types and values are those of an ArduCopter 4.6 SITL. A parameter whose subsystem is not simulated
+//! Names, types and values are those of an `ArduCopter` 4.6 SITL. A parameter whose subsystem is not simulated
 //! (fences, rally points, other vehicles) is left out, so that setting it cannot seem to have worked.
 
 use super::Kind::{self, Int8, Int16, Int32, Real32};
@@ -119,13 +119,13 @@ pub(super) const TABLE: &[(&str, Kind, f32)] = &[
     ("BATT_ARM_VOLT", Real32, 0.0),
     ("BATT_ARM_MAH", Int32, 0.0),
     ("BATT_VOLT_PIN", Int8, 13.0),
-    ("BATT_VOLT_MULT", Real32, 10.1000004),
+    ("BATT_VOLT_MULT", Real32, 10.1),
     ("BATT_AMP_PERVLT", Real32, 17.0),
     ("BATT_AMP_OFFSET", Real32, 0.0),
     ("SIM_WIND_SPD", Real32, 0.0),
     ("SIM_WIND_DIR", Real32, 180.0),
     ("SIM_WIND_TURB", Real32, 0.0),
-    ("SIM_BATT_VOLTAGE", Real32, 12.6000004),
+    ("SIM_BATT_VOLTAGE", Real32, 12.6),
     ("SIM_SPEEDUP", Real32, 1.0),
     ("SIM_GPS_NUMSATS", Int8, 10.0),
     ("SIM_WIND_DIR_Z", Real32, 0.0),
@@ -136,8 +136,8 @@ pub(super) const TABLE: &[(&str, Kind, f32)] = &[
     ("RALLY_TOTAL", Int8, 0.0),
     ("MOT_THST_EXPO", Real32, 0.65),
     ("MOT_SPIN_MAX", Real32, 0.95),
-    ("MOT_BAT_VOLT_MAX", Real32, 12.8000002),
-    ("MOT_BAT_VOLT_MIN", Real32, 9.6000004),
+    ("MOT_BAT_VOLT_MAX", Real32, 12.8),
+    ("MOT_BAT_VOLT_MIN", Real32, 9.6),
     ("MOT_PWM_TYPE", Int8, 0.0),
     ("MOT_PWM_MIN", Int16, 1000.0),
     ("MOT_PWM_MAX", Int16, 2000.0),

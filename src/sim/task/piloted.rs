@@ -1,4 +1,4 @@
-//! Modes that listen to a pilot's sticks (LOITER, ALT_HOLD, POSHOLD and their like).
+//! Modes that listen to a pilot's sticks (LOITER, `ALT_HOLD`, POSHOLD and their like).
 
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ const CENTRE_US: f64 = 1500.0;
 const TRAVEL_US: f64 = 500.0;
 /// Sticks this close to the centre are at the centre.
 const CENTRED_US: f64 = 20.0;
-/// Top speed with the stick fully over, with drag: what ANGLE_MAX allows.
+/// Top speed with the stick fully over, with drag: what `ANGLE_MAX` allows.
 const STICK_SPEED_M_S: f64 = 10.0;
 
 /// Pulse widths of roll, pitch, throttle and yaw, in microseconds.

@@ -8,7 +8,7 @@ use super::{Act, Cockpit};
 
 /// From the command to the moment when the vehicle counts as taking off, and when it leaves the ground.
 const SPOOLED: Duration = Duration::from_millis(1100);
-const LIFTS: Duration = Duration::from_millis(1700);
+const LIFTS: Duration = Duration::from_millis(1600);
 /// The climb with which the path starts: the thrust overshoots while the wheels hold.
 const FIRST_CLIMB_M_S: f64 = 0.5;
 /// The takeoff is over within this distance of its goal.
@@ -18,7 +18,8 @@ const REACHED_M: f64 = 0.05;
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::sim) struct Takeoff {
     since: Duration,
-    goal_m: DVec3,
+    /// Where it ends.
+    pub(in crate::sim) goal_m: DVec3,
     lifted: bool,
     /// Whether the height was reached.
     pub(in crate::sim) reached: bool,

@@ -26,7 +26,7 @@ const EKF_GOOD: u16 = 0x033F;
 /// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
 const EPOCH_US: u64 = 1_767_225_600_000_000;
 
-pub(super) fn heartbeat(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
         | MavModeFlag::MAV_MODE_FLAG_STABILIZE_ENABLED
         | MavModeFlag::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED;
@@ -36,7 +36,7 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> Option<MavMessage> {
     if autopilot.safety.armed {
         base_mode |= MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED;
     }
-    Some(MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         custom_mode: u32::from(autopilot.mode.number),
         mavtype: MavType::MAV_TYPE_QUADROTOR,
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
@@ -47,10 +47,10 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> Option<MavMessage> {
             MavState::MAV_STATE_ACTIVE
         },
         mavlink_version: 3,
-    }))
+    })
 }
 
-pub(super) fn sys_status(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
     let mut enabled = SENSORS;
     if autopilot.mode.controls_height {
         enabled |= HEIGHT_CONTROL;
@@ -63,7 +63,7 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> Option<MavMessage> {
         health &= !(PREARM_CHECK | AHRS);
     }
     let none = MavSysStatusSensorExtended::empty();
-    Some(MavMessage::SYS_STATUS(SYS_STATUS_DATA {
+    MavMessage::SYS_STATUS(SYS_STATUS_DATA {
         onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(
             SENSORS | HEIGHT_CONTROL | POSITION_CONTROL,
         ),
@@ -76,20 +76,20 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> Option<MavMessage> {
         onboard_control_sensors_enabled_extended: none,
         onboard_control_sensors_health_extended: none,
         ..Default::default()
-    }))
+    })
 }
 
-pub(super) fn system_time(autopilot: &Autopilot) -> Option<MavMessage> {
-    Some(MavMessage::SYSTEM_TIME(SYSTEM_TIME_DATA {
+pub(super) fn system_time(autopilot: &Autopilot) -> MavMessage {
+    MavMessage::SYSTEM_TIME(SYSTEM_TIME_DATA {
         time_unix_usec: EPOCH_US + boot_us(autopilot),
         time_boot_ms: boot_ms(autopilot),
-    }))
+    })
 }
 
-pub(super) fn battery_status(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
     let mut voltages = [u16::MAX; 10];
     voltages[0] = (autopilot.tuning.battery_voltage_v * 1000.0) as u16;
-    Some(MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
+    MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
         current_consumed: autopilot.battery.consumed_mah as i32,
         energy_consumed: (autopilot.battery.consumed_wh * 36.0) as i32,
         temperature: i16::MAX,
@@ -101,7 +101,7 @@ pub(super) fn battery_status(autopilot: &Autopilot) -> Option<MavMessage> {
         battery_remaining: remaining(autopilot),
         charge_state: MavBatteryChargeState::MAV_BATTERY_CHARGE_STATE_OK,
         ..Default::default()
-    }))
+    })
 }
 
 fn remaining(autopilot: &Autopilot) -> i8 {
@@ -110,37 +110,37 @@ fn remaining(autopilot: &Autopilot) -> i8 {
         .remaining_percent(autopilot.tuning.battery_capacity_mah)
 }
 
-pub(super) fn power_status(_autopilot: &Autopilot) -> Option<MavMessage> {
-    Some(MavMessage::POWER_STATUS(POWER_STATUS_DATA {
+pub(super) fn power_status(_autopilot: &Autopilot) -> MavMessage {
+    MavMessage::POWER_STATUS(POWER_STATUS_DATA {
         Vcc: 5000,
         Vservo: 0,
         flags: MavPowerStatus::empty(),
-    }))
+    })
 }
 
-pub(super) fn meminfo(_autopilot: &Autopilot) -> Option<MavMessage> {
-    Some(MavMessage::MEMINFO(MEMINFO_DATA {
+pub(super) fn meminfo(_autopilot: &Autopilot) -> MavMessage {
+    MavMessage::MEMINFO(MEMINFO_DATA {
         brkval: 0,
         freemem: u16::MAX,
         freemem32: 131_072,
-    }))
+    })
 }
 
-pub(super) fn ekf_status_report(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
     let flags = if autopilot.is_ready() {
         EKF_GOOD
     } else {
         EKF_WAITING
     };
-    Some(MavMessage::EKF_STATUS_REPORT(EKF_STATUS_REPORT_DATA {
+    MavMessage::EKF_STATUS_REPORT(EKF_STATUS_REPORT_DATA {
         pos_horiz_variance: 0.01,
         compass_variance: 0.03,
         flags: EkfStatusFlags::from_bits_truncate(flags),
         ..Default::default()
-    }))
+    })
 }
 
-pub(super) fn extended_sys_state(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
     let descending = matches!(&autopilot.task, Task::Land(_))
         || matches!(&autopilot.task, Task::Return(way) if way.landing().is_some());
     let landed_state = if autopilot.safety.landed {
@@ -152,10 +152,10 @@ pub(super) fn extended_sys_state(autopilot: &Autopilot) -> Option<MavMessage> {
     } else {
         MavLandedState::MAV_LANDED_STATE_IN_AIR
     };
-    Some(MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA {
+    MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA {
         vtol_state: MavVtolState::MAV_VTOL_STATE_MC,
         landed_state,
-    }))
+    })
 }
 
 /// Only what is served: no FTP, no missions, fences or rally points, no terrain, no attitude targets, no
@@ -164,11 +164,11 @@ pub(super) fn extended_sys_state(autopilot: &Autopilot) -> Option<MavMessage> {
     deprecated,
     reason = "the bit that ArduCopter sets; its successor has the same meaning"
 )]
-pub(super) fn autopilot_version(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     let mut uid2 = [0; 18];
     uid2[..8].copy_from_slice(&autopilot.board_id.to_le_bytes());
     uid2[8] = autopilot.system;
-    Some(MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
+    MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
         capabilities: MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT
             | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_COMMAND_INT
             | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
@@ -180,5 +180,5 @@ pub(super) fn autopilot_version(autopilot: &Autopilot) -> Option<MavMessage> {
         flight_custom_version: *b"sortie\0\0",
         uid2,
         ..Default::default()
-    }))
+    })
 }

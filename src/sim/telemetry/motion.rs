@@ -10,10 +10,10 @@ use crate::geo::{wrap_180, wrap_360};
 use crate::sim::autopilot::Autopilot;
 use crate::sim::body::GRAVITY_M_S2;
 
-pub(super) fn attitude(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn attitude(autopilot: &Autopilot) -> MavMessage {
     let body = &autopilot.body;
     let (roll, pitch) = body.roll_pitch_rad();
-    Some(MavMessage::ATTITUDE(ATTITUDE_DATA {
+    MavMessage::ATTITUDE(ATTITUDE_DATA {
         time_boot_ms: boot_ms(autopilot),
         roll: roll as f32,
         pitch: pitch as f32,
@@ -21,15 +21,15 @@ pub(super) fn attitude(autopilot: &Autopilot) -> Option<MavMessage> {
         rollspeed: body.angle_rates_rad_s.0 as f32,
         pitchspeed: body.angle_rates_rad_s.1 as f32,
         yawspeed: body.yaw_rate_deg_s.to_radians() as f32,
-    }))
+    })
 }
 
-pub(super) fn attitude_quaternion(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn attitude_quaternion(autopilot: &Autopilot) -> MavMessage {
     let body = &autopilot.body;
     let (roll, pitch) = body.roll_pitch_rad();
     let yaw = body.yaw_deg.to_radians();
     let q = glam::DQuat::from_euler(glam::EulerRot::ZYX, yaw, pitch, roll);
-    Some(MavMessage::ATTITUDE_QUATERNION(ATTITUDE_QUATERNION_DATA {
+    MavMessage::ATTITUDE_QUATERNION(ATTITUDE_QUATERNION_DATA {
         time_boot_ms: boot_ms(autopilot),
         q1: q.w as f32,
         q2: q.x as f32,
@@ -39,7 +39,7 @@ pub(super) fn attitude_quaternion(autopilot: &Autopilot) -> Option<MavMessage> {
         pitchspeed: body.angle_rates_rad_s.1 as f32,
         yawspeed: body.yaw_rate_deg_s.to_radians() as f32,
         ..Default::default()
-    }))
+    })
 }
 
 /// Not sent before the estimator has a position.
@@ -59,13 +59,13 @@ pub(super) fn local_position_ned(autopilot: &Autopilot) -> Option<MavMessage> {
     }))
 }
 
-pub(super) fn global_position_int(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
     let body = &autopilot.body;
     let here = autopilot.here();
     let (lat, lon) = here.at.to_e7();
     let v = body.velocity_m_s;
     let over_home_m = autopilot.home_point().z - body.position_m.z;
-    Some(MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
+    MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
         time_boot_ms: boot_ms(autopilot),
         lat,
         lon,
@@ -75,45 +75,45 @@ pub(super) fn global_position_int(autopilot: &Autopilot) -> Option<MavMessage> {
         vy: (v.y * 100.0) as i16,
         vz: (v.z * 100.0) as i16,
         hdg: (wrap_360(body.yaw_deg) * 100.0) as u16,
-    }))
+    })
 }
 
-pub(super) fn vfr_hud(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn vfr_hud(autopilot: &Autopilot) -> MavMessage {
     let body = &autopilot.body;
     let groundspeed = body.velocity_m_s.truncate().length() as f32;
-    Some(MavMessage::VFR_HUD(VFR_HUD_DATA {
+    MavMessage::VFR_HUD(VFR_HUD_DATA {
         airspeed: groundspeed,
         groundspeed,
         alt: autopilot.here().altitude_amsl_m as f32,
         climb: -body.velocity_m_s.z as f32,
         heading: wrap_360(body.yaw_deg) as i16,
         throttle: (body.throttle * 100.0) as u16,
-    }))
+    })
 }
 
-pub(super) fn ahrs(_autopilot: &Autopilot) -> Option<MavMessage> {
-    Some(MavMessage::AHRS(AHRS_DATA::default()))
+pub(super) fn ahrs(_autopilot: &Autopilot) -> MavMessage {
+    MavMessage::AHRS(AHRS_DATA::default())
 }
 
-pub(super) fn ahrs2(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn ahrs2(autopilot: &Autopilot) -> MavMessage {
     let (roll, pitch) = autopilot.body.roll_pitch_rad();
     let here = autopilot.here();
     let (lat, lng) = here.at.to_e7();
-    Some(MavMessage::AHRS2(AHRS2_DATA {
+    MavMessage::AHRS2(AHRS2_DATA {
         roll: roll as f32,
         pitch: pitch as f32,
         yaw: wrap_180(autopilot.body.yaw_deg).to_radians() as f32,
         altitude: here.altitude_amsl_m as f32,
         lat,
         lng,
-    }))
+    })
 }
 
-pub(super) fn simstate(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn simstate(autopilot: &Autopilot) -> MavMessage {
     let body = &autopilot.body;
     let (roll, pitch) = body.roll_pitch_rad();
     let (lat, lng) = autopilot.here().at.to_e7();
-    Some(MavMessage::SIMSTATE(SIMSTATE_DATA {
+    MavMessage::SIMSTATE(SIMSTATE_DATA {
         roll: roll as f32,
         pitch: pitch as f32,
         yaw: wrap_180(body.yaw_deg).to_radians() as f32,
@@ -125,5 +125,5 @@ pub(super) fn simstate(autopilot: &Autopilot) -> Option<MavMessage> {
         zgyro: body.yaw_rate_deg_s.to_radians() as f32,
         lat,
         lng,
-    }))
+    })
 }

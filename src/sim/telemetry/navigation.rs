@@ -45,12 +45,12 @@ pub(super) fn gps_global_origin(autopilot: &Autopilot) -> Option<MavMessage> {
     }))
 }
 
-pub(super) fn mission_current(autopilot: &Autopilot) -> Option<MavMessage> {
-    Some(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
+pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
+    MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
         mission_state: MissionState::MISSION_STATE_NO_MISSION,
         mission_mode: u8::from(autopilot.mode.number == mode::AUTO),
         ..Default::default()
-    }))
+    })
 }
 
 /// Where the vehicle is going, and how fast, if its task says.
@@ -111,7 +111,7 @@ fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     }
 }
 
-pub(super) fn nav_controller_output(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
     let body = &autopilot.body;
     let (roll, pitch) = body.roll_pitch_rad();
     let way = goal(autopilot).map_or(DVec3::ZERO, |goal| goal - body.position_m);
@@ -120,15 +120,13 @@ pub(super) fn nav_controller_output(autopilot: &Autopilot) -> Option<MavMessage>
     } else {
         wrap_180(way.y.atan2(way.x).to_degrees())
     };
-    Some(MavMessage::NAV_CONTROLLER_OUTPUT(
-        NAV_CONTROLLER_OUTPUT_DATA {
-            nav_roll: roll.to_degrees() as f32,
-            nav_pitch: pitch.to_degrees() as f32,
-            alt_error: -way.z as f32,
-            nav_bearing: bearing as i16,
-            target_bearing: bearing as i16,
-            wp_dist: way.truncate().length() as u16,
-            ..Default::default()
-        },
-    ))
+    MavMessage::NAV_CONTROLLER_OUTPUT(NAV_CONTROLLER_OUTPUT_DATA {
+        nav_roll: roll.to_degrees() as f32,
+        nav_pitch: pitch.to_degrees() as f32,
+        alt_error: -way.z as f32,
+        nav_bearing: bearing as i16,
+        target_bearing: bearing as i16,
+        wp_dist: way.truncate().length() as u16,
+        ..Default::default()
+    })
 }

@@ -10,12 +10,12 @@ use crate::geo::wrap_360;
 use crate::sim::autopilot::Autopilot;
 use crate::sim::body::GRAVITY_M_S2;
 
-pub(super) fn gps_raw_int(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
     let here = autopilot.here();
     let (lat, lon) = here.at.to_e7();
     let v = autopilot.body.velocity_m_s;
     let course = wrap_360(v.y.atan2(v.x).to_degrees());
-    Some(MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
+    MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
         time_usec: boot_us(autopilot),
         lat,
         lon,
@@ -30,7 +30,7 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> Option<MavMessage> {
         v_acc: 300,
         vel_acc: 40,
         ..Default::default()
-    }))
+    })
 }
 
 /// Specific force in milli-g and rotation in milli-radians per second, in the body's axes.
@@ -52,9 +52,9 @@ fn inertial(autopilot: &Autopilot) -> ([i16; 3], [i16; 3]) {
     )
 }
 
-pub(super) fn raw_imu(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn raw_imu(autopilot: &Autopilot) -> MavMessage {
     let (force, turn) = inertial(autopilot);
-    Some(MavMessage::RAW_IMU(RAW_IMU_DATA {
+    MavMessage::RAW_IMU(RAW_IMU_DATA {
         time_usec: boot_us(autopilot),
         xacc: force[0],
         yacc: force[1],
@@ -63,12 +63,12 @@ pub(super) fn raw_imu(autopilot: &Autopilot) -> Option<MavMessage> {
         ygyro: turn[1],
         zgyro: turn[2],
         ..Default::default()
-    }))
+    })
 }
 
-pub(super) fn scaled_imu2(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn scaled_imu2(autopilot: &Autopilot) -> MavMessage {
     let (force, turn) = inertial(autopilot);
-    Some(MavMessage::SCALED_IMU2(SCALED_IMU2_DATA {
+    MavMessage::SCALED_IMU2(SCALED_IMU2_DATA {
         time_boot_ms: boot_ms(autopilot),
         xacc: force[0],
         yacc: force[1],
@@ -77,25 +77,25 @@ pub(super) fn scaled_imu2(autopilot: &Autopilot) -> Option<MavMessage> {
         ygyro: turn[1],
         zgyro: turn[2],
         ..Default::default()
-    }))
+    })
 }
 
 /// Pressure of the standard atmosphere (ISA), in hectopascals.
-pub(super) fn scaled_pressure(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
     let altitude_m = autopilot.here().altitude_amsl_m;
     let pressure = 1013.25 * (1.0 - 2.255_77e-5 * altitude_m).max(0.0).powf(5.2559);
-    Some(MavMessage::SCALED_PRESSURE(SCALED_PRESSURE_DATA {
+    MavMessage::SCALED_PRESSURE(SCALED_PRESSURE_DATA {
         time_boot_ms: boot_ms(autopilot),
         press_abs: pressure as f32,
         temperature: 2500,
         ..Default::default()
-    }))
+    })
 }
 
-pub(super) fn servo_output_raw(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
     let motor = (1000.0 + autopilot.body.throttle * 1000.0) as u16;
     let servos = autopilot.servos_us;
-    Some(MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
+    MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
         time_usec: autopilot.uptime().as_micros() as u32,
         servo1_raw: motor,
         servo2_raw: motor,
@@ -114,12 +114,12 @@ pub(super) fn servo_output_raw(autopilot: &Autopilot) -> Option<MavMessage> {
         servo15_raw: servos[14],
         servo16_raw: servos[15],
         ..Default::default()
-    }))
+    })
 }
 
-pub(super) fn rc_channels(autopilot: &Autopilot) -> Option<MavMessage> {
+pub(super) fn rc_channels(autopilot: &Autopilot) -> MavMessage {
     let channels = autopilot.sticks().channels_us;
-    Some(MavMessage::RC_CHANNELS(RC_CHANNELS_DATA {
+    MavMessage::RC_CHANNELS(RC_CHANNELS_DATA {
         time_boot_ms: boot_ms(autopilot),
         chan1_raw: channels[0],
         chan2_raw: channels[1],
@@ -132,7 +132,7 @@ pub(super) fn rc_channels(autopilot: &Autopilot) -> Option<MavMessage> {
         chancount: 16,
         rssi: 255,
         ..Default::default()
-    }))
+    })
 }
 
 /// A copter without an airspeed sensor has no estimate of the wind.
@@ -142,9 +142,9 @@ pub(super) fn wind(autopilot: &Autopilot) -> Option<MavMessage> {
         .then(|| MavMessage::WIND(WIND_DATA::default()))
 }
 
-pub(super) fn vibration(autopilot: &Autopilot) -> Option<MavMessage> {
-    Some(MavMessage::VIBRATION(VIBRATION_DATA {
+pub(super) fn vibration(autopilot: &Autopilot) -> MavMessage {
+    MavMessage::VIBRATION(VIBRATION_DATA {
         time_usec: boot_us(autopilot),
         ..Default::default()
-    }))
+    })
 }

@@ -113,12 +113,12 @@ impl Ground {
         self.ack_since(before).expect("an ack at once").result
     }
 
-    pub(in crate::sim) fn int(&mut self, data: COMMAND_INT_DATA) -> MavResult {
+    pub(in crate::sim) fn int(&mut self, data: &COMMAND_INT_DATA) -> MavResult {
         let before = self.heard.len();
         self.say(MavMessage::COMMAND_INT(COMMAND_INT_DATA {
             target_system: 1,
             target_component: 1,
-            ..data
+            ..data.clone()
         }));
         self.ack_since(before).expect("an ack at once").result
     }

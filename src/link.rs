@@ -1,0 +1,280 @@
+//! Links: how MAVLink frames reach this program and leave it.
+//!
+//! One task per link owns the socket, finds frames, counts what it drops, says once a second that a ground
+//! station is here, and reconnects for ever. What it reads goes to one bounded channel that all links share;
+//! what it is to send comes through its [`LinkHandle`]; how it is doing is in its [`LinkStatus`].
+
+use std::fmt;
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+use tokio::io::DuplexStream;
+use tokio::sync::{mpsc, watch};
+use tokio::time::Instant;
+use tokio_util::sync::CancellationToken;
+
+use crate::wire::{
+    ComponentId, Counters, Frame, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, Outgoing,
+    SystemId,
+};
+
+mod address;
+mod connect;
+mod datagram;
+mod meter;
+mod peer;
+mod playback;
+mod server;
+mod simulator;
+mod stream;
+mod task;
+#[cfg(test)]
+mod tests;
+mod tlog;
+
+pub use address::{Address, AddressError};
+pub use simulator::{Endpoint, Simulator, SimulatorError, Started};
+pub use tlog::{TlogError, TlogReader, TlogRecord, TlogWriter};
+
+/// How many messages wait for a link before more are dropped.
+const OUTBOX_LEN: usize = 256;
+
+/// Names a link within this program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct LinkId(pub u16);
+
+/// Who speaks on a link: TCP, serial, pipe and file have one peer (0), a UDP socket has one per remote
+/// address, `tcpin` one per client. Numbers are not used again while the link is open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Peer(pub u32);
+
+/// Frames that came in together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inbound {
+    /// The link they came by.
+    pub link: LinkId,
+    /// Who sent them.
+    pub peer: Peer,
+    /// The frames, never none.
+    pub frames: Vec<Frame>,
+    /// When their bytes were read.
+    pub at: Instant,
+}
+
+/// For whom a message is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum To {
+    /// Every peer of the link; on a link that sends to one UDP address, that address.
+    Everyone,
+    /// One peer.
+    Peer(Peer),
+}
+
+/// What a link is made of.
+#[derive(Debug)]
+pub enum Transport {
+    /// A socket, a serial port or a recording.
+    Address(Address),
+    /// A byte pipe within this program, such as the embedded simulator's.
+    Pipe(DuplexStream),
+}
+
+/// How a link presents itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinkConfig {
+    /// The system id to send as.
+    pub system: SystemId,
+    /// The component id to send as.
+    pub component: ComponentId,
+    /// How fast a recording is played.
+    pub playback: Playback,
+}
+
+impl Default for LinkConfig {
+    /// A ground station; recordings at the speed at which they were made.
+    fn default() -> Self {
+        Self {
+            system: GROUND_STATION_SYSTEM,
+            component: GROUND_STATION_COMPONENT,
+            playback: Playback::Speed(1.0),
+        }
+    }
+}
+
+/// How fast a recording is played.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Playback {
+    /// By its time stamps, this many times as fast as it was recorded.
+    Speed(f64),
+    /// As fast as its frames are taken.
+    AsFastAsPossible,
+}
+
+/// Whether a link carries data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LinkState {
+    /// Being opened.
+    Connecting,
+    /// Open.
+    Up,
+    /// Failed or lost; it is tried again.
+    Waiting {
+        /// How long after this state was published.
+        retry_in: Duration,
+    },
+    /// Closed for good: cancelled, a recording's end, or a pipe whose other end is gone.
+    Ended,
+}
+
+impl fmt::Display for LinkState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Connecting => f.write_str("connecting"),
+            Self::Up => f.write_str("up"),
+            Self::Waiting { retry_in } => {
+                write!(f, "down, next try in {:.1} s", retry_in.as_secs_f32())
+            }
+            Self::Ended => f.write_str("ended"),
+        }
+    }
+}
+
+/// Traffic per second, over the last two seconds.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Rates {
+    /// Bytes received, good or bad.
+    pub bytes_in_s: f32,
+    /// Intact frames received.
+    pub messages_in_s: f32,
+    /// Bytes sent.
+    pub bytes_out_s: f32,
+    /// Messages sent.
+    pub messages_out_s: f32,
+}
+
+/// How a link is doing. Counters run from the link's opening, over all reconnections.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkStatus {
+    /// The link.
+    pub id: LinkId,
+    /// Its address as text, or `pipe`.
+    pub name: String,
+    /// Whether it carries data.
+    pub state: LinkState,
+    /// The socket's own address while there is one: which port a listener got.
+    pub local: Option<SocketAddr>,
+    /// How many peers it has: always 1 for an open stream.
+    pub peers: usize,
+    /// What its decoders have seen.
+    pub decoder: Counters,
+    /// Bytes handed to the operating system.
+    pub sent_bytes: u64,
+    /// Messages handed to the operating system, heartbeats included; one to three peers counts three times.
+    pub sent_messages: u64,
+    /// Messages that were not sent: the queue was full, the link down, the peer gone or not reading.
+    pub dropped_out: u64,
+    /// Traffic per second.
+    pub rates: Rates,
+    /// Frames that never came, by the gaps in their senders' numbering.
+    pub lost: Vec<((SystemId, ComponentId), u64)>,
+    /// The sum of `lost`.
+    pub lost_total: u64,
+    /// How often the link has come up again.
+    pub reconnects: u32,
+    /// What went wrong last; cleared when the link comes up.
+    pub last_error: Option<String>,
+}
+
+/// The way to a link's task. The task lives on without it.
+#[derive(Debug, Clone)]
+pub struct LinkHandle {
+    id: LinkId,
+    outbox: mpsc::Sender<(To, Outgoing)>,
+    status: watch::Receiver<LinkStatus>,
+    refused: Arc<AtomicU64>,
+    can_send: bool,
+}
+
+impl LinkHandle {
+    /// The link's name within this program.
+    pub fn id(&self) -> LinkId {
+        self.id
+    }
+
+    /// Gives the link a message to send and returns whether it took it. It does not while it is down, since
+    /// a command that arrives after a reconnection would come too late, nor when its queue is full; both count
+    /// as dropped. A recording takes nothing.
+    pub fn send(&self, to: To, outgoing: Outgoing) -> bool {
+        let taken = self.can_send
+            && self.status.borrow().state == LinkState::Up
+            && self.outbox.try_send((to, outgoing)).is_ok();
+        if !taken {
+            self.refused.fetch_add(1, Ordering::Relaxed);
+        }
+        taken
+    }
+
+    /// Follows the link's status, which is published four times a second and at every change of state.
+    pub fn status(&self) -> watch::Receiver<LinkStatus> {
+        self.status.clone()
+    }
+}
+
+/// Opens a link as a ground station would. Nothing fails here: what cannot be opened is tried for ever and says
+/// so in the status. Ends with `cancel`, or when the receiver of `inbound` is gone. Awaiting room in `inbound`
+/// is what slows a fast sender down; what UDP drops meanwhile, the kernel drops.
+///
+/// Needs a tokio runtime.
+pub fn open(
+    id: LinkId,
+    transport: Transport,
+    inbound: mpsc::Sender<Inbound>,
+    cancel: CancellationToken,
+) -> LinkHandle {
+    open_with(id, transport, LinkConfig::default(), inbound, cancel)
+}
+
+/// Opens a link under another identity or at another playback speed than [`open`].
+pub fn open_with(
+    id: LinkId,
+    transport: Transport,
+    config: LinkConfig,
+    inbound: mpsc::Sender<Inbound>,
+    cancel: CancellationToken,
+) -> LinkHandle {
+    let (name, state) = match &transport {
+        Transport::Address(address) => (address.to_string(), LinkState::Connecting),
+        Transport::Pipe(_) => ("pipe".to_owned(), LinkState::Up),
+    };
+    let can_send = !matches!(transport, Transport::Address(Address::File { .. }));
+    let (outbox, to_send) = mpsc::channel(OUTBOX_LEN);
+    let (published, status) = watch::channel(LinkStatus {
+        id,
+        name,
+        state,
+        local: None,
+        peers: 0,
+        decoder: Counters::default(),
+        sent_bytes: 0,
+        sent_messages: 0,
+        dropped_out: 0,
+        rates: Rates::default(),
+        lost: Vec::new(),
+        lost_total: 0,
+        reconnects: 0,
+        last_error: None,
+    });
+    let refused = Arc::new(AtomicU64::new(0));
+    let meter = meter::Meter::new(published, Arc::clone(&refused));
+    let link = task::Link::new(id, config, meter, inbound, to_send, cancel);
+    tokio::spawn(task::run(link, transport));
+    LinkHandle {
+        id,
+        outbox,
+        status,
+        refused,
+        can_send,
+    }
+}

@@ -1,0 +1,144 @@
+//! Opening what an address names, and saying plainly why it could not be opened.
+
+use std::io;
+use std::net::{Ipv4Addr, Ipv6Addr, SocketAddr};
+use std::time::Duration;
+
+use tokio::net::{TcpListener, TcpStream, UdpSocket, lookup_host};
+use tokio::time::timeout;
+
+use super::task::{Link, Outcome};
+use super::{Address, datagram, server, stream};
+
+/// How long a TCP server may take to answer.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
+/// A vehicle says something every second. A TCP connection on which one has stopped is opened anew after this.
+const TCP_SILENCE: Duration = Duration::from_secs(10);
+
+/// Opens an address once and carries its data until that ends.
+pub(super) async fn attempt(link: &mut Link, address: &Address) -> Outcome {
+    let opened = match link.meanwhile(open(address)).await {
+        None => return Outcome::Unwanted,
+        Some(Err(outcome)) => return outcome,
+        Some(Ok(opened)) => opened,
+    };
+    match opened {
+        Opened::Stream(socket) => {
+            link.up(socket.local_addr().ok());
+            stream::session(link, socket, Some(TCP_SILENCE)).await
+        }
+        Opened::Listener(listener) => {
+            link.up(listener.local_addr().ok());
+            server::session(link, listener).await
+        }
+        Opened::Datagrams(socket, target) => {
+            link.up(socket.local_addr().ok());
+            datagram::session(link, socket, target).await
+        }
+        #[cfg(feature = "serial")]
+        Opened::Serial(port) => {
+            link.up(None);
+            stream::session(link, port, None).await
+        }
+    }
+}
+
+enum Opened {
+    Stream(TcpStream),
+    Listener(TcpListener),
+    /// With the address to send to, if it is known from the start.
+    Datagrams(UdpSocket, Option<SocketAddr>),
+    #[cfg(feature = "serial")]
+    Serial(tokio_serial::SerialStream),
+}
+
+async fn open(address: &Address) -> Result<Opened, Outcome> {
+    let opened = match address {
+        Address::Tcp { host, port } => tcp(host, *port).await.map(Opened::Stream),
+        Address::TcpIn { host, port } => TcpListener::bind((host.as_str(), *port))
+            .await
+            .map(Opened::Listener)
+            .map_err(|error| bind_failure(host, *port, &error)),
+        Address::UdpIn { host, port } => UdpSocket::bind((host.as_str(), *port))
+            .await
+            .map(|socket| Opened::Datagrams(socket, None))
+            .map_err(|error| bind_failure(host, *port, &error)),
+        Address::Udp { host, port } => udp_to(host, *port, false).await,
+        Address::UdpBroadcast { host, port } => udp_to(host, *port, true).await,
+        Address::Serial { path, baud } => return serial(path, *baud),
+        Address::File { .. } => return Err(Outcome::Over(None)), // played, not opened
+    };
+    opened.map_err(Outcome::Lost)
+}
+
+async fn tcp(host: &str, port: u16) -> Result<TcpStream, String> {
+    let socket = match timeout(CONNECT_TIMEOUT, TcpStream::connect((host, port))).await {
+        Ok(Ok(socket)) => socket,
+        Ok(Err(error)) if error.kind() == io::ErrorKind::ConnectionRefused => {
+            return Err(format!(
+                "connection refused: nothing listens on port {port} of {host}"
+            ));
+        }
+        Ok(Err(error)) => return Err(format!("cannot connect to port {port} of {host}: {error}")),
+        Err(_) => {
+            let seconds = CONNECT_TIMEOUT.as_secs();
+            return Err(format!("{host} did not answer within {seconds} s"));
+        }
+    };
+    // Commands are small and must not wait for one another.
+    socket
+        .set_nodelay(true)
+        .map(|()| socket)
+        .map_err(|error| error.to_string())
+}
+
+async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<Opened, String> {
+    let target = resolve(host, port).await?;
+    let any: SocketAddr = match target {
+        SocketAddr::V4(_) => (Ipv4Addr::UNSPECIFIED, 0).into(),
+        SocketAddr::V6(_) => (Ipv6Addr::UNSPECIFIED, 0).into(),
+    };
+    let socket = UdpSocket::bind(any)
+        .await
+        .and_then(|socket| socket.set_broadcast(broadcast).map(|()| socket))
+        .map_err(|error| format!("cannot open a UDP socket: {error}"))?;
+    Ok(Opened::Datagrams(socket, Some(target)))
+}
+
+/// The address of a host, by IPv4 if it has both: most vehicles listen only there.
+pub(super) async fn resolve(host: &str, port: u16) -> Result<SocketAddr, String> {
+    let mut found: Vec<_> = lookup_host((host, port))
+        .await
+        .map_err(|error| format!("{host} is not found: {error}"))?
+        .collect();
+    found.sort_by_key(SocketAddr::is_ipv6);
+    let first = found.first().copied();
+    first.ok_or_else(|| format!("{host} has no address"))
+}
+
+/// Why a port could not be listened on.
+pub(super) fn bind_failure(host: &str, port: u16, error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::AddrInUse => format!(
+            "port {port} on {host} is in use: end the program that has it, or choose another port"
+        ),
+        io::ErrorKind::AddrNotAvailable => {
+            format!("{host} is not an address of this machine: listen on 127.0.0.1 or 0.0.0.0")
+        }
+        _ => format!("cannot listen on port {port} of {host}: {error}"),
+    }
+}
+
+#[cfg(feature = "serial")]
+fn serial(path: &str, baud: u32) -> Result<Opened, Outcome> {
+    tokio_serial::SerialStream::open(&tokio_serial::new(path, baud))
+        .map(Opened::Serial)
+        .map_err(|error| Outcome::Lost(format!("cannot open {path} at {baud} baud: {error}")))
+}
+
+#[cfg(not(feature = "serial"))]
+fn serial(path: &str, _baud: u32) -> Result<Opened, Outcome> {
+    Err(Outcome::Over(Some(format!(
+        "cannot open {path}: this program was built without serial ports; build it with --features serial"
+    ))))
+}

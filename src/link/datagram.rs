@@ -1,0 +1,220 @@
+//! Links over UDP, where every remote address is a peer of its own.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::net::SocketAddr;
+use std::time::Duration;
+
+use tokio::net::UdpSocket;
+use tokio::time::Instant;
+
+use super::meter::Meter;
+use super::peer::{Ending, PeerStream};
+use super::task::{Chore, Link, Outcome};
+use super::{LinkConfig, Peer, To};
+use crate::wire::{Frame, Outgoing};
+
+/// The longest datagram that there can be.
+const DATAGRAM_LEN: usize = 65_536;
+/// Sender addresses can be forged, so their number must have a bound.
+pub(super) const PEER_CAP: usize = 1024;
+/// A peer that was silent for so long may make room for a new one.
+const STALE: Duration = Duration::from_secs(10);
+
+/// Carries data until the socket fails. What is for everyone goes to `target` if there is one, else to whoever
+/// has been heard.
+pub(super) async fn session(
+    link: &mut Link,
+    socket: UdpSocket,
+    target: Option<SocketAddr>,
+) -> Outcome {
+    let mut peers = Peers::new(link.config, target);
+    let mut input = vec![0; DATAGRAM_LEN];
+    loop {
+        tokio::select! {
+            biased;
+            chore = link.chore(true) => match chore {
+                Chore::End => return Outcome::Unwanted,
+                Chore::Nothing => {}
+                Chore::Send(batch) => {
+                    for (to, outgoing) in &batch {
+                        peers.send(&socket, *to, outgoing, &mut link.meter).await;
+                    }
+                }
+            },
+            received = socket.recv_from(&mut input), if link.may_read() => match received {
+                Ok((len, from)) => {
+                    if let Some((peer, frames)) = peers.receive(from, &input[..len], &mut link.meter) {
+                        link.deliver(peer, frames);
+                    }
+                }
+                Err(error) if is_icmp(&error) => {}
+                Err(error) => return Outcome::Lost(format!("the UDP socket failed: {error}")),
+            },
+        }
+    }
+}
+
+/// Whether the error only says that some peer's port is closed at the moment.
+fn is_icmp(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::ConnectionRefused | io::ErrorKind::ConnectionReset
+    )
+}
+
+#[derive(Debug)]
+struct Peers {
+    config: LinkConfig,
+    by_address: BTreeMap<SocketAddr, Peer>,
+    all: BTreeMap<Peer, Remote>,
+    next: u32,
+    target: Option<Peer>,
+    sending_fails: bool,
+}
+
+#[derive(Debug)]
+struct Remote {
+    address: SocketAddr,
+    stream: PeerStream,
+    heard_at: Option<Instant>,
+}
+
+impl Peers {
+    fn new(config: LinkConfig, target: Option<SocketAddr>) -> Self {
+        let mut peers = Self {
+            config,
+            by_address: BTreeMap::new(),
+            all: BTreeMap::new(),
+            next: 0,
+            target: None,
+            sending_fails: false,
+        };
+        peers.target = target.map(|address| {
+            peers.admit(Remote {
+                address,
+                stream: PeerStream::new(&config),
+                heard_at: None,
+            })
+        });
+        peers
+    }
+
+    /// Takes in a datagram. A stranger becomes a peer by an intact frame.
+    fn receive(
+        &mut self,
+        from: SocketAddr,
+        bytes: &[u8],
+        meter: &mut Meter,
+    ) -> Option<(Peer, Vec<Frame>)> {
+        let now = Instant::now();
+        let known = self.by_address.get(&from).copied();
+        if let Some(peer) = known
+            && let Some(remote) = self.all.get_mut(&peer)
+        {
+            let frames = remote.stream.receive(bytes, Ending::Closed, meter);
+            if !frames.is_empty() && remote.heard_at.replace(now).is_none() {
+                meter.set_peers(self.heard());
+            }
+            return Some((peer, frames));
+        }
+        let mut stream = PeerStream::new(&self.config);
+        let frames = stream.receive(bytes, Ending::Closed, meter);
+        if frames.is_empty() || !self.has_room(now) {
+            return None;
+        }
+        let peer = self.admit(Remote {
+            address: from,
+            stream,
+            heard_at: Some(now),
+        });
+        meter.set_peers(self.heard());
+        Some((peer, frames))
+    }
+
+    fn heard(&self) -> usize {
+        let heard = |remote: &&Remote| remote.heard_at.is_some();
+        self.all.values().filter(heard).count()
+    }
+
+    fn admit(&mut self, remote: Remote) -> Peer {
+        let peer = Peer(self.next);
+        self.next = self.next.wrapping_add(1);
+        self.by_address.insert(remote.address, peer);
+        self.all.insert(peer, remote);
+        peer
+    }
+
+    /// Makes room for one more, unless everybody is in use.
+    fn has_room(&mut self, now: Instant) -> bool {
+        if self.all.len() < PEER_CAP {
+            return true;
+        }
+        let quietest = self
+            .all
+            .iter()
+            .filter_map(|(&peer, remote)| Some((remote.heard_at?, peer)))
+            .filter(|&(_, peer)| Some(peer) != self.target)
+            .min();
+        match quietest {
+            Some((heard_at, peer)) if now - heard_at > STALE => {
+                if let Some(gone) = self.all.remove(&peer) {
+                    self.by_address.remove(&gone.address);
+                }
+                true
+            }
+            _ => false,
+        }
+    }
+
+    async fn send(&mut self, socket: &UdpSocket, to: To, outgoing: &Outgoing, meter: &mut Meter) {
+        let one = match to {
+            To::Peer(peer) => Some(peer),
+            To::Everyone => self.target,
+        };
+        let Some(peer) = one else {
+            for remote in self.all.values_mut() {
+                let sent = remote.send(socket, outgoing, meter).await;
+                note(sent, &mut self.sending_fails, meter);
+            }
+            return;
+        };
+        match self.all.get_mut(&peer) {
+            Some(remote) => {
+                let sent = remote.send(socket, outgoing, meter).await;
+                note(sent, &mut self.sending_fails, meter);
+            }
+            None => meter.dropped(1),
+        }
+    }
+}
+
+impl Remote {
+    async fn send(
+        &mut self,
+        socket: &UdpSocket,
+        outgoing: &Outgoing,
+        meter: &mut Meter,
+    ) -> Result<(), String> {
+        let mut datagram = Vec::new();
+        self.stream.encode(outgoing, &mut datagram);
+        match socket.send_to(&datagram, self.address).await {
+            Ok(len) => meter.sent(1, len),
+            Err(error) if is_icmp(&error) => meter.sent(1, datagram.len()),
+            Err(error) => {
+                meter.dropped(1);
+                return Err(format!("cannot send to {}: {error}", self.address));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Shows a failure to send for as long as it lasts.
+fn note(sent: Result<(), String>, sending_fails: &mut bool, meter: &mut Meter) {
+    let failed = sent.is_err();
+    if failed || *sending_fails {
+        meter.complain(sent.err());
+    }
+    *sending_fails = failed;
+}

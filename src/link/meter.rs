@@ -1,0 +1,180 @@
+//! What a link has carried and lost, and its publication.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+use tokio::sync::watch;
+use tokio::time::Instant;
+
+use super::{LinkState, LinkStatus, Rates};
+use crate::wire::{ComponentId, Counters, Frame, SystemId};
+
+/// Over how long the rates are taken.
+const RATE_WINDOW: Duration = Duration::from_secs(2);
+
+/// Counts for one link and publishes its status.
+#[derive(Debug)]
+pub(super) struct Meter {
+    status: LinkStatus,
+    published: watch::Sender<LinkStatus>,
+    /// Counted by the handles, which drop without asking the task.
+    refused: Arc<AtomicU64>,
+    dropped: u64,
+    lost: BTreeMap<(SystemId, ComponentId), u64>,
+    window: VecDeque<Sample>,
+    has_been_up: bool,
+    frames_heard: u64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    at: Instant,
+    bytes_in: u64,
+    messages_in: u64,
+    bytes_out: u64,
+    messages_out: u64,
+}
+
+impl Meter {
+    pub(super) fn new(published: watch::Sender<LinkStatus>, refused: Arc<AtomicU64>) -> Self {
+        let status = published.borrow().clone();
+        Self {
+            status,
+            published,
+            refused,
+            dropped: 0,
+            lost: BTreeMap::new(),
+            window: VecDeque::new(),
+            has_been_up: false,
+            frames_heard: 0,
+        }
+    }
+
+    /// Publishes what has changed since the last time, with fresh rates.
+    pub(super) fn publish(&mut self) {
+        self.sample();
+        self.status.dropped_out = self.dropped + self.refused.load(Ordering::Relaxed);
+        let total: u64 = self.lost.values().sum();
+        if total != self.status.lost_total {
+            self.status.lost_total = total;
+            self.status.lost = self
+                .lost
+                .iter()
+                .map(|(&who, &count)| (who, count))
+                .collect();
+        }
+        self.published.send_if_modified(|seen| {
+            let changed = *seen != self.status;
+            if changed {
+                seen.clone_from(&self.status);
+            }
+            changed
+        });
+    }
+
+    /// The link carries data from now on; `local` is the socket's own address, if it has one.
+    pub(super) fn up(&mut self, local: Option<SocketAddr>) {
+        if self.has_been_up {
+            self.status.reconnects += 1;
+        }
+        self.has_been_up = true;
+        self.status.local = local;
+        self.status.last_error = None;
+        self.state(LinkState::Up);
+    }
+
+    /// The link does not carry data, for a reason if there is one to tell.
+    pub(super) fn down(&mut self, state: LinkState, reason: Option<String>) {
+        if reason.is_some() {
+            self.status.last_error = reason;
+        }
+        self.status.peers = 0;
+        self.status.local = None;
+        self.state(state);
+    }
+
+    fn state(&mut self, state: LinkState) {
+        self.status.state = state;
+        self.publish();
+    }
+
+    /// Tells of a fault that does not bring the link down, or that it has passed.
+    pub(super) fn complain(&mut self, reason: Option<String>) {
+        self.status.last_error = reason;
+    }
+
+    /// Whether any frame has come since the last time this was asked.
+    pub(super) fn take_heard(&mut self) -> bool {
+        let before = std::mem::replace(&mut self.frames_heard, self.status.decoder.frames);
+        self.status.decoder.frames > before
+    }
+
+    pub(super) fn set_peers(&mut self, peers: usize) {
+        self.status.peers = peers;
+    }
+
+    /// Adds what one of the link's decoders counted between two looks.
+    pub(super) fn decoded(&mut self, before: Counters, after: Counters) {
+        let sum = &mut self.status.decoder;
+        sum.bytes += after.bytes - before.bytes;
+        sum.frames += after.frames - before.frames;
+        sum.crc_errors += after.crc_errors - before.crc_errors;
+        sum.skipped_bytes += after.skipped_bytes - before.skipped_bytes;
+        sum.unknown_messages += after.unknown_messages - before.unknown_messages;
+        sum.undecoded += after.undecoded - before.undecoded;
+    }
+
+    /// Notes frames of a sender that never came.
+    pub(super) fn lost(&mut self, frame: &Frame, count: u8) {
+        if count > 0 {
+            *self
+                .lost
+                .entry((frame.system, frame.component))
+                .or_default() += u64::from(count);
+        }
+    }
+
+    pub(super) fn sent(&mut self, messages: u64, bytes: usize) {
+        self.status.sent_messages += messages;
+        self.status.sent_bytes += bytes as u64;
+    }
+
+    /// Notes messages that could not be sent.
+    pub(super) fn dropped(&mut self, messages: u64) {
+        self.dropped += messages;
+    }
+
+    fn sample(&mut self) {
+        let now = Sample {
+            at: Instant::now(),
+            bytes_in: self.status.decoder.bytes,
+            messages_in: self.status.decoder.frames,
+            bytes_out: self.status.sent_bytes,
+            messages_out: self.status.sent_messages,
+        };
+        self.window.push_back(now);
+        // The oldest that is kept is the newest one outside the window, so that a full window is measured.
+        while self
+            .window
+            .get(1)
+            .is_some_and(|s| now.at - s.at >= RATE_WINDOW)
+        {
+            self.window.pop_front();
+        }
+        let Some(first) = self.window.front() else {
+            return;
+        };
+        // A link that has just come up is not credited with a whole second's traffic in its first instant.
+        let seconds = (now.at - first.at).as_secs_f64().max(1.0);
+        let rate = |from: u64, to: u64| ((to - from) as f64 / seconds) as f32;
+        self.status.rates = Rates {
+            bytes_in_s: rate(first.bytes_in, now.bytes_in),
+            messages_in_s: rate(first.messages_in, now.messages_in),
+            bytes_out_s: rate(first.bytes_out, now.bytes_out),
+            messages_out_s: rate(first.messages_out, now.messages_out),
+        };
+    }
+}

@@ -1,0 +1,75 @@
+//! One peer of a link: its decoder, its numbering, its protocol version.
+
+use mavlink::MavlinkVersion;
+
+use super::LinkConfig;
+use super::meter::Meter;
+use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing};
+
+/// What is kept per peer. Each has an encoder of its own, so that the numbering that it sees has no gaps where
+/// a message was for another peer.
+#[derive(Debug)]
+pub(super) struct PeerStream {
+    decoder: Decoder,
+    loss: LossMeter,
+    encoder: Encoder,
+    speaks_v2: bool,
+}
+
+/// Whether bytes may be continued by the next ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// A stream: half a frame may be at the end.
+    Open,
+    /// A datagram, or a stream that has paused.
+    Closed,
+}
+
+impl PeerStream {
+    pub(super) fn new(config: &LinkConfig) -> Self {
+        Self {
+            decoder: Decoder::new(),
+            loss: LossMeter::default(),
+            encoder: Encoder::new(config.system, config.component),
+            speaks_v2: false,
+        }
+    }
+
+    /// Finds the frames in what came.
+    pub(super) fn receive(
+        &mut self,
+        bytes: &[u8],
+        ending: Ending,
+        meter: &mut Meter,
+    ) -> Vec<Frame> {
+        let before = self.decoder.counters();
+        self.decoder.push(bytes);
+        let mut frames = Vec::new();
+        while let Some(frame) = match ending {
+            Ending::Open => self.decoder.next_frame(),
+            Ending::Closed => self.decoder.next_frame_at_end(),
+        } {
+            let gap = self.loss.note(&frame);
+            meter.lost(&frame, gap);
+            self.answer_in(frame.version);
+            frames.push(frame);
+        }
+        meter.decoded(before, self.decoder.counters());
+        frames
+    }
+
+    /// A peer that has only ever sent MAVLink 1 is answered in it; anybody else understands MAVLink 2.
+    fn answer_in(&mut self, heard: MavlinkVersion) {
+        self.speaks_v2 |= heard == MavlinkVersion::V2;
+        self.encoder.set_version(if self.speaks_v2 {
+            MavlinkVersion::V2
+        } else {
+            MavlinkVersion::V1
+        });
+    }
+
+    /// Appends a message's frame to what is to be sent.
+    pub(super) fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>) {
+        self.encoder.encode(outgoing, bytes);
+    }
+}

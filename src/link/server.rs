@@ -1,0 +1,195 @@
+//! `tcpin`: many clients on one listening port.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::sync::Arc;
+use std::time::Duration;
+
+use futures_util::stream::{FuturesUnordered, StreamExt};
+use tokio::net::{TcpListener, TcpStream};
+use tokio::time::timeout;
+use tokio_util::sync::{CancellationToken, DropGuard};
+
+use super::peer::{Ending, PeerStream};
+use super::stream::{PAUSE, READ_LEN};
+use super::task::{Chore, Link, Outcome};
+use super::{Peer, To};
+use crate::wire::Outgoing;
+
+/// Further clients wait in the listener's queue.
+const CLIENT_CAP: usize = 256;
+/// A client that does not read gets nothing more beyond this.
+const OUTPUT_CAP: usize = 64 * 1024;
+
+#[derive(Debug)]
+struct Client {
+    socket: Arc<TcpStream>,
+    stream: PeerStream,
+    output: Vec<u8>,
+    /// Ends the wait below when the client is dropped.
+    gone: DropGuard,
+    awaits_room: bool,
+}
+
+/// Carries data until the listener fails.
+pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
+    let mut clients = BTreeMap::new();
+    let mut next = 0;
+    let mut input = vec![0; READ_LEN];
+    let mut readable = FuturesUnordered::new();
+    let mut writable = FuturesUnordered::new();
+    loop {
+        tokio::select! {
+            biased;
+            chore = link.chore(true) => match chore {
+                Chore::End => return Outcome::Unwanted,
+                Chore::Nothing => {}
+                Chore::Send(batch) => {
+                    encode(link, &mut clients, &batch);
+                    for (&peer, client) in &mut clients {
+                        if client.flush() {
+                            writable.push(wait_for_room(peer, &client.gone, Arc::clone(&client.socket)));
+                        }
+                    }
+                }
+            },
+            Some(peer) = writable.next() => {
+                if let Some(client) = clients.get_mut(&peer) {
+                    client.awaits_room = false;
+                    if client.flush() {
+                        writable.push(wait_for_room(peer, &client.gone, Arc::clone(&client.socket)));
+                    }
+                }
+            }
+            accepted = listener.accept(), if clients.len() < CLIENT_CAP => match accepted {
+                Ok((socket, _)) => {
+                    let peer = Peer(next);
+                    next += 1;
+                    let socket = Arc::new(socket);
+                    readable.push(wait_for_data(peer, Arc::clone(&socket), None));
+                    clients.insert(peer, Client::new(socket, PeerStream::new(&link.config)));
+                    link.meter.set_peers(clients.len());
+                }
+                Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
+                Err(error) => return Outcome::Lost(format!("cannot accept clients: {error}")),
+            },
+            Some((peer, has_data)) = readable.next(), if link.may_read() => {
+                let client = clients.get_mut(&peer);
+                if let Some(wait) = client.and_then(|c| c.read(peer, has_data, &mut input, link)) {
+                    readable.push(wait_for_data(peer, wait.0, wait.1));
+                } else {
+                    clients.remove(&peer);
+                    link.meter.set_peers(clients.len());
+                }
+            }
+        }
+    }
+}
+
+fn encode(link: &mut Link, clients: &mut BTreeMap<Peer, Client>, batch: &[(To, Outgoing)]) {
+    for (to, outgoing) in batch {
+        match to {
+            To::Everyone => {
+                for client in clients.values_mut() {
+                    client.encode(outgoing, link);
+                }
+            }
+            To::Peer(peer) => match clients.get_mut(peer) {
+                Some(client) => client.encode(outgoing, link),
+                None => link.meter.dropped(1),
+            },
+        }
+    }
+}
+
+impl Client {
+    fn new(socket: Arc<TcpStream>, stream: PeerStream) -> Self {
+        // Without it messages are late, not lost.
+        let _ = socket.set_nodelay(true);
+        Self {
+            socket,
+            stream,
+            output: Vec::new(),
+            gone: CancellationToken::new().drop_guard(),
+            awaits_room: false,
+        }
+    }
+
+    fn encode(&mut self, outgoing: &Outgoing, link: &mut Link) {
+        if self.output.len() >= OUTPUT_CAP {
+            link.meter.dropped(1);
+            return;
+        }
+        let before = self.output.len();
+        self.stream.encode(outgoing, &mut self.output);
+        link.meter.sent(1, self.output.len() - before);
+    }
+
+    /// Writes what the socket takes, and returns whether somebody has to wait until it takes more. A broken
+    /// connection shows when it is read.
+    fn flush(&mut self) -> bool {
+        while !self.output.is_empty() && !self.awaits_room {
+            match self.socket.try_write(&self.output) {
+                Ok(count) => drop(self.output.drain(..count)),
+                Err(error) if error.kind() == io::ErrorKind::WouldBlock => {
+                    self.awaits_room = true;
+                    return true;
+                }
+                Err(_) => self.output.clear(),
+            }
+        }
+        false
+    }
+
+    /// Takes in what has come, and returns what to wait for next: the socket, and for how long before a pause
+    /// ends what came. `None` when the client has left.
+    fn read(
+        &mut self,
+        peer: Peer,
+        has_data: bool,
+        input: &mut [u8],
+        link: &mut Link,
+    ) -> Option<(Arc<TcpStream>, Option<Duration>)> {
+        let mut patience = Some(PAUSE);
+        let frames = if has_data {
+            match self.socket.try_read(input) {
+                Ok(0) => return None,
+                Ok(len) => self
+                    .stream
+                    .receive(&input[..len], Ending::Open, &mut link.meter),
+                Err(error) if error.kind() == io::ErrorKind::WouldBlock => Vec::new(),
+                Err(_) => return None,
+            }
+        } else {
+            patience = None;
+            self.stream.receive(&[], Ending::Closed, &mut link.meter)
+        };
+        link.deliver(peer, frames);
+        Some((Arc::clone(&self.socket), patience))
+    }
+}
+
+/// Waits until a client has sent something, or has paused for as long as `patience`.
+async fn wait_for_data(
+    peer: Peer,
+    socket: Arc<TcpStream>,
+    patience: Option<Duration>,
+) -> (Peer, bool) {
+    match patience {
+        None => (peer, socket.readable().await.is_ok()),
+        Some(patience) => (peer, timeout(patience, socket.readable()).await.is_ok()),
+    }
+}
+
+/// Waits until a client takes more, or is dropped.
+fn wait_for_room(
+    peer: Peer,
+    gone: &DropGuard,
+    socket: Arc<TcpStream>,
+) -> impl Future<Output = Peer> + use<> {
+    let gone = gone.token().clone();
+    async move {
+        let _ = gone.run_until_cancelled(socket.writable()).await;
+        peer
+    }
+}

@@ -1,0 +1,73 @@
+//! Links over a byte stream with one peer: TCP, serial, pipe.
+
+use std::time::Duration;
+
+use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
+use tokio::time::{Instant, sleep_until};
+
+use super::Peer;
+use super::peer::{Ending, PeerStream};
+use super::task::{Chore, Link, Outcome};
+
+/// The one peer of a stream.
+const PEER: Peer = Peer(0);
+pub(super) const READ_LEN: usize = 16 * 1024;
+/// After this long without a byte, what is left in the decoder is not half a frame but a false start.
+pub(super) const PAUSE: Duration = Duration::from_millis(200);
+
+/// Carries data until the stream ends. With `silence`, a peer that has spoken and then says nothing for so long
+/// is taken for gone: a pulled cable closes no TCP connection.
+pub(super) async fn session<S>(link: &mut Link, stream: S, silence: Option<Duration>) -> Outcome
+where
+    S: AsyncRead + AsyncWrite,
+{
+    let (mut reader, mut writer) = tokio::io::split(stream);
+    let mut peer = PeerStream::new(&link.config);
+    let mut input = vec![0; READ_LEN];
+    let mut output = Vec::new();
+    let mut last_read = None;
+    let mut paused = true;
+    link.meter.set_peers(1);
+    loop {
+        let heard_at = last_read.unwrap_or_else(Instant::now);
+        tokio::select! {
+            biased;
+            chore = link.chore(output.is_empty()) => match chore {
+                Chore::End => return Outcome::Unwanted,
+                Chore::Nothing => {}
+                Chore::Send(batch) => {
+                    for (_, outgoing) in &batch {
+                        peer.encode(outgoing, &mut output);
+                    }
+                    link.meter.sent(batch.len() as u64, output.len());
+                }
+            },
+            read = reader.read(&mut input), if link.may_read() => match read {
+                Ok(0) => return Outcome::Lost("it was closed from the other side".into()),
+                Ok(count) => {
+                    let frames = peer.receive(&input[..count], Ending::Open, &mut link.meter);
+                    link.deliver(PEER, frames);
+                    last_read = Some(Instant::now());
+                    paused = false;
+                }
+                Err(error) => return Outcome::Lost(error.to_string()),
+            },
+            written = writer.write(&output), if !output.is_empty() => match written {
+                Ok(0) => return Outcome::Lost("it takes no more data".into()),
+                Ok(count) => drop(output.drain(..count)),
+                Err(error) => return Outcome::Lost(error.to_string()),
+            },
+            () = sleep_until(heard_at + PAUSE), if !paused && link.may_read() => {
+                let frames = peer.receive(&[], Ending::Closed, &mut link.meter);
+                link.deliver(PEER, frames);
+                paused = true;
+            }
+            () = sleep_until(heard_at + silence.unwrap_or_default()),
+                if silence.is_some() && last_read.is_some() && link.may_read() =>
+            {
+                let seconds = silence.unwrap_or_default().as_secs();
+                return Outcome::Lost(format!("nothing was heard for {seconds} s"));
+            }
+        }
+    }
+}

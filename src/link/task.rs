@@ -1,0 +1,231 @@
+//! The part of a link's task that does not depend on the transport.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{
+    HEARTBEAT_DATA, MavAutopilot, MavMessage, MavModeFlag, MavState, MavType,
+};
+use tokio::sync::mpsc;
+use tokio::time::{Instant, Interval, MissedTickBehavior};
+use tokio_util::sync::CancellationToken;
+
+use super::meter::Meter;
+use super::{
+    Address, Inbound, LinkConfig, LinkId, LinkState, Peer, To, Transport, connect, playback, stream,
+};
+use crate::wire::{Frame, Outgoing};
+
+const HEARTBEAT_PERIOD: Duration = Duration::from_secs(1);
+const PUBLISH_PERIOD: Duration = Duration::from_millis(250);
+const FIRST_RETRY: Duration = Duration::from_millis(250);
+const LONGEST_RETRY: Duration = Duration::from_secs(5);
+/// How many queued messages go into one write.
+const BATCH_LEN: usize = 64;
+
+/// A link without its socket.
+#[derive(Debug)]
+pub(super) struct Link {
+    id: LinkId,
+    pub(super) config: LinkConfig,
+    pub(super) meter: Meter,
+    inbound: mpsc::Sender<Inbound>,
+    to_send: mpsc::Receiver<(To, Outgoing)>,
+    cancel: CancellationToken,
+    /// Read, but the receiver has no room for it yet. Nothing more is read meanwhile.
+    undelivered: Option<Inbound>,
+    heartbeat: Interval,
+    publish: Interval,
+}
+
+/// What the transport has to do next.
+#[derive(Debug)]
+pub(super) enum Chore {
+    /// Send these; never none.
+    Send(Vec<(To, Outgoing)>),
+    /// Nothing, but look again whether reading is allowed.
+    Nothing,
+    /// Close.
+    End,
+}
+
+/// How a connection came to its end.
+#[derive(Debug)]
+pub(super) enum Outcome {
+    /// Nobody wants it any more.
+    Unwanted,
+    /// It failed for this reason and is worth another try.
+    Lost(String),
+    /// It is over, for this reason if it is not the ordinary end.
+    Over(Option<String>),
+}
+
+impl Link {
+    pub(super) fn new(
+        id: LinkId,
+        config: LinkConfig,
+        meter: Meter,
+        inbound: mpsc::Sender<Inbound>,
+        to_send: mpsc::Receiver<(To, Outgoing)>,
+        cancel: CancellationToken,
+    ) -> Self {
+        Self {
+            id,
+            config,
+            meter,
+            inbound,
+            to_send,
+            cancel,
+            undelivered: None,
+            heartbeat: interval(HEARTBEAT_PERIOD),
+            publish: interval(PUBLISH_PERIOD),
+        }
+    }
+
+    /// Says that the link carries data from now on, to the peers first of all.
+    pub(super) fn up(&mut self, local: Option<std::net::SocketAddr>) {
+        self.heartbeat.reset_immediately();
+        self.meter.up(local);
+    }
+
+    /// Whether there is room for more from the transport.
+    pub(super) fn may_read(&self) -> bool {
+        self.undelivered.is_none()
+    }
+
+    /// Hands on what a peer sent. Only when [`Self::may_read`] allowed the reading.
+    pub(super) fn deliver(&mut self, peer: Peer, frames: Vec<Frame>) {
+        if !frames.is_empty() {
+            self.undelivered = Some(Inbound {
+                link: self.id,
+                peer,
+                frames,
+                at: Instant::now(),
+            });
+        }
+    }
+
+    /// Waits until what was read is taken. `None` if nobody wants the link any more.
+    pub(super) async fn delivered(&mut self) -> Option<()> {
+        while self.undelivered.is_some() {
+            if let Chore::End = self.chore(false).await {
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    /// Waits for the next thing to do. Safe to drop at any time. Queued messages are left where they are
+    /// unless the transport `may_send`.
+    pub(super) async fn chore(&mut self, may_send: bool) -> Chore {
+        tokio::select! {
+            biased;
+            () = self.cancel.cancelled() => Chore::End,
+            () = self.inbound.closed() => Chore::End,
+            Ok(permit) = self.inbound.reserve(), if self.undelivered.is_some() => {
+                if let Some(batch) = self.undelivered.take() {
+                    permit.send(batch);
+                }
+                Chore::Nothing
+            }
+            _ = self.publish.tick() => {
+                self.meter.publish();
+                Chore::Nothing
+            }
+            _ = self.heartbeat.tick(), if may_send => {
+                Chore::Send(vec![(To::Everyone, ground_station_heartbeat())])
+            }
+            Some(first) = self.to_send.recv(), if may_send => {
+                let mut batch = vec![first];
+                while batch.len() < BATCH_LEN
+                    && let Ok(next) = self.to_send.try_recv()
+                {
+                    batch.push(next);
+                }
+                Chore::Send(batch)
+            }
+        }
+    }
+
+    /// Waits for a future while the link is down: what is to be sent is dropped. `None` if nobody wants the
+    /// link any more.
+    pub(super) async fn meanwhile<F: Future>(&mut self, future: F) -> Option<F::Output> {
+        tokio::pin!(future);
+        loop {
+            tokio::select! {
+                output = &mut future => return Some(output),
+                chore = self.chore(false) => if let Chore::End = chore {
+                    return None;
+                },
+            }
+            self.drop_queued();
+        }
+    }
+
+    /// Drops what was queued just before the link went down.
+    fn drop_queued(&mut self) {
+        while self.to_send.try_recv().is_ok() {
+            self.meter.dropped(1);
+        }
+    }
+}
+
+/// Runs a link until its end.
+pub(super) async fn run(mut link: Link, transport: Transport) {
+    let reason = match transport {
+        Transport::Pipe(pipe) => {
+            link.up(None);
+            match stream::session(&mut link, pipe, None).await {
+                Outcome::Unwanted => None,
+                Outcome::Over(reason) => reason,
+                Outcome::Lost(reason) => Some(format!("the pipe's other end is gone: {reason}")),
+            }
+        }
+        Transport::Address(Address::File { path }) => playback::play(&mut link, &path).await,
+        Transport::Address(address) => reconnect_for_ever(&mut link, &address).await,
+    };
+    link.to_send.close();
+    link.drop_queued();
+    link.meter.down(LinkState::Ended, reason);
+}
+
+/// Opens an address again and again; returns why it gave up, if it did.
+async fn reconnect_for_ever(link: &mut Link, address: &Address) -> Option<String> {
+    let mut retry_in = FIRST_RETRY;
+    loop {
+        link.meter.down(LinkState::Connecting, None);
+        let reason = match connect::attempt(link, address).await {
+            Outcome::Unwanted => return None,
+            Outcome::Over(reason) => return reason,
+            Outcome::Lost(reason) => reason,
+        };
+        // A server that accepts and closes at once is no success.
+        if link.meter.take_heard() {
+            retry_in = FIRST_RETRY;
+        }
+        let state = LinkState::Waiting { retry_in };
+        link.meter.down(state, Some(reason));
+        link.drop_queued();
+        link.meanwhile(tokio::time::sleep(retry_in)).await?;
+        retry_in = (2 * retry_in).min(LONGEST_RETRY);
+    }
+}
+
+/// What makes a vehicle take this program for a ground station. ArduPilot sends nothing but heartbeats
+/// until it has heard one.
+fn ground_station_heartbeat() -> Outgoing {
+    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        custom_mode: 0,
+        mavtype: MavType::MAV_TYPE_GCS,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_INVALID,
+        base_mode: MavModeFlag::empty(),
+        system_status: MavState::MAV_STATE_ACTIVE,
+        mavlink_version: 3,
+    })
+    .into()
+}
+
+fn interval(period: Duration) -> Interval {
+    let mut interval = tokio::time::interval(period);
+    interval.set_missed_tick_behavior(MissedTickBehavior::Skip);
+    interval
+}
