@@ -180,6 +180,21 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
+/// A text whose lines were broken for another width, as paragraphs: only blank and indented lines stay apart.
+pub fn reflow(text: &str) -> String {
+    let mut flowing = String::new();
+    let mut open = false;
+    for line in text.trim_end().lines() {
+        let joins = open && !line.trim().is_empty() && !line.starts_with(' ');
+        if !flowing.is_empty() {
+            flowing.push(if joins { ' ' } else { '\n' });
+        }
+        flowing.push_str(line.trim_end());
+        open = !line.trim().is_empty() && !line.starts_with(' ');
+    }
+    flowing
+}
+
 /// A time as minutes and seconds, with hours where there are any.
 pub fn clock(time: Duration) -> String {
     let seconds = time.as_secs();
@@ -230,6 +245,14 @@ mod tests {
             ["one two", "three", "", "four"]
         );
         assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
+    }
+
+    #[test]
+    fn paragraphs_are_broken_anew_and_lists_are_not() {
+        assert_eq!(
+            reflow("one\ntwo\n\nthree:\n  a\n  b\nfour\n"),
+            "one two\n\nthree:\n  a\n  b\nfour"
+        );
     }
 
     #[test]

@@ -314,6 +314,17 @@ fn a_vehicle_that_goes_leaves_cursor_and_selection_in_order() {
 }
 
 #[test]
+fn the_cursor_begins_on_the_first_vehicle_and_stays_where_it_was_put() {
+    let mut console = Console::flying(0);
+    console
+        .vehicle(fixtures::parked(4))
+        .vehicle(fixtures::parked(2));
+    assert_eq!(console.state.session.cursor, Some(2));
+    console.press("j").vehicle(fixtures::parked(1));
+    assert_eq!(console.state.session.cursor, Some(4));
+}
+
+#[test]
 fn rows_of_a_group_command_go_their_own_ways() {
     let mut console = Console::flying(3);
     console.give("all arm");

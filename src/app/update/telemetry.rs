@@ -27,8 +27,7 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
     if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&vehicle) {
         return;
     }
-    session.cursor.get_or_insert(vehicle.id);
-    session.vehicles.insert(vehicle.id, vehicle);
+    session.insert(vehicle);
     state.touch();
 }
 

@@ -6,12 +6,24 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{HomeItem, State};
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, clip, columns, put, row_of, titled, wrap};
+use crate::ui::widget::{below, clip, columns, put, reflow, row_of, titled, wrap};
 
 /// Columns of the list.
 const LIST_WIDTH: u16 = 34;
 /// Columns of the text at most: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
+
+/// What free flight is for, with lines that can be given as they stand.
+const FREE_FLIGHT: &str =
+    "Simulated drones and no task: learn the commands, try things, break nothing.
+
+A first flight, each line after `:`
+
+  all guided
+  all arm
+  all takeoff 20
+  all goto by n 50
+  all rtl";
 
 /// Draws the list with its cursor, and a text about the line under it.
 pub fn draw(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -78,7 +90,7 @@ fn draw_about(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &
     let inner = titled(&name(state, item), theme, area, buffer);
     let text = about(state, item);
     let mut row = 0;
-    for line in wrap(&text, usize::from(inner.width)) {
+    for line in wrap(&reflow(&text), usize::from(inner.width)) {
         put(buffer, inner, row, &Line::raw(line));
         row += 1;
     }
@@ -101,10 +113,7 @@ fn name(state: &State, item: HomeItem) -> String {
 fn about(state: &State, item: HomeItem) -> String {
     match item {
         HomeItem::Mission(at) => state.missions[at].brief.clone(),
-        HomeItem::Free => "Four simulated drones and no task: learn the commands, try things, break \
-                           nothing.\n\nA first flight, each line after `:`\n\n  all guided\n  all arm\n  \
-                           all takeoff 20\n  all goto n 50 e 0 up 20\n  all rtl"
-            .to_owned(),
+        HomeItem::Free => FREE_FLIGHT.to_owned(),
         HomeItem::Connect => "Command real drones or a simulator elsewhere: anything that speaks \
                               MAVLink over TCP, UDP or a serial port."
             .to_owned(),
@@ -118,5 +127,23 @@ fn deed(item: HomeItem) -> &'static str {
         HomeItem::Free => " starts",
         HomeItem::Connect => " asks for the address",
         HomeItem::Quit => " leaves",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FREE_FLIGHT;
+    use crate::language::{Context, parse};
+
+    #[test]
+    fn the_first_flight_can_be_flown_as_it_is_written() {
+        let lines: Vec<&str> = FREE_FLIGHT
+            .lines()
+            .filter(|line| line.starts_with("  "))
+            .collect();
+        assert_eq!(lines.len(), 5);
+        for line in lines {
+            assert!(parse(line.trim(), &Context::default()).is_ok(), "{line}");
+        }
     }
 }

@@ -57,9 +57,12 @@ fn lines<'a>(line: &NoticeLine, width: usize, theme: &Theme) -> Vec<Line<'a>> {
 
 /// The text in as many lines as it may take, with how often it came.
 fn texts(line: &NoticeLine, width: usize) -> Vec<String> {
-    let count = match line.count {
-        0 | 1 => String::new(),
-        count => format!(" (x{count})"),
+    // Once from each of the vehicles that are named needs no count.
+    let once_each = line.count as usize <= line.vehicles.len().max(1);
+    let count = if once_each {
+        String::new()
+    } else {
+        format!(" (x{})", line.count)
     };
     let text = &line.notice.text;
     let mut lines = wrap(&format!("{text}{count}"), width);

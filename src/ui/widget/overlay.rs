@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Confirm, HelpLine, LinkSummary, Overlay, SHORT_USAGE, State, help_lines};
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, boxed, centred, clip, put, wrap};
+use crate::ui::widget::{below, boxed, centred, clip, put, reflow, wrap};
 
 /// Columns that one column of help takes.
 const HELP_COLUMN: u16 = 74;
@@ -143,7 +143,10 @@ fn draw_brief(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let width = 76.min(area.width);
-    let lines = wrap(&mission.brief, usize::from(width).saturating_sub(4));
+    let lines = wrap(
+        &reflow(&mission.brief),
+        usize::from(width).saturating_sub(4),
+    );
     let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
     let place = centred(width, height, area);
     let inner = boxed(&mission.title, Role::Accent, theme, place, buffer);
