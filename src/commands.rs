@@ -14,6 +14,8 @@ mod explain;
 mod mav_cmd;
 mod request;
 mod setpoint;
+#[cfg(test)]
+mod tests;
 
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
@@ -143,14 +145,14 @@ pub enum Command {
         /// The new value.
         value: f32,
     },
-    /// Any MAV_CMD as COMMAND_LONG.
+    /// Any `MAV_CMD` as `COMMAND_LONG`.
     Long {
         /// `MAV_CMD` number.
         command: u16,
         /// Parameters 1 to 7.
         params: [f32; 7],
     },
-    /// Any MAV_CMD as COMMAND_INT.
+    /// Any `MAV_CMD` as `COMMAND_INT`.
     Int {
         /// `MAV_CMD` number.
         command: u16,
@@ -177,7 +179,7 @@ pub enum Destination {
         /// Height above home.
         altitude_m: Option<f64>,
     },
-    /// Metres from the EKF origin (LOCAL_POSITION_NED); `None` keeps the present height.
+    /// Metres from the EKF origin (`LOCAL_POSITION_NED`); `None` keeps the present height.
     Local {
         /// North of the origin.
         north_m: f64,

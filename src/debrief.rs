@@ -22,7 +22,9 @@ pub fn text(report: &Report) -> String {
     components(&mut page, report);
     timeline(&mut page, report);
     improvements(&mut page, report);
-    let lines: Vec<&str> = page.lines().map(str::trim_end).collect();
+    // A stored report may hold anything; the page stays as wide as it is.
+    let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
+    let lines: Vec<String> = page.lines().map(cut).collect();
     lines.join("\n") + "\n"
 }
 

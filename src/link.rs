@@ -169,9 +169,9 @@ pub struct LinkStatus {
     pub peers: usize,
     /// What its decoders have seen.
     pub decoder: Counters,
-    /// Bytes handed to the operating system.
+    /// Bytes sent, or about to be: a peer that does not read may never get the last of them.
     pub sent_bytes: u64,
-    /// Messages handed to the operating system, heartbeats included; one to three peers counts three times.
+    /// Messages sent, or about to be, heartbeats included; one to three peers counts three times.
     pub sent_messages: u64,
     /// Messages that were not sent: the queue was full, the link down, the peer gone or not reading.
     pub dropped_out: u64,
@@ -185,6 +185,27 @@ pub struct LinkStatus {
     pub reconnects: u32,
     /// What went wrong last; cleared when the link comes up.
     pub last_error: Option<String>,
+}
+
+impl LinkStatus {
+    fn new(id: LinkId, name: String, state: LinkState) -> Self {
+        Self {
+            id,
+            name,
+            state,
+            local: None,
+            peers: 0,
+            decoder: Counters::default(),
+            sent_bytes: 0,
+            sent_messages: 0,
+            dropped_out: 0,
+            rates: Rates::default(),
+            lost: Vec::new(),
+            lost_total: 0,
+            reconnects: 0,
+            last_error: None,
+        }
+    }
 }
 
 /// The way to a link's task. The task lives on without it.
@@ -250,22 +271,7 @@ pub fn open_with(
     };
     let can_send = !matches!(transport, Transport::Address(Address::File { .. }));
     let (outbox, to_send) = mpsc::channel(OUTBOX_LEN);
-    let (published, status) = watch::channel(LinkStatus {
-        id,
-        name,
-        state,
-        local: None,
-        peers: 0,
-        decoder: Counters::default(),
-        sent_bytes: 0,
-        sent_messages: 0,
-        dropped_out: 0,
-        rates: Rates::default(),
-        lost: Vec::new(),
-        lost_total: 0,
-        reconnects: 0,
-        last_error: None,
-    });
+    let (published, status) = watch::channel(LinkStatus::new(id, name, state));
     let refused = Arc::new(AtomicU64::new(0));
     let meter = meter::Meter::new(published, Arc::clone(&refused));
     let link = task::Link::new(id, config, meter, inbound, to_send, cancel);

@@ -15,6 +15,7 @@ mod battery;
 mod body;
 mod commands;
 mod control;
+mod failsafe;
 mod inbound;
 mod leg;
 mod mode;
@@ -229,10 +230,11 @@ impl World {
     }
 
     /// The truth about a vehicle, counted from 0.
-    pub fn truth(&self, vehicle: usize) -> Option<Truth> {
-        self.slots
-            .get(vehicle)
-            .map(|slot| truth_of(&slot.autopilot))
+    ///
+    /// # Panics
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
+    pub fn truth(&self, vehicle: usize) -> Truth {
+        truth_of(&self.slots[vehicle].autopilot)
     }
 }
 

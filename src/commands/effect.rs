@@ -168,10 +168,13 @@ fn mode_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// Within 1 m, or a share of the height where that is more. Half a metre a second is slow for any copter.
+/// Within 1 m, or a share of the height where that is more, but never so wide that the ground would do. Half a metre
+/// a second is slow for any copter.
 fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
-    let tolerance_m = (share * altitude_m).max(ARRIVED_HEIGHT_M);
+    let tolerance_m = (share * altitude_m)
+        .max(ARRIVED_HEIGHT_M)
+        .min(0.5 * altitude_m);
     Effect::new(
         Watched::Altitude {
             altitude_m,

@@ -14,7 +14,7 @@ use crate::wire::Outgoing;
 
 const COMMAND_INT: u32 = 75;
 const COMMAND_LONG: u32 = 76;
-/// Where COMMAND_LONG's payload carries the confirmation.
+/// Where `COMMAND_LONG`'s payload carries the confirmation.
 const CONFIRMATION_OFFSET: usize = 32;
 
 /// `MAV_FRAME_GLOBAL`: heights above mean sea level.
@@ -28,7 +28,7 @@ const IGNORE_ACCELERATION: u16 = 0x01C0;
 const IGNORE_YAW: u16 = 0x0400;
 const IGNORE_YAW_RATE: u16 = 0x0800;
 
-/// COMMAND_LONG to a vehicle.
+/// `COMMAND_LONG` to a vehicle.
 pub(super) fn long(
     vehicle: &Vehicle,
     command: u16,
@@ -45,7 +45,7 @@ pub(super) fn long(
     Ok(outgoing(COMMAND_LONG, payload))
 }
 
-/// The fields of COMMAND_INT that differ from command to command.
+/// The fields of `COMMAND_INT` that differ from command to command.
 pub(super) struct IntFields {
     pub command: u16,
     pub frame: u8,
@@ -76,7 +76,7 @@ impl IntFields {
     }
 }
 
-/// COMMAND_INT to a vehicle.
+/// `COMMAND_INT` to a vehicle.
 pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, String> {
     finite(&fields.params)?;
     finite(&[fields.z])?;
@@ -100,7 +100,7 @@ fn outgoing(id: u32, payload: Vec<u8>) -> Outgoing {
     }
 }
 
-/// Counts a COMMAND_LONG's confirmation up; other messages have none.
+/// Counts a `COMMAND_LONG`'s confirmation up; other messages have none.
 pub(super) fn confirm_again(outgoing: &mut Outgoing) {
     match outgoing {
         Outgoing::Message(MavMessage::COMMAND_LONG(long)) => {
@@ -153,14 +153,11 @@ pub(super) fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Outgoing,
     ))
 }
 
-fn local(vehicle: &Vehicle, fields: SET_POSITION_TARGET_LOCAL_NED_DATA) -> Outgoing {
-    MavMessage::SET_POSITION_TARGET_LOCAL_NED(SET_POSITION_TARGET_LOCAL_NED_DATA {
-        target_system: vehicle.id,
-        target_component: vehicle.component,
-        coordinate_frame: MavFrame::MAV_FRAME_LOCAL_NED,
-        ..fields
-    })
-    .into()
+fn local(vehicle: &Vehicle, mut fields: SET_POSITION_TARGET_LOCAL_NED_DATA) -> Outgoing {
+    fields.target_system = vehicle.id;
+    fields.target_component = vehicle.component;
+    fields.coordinate_frame = MavFrame::MAV_FRAME_LOCAL_NED;
+    MavMessage::SET_POSITION_TARGET_LOCAL_NED(fields).into()
 }
 
 /// A position target on the earth, with its height above home.
@@ -194,7 +191,7 @@ pub(super) fn global_position(
     )
 }
 
-/// PARAM_REQUEST_READ by name.
+/// `PARAM_REQUEST_READ` by name.
 pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, String> {
     Ok(MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: -1,
@@ -205,7 +202,7 @@ pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, 
     .into())
 }
 
-/// PARAM_SET. ArduPilot takes the value as a number and ignores the type field.
+/// `PARAM_SET`. ArduPilot takes the value as a number and ignores the type field.
 pub(super) fn write_parameter(
     vehicle: &Vehicle,
     name: &str,

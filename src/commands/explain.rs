@@ -3,7 +3,7 @@
 use super::Command;
 use crate::vehicle::Vehicle;
 
-/// `MAV_RESULT`: what a COMMAND_ACK says.
+/// `MAV_RESULT`: what a `COMMAND_ACK` says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AckResult {
     /// Done, or begun.
@@ -20,9 +20,9 @@ pub enum AckResult {
     InProgress,
     /// Broken off.
     Cancelled,
-    /// Only as COMMAND_LONG.
+    /// Only as `COMMAND_LONG`.
     LongOnly,
-    /// Only as COMMAND_INT.
+    /// Only as `COMMAND_INT`.
     IntOnly,
     /// Not with this frame.
     UnsupportedFrame,
@@ -49,7 +49,7 @@ impl AckResult {
     }
 }
 
-/// "arm refused: PreArm: Need Position Estimate": the result of a command with the status texts that came with
+/// "arm refused: `PreArm`: Need Position Estimate": the result of a command with the status texts that came with
 /// it. ArduPilot says nothing at all with many refusals; then the reason is read off the vehicle's state.
 pub fn explain(
     verb: &str,

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::encode::{self, FRAME_GLOBAL, FRAME_RELATIVE, IntFields};
 use super::setpoint::{
-    above_ground, acknowledged_int, goto, height, needs_guided, position, setpoint,
+    above_ground, acknowledged_int, goto, heading, height, needs_guided, position, setpoint,
 };
 use super::{Command, SpeedAxis};
 use crate::geo::wrap_360;
@@ -41,9 +41,9 @@ const SETPOINT_EVERY: Duration = Duration::from_millis(200);
 /// What answers a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
-    /// COMMAND_ACK of this `MAV_CMD`.
+    /// `COMMAND_ACK` of this `MAV_CMD`.
     Ack(u16),
-    /// PARAM_VALUE of this parameter.
+    /// `PARAM_VALUE` of this parameter.
     Parameter(String),
     /// Nothing ever comes (setpoints): only the effect tells.
     None,
@@ -69,7 +69,7 @@ impl Request {
         }
     }
 
-    /// Prepares the next try: the same messages, with the confirmation of a COMMAND_LONG counted up.
+    /// Prepares the next try: the same messages, with the confirmation of a `COMMAND_LONG` counted up.
     pub fn again(&mut self) {
         for message in &mut self.messages {
             encode::confirm_again(message);
@@ -149,7 +149,7 @@ impl Command {
         }
     }
 
-    /// What a PARAM_VALUE says about a parameter command, as "WPNAV_SPEED = 500".
+    /// What a `PARAM_VALUE` says about a parameter command, as "`WPNAV_SPEED` = 500".
     ///
     /// # Errors
     /// In plain words when the vehicle kept another value than was set. Whole-numbered parameters cut off the
@@ -171,7 +171,7 @@ impl Command {
         }
     }
 
-    /// Command and parameters of those that go as COMMAND_LONG.
+    /// Command and parameters of those that go as `COMMAND_LONG`.
     fn long_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), String> {
         let number = vehicle.id;
         Ok(match self {
@@ -201,6 +201,21 @@ impl Command {
                 None => (cmd::DO_PAUSE_CONTINUE, params(&[0.0])),
             },
             Self::Resume => (cmd::DO_PAUSE_CONTINUE, params(&[1.0])),
+            Self::SetHome { .. } => (cmd::DO_SET_HOME, params(&[1.0])),
+            Self::Reboot if vehicle.armed() => {
+                return Err(format!(
+                    "vehicle {number} is armed: disarm it before a reboot"
+                ));
+            }
+            Self::Reboot => (cmd::PREFLIGHT_REBOOT_SHUTDOWN, params(&[1.0])),
+            Self::Speed { .. } | Self::Yaw { .. } => return self.motion_fields(vehicle),
+            other => return other.device_fields(),
+        })
+    }
+
+    /// `COMMAND_LONG` of what changes a movement.
+    fn motion_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), String> {
+        Ok(match self {
             Self::Speed { axis, speed_m_s } => {
                 let kind = match axis {
                     SpeedAxis::Ground => 1.0,
@@ -216,21 +231,15 @@ impl Command {
                 relative,
                 rate_deg_s,
             } => {
-                let turned = yaw_params(*angle_deg, *relative, rate_deg_s.unwrap_or(0.0));
+                let rate = rate_deg_s.unwrap_or(0.0);
+                let turned = yaw_params(vehicle, *angle_deg, *relative, rate)?;
                 (cmd::CONDITION_YAW, turned)
             }
-            Self::SetHome { .. } => (cmd::DO_SET_HOME, params(&[1.0])),
-            Self::Reboot if vehicle.armed() => {
-                return Err(format!(
-                    "vehicle {number} is armed: disarm it before a reboot"
-                ));
-            }
-            Self::Reboot => (cmd::PREFLIGHT_REBOOT_SHUTDOWN, params(&[1.0])),
-            other => other.device_fields()?,
+            other => return Err(format!("{other:?} is not sent as COMMAND_LONG")),
         })
     }
 
-    /// COMMAND_LONG of what does not depend on the vehicle's state.
+    /// `COMMAND_LONG` of what does not depend on the vehicle's state.
     fn device_fields(&self) -> Result<(u16, [f32; 7]), String> {
         Ok(match self {
             Self::Servo { output, pulse_us } => (
@@ -254,7 +263,7 @@ impl Command {
         })
     }
 
-    /// The fields of those that go as COMMAND_INT.
+    /// The fields of those that go as `COMMAND_INT`.
     fn int_fields(&self, vehicle: &Vehicle) -> Result<IntFields, String> {
         match self {
             Self::Orbit {
@@ -308,19 +317,25 @@ fn params(given: &[f32]) -> [f32; 7] {
     all
 }
 
-/// CONDITION_YAW wants an angle without sign; the direction is a parameter of its own, 0 for the shortest.
-fn yaw_params(angle_deg: f64, relative: bool, rate_deg_s: f64) -> [f32; 7] {
-    let (angle, direction) = if relative {
-        (angle_deg.abs(), if angle_deg < 0.0 { -1.0 } else { 1.0 })
+/// `CONDITION_YAW` with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A
+/// relative turn is worked out here, since a vehicle that is asked twice for a relative one turns twice.
+fn yaw_params(
+    vehicle: &Vehicle,
+    angle_deg: f64,
+    relative: bool,
+    rate_deg_s: f64,
+) -> Result<[f32; 7], String> {
+    let (heading, direction) = if relative {
+        let now = f64::from(heading(vehicle)?);
+        (now + angle_deg, if angle_deg < 0.0 { -1.0 } else { 1.0 })
     } else {
-        (wrap_360(angle_deg), 0.0)
+        (angle_deg, 0.0)
     };
-    params(&[
-        angle as f32,
+    Ok(params(&[
+        wrap_360(heading) as f32,
         rate_deg_s as f32,
         direction,
-        f32::from(u8::from(relative)),
-    ])
+    ]))
 }
 
 /// The mode in which a vehicle stays where it is; `None` where pausing does it.

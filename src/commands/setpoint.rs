@@ -18,9 +18,7 @@ pub(super) fn goto(
     let yaw_deg = match heading {
         Heading::Auto => None,
         Heading::Fixed(degrees) => Some(degrees),
-        Heading::Keep => Some(f64::from(vehicle.heading_deg().ok_or_else(|| {
-            format!("vehicle {} has not said where its nose points", vehicle.id)
-        })?)),
+        Heading::Keep => Some(f64::from(self::heading(vehicle)?)),
     };
     if class(vehicle) == VehicleClass::Plane {
         return reposition(vehicle, destination);
@@ -37,7 +35,7 @@ pub(super) fn goto(
     }
 }
 
-/// ArduPlane flies to a point by DO_REPOSITION only.
+/// ArduPlane flies to a point by `DO_REPOSITION` only.
 fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, String> {
     let (point, altitude_m) = match destination {
         Destination::Global {
@@ -175,6 +173,12 @@ pub(super) fn position(vehicle: &Vehicle) -> Result<LatLon, String> {
         .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
 }
 
+pub(super) fn heading(vehicle: &Vehicle) -> Result<f32, String> {
+    vehicle
+        .heading_deg()
+        .ok_or_else(|| format!("vehicle {} has not said where its nose points", vehicle.id))
+}
+
 pub(super) fn height(vehicle: &Vehicle) -> Result<f64, String> {
     vehicle
         .altitude_m()
@@ -188,7 +192,7 @@ fn local(vehicle: &Vehicle) -> Result<[f64; 3], String> {
         .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
 }
 
-/// A request that COMMAND_ACK answers.
+/// A request that `COMMAND_ACK` answers.
 pub(super) fn acknowledged_int(vehicle: &Vehicle, fields: &IntFields) -> Result<Request, String> {
     let message = encode::int(vehicle, fields)?;
     Ok(Request::new(message, Answer::Ack(fields.command)))

@@ -6,12 +6,12 @@ use std::ops::Range;
 use nucleo_matcher::pattern::{AtomKind, CaseMatching, Normalization, Pattern};
 use nucleo_matcher::{Config, Matcher, Utf32Str};
 
-use super::argument::Kind;
-use super::form::{Expected, fit};
+use super::argument::{Argument, Kind};
+use super::form::{Expected, Fit, fit};
 use super::lexer::{Word, comment_start, words};
 use super::parse::{Head, head};
 use super::read::mode_names;
-use super::verb::Verb;
+use super::verb::{Form, Verb};
 use super::{Context, Targets, verbs};
 
 /// How many completions are worth showing.
@@ -56,40 +56,48 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         .collect()
 }
 
-/// What to write next: the forms of the verb that the line still fits, the next argument between ‹ and ›, and what
-/// it means. `None` before there is a verb.
+/// What to write next. Where the line fits one form of the verb, that form with the next argument between ‹ and ›
+/// and what it means: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". Where several fit, the arguments
+/// that could come next. When nothing can, what the verb does. `None` before there is a verb, and after a fault.
 pub fn hint(line: &str, context: &Context) -> Option<String> {
     let words = words(line);
     let head = head(&words, context).ok()?;
     let rest = &words[head.len..];
-    let mut hints: Vec<String> = Vec::new();
-    let mut next: Vec<&'static str> = Vec::new();
-    for form in head.verb.forms {
-        let fit = fit(form, rest, context);
-        if fit.misfit.is_some() {
-            continue;
-        }
-        let marked = fit
-            .expected
-            .iter()
-            .find(|expected| !expected.argument().optional)
-            .or(fit.expected.first())
-            .map(|expected| expected.argument());
-        let mut hint = form.usage(head.verb.name, marked);
-        if let Some(explained) = marked
-            .map(|m| m.explained())
-            .filter(|text| !text.is_empty())
-        {
-            hint = format!("{hint}: {explained}");
-        }
-        next.extend(marked.map(|argument| argument.name));
-        hints.push(hint);
-    }
-    match hints.as_slice() {
+    let fitting: Vec<(&Form, Option<&'static Argument>)> = head
+        .verb
+        .forms
+        .iter()
+        .map(|form| (form, fit(form, rest, context)))
+        .filter(|(_, fit)| fit.misfit.is_none())
+        .map(|(form, fit)| (form, next_argument(&fit)))
+        .collect();
+    let name = head.verb.name;
+    match fitting.as_slice() {
         [] => None,
-        [_] if next.is_empty() => Some(format!("{}: {}", head.verb.name, head.verb.summary)),
-        hints => Some(hints.join("  |  ")),
+        [(_, None)] => Some(format!("{name}: {}", head.verb.summary)),
+        [(form, Some(next))] => {
+            let usage = form.usage(name, Some(next));
+            let explained = next.explained();
+            let separator = if explained.is_empty() { "" } else { ": " };
+            Some(format!("{usage}{separator}{explained}"))
+        }
+        several => {
+            let next: Vec<String> = several
+                .iter()
+                .filter_map(|(_, next)| next.map(Argument::usage))
+                .collect();
+            Some(format!("{name} ‹{}›", next.join(" | ")))
+        }
     }
+}
+
+/// The argument that should come next: one that is required, else any.
+fn next_argument(fit: &Fit) -> Option<&'static Argument> {
+    fit.expected
+        .iter()
+        .map(|expected| expected.argument())
+        .find(|argument| !argument.optional)
+        .or_else(|| fit.expected.first().map(|expected| expected.argument()))
 }
 
 /// Everything that could follow these words, with what it means.
@@ -213,3 +221,6 @@ fn floor_boundary(line: &str, at: usize) -> usize {
     }
     at
 }
+
+#[cfg(test)]
+mod tests;

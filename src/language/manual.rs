@@ -29,7 +29,9 @@ pub fn manual() -> String {
                 seen.push(line);
             }
         }
-        let _ = writeln!(text, "    e.g. {}", verb.examples.join("   "));
+        for example in verb.examples {
+            let _ = writeln!(text, "    e.g. {example}");
+        }
     }
     text
 }

@@ -64,36 +64,44 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
     };
     let Some(found) = verb(word.text) else {
         // A mode's name alone changes to it.
-        if mode_named(word.text, context).is_some()
-            && let Some(mode) = verb("mode")
-        {
-            return Ok(Head {
+        return match (mode_named(word.text, context), verb("mode")) {
+            (Some(_), Some(mode)) => Ok(Head {
                 targets,
                 verb: mode,
                 said: String::new(),
                 len: at,
-            });
-        }
-        return Err(unknown_verb(word, context));
+            }),
+            _ => Err(unknown_verb(word, context)),
+        };
     };
-    at += 1;
-    if found.name == "wait"
-        && let Some(word) = words.get(at)
-        && targets_of_wait(word, words.len() - at)
-    {
-        if targets != Targets::Selection {
-            let message = "the targets are named twice";
-            return Err(Diagnostic::new(word.span.clone(), message));
-        }
-        targets = Targets::read(word, context)?;
-        at += 1;
-    }
-    Ok(Head {
+    let mut head = Head {
         targets,
         verb: found,
         said: found.name.to_owned(),
-        len: at,
-    })
+        len: at + 1,
+    };
+    if found.name == "wait" {
+        targets_after(&mut head, words, context)?;
+    }
+    Ok(head)
+}
+
+/// The targets of a `wait` may stand after it.
+fn targets_after(head: &mut Head, words: &[Word], context: &Context) -> Result<(), Diagnostic> {
+    let left = words.len() - head.len;
+    let Some(word) = words.get(head.len) else {
+        return Ok(());
+    };
+    if !targets_of_wait(word, left) {
+        return Ok(());
+    }
+    if head.targets != Targets::Selection {
+        let message = "the targets are named twice";
+        return Err(Diagnostic::new(word.span.clone(), message));
+    }
+    head.targets = Targets::read(word, context)?;
+    head.len += 1;
+    Ok(())
 }
 
 /// `wait 5` is a time, `wait 5 armed` waits for vehicle 5; `wait 5s` is a time in any case.
@@ -142,21 +150,18 @@ fn fault(verb: &Verb, fits: &[Fit], rest: &[Word], all: &[Word], context: &Conte
         .iter()
         .filter(|fit| progress(fit) == furthest)
         .collect();
-    match rest.get(furthest.0) {
-        Some(word) => {
-            let misfits: Vec<&Misfit> = closest
-                .iter()
-                .filter_map(|fit| fit.misfit.as_ref())
-                .collect();
-            misfit_fault(verb, word, &misfits, context)
-        }
-        None => {
-            let expected = closest.iter().flat_map(|fit| fit.expected.iter());
-            let missing = list(expected.copied().filter(|e| !e.argument().optional));
-            Diagnostic::new(end_of(all), format!("{} needs {missing}", verb.name))
-                .with_help(format!("for example `{}`", verb.examples[0]))
-        }
-    }
+    let Some(word) = rest.get(furthest.0) else {
+        let expected = closest.iter().flat_map(|fit| fit.expected.iter());
+        let missing = list(expected.copied().filter(|e| !e.argument().optional));
+        let example = verb.examples.first().unwrap_or(&verb.name);
+        return Diagnostic::new(end_of(all), format!("{} needs {missing}", verb.name))
+            .with_help(format!("for example `{example}`"));
+    };
+    let misfits: Vec<&Misfit> = closest
+        .iter()
+        .filter_map(|fit| fit.misfit.as_ref())
+        .collect();
+    misfit_fault(verb, word, &misfits, context)
 }
 
 fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context) -> Diagnostic {
@@ -177,19 +182,16 @@ fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context
     }
     let what = list(expected());
     let specific = misfits.iter().any(|misfit| misfit.specific);
-    let fault = match message {
-        Some(message) => Diagnostic::new(span, message),
-        None => Diagnostic::new(
-            span,
-            format!("`{}` does not fit here: expected {what}", word.text),
-        ),
-    };
     let names: Vec<String> = expected()
         .flat_map(|item| names_of(item, context))
         .collect();
-    let fault = fault.with_nearest(word.text, names.iter().map(String::as_str));
+    let says_what = message.is_none() || specific;
+    let message =
+        message.unwrap_or_else(|| format!("`{}` does not fit here: expected {what}", word.text));
+    let fault =
+        Diagnostic::new(span, message).with_nearest(word.text, names.iter().map(String::as_str));
     match fault.help {
-        None if !specific => fault.with_help(format!("expected {what}")),
+        None if !says_what => fault.with_help(format!("expected {what}")),
         _ => fault,
     }
 }

@@ -213,3 +213,6 @@ impl Step {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -7,7 +7,7 @@ use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use crate::commands::{command_by_name, command_names};
 use crate::geo::LatLon;
-use crate::vehicle::VehicleClass;
+use crate::vehicle::{Mode, VehicleClass};
 
 /// Message ids have 24 bits.
 const HIGHEST_MESSAGE: u32 = 0x00FF_FFFF;
@@ -206,7 +206,7 @@ fn mode(text: &str, context: &Context) -> Result<String, Misread> {
 pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> {
     classes(context)
         .iter()
-        .find_map(|class| class.mode(text).and_then(|mode| mode.name()))
+        .find_map(|class| class.mode(text).and_then(Mode::name))
 }
 
 /// The names of all modes, each once.

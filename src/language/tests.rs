@@ -1,1 +1,433 @@
+use proptest::prelude::*;
 
+use super::*;
+use crate::commands::{Destination, Heading, SpeedAxis};
+
+pub(super) fn places() -> BTreeMap<String, LatLon> {
+    BTreeMap::from([("tower".to_owned(), LatLon::new(50.45, 30.52))])
+}
+
+pub(super) fn groups() -> BTreeMap<String, Vec<SystemId>> {
+    BTreeMap::from([("red".to_owned(), vec![1, 3]), ("none".to_owned(), vec![])])
+}
+
+/// Reads a line where there are vehicles 1 to 8, the group `red` and the place `tower`.
+fn read(line: &str) -> Result<Statement, crate::diagnostic::Diagnostic> {
+    let (groups, places) = (groups(), places());
+    parse(line, &context(&groups, &places))
+}
+
+pub(super) fn context<'a>(
+    groups: &'a BTreeMap<String, Vec<SystemId>>,
+    places: &'a BTreeMap<String, LatLon>,
+) -> Context<'a> {
+    Context {
+        groups,
+        places,
+        vehicles: &[1, 2, 3, 4, 5, 6, 7, 8],
+        class: VehicleClass::Copter,
+    }
+}
+
+fn command(line: &str) -> Command {
+    match read(line).map(|statement| statement.action) {
+        Ok(Action::Command { command, .. }) => command,
+        other => panic!("{line}: {other:?}"),
+    }
+}
+
+fn goto(destination: Destination, heading: Heading) -> Command {
+    Command::Goto {
+        destination,
+        heading,
+    }
+}
+
+#[test]
+fn lines_about_flying_become_the_commands_they_say() {
+    let local = |up_m| Destination::Local {
+        north_m: 100.0,
+        east_m: -50.0,
+        up_m,
+    };
+    let tower = Destination::Global {
+        at_point: LatLon::new(50.45, 30.52),
+        altitude_m: Some(40.0),
+    };
+    let cases = [
+        ("all ARM", Command::Arm),
+        ("takeoff 0.02km", Command::Takeoff { altitude_m: 20.0 }),
+        (
+            "guided",
+            Command::SetMode {
+                name: "GUIDED".to_owned(),
+            },
+        ),
+        (
+            "mode alt_hold",
+            Command::SetMode {
+                name: "ALT_HOLD".to_owned(),
+            },
+        ),
+        (
+            "mode 27",
+            Command::SetMode {
+                name: "27".to_owned(),
+            },
+        ),
+        ("land", Command::Land),
+        ("stop", Command::Hold),
+        (
+            "goto n 100 e -50 up 30",
+            goto(local(Some(30.0)), Heading::Auto),
+        ),
+        ("goto e -50m n 100m keep", goto(local(None), Heading::Keep)),
+        (
+            "goto tower up 40 face 90°",
+            goto(tower, Heading::Fixed(90.0)),
+        ),
+        ("goto 50.45 30.52 up 40", goto(tower, Heading::Auto)),
+        (
+            "goto by up 2",
+            goto(
+                Destination::Offset {
+                    north_m: 0.0,
+                    east_m: 0.0,
+                    up_m: 2.0,
+                },
+                Heading::Auto,
+            ),
+        ),
+        (
+            "speed climb 2",
+            Command::Speed {
+                axis: SpeedAxis::Climb,
+                speed_m_s: 2.0,
+            },
+        ),
+        (
+            "yaw 90 by rate 20",
+            Command::Yaw {
+                angle_deg: 90.0,
+                relative: true,
+                rate_deg_s: Some(20.0),
+            },
+        ),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(command(line), expected, "{line}");
+    }
+}
+
+#[test]
+fn other_lines_become_the_commands_they_say() {
+    let cases = [
+        (
+            "vel e 2 up 1 for 1min",
+            Command::Velocity {
+                ned_m_s: [0.0, 2.0, -1.0],
+                lasting: std::time::Duration::from_secs(60),
+            },
+        ),
+        (
+            "interval attitude 10",
+            Command::MessageInterval {
+                message: 30,
+                rate_hz: 10.0,
+            },
+        ),
+        (
+            "param set wpnav_speed 500",
+            Command::SetParameter {
+                name: "WPNAV_SPEED".to_owned(),
+                value: 500.0,
+            },
+        ),
+        ("roi off", Command::RegionOfInterest { target: None }),
+        (
+            "relay 2 off",
+            Command::Relay {
+                relay: 2,
+                on: false,
+            },
+        ),
+        (
+            "long 31000 1 -2.5",
+            Command::Long {
+                command: 31000,
+                params: [1.0, -2.5, 0.0, 0.0, 0.0, 0.0, 0.0],
+            },
+        ),
+        (
+            "int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40",
+            Command::Int {
+                command: 192,
+                frame: 6,
+                params: [-1.0, 1.0, 0.0, 0.0],
+                x: 504_501_000,
+                y: 305_234_000,
+                z: 40.0,
+            },
+        ),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(command(line), expected, "{line}");
+    }
+}
+
+#[test]
+fn other_units_are_converted() {
+    let Command::Speed { axis, speed_m_s } = command("speed 36km/h") else {
+        panic!("no speed");
+    };
+    assert_eq!(axis, SpeedAxis::Ground);
+    assert!((speed_m_s - 10.0).abs() < 1e-9);
+}
+
+#[test]
+fn targets_are_read_sorted_and_written_back_short() {
+    let cases = [
+        ("arm", Targets::Selection, "arm"),
+        ("all arm", Targets::All, "all arm"),
+        (
+            "7,1-4,2 arm # now",
+            Targets::Ids(vec![1, 2, 3, 4, 7]),
+            "1-4,7 arm",
+        ),
+        ("@red  pause", Targets::Group("red".to_owned()), "@red hold"),
+        ("wait 5 armed", Targets::Ids(vec![5]), "wait 5 armed"),
+        ("wait 5", Targets::Selection, "wait 5"),
+        (
+            "all wait altitude>19",
+            Targets::All,
+            "wait all altitude > 19",
+        ),
+    ];
+    for (line, targets, normalised) in cases {
+        let statement = read(line).expect(line);
+        assert_eq!(
+            (statement.targets, statement.line.as_str()),
+            (targets, normalised),
+            "{line}"
+        );
+    }
+}
+
+#[test]
+fn the_exact_word_that_is_wrong_is_named() {
+    // The line, the word that is pointed at ("" is the end of the line), a part of the message and of the help.
+    let cases = [
+        ("", "", "a command is missing", "all arm"),
+        ("all", "", "a command is missing", ""),
+        (
+            "all takeof 20",
+            "takeof",
+            "no command `takeof`",
+            "did you mean `takeoff`?",
+        ),
+        ("all guied", "guied", "no command", "did you mean `GUIDED`?"),
+        (
+            "takeoff",
+            "",
+            "takeoff needs ALTITUDE (height above home, 0.5 to 1000 m)",
+            "takeoff 20",
+        ),
+        (
+            "takeoff high",
+            "high",
+            "`high` is no number",
+            "expected ALTITUDE",
+        ),
+        ("takeoff 2000", "2000", "out of range: 0.5 to 1000 m", ""),
+        (
+            "takeoff 20ft",
+            "20ft",
+            "`ft` is no unit for this: use m, km",
+            "",
+        ),
+        ("takeoff nan", "nan", "no number", ""),
+        ("takeoff inf", "inf", "no number", ""),
+        ("takeoff 1e999", "1e999", "too large", ""),
+        ("takeoff 20 30", "30", "too much", "takeoff ALTITUDE"),
+        ("5-2 arm", "5-2", "backwards: say `2-5`", ""),
+        ("0 arm", "0", "no system id", ""),
+        ("1,300 arm", "300", "no system id", ""),
+        ("1-99 arm", "1-99", "no vehicle 9, only 1-8", ""),
+        ("1,,2 arm", "", "names no vehicles", ""),
+        (
+            "@rad arm",
+            "@rad",
+            "no group `@rad`",
+            "did you mean `@red`?",
+        ),
+        ("goto n 100 east 50", "east", "expected `e`, `up`", ""),
+        ("goto n 100", "", "goto needs `e`", ""),
+        (
+            "goto towr up 4",
+            "towr",
+            "`towr` does not fit here",
+            "did you mean `tower`?",
+        ),
+        ("goto 95 30", "95", "out of range: -90 to 90 deg", ""),
+        ("goto 50 200", "200", "out of range: -180 to 180 deg", ""),
+        ("goto 50", "", "goto needs", ""),
+        ("goto tower keep face 90", "face 90", "not both", ""),
+        ("goto tower up -3", "-3", "out of range", ""),
+        (
+            "mode qloiter",
+            "qloiter",
+            "there is no mode `qloiter` in a copter",
+            "did you mean `LOITER`?",
+        ),
+        ("yaw -90", "-90", "say `by`", ""),
+        ("servo 1.5 1500", "1.5", "no whole number", ""),
+        ("servo 17 1500", "17", "1 to 16", ""),
+        (
+            "relay 1 onn",
+            "onn",
+            "none of on, off",
+            "did you mean `on`?",
+        ),
+        ("request ATTITUD", "ATTITUD", "no message", "ATTITUDE"),
+        ("long NAV_TAKEOF", "NAV_TAKEOF", "no MAV_CMD", "NAV_TAKEOFF"),
+        ("long 70000", "70000", "65535", ""),
+        (
+            "param set THIS_NAME_IS_TOO_LONG 1",
+            "THIS_NAME_IS_TOO_LONG",
+            "1 to 16",
+            "",
+        ),
+        ("wait all altitude", "", "wait needs", ""),
+        ("wait all altitude 19", "19", "none of", ""),
+        ("wait all speed > 5deg", "5deg", "use m/s", ""),
+        ("velocity for 5", "5", "which way?", ""),
+    ];
+    let mut wrong = Vec::new();
+    for (line, word, message, help) in cases {
+        let fault = read(line).expect_err(line);
+        let pointed = &line[fault.span.clone()];
+        let pointed = pointed.strip_prefix("for ").unwrap_or(pointed);
+        let given = fault.help.as_deref().unwrap_or_default();
+        if pointed != word || !fault.message.contains(message) || !given.contains(help) {
+            wrong.push(format!("{line}: {fault:?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn every_example_parses_to_its_own_verb() {
+    for verb in verbs() {
+        assert!(!verb.examples.is_empty(), "{verb:?} has no example");
+        for example in verb.examples {
+            match read(example).expect(example).action {
+                Action::Command { verb: said, .. } => assert_eq!(said, verb, "{example}"),
+                Action::Wait(_) => assert_eq!(verb.name, "wait", "{example}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn names_and_aliases_are_unique_and_tries_end_by_the_deadline() {
+    let mut seen = std::collections::BTreeSet::new();
+    for verb in verbs() {
+        for name in std::iter::once(&verb.name).chain(verb.aliases) {
+            assert!(seen.insert(*name), "{name} is there twice");
+        }
+        let last_try = verb.retry.every * (u32::from(verb.retry.tries) - 1);
+        assert!(last_try < verb.retry.deadline, "{verb:?}");
+    }
+}
+
+#[test]
+fn arguments_of_a_form_have_different_names() {
+    for verb in verbs() {
+        for form in verb.forms {
+            let names: std::collections::BTreeSet<&str> = form
+                .arguments
+                .iter()
+                .map(|argument| argument.name)
+                .collect();
+            assert_eq!(names.len(), form.arguments.len(), "{verb:?}");
+        }
+    }
+}
+
+#[test]
+fn targets_resolve_to_vehicles_or_say_why_not() {
+    let (groups, places) = (groups(), places());
+    let context = context(&groups, &places);
+    let ids = |targets: Targets, selection: &[SystemId]| targets.resolve(selection, &context);
+    assert_eq!(ids(Targets::Selection, &[4, 2]), Ok(vec![4, 2]));
+    assert_eq!(ids(Targets::Group("red".to_owned()), &[]), Ok(vec![1, 3]));
+    assert_eq!(ids(Targets::All, &[1]).map(|all| all.len()), Ok(8));
+    for (targets, reason) in [
+        (Targets::Selection, "no vehicle is selected"),
+        (Targets::Ids(vec![9]), "no vehicle 9"),
+        (Targets::Group("none".to_owned()), "empty"),
+        (Targets::Group("blue".to_owned()), "no group `@blue`"),
+    ] {
+        let fault = ids(targets, &[]).expect_err(reason);
+        assert!(fault.contains(reason), "{fault}");
+    }
+}
+
+#[test]
+fn the_manual_tells_about_every_verb() {
+    let manual = manual();
+    for verb in verbs() {
+        assert!(
+            manual.contains(verb.summary) && manual.contains(verb.examples[0]),
+            "{verb:?}"
+        );
+    }
+    assert!(
+        manual.contains("goto n NORTH e EAST [up UP] [keep] [face HEADING]"),
+        "{manual}"
+    );
+    assert!(manual.contains("60 s"), "{manual}");
+}
+
+/// Lines made of the language's own words, which reach further than random letters do.
+fn likely_line() -> impl Strategy<Value = String> {
+    let names: Vec<String> = verbs().iter().map(|verb| verb.name.to_owned()).collect();
+    let word = prop_oneof![
+        3 => proptest::sample::select(names),
+        3 => proptest::sample::select(vec![
+            "all", "3", "1-4,7", "@red", "n", "e", "up", "by", "keep", "face", "tower", "for", "rate", "here",
+            "off", "on", "get", "set", "mode", "GUIDED", "altitude", ">", "<=", "timeout", "ATTITUDE", "#",
+        ]).prop_map(str::to_owned),
+        4 => (-500.0..500.0f64).prop_map(|number| format!("{number:.2}")),
+        2 => (0..20_u8).prop_map(|number| number.to_string()),
+        1 => "\\PC{0,6}",
+    ];
+    proptest::collection::vec(word, 0..9).prop_map(|words| words.join(" "))
+}
+
+proptest! {
+    #[test]
+    fn no_text_makes_the_reader_panic(line in "\\PC*", cursor in 0..80_usize) {
+        let _ = read(&line);
+        let _ = hint(&line, &Context::default());
+        let _ = complete(&line, cursor, &Context::default());
+        let _ = Script::parse(&line, &Context::default());
+    }
+
+    #[test]
+    fn the_normalised_line_means_the_same(line in likely_line()) {
+        if let Ok(statement) = read(&line) {
+            prop_assert_eq!(read(&statement.line), Ok(statement));
+        }
+    }
+
+    #[test]
+    fn faults_and_completions_lie_within_the_line(line in likely_line(), cursor in 0..80_usize) {
+        if let Err(fault) = read(&line) {
+            prop_assert!(line.get(fault.span.clone()).is_some(), "{:?}", fault);
+        }
+        for completion in complete(&line, cursor, &Context::default()) {
+            prop_assert!(line.get(completion.replaces.clone()).is_some(), "{:?}", completion);
+        }
+    }
+}

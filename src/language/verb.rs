@@ -96,15 +96,15 @@ impl Form {
     pub(super) fn usage(&self, verb: &str, marked: Option<&Argument>) -> String {
         let mut usage = verb.to_owned();
         for argument in self.arguments {
-            usage.push(' ');
             let text = argument.usage();
-            if marked.is_some_and(|marked| std::ptr::eq(marked, argument)) {
-                usage.push_str(&format!("‹{text}›"));
+            let (open, close) = if marked.is_some_and(|marked| std::ptr::eq(marked, argument)) {
+                ("‹", "›")
             } else if argument.optional {
-                usage.push_str(&format!("[{text}]"));
+                ("[", "]")
             } else {
-                usage.push_str(&text);
-            }
+                ("", "")
+            };
+            usage.extend([" ", open, &text, close]);
         }
         usage
     }

@@ -17,7 +17,7 @@ use crate::wire::{Frame, Outgoing};
 /// The longest datagram that there can be.
 const DATAGRAM_LEN: usize = 65_536;
 /// Sender addresses can be forged, so their number must have a bound.
-pub(super) const PEER_CAP: usize = 1024;
+const PEER_CAP: usize = 1024;
 /// A peer that was silent for so long may make room for a new one.
 const STALE: Duration = Duration::from_secs(10);
 
@@ -217,4 +217,58 @@ fn note(sent: Result<(), String>, sending_fails: &mut bool, meter: &mut Meter) {
         meter.complain(sent.err());
     }
     *sending_fails = failed;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::link::tests::{heartbeat, meter};
+    use tokio::time::advance;
+
+    fn stranger(number: usize) -> SocketAddr {
+        let [high, low] = (number as u16).to_be_bytes();
+        ([10, 0, high, low], 14550).into()
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn forged_senders_fill_no_memory_and_displace_only_the_silent() {
+        let mut meter = meter();
+        let target = stranger(60_000);
+        let mut peers = Peers::new(LinkConfig::default(), Some(target));
+        let mut receive = |number, bytes: &[u8]| {
+            let found = peers.receive(stranger(number), bytes, &mut meter);
+            (found.map(|(peer, _)| peer), peers.all.len())
+        };
+        assert_eq!(receive(0, b"noise"), (None, 1), "noise makes no peer");
+        for number in 1..PEER_CAP {
+            let peer = Peer(number as u32);
+            assert_eq!(receive(number, &heartbeat(1)), (Some(peer), number + 1));
+        }
+        assert_eq!(
+            receive(5000, &heartbeat(1)),
+            (None, PEER_CAP),
+            "everybody is in use"
+        );
+        advance(Duration::from_secs(8)).await;
+        receive(1, &heartbeat(1));
+        advance(Duration::from_secs(3)).await;
+        let newcomer = Peer(PEER_CAP as u32);
+        assert_eq!(receive(5000, &heartbeat(1)), (Some(newcomer), PEER_CAP));
+        assert_eq!(
+            receive(1, &heartbeat(1)).0,
+            Some(Peer(1)),
+            "1 has been heard lately"
+        );
+        assert_eq!(
+            receive(60_000, &heartbeat(1)).0,
+            Some(Peer(0)),
+            "the target stays"
+        );
+        assert_ne!(
+            receive(2, &heartbeat(1)).0,
+            Some(Peer(2)),
+            "2 was silent for longest"
+        );
+        assert_eq!(peers.by_address.len(), PEER_CAP);
+    }
 }

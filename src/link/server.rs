@@ -31,7 +31,7 @@ struct Client {
     awaits_room: bool,
 }
 
-/// Carries data until the listener fails.
+/// Carries data until the listener fails. Long, because a `select!` cannot be divided.
 pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
     let mut clients = BTreeMap::new();
     let mut next = 0;
@@ -46,19 +46,14 @@ pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
                 Chore::Nothing => {}
                 Chore::Send(batch) => {
                     encode(link, &mut clients, &batch);
-                    for (&peer, client) in &mut clients {
-                        if client.flush() {
-                            writable.push(wait_for_room(peer, &client.gone, Arc::clone(&client.socket)));
-                        }
-                    }
+                    let flushed = clients.iter_mut().filter_map(|(&peer, c)| c.flush(peer));
+                    writable.extend(flushed);
                 }
             },
             Some(peer) = writable.next() => {
                 if let Some(client) = clients.get_mut(&peer) {
                     client.awaits_room = false;
-                    if client.flush() {
-                        writable.push(wait_for_room(peer, &client.gone, Arc::clone(&client.socket)));
-                    }
+                    writable.extend(client.flush(peer));
                 }
             }
             accepted = listener.accept(), if clients.len() < CLIENT_CAP => match accepted {
@@ -125,20 +120,21 @@ impl Client {
         link.meter.sent(1, self.output.len() - before);
     }
 
-    /// Writes what the socket takes, and returns whether somebody has to wait until it takes more. A broken
+    /// Writes what the socket takes, and returns the wait until it takes more, if there is more. A broken
     /// connection shows when it is read.
-    fn flush(&mut self) -> bool {
+    fn flush(&mut self, peer: Peer) -> Option<impl Future<Output = Peer> + use<>> {
         while !self.output.is_empty() && !self.awaits_room {
             match self.socket.try_write(&self.output) {
                 Ok(count) => drop(self.output.drain(..count)),
                 Err(error) if error.kind() == io::ErrorKind::WouldBlock => {
                     self.awaits_room = true;
-                    return true;
+                    let gone = self.gone.token().clone();
+                    return Some(wait_for_room(peer, gone, Arc::clone(&self.socket)));
                 }
                 Err(_) => self.output.clear(),
             }
         }
-        false
+        None
     }
 
     /// Takes in what has come, and returns what to wait for next: the socket, and for how long before a pause
@@ -182,14 +178,7 @@ async fn wait_for_data(
 }
 
 /// Waits until a client takes more, or is dropped.
-fn wait_for_room(
-    peer: Peer,
-    gone: &DropGuard,
-    socket: Arc<TcpStream>,
-) -> impl Future<Output = Peer> + use<> {
-    let gone = gone.token().clone();
-    async move {
-        let _ = gone.run_until_cancelled(socket.writable()).await;
-        peer
-    }
+async fn wait_for_room(peer: Peer, gone: CancellationToken, socket: Arc<TcpStream>) -> Peer {
+    let _ = gone.run_until_cancelled(socket.writable()).await;
+    peer
 }

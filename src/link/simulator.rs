@@ -137,21 +137,10 @@ impl Simulator {
         let mut addresses = Vec::new();
         for endpoint in endpoints {
             match endpoint {
-                Endpoint::Pipes => {
-                    for vehicle in 0..world.vehicles() {
-                        let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
-                        let door = PipeDoor::new(ours, vehicle, &mut world);
-                        doors.pipes.push(door);
-                        pipes.push(theirs);
-                    }
-                }
+                Endpoint::Pipes => pipes.extend(open_pipes(&mut doors, &mut world)),
                 Endpoint::Tcp { host, port } => {
-                    for vehicle in 0..world.vehicles() {
-                        let (listener, address) =
-                            listen(host, *port, vehicle, world.vehicles()).await?;
-                        doors.servers.push(TcpDoor::new(listener, vehicle));
-                        addresses.push(address);
-                    }
+                    let opened = open_servers(&mut doors, world.vehicles(), host, *port).await?;
+                    addresses.extend(opened);
                 }
                 Endpoint::Udp { host, port } => {
                     let socket = send_to(host, *port).await?;
@@ -170,22 +159,42 @@ impl Simulator {
     }
 }
 
-async fn listen(
+/// Opens a pipe per vehicle and returns their other ends.
+fn open_pipes(doors: &mut Doors, world: &mut World) -> Vec<DuplexStream> {
+    (0..world.vehicles())
+        .map(|vehicle| {
+            let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
+            doors.pipes.push(PipeDoor::new(ours, vehicle, world));
+            theirs
+        })
+        .collect()
+}
+
+/// Opens a TCP server per vehicle and returns where they listen.
+async fn open_servers(
+    doors: &mut Doors,
+    vehicles: usize,
     host: &str,
     first_port: u16,
-    vehicle: usize,
-    vehicles: usize,
-) -> Result<(TcpListener, SocketAddr), SimulatorError> {
-    let port = match first_port {
-        0 => Some(0),
-        _ => u16::try_from(usize::from(first_port) + PORT_STRIDE * vehicle).ok(),
-    };
-    let Some(port) = port else {
-        return Err(SimulatorError::TooManyPorts {
+) -> Result<Vec<SocketAddr>, SimulatorError> {
+    let mut addresses = Vec::new();
+    for vehicle in 0..vehicles {
+        let port = match first_port {
+            0 => Some(0),
+            _ => u16::try_from(usize::from(first_port) + PORT_STRIDE * vehicle).ok(),
+        };
+        let port = port.ok_or(SimulatorError::TooManyPorts {
             vehicles,
             port: first_port,
-        });
-    };
+        })?;
+        let (listener, address) = listen(host, port).await?;
+        doors.servers.push(TcpDoor::new(listener, vehicle));
+        addresses.push(address);
+    }
+    Ok(addresses)
+}
+
+async fn listen(host: &str, port: u16) -> Result<(TcpListener, SocketAddr), SimulatorError> {
     let bound = TcpListener::bind((host, port)).await;
     bound
         .and_then(|listener| listener.local_addr().map(|address| (listener, address)))

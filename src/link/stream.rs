@@ -16,7 +16,7 @@ pub(super) const READ_LEN: usize = 16 * 1024;
 pub(super) const PAUSE: Duration = Duration::from_millis(200);
 
 /// Carries data until the stream ends. With `silence`, a peer that has spoken and then says nothing for so long
-/// is taken for gone: a pulled cable closes no TCP connection.
+/// is taken for gone: a pulled cable closes no TCP connection. Long, because a `select!` cannot be divided.
 pub(super) async fn session<S>(link: &mut Link, stream: S, silence: Option<Duration>) -> Outcome
 where
     S: AsyncRead + AsyncWrite,

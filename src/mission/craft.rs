@@ -6,20 +6,24 @@ use super::sensor::Probe;
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
 use crate::scoring::SafetyKind;
-use crate::vehicle::{StatusText, Vehicle};
+use crate::vehicle::{GlobalPosition, StatusText, Vehicle};
 use crate::wire::SystemId;
 
 /// Motors that stop above this height let a vehicle fall.
 const FALL_FROM_M: f64 = 2.0;
 /// The ground is this near when a touchdown is judged.
 const NEAR_GROUND_M: f64 = 3.0;
-/// Touching down faster than this is a crash; ArduCopter lands with 0.5 m/s.
+/// Touching down faster than this is a crash; `ArduCopter` lands with 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
 /// A landing farther than this from every pad costs safety.
 const OFF_PAD_M: f64 = 3.0;
 
 /// A vehicle in a mission.
 #[derive(Debug, Clone)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "independent facts about one vehicle"
+)]
 pub(crate) struct Craft {
     pub id: SystemId,
     /// Where it is, once it has said so.
@@ -131,7 +135,9 @@ impl Craft {
         self.airborne = vehicle.airborne();
         self.flown |= self.airborne && self.armed;
         self.speed_m_s = vehicle.ground_speed_m_s().map_or(0.0, f64::from);
-        if let Some(global) = vehicle.global {
+        let sound =
+            |global: &GlobalPosition| global.at_point.is_valid() && global.altitude_m.is_finite();
+        if let Some(global) = vehicle.global.filter(sound) {
             let at = mission.origin.point(global.at_point);
             let distance = |pad: &Point| (at[0] - pad[0]).hypot(at[1] - pad[1]);
             self.pad_distance_m = mission.pads.iter().map(distance).min_by(f64::total_cmp);
@@ -147,7 +153,12 @@ impl Craft {
             self.battery_percent = battery.remaining_percent.map(f64::from);
             let from_charge =
                 || Some(f64::from(battery.consumed_mah?) / 1000.0 * f64::from(battery.voltage_v?));
-            if let Some(now) = battery.consumed_wh.map(f64::from).or_else(from_charge) {
+            if let Some(now) = battery
+                .consumed_wh
+                .map(f64::from)
+                .or_else(from_charge)
+                .filter(|wh| wh.is_finite())
+            {
                 let first = self.energy_wh.map_or(now, |(first, _)| first);
                 self.energy_wh = Some((first, now));
             }
@@ -212,7 +223,7 @@ impl Craft {
     }
 }
 
-/// What a status text of ArduPilot or its simulator tells about safety.
+/// What a status text of `ArduPilot` or its simulator tells about safety.
 fn from_text(text: &str) -> Option<Breach> {
     if let Some(rest) = text.strip_prefix("SIM Hit ground at ") {
         let speed: f64 = rest.split_whitespace().next()?.parse().ok()?;

@@ -7,7 +7,8 @@ use std::time::Duration;
 use super::{Flight, Mission, Report, TICK};
 use crate::ledger::{Ledger, RowState, RowUpdate};
 use crate::vehicle::{
-    Battery, GlobalPosition, Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass,
+    Battery, GlobalPosition, Heartbeat, LandedState, Mode, Severity, StatusText, SystemStatus,
+    Vehicle, VehicleClass,
 };
 
 /// Ends of the lines through all nine cells, north and east; the turns lie outside.
@@ -103,6 +104,20 @@ impl Pilot {
         });
     }
 
+    pub fn vehicle(&mut self) -> &mut Vehicle {
+        self.vehicles.get_mut(&1).expect("there from the start")
+    }
+
+    pub fn hear(&mut self, text: &str) {
+        let at = self.now;
+        self.vehicle().texts.push(StatusText {
+            severity: Severity::Warning,
+            text: text.to_owned(),
+            at,
+        });
+        self.tick();
+    }
+
     pub fn take_off(&mut self, height_m: f64) {
         self.wait(2.0);
         self.command("1 arm", RowState::Done);
@@ -141,10 +156,7 @@ impl Pilot {
     }
 
     fn set_landed(&mut self, landed: LandedState) {
-        self.vehicles
-            .get_mut(&1)
-            .expect("there from the start")
-            .landed = landed;
+        self.vehicle().landed = landed;
     }
 
     fn fly_to(&mut self, to: [f64; 3], speed_m_s: f64) {

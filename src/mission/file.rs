@@ -14,10 +14,16 @@ use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
+mod place;
+mod points;
 mod sections;
+mod zones;
 
 /// Points may lie this far from the origin on each axis; the flat earth of [`crate::geo`] holds no farther.
 pub(super) const POINT_RANGE: f64 = 20_000.0;
+
+/// No mission is shorter; a limit below this has been reported as a fault of its own.
+const SHORTEST_LIMIT: std::time::Duration = std::time::Duration::from_secs(10);
 
 /// Keys of the file that stand before its first section.
 const HEAD: [&str; 8] = [
@@ -47,6 +53,8 @@ pub(super) struct Draft {
     pub zones: Vec<Zone>,
     pub sensors: Vec<&'static Sensor>,
     pub surveys: Vec<SurveyPlan>,
+    /// All names in the file that could be referred to, whether they could be read or not.
+    pub declared: Vec<String>,
     /// Id of the objective that is being read.
     pub objective: String,
 }
@@ -113,12 +121,14 @@ impl Faults {
         match result {
             Ok(value) => Some(value),
             Err(error) => {
-                let message = error.message();
-                let fault = Diagnostic::new(error.span().unwrap_or(span), message);
+                let message = error.message().replace("expected f64", "expected a number");
+                let fault = Diagnostic::new(error.span().unwrap_or(span), message.as_str());
                 // "unknown field `x`, expected one of `a`, `b`": the names stand in backquotes.
                 let mut quoted = message.split('`').skip(1).step_by(2);
                 let unknown = message.starts_with("unknown ");
-                self.0.push(match quoted.next().filter(|_| unknown) {
+                // Of names of one letter, all are equally close.
+                let named = |written: &&str| unknown && written.len() > 1;
+                self.0.push(match quoted.next().filter(named) {
                     Some(written) => fault.with_nearest(written, quoted),
                     None => fault,
                 });
@@ -130,11 +140,13 @@ impl Faults {
     /// A number that must lie in a range; NaN never does.
     pub fn number(&mut self, value: &Spanned<f64>, range: RangeInclusive<f64>, name: &str) -> f64 {
         if !range.contains(value.get_ref()) {
-            let (low, high) = (range.start(), range.end());
-            let message = format!(
-                "`{name}` must lie between {low} and {high}, not {}",
-                value.get_ref()
-            );
+            let (low, high, number) = (range.start(), range.end(), *value.get_ref());
+            let written = if number.abs() < 1e9 {
+                number.to_string()
+            } else {
+                format!("{number:e}")
+            };
+            let message = format!("`{name}` must lie between {low} and {high}, not {written}");
             self.add(value.span(), message);
         }
         *value.get_ref()
@@ -159,7 +171,7 @@ impl Draft {
         let found = tasks().find(|zone| zone.id == *name.get_ref());
         if found.is_none() {
             let known: Vec<&str> = tasks().map(|zone| zone.id.as_str()).collect();
-            faults.unknown("task zone", name, &known);
+            self.refers_to_nothing("task zone", name, &known, faults);
         }
         found
     }
@@ -176,7 +188,7 @@ impl Draft {
             .find(|sensor| sensor.id == name.get_ref());
         if found.is_none() {
             let known: Vec<&str> = self.sensors.iter().map(|sensor| sensor.id).collect();
-            faults.unknown("sensor of the fleet", name, &known);
+            self.refers_to_nothing("sensor of the fleet", name, &known, faults);
         }
         found.copied()
     }
@@ -193,10 +205,30 @@ impl Draft {
                 .iter()
                 .map(|survey| survey.id.as_str())
                 .collect();
-            faults.unknown("earlier sample_cells objective", name, &known);
+            self.refers_to_nothing("earlier sample_cells objective", name, &known, faults);
         }
         found.cloned()
     }
+}
+
+impl Draft {
+    /// A reference to nothing, unless that only follows from a fault that is already known.
+    fn refers_to_nothing(
+        &self,
+        what: &str,
+        name: &Spanned<String>,
+        known: &[&str],
+        faults: &mut Faults,
+    ) {
+        if faults.0.is_empty() || !(known.is_empty() || self.declared.contains(name.get_ref())) {
+            faults.unknown(what, name, known);
+        }
+    }
+}
+
+/// A length of time; `None` for what is none, of which the range check has told already.
+fn seconds(value: f64) -> Option<std::time::Duration> {
+    std::time::Duration::try_from_secs_f64(value).ok()
 }
 
 /// What all sections with kinds have in common.
@@ -238,13 +270,11 @@ fn take<'i, T: Deserialize<'i>>(
     place: &std::ops::Range<usize>,
     faults: &mut Faults,
 ) -> Option<T> {
-    match table.remove(key) {
-        Some(value) => faults.read_value(value),
-        None => {
-            faults.add(place.clone(), format!("missing field `{key}`"));
-            None
-        }
-    }
+    let Some(value) = table.remove(key) else {
+        faults.add(place.clone(), format!("missing field `{key}`"));
+        return None;
+    };
+    faults.read_value(value)
 }
 
 /// Takes a key that may be missing out of a table.

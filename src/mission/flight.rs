@@ -9,13 +9,11 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use super::craft::Craft;
-use super::hazard::Field;
+use super::hazard::{Field, Hazard};
 use super::objective::{Scene, Standing, Tracker};
 use super::sensor::Probe;
 use super::survey::Survey;
-use super::{
-    Cell, Mission, ObjectiveProgress, ObjectiveState, Phase, Point, Progress, Reading, TICK,
-};
+use super::{Mission, Point, TICK};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
 use crate::scoring::{
@@ -25,6 +23,7 @@ use crate::vehicle::{Severity, Vehicle};
 use crate::wire::SystemId;
 
 mod result;
+mod view;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -61,14 +60,15 @@ pub(crate) struct World {
 
 impl World {
     fn new(mission: &Mission, seed: u64) -> Self {
-        let release = |(index, hazard): (usize, &Box<dyn super::hazard::Hazard>)| {
+        // Streams from 0 on belong to the sensors.
+        let release = |(hazard, stream): (&dyn Hazard, u64)| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
-            // Streams from 0 on belong to the sensors.
-            random.set_stream(u64::MAX - index as u64);
+            random.set_stream(stream);
             hazard.release(mission.wind, &mut random)
         };
+        let hazards = mission.hazards.iter().map(AsRef::as_ref);
         Self {
-            fields: mission.hazards.iter().enumerate().map(release).collect(),
+            fields: hazards.zip((0..=u64::MAX).rev()).map(release).collect(),
         }
     }
 
@@ -170,37 +170,6 @@ impl Flight {
         &self.mission
     }
 
-    /// How it stands, for the mission panel.
-    pub fn progress(&self) -> Progress {
-        let standings = self.standings();
-        let objectives = self
-            .mission
-            .objectives
-            .iter()
-            .zip(&standings)
-            .map(|(objective, standing)| ObjectiveProgress {
-                title: objective.title.clone(),
-                state: match (standing.met, self.ended) {
-                    (true, _) => ObjectiveState::Met,
-                    (false, None) => ObjectiveState::Open,
-                    (false, Some(_)) => ObjectiveState::Missed,
-                },
-                detail: standing.result.clone(),
-                fraction: standing.fraction,
-            })
-            .collect();
-        Progress {
-            title: self.mission.title.clone(),
-            elapsed: self.elapsed,
-            limit: self.mission.time_limit,
-            score_so_far: self.score_with(&standings).points,
-            objectives,
-            readings: self.readings(),
-            hint: self.hint(&standings),
-            cells: self.cells(),
-        }
-    }
-
     /// The result with every point explained; of an unfinished flight, as if it ended now.
     pub fn report(&self, ledger: &Ledger) -> Report {
         result::report(self, ledger)
@@ -275,7 +244,7 @@ impl Flight {
             match event {
                 // The fleet tells the operator about refusals; here they only go on record.
                 CommandEvent::Rejected { vehicle, text } => {
-                    self.record("rejected", Some(vehicle), text)
+                    self.record("rejected", Some(vehicle), text);
                 }
                 CommandEvent::Forced { vehicle } => {
                     self.break_rule(
@@ -429,54 +398,5 @@ impl Flight {
             .iter()
             .map(|tracker| tracker.standing(&scene))
             .collect()
-    }
-
-    fn score_with(&self, standings: &[Standing]) -> crate::scoring::Score {
-        crate::scoring::score(&self.mission.scoring, &result::facts(self, standings))
-    }
-
-    fn readings(&self) -> Vec<Reading> {
-        let of = |craft: &Craft| {
-            let id = craft.id;
-            let reading = move |probe: &Probe| Reading {
-                vehicle: id,
-                sensor: probe.sensor.name.to_owned(),
-                value: probe.shown,
-                unit: probe.sensor.unit,
-            };
-            craft.probes.iter().map(reading).collect::<Vec<_>>()
-        };
-        self.crafts.iter().flat_map(of).collect()
-    }
-
-    fn hint(&self, standings: &[Standing]) -> Option<String> {
-        let open = standings
-            .iter()
-            .any(|standing| !standing.landing && !standing.settled);
-        let phase = if !open {
-            Phase::Done
-        } else if self.crafts.iter().any(|craft| craft.airborne) {
-            Phase::Air
-        } else if self.crafts.iter().any(|craft| craft.armed) {
-            Phase::Armed
-        } else {
-            Phase::Ground
-        };
-        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
-        self.ended.is_none().then(|| found.text.clone())
-    }
-
-    fn cells(&self) -> Vec<Cell> {
-        let of = |survey: &Survey| {
-            let cell = |index: usize| Cell {
-                name: survey.plan.cells[index].name.clone(),
-                centre: self.mission.origin.place(survey.plan.cells[index].centre),
-                side_m: survey.plan.side_m,
-                sampled: survey.is_sampled(index),
-                value: survey.mean(index),
-            };
-            (0..survey.plan.cells.len()).map(cell).collect::<Vec<_>>()
-        };
-        self.surveys.iter().flat_map(of).collect()
     }
 }

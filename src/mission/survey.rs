@@ -48,7 +48,9 @@ impl Survey {
     /// Counts one tick of a vehicle; returns the cell that is sampled by it for long enough now.
     pub fn step(&mut self, at: Point, height_m: f64, speed_m_s: f64, shown: f64) -> Option<usize> {
         let [low, high] = self.plan.heights_m;
-        if !(low..=high).contains(&height_m) || speed_m_s > self.plan.max_speed_m_s {
+        if !(low..=high).contains(&height_m)
+            || !(0.0..=self.plan.max_speed_m_s).contains(&speed_m_s)
+        {
             return None;
         }
         let half = self.plan.side_m / 2.0;

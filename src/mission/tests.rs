@@ -29,15 +29,12 @@ fn the_first_mission_has_nine_cells_and_a_pad_with_names() {
 }
 
 #[test]
-fn flying_all_cells_passes_with_a_medal() {
+fn flying_all_cells_earns_gold_whatever_the_seed() {
     for seed in 0..20 {
         let report = fly_the_cells(seed).report();
         assert!(report.passed, "{}", debrief::text(&report));
-        assert!(
-            report.medal >= Some(Medal::Silver),
-            "{}",
-            debrief::text(&report)
-        );
+        assert_eq!(report.medal, Some(Medal::Gold));
+        assert!(report.score >= 900, "{}", debrief::text(&report));
         assert_eq!(report.objectives[0].result, "9/9 cells");
     }
 }
@@ -138,6 +135,58 @@ fn motors_stopped_in_the_air_lose_the_vehicle_and_the_mission() {
     assert!((safety.value - 0.4).abs() < 1e-9);
 }
 
+/// Each row: what the autopilot says in flight, and the rule that it shows as broken.
+#[test]
+fn status_texts_show_failsafes_and_crashes() {
+    for (text, rule) in [
+        ("Battery 1 is low 10.70V used 341 mAh", Some("battery low")),
+        (
+            "Battery 1 is critical 9.60V used 554 mAh",
+            Some("battery critical"),
+        ),
+        (
+            "SIM Hit ground at 13.6 m/s",
+            Some("hit the ground at 13.6 m/s"),
+        ),
+        (
+            "Crash: Disarming: AngErr=154>30",
+            Some("Crash: Disarming: AngErr=154>30"),
+        ),
+        ("GCS Failsafe", Some("GCS Failsafe")),
+        ("GCS Failsafe Cleared", None),
+        ("SIM Hit ground at 0.499 m/s", None),
+        ("EKF3 IMU0 MAG0 in-flight yaw alignment complete", None),
+    ] {
+        let mut pilot = Pilot::new(1);
+        pilot.hear("Battery 1 is low: from before the flight");
+        pilot.take_off(20.0);
+        pilot.hear(text);
+        pilot.wait(1.0);
+        let report = pilot.report();
+        let rules: Vec<&str> = report
+            .events
+            .iter()
+            .filter(|event| event.kind == "rule")
+            .map(|event| event.text.as_str())
+            .collect();
+        assert_eq!(rules, Vec::from_iter(rule), "{text}");
+    }
+}
+
+#[test]
+fn the_end_of_the_time_is_announced_and_final() {
+    let mut pilot = do_nothing();
+    let report = pilot.report();
+    let texts: Vec<&str> = report
+        .events
+        .iter()
+        .map(|event| event.text.as_str())
+        .collect();
+    assert_eq!(texts, ["60 s left", "30 s left", "mission timed out"]);
+    pilot.take_off(20.0);
+    assert_eq!(pilot.report(), report);
+}
+
 #[test]
 fn leaving_the_fence_costs_more_the_longer_it_lasts() {
     let mut pilot = Pilot::new(1);
@@ -202,6 +251,36 @@ fn hints_follow_the_flight() {
 }
 
 proptest! {
+    /// Telemetry may be anything; the mission neither panics nor leaves its bounds.
+    #[test]
+    fn no_telemetry_upsets_a_flight(
+        altitude_m in proptest::num::f64::ANY,
+        lat_deg in proptest::num::f64::ANY,
+        down_m_s in proptest::num::f32::ANY,
+        charge in proptest::num::f32::ANY,
+        flips in proptest::collection::vec(any::<bool>(), 1..30),
+    ) {
+        let mut pilot = Pilot::new(1);
+        pilot.take_off(3.0);
+        for flip in flips {
+            pilot.set_armed(flip);
+            let vehicle = pilot.vehicle();
+            if let Some(global) = &mut vehicle.global {
+                global.altitude_m = altitude_m;
+                global.at_point.lat_deg = lat_deg;
+                global.down_m_s = down_m_s;
+            }
+            vehicle.batteries[0].consumed_mah = Some(charge);
+            pilot.tick();
+        }
+        let progress = pilot.flight.progress();
+        prop_assert!(progress.score_so_far <= 1000);
+        prop_assert!(progress.readings.iter().all(|reading| reading.value.is_finite()));
+        let report = pilot.report();
+        prop_assert!(report.energy_wh.is_none_or(f64::is_finite));
+        prop_assert!(crate::debrief::text(&report).lines().all(|line| line.chars().count() <= 80));
+    }
+
     #[test]
     fn no_text_makes_the_reader_panic(text in "\\PC{0,200}") {
         let _ = Mission::parse(&text);

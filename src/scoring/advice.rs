@@ -39,55 +39,72 @@ pub fn improvements(rules: &Rules, facts: &Facts) -> Vec<Improvement> {
 
 /// The same flight with one thing mended, for each thing that could be.
 fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
-    let mut remedies = Vec::new();
-    let mut mend = |text: String, change: &dyn Fn(&mut Facts)| {
-        let mut mended = facts.clone();
-        change(&mut mended);
-        remedies.push((text, mended));
+    let mut remedies = Remedies {
+        facts,
+        list: Vec::new(),
     };
     for (index, objective) in facts.objectives.iter().enumerate() {
-        mend(objective.advice.clone(), &|facts| {
+        remedies.mend(objective.advice.clone(), |facts| {
             facts.objectives[index].fraction = 1.0;
             facts.objectives[index].met = true;
         });
     }
-    if let Some((quality, words)) = facts
-        .quality
-        .as_ref()
-        .filter(|(quality, _)| *quality < GOOD_QUALITY)
+    if let Some((quality, words)) = &facts.quality
+        && *quality < GOOD_QUALITY
     {
         let text = format!("Bring the quality from {quality:.2} to {GOOD_QUALITY:.2} ({words}).");
-        mend(text, &|facts| {
-            facts.quality = Some((GOOD_QUALITY, String::new()))
+        remedies.mend(text, |facts| {
+            facts.quality = Some((GOOD_QUALITY, String::new()));
         });
     }
-    if facts.elapsed > rules.par_time {
-        let late_s = (facts.elapsed - rules.par_time).as_secs_f64();
-        let text = format!("Be {late_s:.0} s faster: that is par.");
-        mend(text, &|facts| facts.elapsed = rules.par_time);
+    remedies.reach_par(rules);
+    remedies.keep_rules();
+    remedies.list
+}
+
+struct Remedies<'a> {
+    facts: &'a Facts,
+    list: Vec<(String, Facts)>,
+}
+
+impl Remedies<'_> {
+    fn mend(&mut self, text: String, change: impl FnOnce(&mut Facts)) {
+        let mut mended = self.facts.clone();
+        change(&mut mended);
+        self.list.push((text, mended));
     }
-    if let Some(used) = facts.energy_wh.filter(|&used| used > rules.par_energy_wh) {
-        let text = format!(
-            "Use {:.1} Wh less: that is par.",
-            used - rules.par_energy_wh
-        );
-        mend(text, &|facts| facts.energy_wh = Some(rules.par_energy_wh));
-    }
-    let kinds: BTreeSet<_> = facts.safety.iter().map(|event| event.kind).collect();
-    for kind in kinds {
-        mend(kind.advice().to_owned(), &|facts| {
-            facts.safety.retain(|event| event.kind != kind)
+
+    fn reach_par(&mut self, rules: &Rules) {
+        let late = self.facts.elapsed.saturating_sub(rules.par_time);
+        let text = format!("Be {:.0} s faster: that is par.", late.as_secs_f64());
+        self.mend(text, |facts| {
+            facts.elapsed = facts.elapsed.min(rules.par_time);
         });
+        if let Some(used_wh) = self.facts.energy_wh {
+            let text = format!(
+                "Use {:.1} Wh less: that is par.",
+                used_wh - rules.par_energy_wh
+            );
+            self.mend(text, |facts| {
+                facts.energy_wh = Some(used_wh.min(rules.par_energy_wh));
+            });
+        }
     }
-    if facts.commands.value() < 1.0 {
+
+    fn keep_rules(&mut self) {
+        let kinds: BTreeSet<_> = self.facts.safety.iter().map(|event| event.kind).collect();
+        for kind in kinds {
+            self.mend(kind.advice().to_owned(), |facts| {
+                facts.safety.retain(|event| event.kind != kind);
+            });
+        }
         let text =
             "Give commands that can work, once: read the reason of a refusal first.".to_owned();
-        mend(text, &|facts| {
+        self.mend(text, |facts| {
             facts.commands = CommandTally {
                 accepted: facts.commands.accepted,
                 ..CommandTally::default()
             };
         });
     }
-    remedies
 }

@@ -79,13 +79,13 @@ impl Weights {
 
     /// The weights of the components that apply: a single vehicle's utilisation goes to safety, what else does
     /// not apply is shared among the rest in proportion.
-    fn applied(&self, applies: &[bool; 8], vehicles: usize) -> [f64; 8] {
+    fn applied(&self, applies: [bool; 8], vehicles: usize) -> [f64; 8] {
         let mut weights = self.0;
         if vehicles <= 1 {
             weights[Component::Safety as usize] += weights[Component::Utilisation as usize];
             weights[Component::Utilisation as usize] = 0.0;
         }
-        for (weight, &applies) in weights.iter_mut().zip(applies) {
+        for (weight, applies) in weights.iter_mut().zip(applies) {
             if !applies {
                 *weight = 0.0;
             }
@@ -127,7 +127,7 @@ pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
         None,
     ];
     let applies = values.each_ref().map(Option::is_some);
-    let weights = rules.weights.applied(&applies, facts.vehicles);
+    let weights = rules.weights.applied(applies, facts.vehicles);
     Component::ALL
         .into_iter()
         .zip(values)

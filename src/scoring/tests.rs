@@ -176,7 +176,7 @@ fn improvements_are_the_points_that_would_have_come() {
 fn commands_are_counted_per_vehicle_and_repetitions_once() {
     let mut ledger = Ledger::new();
     let mut log = CommandLog::default();
-    let mut give = |ledger: &mut Ledger, at_ms: u64, line: &str, state| {
+    let give = |ledger: &mut Ledger, at_ms: u64, line: &str, state| {
         let at = Duration::from_millis(at_ms);
         let entry = ledger.open(at, line, line.split(' ').nth(1).unwrap_or(""), &[1]);
         ledger.apply(&RowUpdate {

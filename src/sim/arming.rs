@@ -46,12 +46,15 @@ impl Autopilot {
             }
             reasons.push("AHRS: waiting for home");
         }
+        if self.failsafe.battery_is_down() {
+            reasons.push("Battery failsafe");
+        }
         reasons
     }
 
     /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
     pub(super) fn is_armable(&self) -> bool {
-        self.is_ready()
+        self.is_ready() && !self.failsafe.battery_is_down()
     }
 
     /// Arms, or says why not.

@@ -9,6 +9,7 @@ use super::arming::Safety;
 use super::battery::Battery;
 use super::body::{Body, Demand};
 use super::control::{Limits, PositionControl};
+use super::failsafe::{self, Failsafe};
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::task::{Act, Cockpit, Sticks, Task};
@@ -63,6 +64,7 @@ pub(super) struct Autopilot {
     pub(super) paused: Option<Task>,
     pub(super) speeds: Speeds,
     pub(super) safety: Safety,
+    pub(super) failsafe: Failsafe,
     pub(super) battery: Battery,
     pub(super) home: Option<Place>,
     pub(super) radio: Radio,
@@ -97,6 +99,7 @@ impl Autopilot {
             paused: None,
             speeds: Speeds::default(),
             safety: Safety::default(),
+            failsafe: Failsafe::default(),
             battery: Battery::default(),
             home: None,
             radio: Radio {
@@ -161,6 +164,9 @@ impl Autopilot {
         self.battery
             .step(self.body.throttle, self.tuning.battery_voltage_v);
         self.watch_ground();
+        if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
+            self.watch_failsafes();
+        }
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
         }

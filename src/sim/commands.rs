@@ -50,6 +50,10 @@ const TABLE: &[(MavCmd, Handler)] = &[
     (MavCmd::MAV_CMD_DO_FLIGHTTERMINATION, flight::terminate),
     (MavCmd::MAV_CMD_DO_REPOSITION, flight::reposition),
     (MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, flight::pause_or_continue),
+    (
+        MavCmd::MAV_CMD_DO_LAND_START,
+        flight::start_landing_sequence,
+    ),
     (MavCmd::MAV_CMD_DO_SET_ROI_LOCATION, flight::look_at),
     (MavCmd::MAV_CMD_DO_SET_ROI_NONE, flight::look_ahead),
     (MavCmd::MAV_CMD_DO_SET_ROI, flight::look_at),

@@ -84,6 +84,9 @@ fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgo
 fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
     let own = |target: u8| target == 0 || target == autopilot.system;
     match message {
+        MavMessage::HEARTBEAT(_) if frame.system == autopilot.tuning.ground_station => {
+            autopilot.failsafe.heard = Some(autopilot.uptime());
+        }
         MavMessage::SET_MODE(data) if own(data.target_system) => {
             // No acknowledgement: the vehicle has none for this message.
             if let Ok(number) = u8::try_from(data.custom_mode) {
@@ -106,29 +109,31 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         MavMessage::PARAM_REQUEST_READ(data) if own(data.target_system) => {
             read_parameter(autopilot, link, data);
         }
-        MavMessage::TIMESYNC(data) if data.tc1 == 0 => {
-            link.reply(MavMessage::TIMESYNC(TIMESYNC_DATA {
-                tc1: autopilot.uptime().as_nanos() as i64,
-                ts1: data.ts1,
-                target_system: frame.system,
-                target_component: frame.component,
-            }));
-        }
+        MavMessage::TIMESYNC(data) if data.tc1 == 0 => link.reply(time(autopilot, frame, data.ts1)),
         MavMessage::AUTOPILOT_VERSION_REQUEST(data) if own(data.target_system) => {
             link.replies
                 .extend(telemetry::message(148, autopilot).map(Into::into));
         }
-        MavMessage::RC_CHANNELS_OVERRIDE(data) if own(data.target_system) => {
-            if frame.system == autopilot.tuning.ground_station {
-                override_sticks(autopilot, data);
-            }
+        MavMessage::RC_CHANNELS_OVERRIDE(data)
+            if own(data.target_system) && frame.system == autopilot.tuning.ground_station =>
+        {
+            override_sticks(autopilot, data);
         }
         other => {
-            if let Some(answer) = plans::answer(autopilot.system, other, frame) {
-                link.reply(answer);
-            }
+            let answer = plans::answer(autopilot.system, other, frame);
+            link.replies.extend(answer.map(Into::into));
         }
     }
+}
+
+/// The vehicle's clock beside the asker's stamp.
+fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
+    MavMessage::TIMESYNC(TIMESYNC_DATA {
+        tc1: autopilot.uptime().as_nanos() as i64,
+        ts1,
+        target_system: frame.system,
+        target_component: frame.component,
+    })
 }
 
 fn override_sticks(autopilot: &mut Autopilot, data: &RC_CHANNELS_OVERRIDE_DATA) {

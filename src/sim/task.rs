@@ -149,17 +149,19 @@ impl Task {
                     cockpit.control.at_velocity(DVec3::ZERO, &cockpit.limits);
                 }
             }
-            Self::Brake => {
-                let limits = Limits {
-                    accel_m_s2: BRAKE_ACCEL_M_S2,
-                    ..cockpit.limits
-                };
-                cockpit.control.at_velocity(DVec3::ZERO, &limits);
-            }
+            Self::Brake => brake(cockpit),
             Self::Circle(circle) => circle.step(cockpit),
         }
         Act::Fly
     }
+}
+
+fn brake(cockpit: &mut Cockpit<'_>) {
+    let limits = Limits {
+        accel_m_s2: BRAKE_ACCEL_M_S2,
+        ..cockpit.limits
+    };
+    cockpit.control.at_velocity(DVec3::ZERO, &limits);
 }
 
 impl Circle {

@@ -78,8 +78,16 @@ impl YawControl {
         slew_deg_s: f64,
     ) -> f64 {
         let fastest = slew_deg_s * OVERSPEED;
+        let change = self.change(moving, here, fastest);
+        self.setpoint_deg = wrap_180(self.setpoint_deg + change);
+        let behind = wrap_180(self.setpoint_deg - yaw_deg);
+        (behind / LAG_S).clamp(-fastest, fastest)
+    }
+
+    /// By how many degrees the setpoint moves in this step.
+    fn change(&mut self, moving: DVec2, here: DVec2, fastest: f64) -> f64 {
         let most = fastest * STEP_S;
-        let change = match &mut self.demand {
+        match &mut self.demand {
             YawDemand::Hold => 0.0,
             YawDemand::Rate(rate) => rate.clamp(-fastest, fastest) * STEP_S,
             YawDemand::Turn {
@@ -110,10 +118,7 @@ impl YawControl {
                     0.0
                 }
             }
-        };
-        self.setpoint_deg = wrap_180(self.setpoint_deg + change);
-        let behind = wrap_180(self.setpoint_deg - yaw_deg);
-        (behind / LAG_S).clamp(-fastest, fastest)
+        }
     }
 
     /// Forgets where the setpoint was: the nose stays where it is.

@@ -5,5 +5,6 @@ mod fixtures;
 mod fleet;
 mod harness;
 mod layering;
+mod missions;
 mod recordings;
 mod screens;

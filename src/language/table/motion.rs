@@ -186,18 +186,22 @@ pub(super) const YAW: Verb = Verb {
                 ),
                 Argument::keyed("rate", "rate", TURN_RATE, "how fast").optional(),
             ],
-            build: |given| match given.flag("by") {
-                true => yaw(given, true),
-                false => Err(Problem::new(
-                    "angle",
-                    "a heading runs from 0 to 360; say `by` to turn the other way",
-                )),
-            },
+            build: yaw_by,
         },
     ],
     danger: Danger::None,
     retry: CHANGE,
 };
+
+fn yaw_by(arguments: &Arguments) -> Built {
+    if arguments.flag("by") {
+        return yaw(arguments, true);
+    }
+    Err(Problem::new(
+        "angle",
+        "a heading runs from 0 to 360; say `by` to turn the other way",
+    ))
+}
 
 const TURN_RATE: Kind = Kind::Number(Unit::DegreesPerSecond, 1.0, 360.0);
 

@@ -13,7 +13,7 @@ const TIMEOUT: Argument = Argument::keyed(
     "timeout",
     "timeout",
     TIME,
-    "60 s unless said; then the script goes on",
+    "when to go on regardless, 60 s unless said",
 )
 .optional();
 const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");

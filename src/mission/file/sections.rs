@@ -1,78 +1,67 @@
-//! The sections of a mission file, one function each.
+//! Putting the sections of a mission file together.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::place::{self, CALM, Fleet};
 use super::{
-    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, kinded, objective, take,
+    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, kinded, objective, points, zones,
 };
 use crate::diagnostic::Diagnostic;
-use crate::geo::LatLon;
 use crate::mission::hazard::{self, Hazard};
 use crate::mission::objective::Objective;
-use crate::mission::sensor::{SENSORS, Sensor};
-use crate::mission::zone::{Shape, Zone, ZoneKind};
-use crate::mission::{Hint, Mission, Origin, Phase, Point, Wind};
-use crate::scoring::{Component, Gate, Medals, Rules, Weights};
+use crate::mission::{Hint, Mission, Origin, Phase, Wind};
+use crate::scoring::Rules;
 
 /// The only version of the format so far.
 const SCHEMA: u32 = 1;
-/// More than a console can fly.
-const MOST_VEHICLES: usize = 250;
-/// Corners of one polygon.
-const MOST_CORNERS: usize = 1000;
+
+/// The sections of a file by name.
+struct Sections<'i>(BTreeMap<&'static str, Spanned<DeValue<'i>>>);
+
+/// What the sections about where and with what establish.
+struct Setting {
+    time_limit: Duration,
+    origin: Origin,
+    wind: Wind,
+    max_height_m: f64,
+    land_reserve_percent: f64,
+    fleet: Fleet,
+}
+
+/// What happens in the mission.
+struct Content {
+    draft: Draft,
+    hazards: Vec<Box<dyn Hazard>>,
+    objectives: Vec<Objective>,
+    hints: Vec<Hint>,
+}
 
 /// Reads all sections; `None` where one that is needed could not be read.
 pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission> {
     let span = root.span();
     let mut root = root.into_inner();
     check_keys(&root, faults);
-    let sections: Vec<_> = SECTIONS
+    let declared = declared_names(&root);
+    let named = SECTIONS
         .iter()
-        .map(|name| (*name, root.remove(*name)))
-        .collect();
+        .filter_map(|&name| Some((name, root.remove(name)?)));
+    let mut sections = Sections(named.collect());
     let head = HEAD
         .iter()
-        .filter_map(|name| root.remove_entry(*name))
+        .filter_map(|&name| root.remove_entry(name))
         .collect();
     let head: Option<HeadFile> = faults.read(Spanned::new(span, head));
-    let mut sections: std::collections::BTreeMap<_, _> = sections.into_iter().collect();
-    let mut section = |name: &str| sections.remove(name).flatten();
-    let mut needed = |name: &'static str, faults: &mut Faults| {
-        let found = section(name);
-        if found.is_none() {
-            faults.add(0..0, format!("the section `{name}` is missing"));
-        }
-        found
-    };
-    let sim = needed("sim", faults).and_then(|value| sim(value, faults));
-    let fleet = needed("fleet", faults).and_then(|value| fleet(value, faults));
-    let goals = needed("objectives", faults);
-    let scoring = needed("scoring", faults);
-    let wind = section("weather").map_or(Some(CALM), |value| weather(value, faults));
-    let rules = section("rules").map_or(Some((120.0, 20.0)), |value| rules(value, faults));
-    let mut draft = Draft {
-        zones: array(section("zones"), faults, zone_reader()),
-        sensors: fleet
-            .as_ref()
-            .map_or(Vec::new(), |fleet| fleet.sensors.clone()),
-        ..Draft::default()
-    };
-    let hazards: Vec<Box<dyn Hazard>> = hazards(section("hazards"), &draft, faults);
-    let hints = array(section("hints"), faults, |value, faults| {
-        faults.read_value::<HintFile>(value).map(Hint::from)
-    });
-    let objectives = objectives(goals, &mut draft, faults);
-    let (sim, ids) = (
-        sim?,
-        objectives.iter().map(|o| o.id.clone()).collect::<Vec<_>>(),
-    );
-    let scoring = rules_of_scoring(scoring?, &ids, sim.0, faults)?;
-    let (head, fleet, (max_height_m, land_reserve_percent)) =
-        (head?.checked(faults), fleet?, rules?);
+    let head = head.map(|head| head.checked(faults));
+    let setting = setting(&mut sections, faults);
+    let content = content(&mut sections, setting.as_ref(), declared, faults);
+    let limit = setting.as_ref().map(|setting| setting.time_limit);
+    let scoring = scoring(&mut sections, &content.objectives, limit, faults);
+    let (head, setting) = (head?, setting?);
     Some(Mission {
         id: head.id.into_inner(),
         rev: head.rev,
@@ -81,20 +70,110 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         tier: head.tier,
         tags: head.tags,
         authors: head.authors,
-        vehicles: fleet.pads.len(),
-        time_limit: sim.0,
-        hints,
-        scoring,
-        origin: sim.1,
+        vehicles: setting.fleet.pads.len(),
+        time_limit: setting.time_limit,
+        hints: content.hints,
+        scoring: scoring?,
+        origin: setting.origin,
+        wind: setting.wind,
+        pads: setting.fleet.pads,
+        sensors: setting.fleet.sensors,
+        zones: content.draft.zones,
+        hazards: content.hazards,
+        objectives: content.objectives,
+        max_height_m: setting.max_height_m,
+        land_reserve_percent: setting.land_reserve_percent,
+    })
+}
+
+impl<'i> Sections<'i> {
+    fn optional(&mut self, name: &str) -> Option<Spanned<DeValue<'i>>> {
+        self.0.remove(name)
+    }
+
+    fn needed(&mut self, name: &str, faults: &mut Faults) -> Option<Spanned<DeValue<'i>>> {
+        let found = self.optional(name);
+        if found.is_none() {
+            faults.add(0..0, format!("the section `{name}` is missing"));
+        }
+        found
+    }
+}
+
+fn setting(sections: &mut Sections<'_>, faults: &mut Faults) -> Option<Setting> {
+    let sim = sections
+        .needed("sim", faults)
+        .and_then(|value| place::sim(value, faults));
+    let fleet = sections
+        .needed("fleet", faults)
+        .and_then(|value| place::fleet(value, faults));
+    let wind = sections
+        .optional("weather")
+        .map_or(Some(CALM), |value| place::weather(value, faults));
+    let (max_height_m, land_reserve_percent) = place::rules(sections.optional("rules"), faults)?;
+    let (time_limit, origin) = sim?;
+    Some(Setting {
+        time_limit,
+        origin,
         wind: wind?,
-        pads: fleet.pads,
-        sensors: fleet.sensors,
-        zones: draft.zones,
-        hazards,
-        objectives,
         max_height_m,
         land_reserve_percent,
+        fleet: fleet?,
     })
+}
+
+fn content(
+    sections: &mut Sections<'_>,
+    setting: Option<&Setting>,
+    declared: Vec<String>,
+    faults: &mut Faults,
+) -> Content {
+    let mut draft = Draft {
+        zones: array(sections.optional("zones"), faults, zones::reader()),
+        sensors: setting.map_or(Vec::new(), |setting| setting.fleet.sensors.clone()),
+        declared,
+        ..Draft::default()
+    };
+    Content {
+        hazards: hazards(sections.optional("hazards"), &draft, faults),
+        hints: array(sections.optional("hints"), faults, |value, faults| {
+            faults.read_value::<HintFile>(value).map(Hint::from)
+        }),
+        objectives: objectives(sections.needed("objectives", faults), &mut draft, faults),
+        draft,
+    }
+}
+
+fn scoring(
+    sections: &mut Sections<'_>,
+    objectives: &[Objective],
+    time_limit: Option<Duration>,
+    faults: &mut Faults,
+) -> Option<Rules> {
+    let section = sections.needed("scoring", faults)?;
+    let ids: Vec<&str> = objectives
+        .iter()
+        .map(|objective| objective.id.as_str())
+        .collect();
+    points::rules(section, &ids, time_limit?, faults)
+}
+
+/// The names that other sections may refer to, good or faulty.
+fn declared_names(root: &DeTable<'_>) -> Vec<String> {
+    let value = |key: &str| root.get(key).map(Spanned::get_ref);
+    let ids = ["zones", "objectives"]
+        .into_iter()
+        .filter_map(|key| value(key)?.as_array())
+        .flat_map(|items| {
+            items
+                .iter()
+                .filter_map(|item| item.get_ref().get("id")?.get_ref().as_str())
+        });
+    let sensors = value("fleet").and_then(|fleet| fleet.get("sensors")?.get_ref().as_array());
+    let sensors = sensors
+        .into_iter()
+        .flat_map(|items| items.iter().filter_map(|item| item.get_ref().as_str()));
+    ids.chain(sensors).map(str::to_owned).collect()
 }
 
 /// Unknown keys on the top level.
@@ -150,129 +229,6 @@ impl HeadFile {
     }
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SimFile {
-    time_limit: Spanned<f64>,
-    origin: OriginFile,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OriginFile {
-    lat: Spanned<f64>,
-    lon: Spanned<f64>,
-    alt: Spanned<f64>,
-    heading: Option<Spanned<f64>>,
-}
-
-fn sim(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<(Duration, Origin)> {
-    let file: SimFile = faults.read_value(value)?;
-    let limit_s = faults.number(&file.time_limit, 10.0..=86_400.0, "time_limit");
-    let origin = Origin {
-        at: LatLon::new(
-            faults.number(&file.origin.lat, -85.0..=85.0, "lat"),
-            faults.number(&file.origin.lon, -180.0..=180.0, "lon"),
-        ),
-        altitude_amsl_m: faults.number(&file.origin.alt, -500.0..=9000.0, "alt"),
-        heading_deg: file.origin.heading.map_or(0.0, |heading| {
-            faults.number(&heading, 0.0..=360.0, "heading")
-        }),
-    };
-    seconds(limit_s).map(|limit| (limit, origin))
-}
-
-/// `None` for what is no length of time; the range check has said so already.
-fn seconds(value: f64) -> Option<Duration> {
-    Duration::try_from_secs_f64(value).ok()
-}
-
-const CALM: Wind = Wind {
-    speed_m_s: 0.0,
-    from_deg: 0.0,
-};
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct WeatherFile {
-    wind: WindFile,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct WindFile {
-    speed: Spanned<f64>,
-    dir: Spanned<f64>,
-}
-
-fn weather(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Wind> {
-    let file: WeatherFile = faults.read_value(value)?;
-    Some(Wind {
-        speed_m_s: faults.number(&file.wind.speed, 0.0..=60.0, "speed"),
-        from_deg: faults.number(&file.wind.dir, 0.0..=360.0, "dir"),
-    })
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RulesFile {
-    max_agl: Option<Spanned<f64>>,
-    land_reserve_pct: Option<Spanned<f64>>,
-}
-
-fn rules(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<(f64, f64)> {
-    let file: RulesFile = faults.read_value(value)?;
-    Some((
-        file.max_agl.map_or(120.0, |height| {
-            faults.number(&height, 1.0..=10_000.0, "max_agl")
-        }),
-        file.land_reserve_pct.map_or(20.0, |percent| {
-            faults.number(&percent, 0.0..=100.0, "land_reserve_pct")
-        }),
-    ))
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FleetFile {
-    max_vehicles: Spanned<usize>,
-    pads: Spanned<Vec<Spanned<Point>>>,
-    #[serde(default)]
-    sensors: Vec<Spanned<String>>,
-}
-
-struct Fleet {
-    pads: Vec<Point>,
-    sensors: Vec<&'static Sensor>,
-}
-
-fn fleet(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Fleet> {
-    let file: FleetFile = faults.read_value(value)?;
-    let (count, pads) = (*file.max_vehicles.get_ref(), file.pads.get_ref());
-    if !(1..=MOST_VEHICLES).contains(&count) {
-        faults.add(
-            file.max_vehicles.span(),
-            format!("`max_vehicles` must lie between 1 and {MOST_VEHICLES}"),
-        );
-    } else if pads.len() != count {
-        faults.add(
-            file.pads.span(),
-            format!("{count} vehicles need {count} pads, not {}", pads.len()),
-        );
-    }
-    let mut sensors = Vec::new();
-    for name in &file.sensors {
-        match SENSORS.iter().find(|sensor| sensor.id == name.get_ref()) {
-            Some(sensor) => sensors.push(sensor),
-            None => faults.unknown("sensor", name, &SENSORS.each_ref().map(|sensor| sensor.id)),
-        }
-    }
-    Some(Fleet {
-        pads: pads.iter().map(|pad| faults.point(pad, "pads")).collect(),
-        sensors,
-    })
-}
-
 /// Reads an array of tables; a missing one is empty.
 fn array<'i, T>(
     value: Option<Spanned<DeValue<'i>>>,
@@ -291,85 +247,6 @@ fn array<'i, T>(
         .into_iter()
         .filter_map(|item| read(item, faults))
         .collect()
-}
-
-fn zone_reader<'i>() -> impl FnMut(Spanned<DeValue<'i>>, &mut Faults) -> Option<Zone> {
-    let mut seen = Vec::new();
-    move |value, faults| {
-        let mut section = kinded(value, faults)?;
-        check_unique(&mut seen, &section.id, faults);
-        let shape = shape(&mut section.rest, faults);
-        let id = section.id.get_ref().clone();
-        let kind = by_kind("zone", section, ZONE_KINDS, &Draft::default(), faults)?;
-        Some(Zone {
-            id,
-            kind,
-            shape: shape?,
-        })
-    }
-}
-
-const ZONE_KINDS: &[(&str, super::Reader<ZoneKind>)] = &[("task", task), ("geofence", geofence)];
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TaskFile {}
-
-fn task(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    faults.read::<TaskFile>(section).map(|_| ZoneKind::Task)
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct GeofenceFile {
-    ceiling: Option<Spanned<f64>>,
-}
-
-fn geofence(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let file: GeofenceFile = faults.read(section)?;
-    Some(ZoneKind::Geofence {
-        ceiling_m: file
-            .ceiling
-            .map(|ceiling| faults.number(&ceiling, 1.0..=10_000.0, "ceiling")),
-    })
-}
-
-/// Takes a shape out of a zone: `polygon`, or `center` and `radius`.
-fn shape(section: &mut Section<'_>, faults: &mut Faults) -> Option<Shape> {
-    let span = section.span();
-    let table = section.get_mut();
-    let circle = table.contains_key("center") || table.contains_key("radius");
-    if circle == table.contains_key("polygon") {
-        faults.add(
-            span,
-            "a zone has either `polygon`, or `center` and `radius`",
-        );
-        return None;
-    }
-    if circle {
-        let center = take::<Spanned<Point>>(table, "center", &span, faults);
-        let radius = take::<Spanned<f64>>(table, "radius", &span, faults);
-        let (center, radius) = (center?, radius?);
-        return Some(Shape::Circle {
-            center: faults.point(&center, "center"),
-            radius_m: faults.number(&radius, 0.1..=super::POINT_RANGE, "radius"),
-        });
-    }
-    let corners: Spanned<Vec<Spanned<Point>>> = take(table, "polygon", &span, faults)?;
-    if !(3..=MOST_CORNERS).contains(&corners.get_ref().len()) {
-        faults.add(
-            corners.span(),
-            format!("a polygon has 3 to {MOST_CORNERS} corners"),
-        );
-        return None;
-    }
-    Some(Shape::Polygon(
-        corners
-            .get_ref()
-            .iter()
-            .map(|corner| faults.point(corner, "polygon"))
-            .collect(),
-    ))
 }
 
 fn hazards(
@@ -391,13 +268,12 @@ fn objectives(
     faults: &mut Faults,
 ) -> Vec<Objective> {
     let place = value.as_ref().map(Spanned::span);
-    let before = faults.0.len();
     let mut seen = Vec::new();
     let objectives = array(value, faults, |value, faults| {
         objective(value, draft, &mut seen, faults)
     });
     let none_mandatory = !objectives.iter().any(|objective| objective.mandatory);
-    if let Some(place) = place.filter(|_| none_mandatory && faults.0.len() == before) {
+    if let Some(place) = place.filter(|_| none_mandatory && faults.0.is_empty()) {
         faults.add(
             place,
             "at least one objective must be `mandatory`, or the mission can never be passed",
@@ -419,140 +295,5 @@ impl From<HintFile> for Hint {
             phase: file.phase,
             text: file.text,
         }
-    }
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ScoringFile {
-    weights: Option<Spanned<WeightsFile>>,
-    par: ParFile,
-    medals: Option<Spanned<MedalsFile>>,
-    #[serde(default)]
-    gold_requires: Vec<Spanned<String>>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields, default)]
-struct WeightsFile {
-    objective: f64,
-    quality: f64,
-    time: f64,
-    energy: f64,
-    safety: f64,
-    command: f64,
-    attention: f64,
-    utilisation: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ParFile {
-    time: Spanned<f64>,
-    energy_wh: Spanned<f64>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MedalsFile {
-    gold: u16,
-    silver: u16,
-    bronze: u16,
-}
-
-fn rules_of_scoring(
-    value: Spanned<DeValue<'_>>,
-    objectives: &[String],
-    time_limit: Duration,
-    faults: &mut Faults,
-) -> Option<Rules> {
-    let file: ScoringFile = faults.read_value(value)?;
-    let par_s = faults.number(&file.par.time, 1.0..=86_400.0, "time");
-    if par_s >= time_limit.as_secs_f64() {
-        faults.add(
-            file.par.time.span(),
-            "the par time must be shorter than `time_limit`",
-        );
-    }
-    let names = || {
-        Component::ALL
-            .map(Component::name)
-            .into_iter()
-            .chain(["crashes"])
-            .chain(objectives.iter().map(String::as_str))
-    };
-    let mut gold_requires = Vec::new();
-    for text in &file.gold_requires {
-        match Gate::parse(text.get_ref()) {
-            Ok(gate) if names().any(|name| name == gate.name()) => gold_requires.push(gate),
-            Ok(gate) => {
-                let fault = Diagnostic::new(
-                    text.span(),
-                    format!("unknown name `{}` in a gate", gate.name()),
-                );
-                faults.0.push(fault.with_nearest(gate.name(), names()));
-            }
-            Err(reason) => faults.add(text.span(), reason),
-        }
-    }
-    Some(Rules {
-        weights: file
-            .weights
-            .map_or_else(Weights::default, |weights| weights_of(&weights, faults)),
-        par_time: seconds(par_s)?,
-        par_energy_wh: faults.number(&file.par.energy_wh, 0.01..=1e6, "energy_wh"),
-        time_limit,
-        medals: medals(file.medals.as_ref(), faults),
-        gold_requires,
-    })
-}
-
-fn weights_of(file: &Spanned<WeightsFile>, faults: &mut Faults) -> Weights {
-    let w = file.get_ref();
-    let all = [
-        w.objective,
-        w.quality,
-        w.time,
-        w.energy,
-        w.safety,
-        w.command,
-        w.attention,
-        w.utilisation,
-    ];
-    let sum: f64 = all.iter().sum();
-    if !all.iter().all(|weight| (0.0..=1.0).contains(weight)) {
-        faults.add(file.span(), "every weight must lie between 0 and 1");
-    } else if (sum - 1.0).abs() > 1e-6 {
-        faults.add(
-            file.span(),
-            format!("the weights must sum to 1, not {sum:.3}"),
-        );
-    }
-    Weights(all)
-}
-
-fn medals(file: Option<&Spanned<MedalsFile>>, faults: &mut Faults) -> Medals {
-    let Some(file) = file else {
-        return Medals {
-            gold: 850,
-            silver: 700,
-            bronze: 550,
-        };
-    };
-    let &MedalsFile {
-        gold,
-        silver,
-        bronze,
-    } = file.get_ref();
-    if !(bronze < silver && silver < gold && gold <= 1000) {
-        faults.add(
-            file.span(),
-            "medals must rise from bronze to gold, 1000 at most",
-        );
-    }
-    Medals {
-        gold,
-        silver,
-        bronze,
     }
 }

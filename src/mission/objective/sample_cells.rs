@@ -6,7 +6,7 @@ use toml::Spanned;
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::flight::World;
-use crate::mission::survey::{CellPlan, SurveyPlan, letters};
+use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
 use crate::mission::zone::Shape;
 
 /// More cells than a trainee could ever fly, fewer than would slow a step down.
@@ -130,7 +130,7 @@ impl Kind for SampleCells {
 impl Tracker for SampleCells {
     fn standing(&self, scene: &Scene<'_>) -> Standing {
         let survey = scene.survey(&self.plan.id);
-        let sampled = survey.map_or(0, |survey| survey.sampled());
+        let sampled = survey.map_or(0, Survey::sampled);
         let missing: Vec<&str> = (0..self.plan.cells.len())
             .filter(|&index| survey.is_none_or(|survey| !survey.is_sampled(index)))
             .map(|index| self.plan.cells[index].name.as_str())

@@ -1,7 +1,7 @@
 //! Commands that move the vehicle.
 
 use glam::DVec3;
-use mavlink::dialects::ardupilotmega::MavResult;
+use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::geo::LatLon;
@@ -78,6 +78,19 @@ pub(super) fn start_mission(autopilot: &mut Autopilot, _: &mut Link, _: &Command
         autopilot.set_mode(mode::LAND);
     }
     MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// A landing sequence is part of a plan.
+pub(super) fn start_landing_sequence(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    _: &Command,
+) -> MavResult {
+    autopilot.say(
+        MavSeverity::MAV_SEVERITY_WARNING,
+        "Unable to start landing sequence",
+    );
+    MavResult::MAV_RESULT_FAILED
 }
 
 pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {

@@ -1,8 +1,10 @@
 //! Plans and files: the vehicle has none and says so.
 
+use mavlink::dialects::ardupilotmega::MavMissionResult::{
+    MAV_MISSION_ACCEPTED, MAV_MISSION_ERROR, MAV_MISSION_UNSUPPORTED,
+};
 use mavlink::dialects::ardupilotmega::{
     FILE_TRANSFER_PROTOCOL_DATA, MISSION_ACK_DATA, MISSION_COUNT_DATA, MavMessage,
-    MavMissionResult, MavMissionType,
 };
 
 use crate::wire::Frame;
@@ -23,49 +25,51 @@ const FTP_DATA: usize = 12;
 )]
 pub(super) fn answer(system: u8, message: &MavMessage, frame: &Frame) -> Option<MavMessage> {
     let own = |target: u8| target == 0 || target == system;
-    let ack = |mission_type: MavMissionType, result: MavMissionResult| {
-        Some(MavMessage::MISSION_ACK(MISSION_ACK_DATA {
-            target_system: frame.system,
-            target_component: frame.component,
-            mavtype: result,
-            mission_type,
-            opaque_id: 0,
-        }))
-    };
-    match message {
+    let (target, mission_type, result) = match message {
         MavMessage::MISSION_REQUEST_LIST(data) if own(data.target_system) => {
-            Some(MavMessage::MISSION_COUNT(MISSION_COUNT_DATA {
+            return Some(MavMessage::MISSION_COUNT(MISSION_COUNT_DATA {
                 count: 0,
                 target_system: frame.system,
                 target_component: frame.component,
                 mission_type: data.mission_type,
                 opaque_id: 0,
-            }))
-        }
-        // Nothing to store is stored at once; anything else cannot be.
-        MavMessage::MISSION_COUNT(data) if own(data.target_system) && data.count == 0 => {
-            ack(data.mission_type, MavMissionResult::MAV_MISSION_ACCEPTED)
-        }
-        MavMessage::MISSION_COUNT(data) if own(data.target_system) => {
-            ack(data.mission_type, MavMissionResult::MAV_MISSION_UNSUPPORTED)
-        }
-        MavMessage::MISSION_WRITE_PARTIAL_LIST(data) if own(data.target_system) => {
-            ack(data.mission_type, MavMissionResult::MAV_MISSION_UNSUPPORTED)
-        }
-        MavMessage::MISSION_CLEAR_ALL(data) if own(data.target_system) => {
-            ack(data.mission_type, MavMissionResult::MAV_MISSION_ACCEPTED)
-        }
-        MavMessage::MISSION_REQUEST_INT(data) if own(data.target_system) => {
-            ack(data.mission_type, MavMissionResult::MAV_MISSION_ERROR)
-        }
-        MavMessage::MISSION_REQUEST(data) if own(data.target_system) => {
-            ack(data.mission_type, MavMissionResult::MAV_MISSION_ERROR)
+            }));
         }
         MavMessage::FILE_TRANSFER_PROTOCOL(data) if own(data.target_system) => {
-            Some(MavMessage::FILE_TRANSFER_PROTOCOL(refusal(data, frame)))
+            return Some(MavMessage::FILE_TRANSFER_PROTOCOL(refusal(data, frame)));
         }
-        _ => None,
-    }
+        // Nothing to store is stored at once; anything else cannot be.
+        MavMessage::MISSION_COUNT(data) if data.count == 0 => {
+            (data.target_system, data.mission_type, MAV_MISSION_ACCEPTED)
+        }
+        MavMessage::MISSION_COUNT(data) => (
+            data.target_system,
+            data.mission_type,
+            MAV_MISSION_UNSUPPORTED,
+        ),
+        MavMessage::MISSION_WRITE_PARTIAL_LIST(data) => (
+            data.target_system,
+            data.mission_type,
+            MAV_MISSION_UNSUPPORTED,
+        ),
+        MavMessage::MISSION_CLEAR_ALL(data) => {
+            (data.target_system, data.mission_type, MAV_MISSION_ACCEPTED)
+        }
+        MavMessage::MISSION_REQUEST_INT(data) => {
+            (data.target_system, data.mission_type, MAV_MISSION_ERROR)
+        }
+        MavMessage::MISSION_REQUEST(data) => {
+            (data.target_system, data.mission_type, MAV_MISSION_ERROR)
+        }
+        _ => return None,
+    };
+    own(target).then_some(MavMessage::MISSION_ACK(MISSION_ACK_DATA {
+        target_system: frame.system,
+        target_component: frame.component,
+        mavtype: result,
+        mission_type,
+        opaque_id: 0,
+    }))
 }
 
 fn refusal(request: &FILE_TRANSFER_PROTOCOL_DATA, frame: &Frame) -> FILE_TRANSFER_PROTOCOL_DATA {

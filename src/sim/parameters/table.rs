@@ -1,7 +1,8 @@
 //! The parameters the simulated vehicle has, in the order in which it lists them.
 //!
-//! Names, types and values are those of an `ArduCopter` 4.6 SITL. A parameter whose subsystem is not simulated
-//! (fences, rally points, other vehicles) is left out, so that setting it cannot seem to have worked.
+//! Names, types and values are those of an `ArduCopter` 4.6 SITL. Those that `tuning` and `failsafe` read shape the
+//! vehicle's behaviour; the others are there because ground stations look for them. Switches of subsystems that are not
+//! simulated (fences, faults of sensors, other vehicles) are left out, so that setting one cannot seem to have worked.
 
 use super::Kind::{self, Int8, Int16, Int32, Real32};
 

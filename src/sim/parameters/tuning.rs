@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::Parameters;
+use crate::sim::failsafe::Rules;
 
 /// Limits and settings in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,7 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) battery_voltage_v: f64,
     pub(in crate::sim) battery_capacity_mah: f64,
     pub(in crate::sim) satellites: u8,
+    pub(in crate::sim) failsafes: Rules,
 }
 
 impl Tuning {
@@ -101,6 +103,7 @@ impl Tuning {
             battery_voltage_v: all.value("SIM_BATT_VOLTAGE").clamp(0.0, 600.0),
             battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
             satellites: all.value("SIM_GPS_NUMSATS").clamp(0.0, 255.0) as u8,
+            failsafes: Rules::read(all),
         }
     }
 }

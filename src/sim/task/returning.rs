@@ -9,6 +9,8 @@ use crate::sim::leg::Leg;
 
 /// A planned leg starts this long after the vehicle stands (smoothing of the jerk itself).
 const PLAN_TIME: Duration = Duration::from_millis(900);
+/// A vehicle whose path is slower than this has stopped.
+const STANDING_M_S: f64 = 0.1;
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
 /// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown.
@@ -68,28 +70,7 @@ impl Returning {
     pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
         let limits = cockpit.limits;
         match &mut self.stage {
-            Stage::Climb { standing_since } => {
-                if cockpit.body.on_ground {
-                    self.stage = Stage::Land(Landing::default());
-                    return Act::Fly;
-                }
-                let standing = cockpit.control.velocity_m_s.truncate().length() < 0.1;
-                match self.over_m {
-                    None if standing => self.over_m = Some(cockpit.control.path_m.truncate()),
-                    None => {
-                        let climb = DVec3::ZERO;
-                        cockpit.control.at_velocity(climb, &limits);
-                    }
-                    Some(over) => cockpit.control.towards(over.extend(self.down_m), &limits),
-                }
-                let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
-                if self.over_m.is_some() && high {
-                    let since = *standing_since.get_or_insert(cockpit.now);
-                    if cockpit.now >= since + PLAN_TIME {
-                        self.stage = Self::leg_home(cockpit);
-                    }
-                }
-            }
+            Stage::Climb { .. } => self.climb(cockpit),
             Stage::Fly { leg, since } => {
                 let elapsed = cockpit.now.saturating_sub(*since).as_secs_f64();
                 cockpit.control.along(leg.at(elapsed), self.down_m, &limits);
@@ -104,14 +85,7 @@ impl Returning {
                 let home = cockpit.home_m.truncate();
                 cockpit.control.towards(home.extend(self.down_m), &limits);
                 if cockpit.now >= *until {
-                    let stay_m = cockpit.tuning.return_final_altitude_m;
-                    self.stage = if stay_m > 0.0 {
-                        Stage::Hold {
-                            down_m: cockpit.home_m.z - stay_m,
-                        }
-                    } else {
-                        Stage::Land(Landing::default())
-                    };
+                    self.stage = Self::end(cockpit);
                 }
             }
             Stage::Hold { down_m } => {
@@ -121,6 +95,44 @@ impl Returning {
             Stage::Land(landing) => return landing.step(cockpit),
         }
         Act::Fly
+    }
+
+    /// Stops, climbs over the place where it stopped, and plans the leg home.
+    fn climb(&mut self, cockpit: &mut Cockpit<'_>) {
+        if cockpit.body.on_ground {
+            self.stage = Stage::Land(Landing::default());
+            return;
+        }
+        let limits = cockpit.limits;
+        let Some(over) = self.over_m else {
+            cockpit.control.at_velocity(DVec3::ZERO, &limits);
+            if cockpit.control.velocity_m_s.truncate().length() < STANDING_M_S {
+                self.over_m = Some(cockpit.control.path_m.truncate());
+            }
+            return;
+        };
+        cockpit.control.towards(over.extend(self.down_m), &limits);
+        let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
+        if let Stage::Climb { standing_since } = &mut self.stage
+            && high
+        {
+            let since = *standing_since.get_or_insert(cockpit.now);
+            if cockpit.now >= since + PLAN_TIME {
+                self.stage = Self::leg_home(cockpit);
+            }
+        }
+    }
+
+    /// Over home: land, or come down to `RTL_ALT_FINAL` and stay.
+    fn end(cockpit: &Cockpit<'_>) -> Stage {
+        let stay_m = cockpit.tuning.return_final_altitude_m;
+        if stay_m > 0.0 {
+            Stage::Hold {
+                down_m: cockpit.home_m.z - stay_m,
+            }
+        } else {
+            Stage::Land(Landing::default())
+        }
     }
 
     fn leg_home(cockpit: &Cockpit<'_>) -> Stage {

@@ -19,6 +19,7 @@ const SENSORS: u32 = 0x5221_9C2F;
 const HEIGHT_CONTROL: u32 = 0x2000;
 const POSITION_CONTROL: u32 = 0x4000;
 const AHRS: u32 = 0x0020_0000;
+const FENCE: u32 = 0x0010_0000;
 const PREARM_CHECK: u32 = 0x1000_0000;
 /// Estimator flags with a constant-position assumption, and with GPS.
 const EKF_WAITING: u16 = 0x00A7;
@@ -41,7 +42,9 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
         mavtype: MavType::MAV_TYPE_QUADROTOR,
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         base_mode,
-        system_status: if autopilot.safety.landed {
+        system_status: if autopilot.failsafe.is_active() {
+            MavState::MAV_STATE_CRITICAL
+        } else if autopilot.safety.landed {
             MavState::MAV_STATE_STANDBY
         } else {
             MavState::MAV_STATE_ACTIVE
@@ -58,9 +61,13 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
     if autopilot.mode.autonomous {
         enabled |= POSITION_CONTROL;
     }
-    let mut health = enabled;
+    // A fence that does not exist is never breached: ground stations look at this bit alone.
+    let mut health = enabled | FENCE;
     if !autopilot.is_armable() {
-        health &= !(PREARM_CHECK | AHRS);
+        health &= !PREARM_CHECK;
+    }
+    if !autopilot.is_ready() {
+        health &= !AHRS;
     }
     let none = MavSysStatusSensorExtended::empty();
     MavMessage::SYS_STATUS(SYS_STATUS_DATA {

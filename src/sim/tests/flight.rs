@@ -310,3 +310,109 @@ fn parameters_change_the_flight() {
     }
     close("top speed", peak, 15.08, 0.03);
 }
+
+#[test]
+fn a_silent_ground_station_brings_the_vehicle_home_if_asked() {
+    let mut ground = Ground::hovering(20.0);
+    ground.set("FS_GCS_ENABLE", 1.0);
+    ground.heartbeat();
+    close("failsafe", ground.until(20.0, |t| t.mode == 6), 5.2, 0.05);
+    ground.heartbeat();
+    ground.run(0.5);
+    assert_eq!(ground.truth().mode, 6, "the mode stays");
+    let texts = ground.texts();
+    assert!(
+        texts.contains(&"GCS Failsafe".to_owned())
+            && texts.contains(&"GCS Failsafe Cleared".to_owned())
+    );
+}
+
+#[test]
+fn a_low_battery_acts_after_its_delay_and_forbids_arming() {
+    let mut ground = Ground::hovering(10.0);
+    ground.set("BATT_FS_LOW_ACT", 2.0);
+    ground.set("BATT_CRT_VOLT", 9.8);
+    ground.set("BATT_FS_CRT_ACT", 1.0);
+    ground.set("SIM_BATT_VOLTAGE", 10.4);
+    close("low", ground.until(20.0, |t| t.mode == 6), 10.2, 0.05);
+    ground.set("SIM_BATT_VOLTAGE", 9.6);
+    close("critical", ground.until(20.0, |t| t.mode == 9), 10.1, 0.05);
+    ground.until(60.0, |t| !t.armed);
+    ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0]);
+    assert_eq!(
+        ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0]),
+        MavResult::MAV_RESULT_FAILED
+    );
+    let texts = ground.texts();
+    for start in [
+        "Battery 1 is low 10.40V used ",
+        "Battery 1 is critical 9.60V",
+        "Arm: Battery failsafe",
+    ] {
+        assert!(
+            texts.iter().any(|text| text.starts_with(start)),
+            "{texts:?}"
+        );
+    }
+}
+
+#[test]
+fn loiter_without_a_transmitter_sinks_and_an_override_holds_it() {
+    let mut ground = Ground::hovering(20.0);
+    ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 5.0]);
+    ground.run(3.0);
+    close("sinks", ground.truth().velocity_ned_m_s[2], 2.5, 0.05);
+    for _ in 0..10 {
+        ground.sticks(1500);
+        ground.run(0.5);
+    }
+    assert!(ground.truth().velocity_ned_m_s[2].abs() < 0.1);
+    ground.run(10.0);
+    assert!(ground.truth().on_ground, "the override runs out");
+}
+
+#[test]
+fn a_circle_keeps_its_radius() {
+    let mut ground = Ground::hovering(20.0);
+    ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 7.0]);
+    ground.run(20.0);
+    let mut most: f64 = 0.0;
+    for _ in 0..2000 {
+        ground.step();
+        let at = ground.truth().position_ned_m;
+        most = most.max(((at[0] - 10.0).hypot(at[1]) - 10.0).abs());
+    }
+    assert!(most < 1.5, "{most}");
+}
+
+#[test]
+fn slanted_legs_take_as_long_as_the_real_ones() {
+    let mut ground = Ground::hovering(30.0);
+    let away = |t: &Truth, goal: [f64; 3]| {
+        let off = [0, 1, 2].map(|axis| t.position_ned_m[axis] - goal[axis]);
+        off[0].hypot(off[1]).hypot(off[2])
+    };
+    ground.goto([100.0, 50.0, -40.0]);
+    let first = ground.until(40.0, |t| away(t, [100.0, 50.0, -40.0]) < 1.0);
+    close("up and away", first, 15.3, 0.05);
+    ground.run(8.0);
+    ground.goto([0.0, -50.0, -20.0]);
+    let second = ground.until(40.0, |t| away(t, [0.0, -50.0, -20.0]) < 1.5);
+    close("down and back", second, 18.5, 0.05);
+}
+
+#[test]
+fn a_low_return_climbs_to_its_altitude_first_and_near_home_stays_under_the_cone() {
+    for (away_m, altitude_m) in [(60.0, 15.0), (2.0, 6.0)] {
+        let mut ground = Ground::hovering(5.0);
+        ground.goto([away_m, 0.0, -5.0]);
+        ground.run(20.0);
+        ground.long(MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH, [0.0]);
+        let mut highest: f64 = 0.0;
+        ground.until(120.0, |t| {
+            highest = highest.max(height(t));
+            !t.armed
+        });
+        close("highest", highest, altitude_m, 0.03);
+    }
+}

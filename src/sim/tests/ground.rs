@@ -2,7 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::{
     COMMAND_ACK_DATA, COMMAND_INT_DATA, COMMAND_LONG_DATA, HEARTBEAT_DATA, MavCmd, MavFrame,
-    MavMessage, MavResult, PARAM_SET_DATA, PositionTargetTypemask,
+    MavMessage, MavResult, PARAM_SET_DATA, PositionTargetTypemask, RC_CHANNELS_OVERRIDE_DATA,
     SET_POSITION_TARGET_LOCAL_NED_DATA,
 };
 use mavlink::types::CharArray;
@@ -188,6 +188,21 @@ impl Ground {
         }));
     }
 
+    /// Centred sticks with a throttle.
+    pub(in crate::sim) fn sticks(&mut self, throttle_us: u16) {
+        self.say(MavMessage::RC_CHANNELS_OVERRIDE(
+            RC_CHANNELS_OVERRIDE_DATA {
+                chan1_raw: 1500,
+                chan2_raw: 1500,
+                chan3_raw: throttle_us,
+                chan4_raw: 1500,
+                target_system: 1,
+                target_component: 1,
+                ..Default::default()
+            },
+        ));
+    }
+
     pub(in crate::sim) fn step(&mut self) {
         self.world.step();
         self.listen();
@@ -217,7 +232,7 @@ impl Ground {
     }
 
     pub(in crate::sim) fn truth(&self) -> Truth {
-        self.world.truth(0).expect("one vehicle")
+        self.world.truth(0)
     }
 
     fn listen(&mut self) {

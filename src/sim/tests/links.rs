@@ -252,3 +252,29 @@ fn equal_worlds_say_equal_bytes() {
     assert!(first.len() > 3000, "{}", first.len());
     assert_eq!(first, run());
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn no_parameter_value_makes_the_flight_infinite(
+        values in prop::collection::vec((0u16..202, prop::num::f32::ANY), 1..40),
+    ) {
+        let mut ground = Ground::hovering(10.0);
+        let names = crate::sim::parameters::Parameters::new(1);
+        for (index, value) in values {
+            let name = names.at(index).map_or("", |parameter| parameter.name);
+            ground.set(name, value);
+        }
+        ground.goto([100.0, 50.0, -20.0]);
+        ground.run(5.0);
+        for mode in [7.0, 5.0, 17.0, 4.0, 6.0] {
+            ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, mode]);
+            ground.run(3.0);
+        }
+        let truth = ground.truth();
+        let numbers = truth.position_ned_m.iter().chain(&truth.velocity_ned_m_s);
+        prop_assert!(numbers.into_iter().all(|v| v.is_finite()), "{:?}", truth);
+        prop_assert!(truth.position_ned_m[2] <= 0.0 && truth.heading_deg.is_finite());
+    }
+}

@@ -1,0 +1,175 @@
+//! Effects and explanations.
+
+use super::*;
+use crate::vehicle::Place;
+
+#[test]
+fn an_effect_shows_when_telemetry_says_so_and_not_before() {
+    let ground = on_the_ground("GUIDED");
+    let air = flying("GUIDED");
+    let mut landing = flying("LAND");
+    landing.home = Some(Place {
+        at_point: HERE,
+        altitude_amsl_m: 180.0,
+    });
+    let mut low = air.clone();
+    if let Some(global) = &mut low.global {
+        global.altitude_m = 12.0;
+    }
+    let mut there = air.clone();
+    if let Some(local) = &mut there.local {
+        local.ned_m = [15.0, -2.0, -22.0];
+    }
+    let mut turned = air.clone();
+    if let Some(attitude) = &mut turned.attitude {
+        attitude.yaw_deg = 2.0;
+    }
+    let mut rebooted = ground.clone();
+    rebooted.link.reboots = 1;
+    let yaw = Command::Yaw {
+        angle_deg: 0.0,
+        relative: false,
+        rate_deg_s: None,
+    };
+    let cases = [
+        (Command::Arm, &ground, &air),
+        (Command::Kill, &air, &ground),
+        (Command::Land, &air, &landing),
+        (Command::Takeoff { altitude_m: 20.0 }, &low, &air),
+        (Command::Altitude { altitude_m: 20.5 }, &low, &air),
+        (offset(2.0), &air, &there),
+        (yaw, &air, &turned),
+        (Command::SetHome { place: None }, &air, &landing),
+        (Command::Reboot, &ground, &rebooted),
+    ];
+    for (command, before, after) in cases {
+        let effect = command.effect(before);
+        assert_eq!(effect.seen(before), Some(false), "{command:?}");
+        assert_eq!(effect.seen(after), Some(true), "{command:?}");
+        assert!(effect.within() >= Duration::from_secs(3), "{command:?}");
+    }
+    let request = Command::RequestMessage { message: 148 };
+    assert_eq!(request.effect(&air).seen(&air), None);
+}
+
+#[test]
+fn a_low_takeoff_is_not_over_before_it_began() {
+    let mut ground = on_the_ground("GUIDED");
+    if let Some(global) = &mut ground.global {
+        global.altitude_m = 0.1;
+    }
+    let takeoff = Command::Takeoff { altitude_m: 0.8 };
+    assert_eq!(takeoff.effect(&ground).seen(&ground), Some(false));
+}
+
+#[test]
+fn patience_grows_with_the_way() {
+    let near = offset(1.0).effect(&flying("GUIDED")).within();
+    let destination = Destination::Local {
+        north_m: 310.0,
+        east_m: 0.0,
+        up_m: None,
+    };
+    let far = goto(destination, Heading::Auto)
+        .effect(&flying("GUIDED"))
+        .within();
+    assert_eq!(far, Duration::from_secs(220));
+    assert!(near < Duration::from_secs(30));
+}
+
+/// Verb, texts, vehicle, command, `MAV_RESULT`, and what is made of them.
+type Refusal<'a> = (&'a str, &'a [String], &'a Vehicle, &'a Command, u8, &'a str);
+
+#[test]
+fn refusals_are_explained_by_the_texts_else_by_the_state() {
+    let air = flying("GUIDED");
+    let mut ground = on_the_ground("GUIDED");
+    ground.prearm = vec!["Need Position Estimate".to_owned()];
+    let text = ["Arm: LAND mode not armable".to_owned()];
+    let takeoff = Command::Takeoff { altitude_m: 5.0 };
+    let orbit = Command::Orbit {
+        radius_m: 5.0,
+        speed_m_s: 1.0,
+        centre: None,
+        altitude_m: None,
+    };
+    let cases: [Refusal; 7] = [
+        (
+            "arm",
+            &text,
+            &ground,
+            &Command::Arm,
+            4,
+            "arm refused: Arm: LAND mode not armable",
+        ),
+        (
+            "arm",
+            &[],
+            &ground,
+            &Command::Arm,
+            4,
+            "arm refused: PreArm: Need Position Estimate",
+        ),
+        (
+            "takeoff",
+            &[],
+            &ground,
+            &takeoff,
+            4,
+            "takeoff refused: it is not armed",
+        ),
+        (
+            "takeoff",
+            &[],
+            &air,
+            &takeoff,
+            4,
+            "takeoff refused: it is flying already",
+        ),
+        (
+            "disarm",
+            &[],
+            &air,
+            &Command::Disarm,
+            4,
+            "disarm refused: it is in the air; land it, or say kill to stop the motors",
+        ),
+        (
+            "orbit",
+            &[],
+            &air,
+            &orbit,
+            3,
+            "orbit refused: this autopilot cannot orbit; mode CIRCLE can",
+        ),
+        (
+            "rtl",
+            &[],
+            &air,
+            &Command::ReturnToLaunch,
+            77,
+            "rtl refused: result 77",
+        ),
+    ];
+    for (verb, texts, vehicle, command, result, words) in cases {
+        let result = AckResult::from_wire(result);
+        assert_eq!(explain(verb, result, texts, vehicle, command), words);
+    }
+}
+
+#[test]
+fn a_parameter_that_kept_its_value_is_noticed() {
+    let set = |value| Command::SetParameter {
+        name: "X".to_owned(),
+        value,
+    };
+    assert_eq!(
+        set(500.0).parameter_outcome(500.0),
+        Ok("X = 500".to_owned())
+    );
+    assert_eq!(
+        set(1500.7).parameter_outcome(1500.0),
+        Ok("X = 1500".to_owned())
+    );
+    assert!(set(500.0).parameter_outcome(7.0).is_err());
+}

@@ -1,0 +1,159 @@
+use super::*;
+use crate::ledger::{RowState, RowUpdate};
+use crate::vehicle::{Heartbeat, Mode, SystemStatus, VehicleClass};
+
+const SCRIPT: &str = "# up and away
+all guided
+all arm
+
+wait all armed timeout 5s   # or not
+1 goto n 10 e 0
+wait 1 arrived
+wait 2s
+all rtl
+";
+
+fn swarm(armed: bool) -> BTreeMap<SystemId, Vehicle> {
+    [1, 2]
+        .into_iter()
+        .map(|id| {
+            let class = VehicleClass::Copter;
+            let mut vehicle = Vehicle::new(id, 1);
+            vehicle.heartbeat = Some(Heartbeat {
+                mav_type: 2,
+                autopilot: 3,
+                class,
+                mode: Mode { class, number: 4 },
+                armed,
+                status: SystemStatus::Standby,
+                at: Duration::ZERO,
+            });
+            (id, vehicle)
+        })
+        .collect()
+}
+
+fn pilot(source: &str) -> Pilot {
+    Pilot::new(Script::parse(source, &Context::default()).expect("a good script"))
+}
+
+fn lines(events: &[PilotEvent]) -> Vec<String> {
+    events
+        .iter()
+        .map(|event| match event {
+            PilotEvent::Do(statement) => statement.line.clone(),
+            PilotEvent::WaitTimedOut { line, text } => format!("line {line} timed out: {text}"),
+            PilotEvent::Finished => "finished".to_owned(),
+        })
+        .collect()
+}
+
+fn at(seconds: f64) -> Duration {
+    Duration::from_secs_f64(seconds)
+}
+
+#[test]
+fn a_script_runs_from_wait_to_wait() {
+    let mut pilot = pilot(SCRIPT);
+    let mut ledger = Ledger::new();
+    let (idle, armed) = (swarm(false), swarm(true));
+    let mut step =
+        |seconds, vehicles, ledger: &Ledger| lines(&pilot.step(at(seconds), vehicles, ledger));
+    assert_eq!(step(1.0, &idle, &ledger), ["all guided", "all arm"]);
+    assert_eq!(step(2.0, &idle, &ledger), [""; 0]);
+    assert_eq!(step(3.0, &armed, &ledger), ["1 goto n 10 e 0"]);
+    let entry = ledger.open(at(3.0), "1 goto n 10 e 0", "goto", &[1]);
+    assert_eq!(step(4.0, &armed, &ledger), [""; 0]);
+    ledger.apply(&RowUpdate {
+        entry,
+        vehicle: 1,
+        state: RowState::Done,
+        tries: 1,
+        at: at(9.0),
+        explanation: None,
+    });
+    assert_eq!(step(9.0, &armed, &ledger), [""; 0]);
+    assert_eq!(step(10.9, &armed, &ledger), [""; 0]);
+    assert_eq!(step(11.0, &armed, &ledger), ["all rtl", "finished"]);
+    assert_eq!(step(12.0, &armed, &ledger), [""; 0]);
+    assert!(pilot.finished());
+}
+
+#[test]
+fn a_wait_that_never_comes_true_times_out_and_the_script_goes_on() {
+    let mut pilot = pilot("wait all armed timeout 5s\nall rtl\nwait all landed");
+    let (ledger, idle) = (Ledger::new(), swarm(false));
+    assert!(pilot.step(at(0.0), &idle, &ledger).is_empty());
+    assert_eq!(pilot.waiting_for(), Some((1, "wait all armed timeout 5s")));
+    assert!(pilot.step(at(4.9), &idle, &ledger).is_empty());
+    assert_eq!(
+        lines(&pilot.step(at(5.0), &idle, &ledger)),
+        ["line 1 timed out: wait all armed timeout 5s", "all rtl"]
+    );
+    // The rtl is not in the ledger yet when its own step ends; they are on the ground at the next.
+    assert_eq!(lines(&pilot.step(at(5.1), &idle, &ledger)), ["finished"]);
+}
+
+#[test]
+fn a_condition_holds_only_when_it_does_for_every_vehicle_there_is() {
+    let ledger = Ledger::new();
+    let mut mixed = swarm(true);
+    mixed.insert(3, Vehicle::new(3, 1));
+    for (line, met) in [
+        ("wait all armed", false),
+        ("wait 1-2 armed", true),
+        ("wait 1,9 armed", false),
+        ("wait 1 mode guided", true),
+        ("wait 1 mode 4", true),
+        ("wait 1 mode LOITER", false),
+        ("wait 3 disarmed", false),
+        ("wait 1 altitude < 1", false),
+    ] {
+        assert_eq!(
+            pilot(line).step(at(0.0), &mixed, &ledger).len(),
+            usize::from(met),
+            "{line}"
+        );
+    }
+    assert!(
+        pilot("wait all armed")
+            .step(at(0.0), &BTreeMap::new(), &ledger)
+            .is_empty()
+    );
+}
+
+#[test]
+fn nobody_has_arrived_while_the_order_is_on_its_way() {
+    let mut ledger = Ledger::new();
+    let entry = ledger.open(at(0.0), "all land", "land", &[1, 2]);
+    ledger.open(at(1.0), "all yaw 90", "yaw", &[1, 2]);
+    let mut pilot = pilot("wait all arrived");
+    let idle = swarm(false);
+    assert!(pilot.step(at(1.0), &idle, &ledger).is_empty());
+    for vehicle in [1, 2] {
+        ledger.apply(&RowUpdate {
+            entry,
+            vehicle,
+            state: RowState::Done,
+            tries: 1,
+            at: at(2.0),
+            explanation: None,
+        });
+    }
+    assert_eq!(lines(&pilot.step(at(2.0), &idle, &ledger)), ["finished"]);
+}
+
+#[test]
+fn every_fault_is_reported_where_it_is_in_the_source() {
+    let source = "all guided\r\nall takeof 20\n\n  arm\n# fine\nwait 5s\n@red arm\nall takeoff 20";
+    let faults = Script::parse(source, &Context::default()).expect_err("three faults");
+    let found: Vec<(&str, (usize, usize))> = faults
+        .iter()
+        .map(|fault| (&source[fault.span.clone()], fault.line_column(source)))
+        .collect();
+    assert_eq!(
+        found,
+        [("takeof", (2, 5)), ("arm", (4, 3)), ("@red", (7, 1))]
+    );
+    assert_eq!(faults[1].help.as_deref(), Some("say who, as `all arm`"));
+}

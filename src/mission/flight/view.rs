@@ -1,0 +1,87 @@
+//! How a flight stands, for the mission panel.
+
+use super::{Craft, Flight, Probe, Standing, Survey, result};
+use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading};
+use crate::scoring::{Score, score};
+
+impl Flight {
+    /// How it stands, for the mission panel.
+    pub fn progress(&self) -> Progress {
+        let standings = self.standings();
+        let objectives = self
+            .mission
+            .objectives
+            .iter()
+            .zip(&standings)
+            .map(|(objective, standing)| ObjectiveProgress {
+                title: objective.title.clone(),
+                state: match (standing.met, self.ended) {
+                    (true, _) => ObjectiveState::Met,
+                    (false, None) => ObjectiveState::Open,
+                    (false, Some(_)) => ObjectiveState::Missed,
+                },
+                detail: standing.result.clone(),
+                fraction: standing.fraction,
+            })
+            .collect();
+        Progress {
+            title: self.mission.title.clone(),
+            elapsed: self.elapsed,
+            limit: self.mission.time_limit,
+            score_so_far: self.score_with(&standings).points,
+            objectives,
+            readings: self.readings(),
+            hint: self.hint(&standings),
+            cells: self.cells(),
+        }
+    }
+
+    fn score_with(&self, standings: &[Standing]) -> Score {
+        score(&self.mission.scoring, &result::facts(self, standings))
+    }
+
+    fn readings(&self) -> Vec<Reading> {
+        let of = |craft: &Craft| {
+            let id = craft.id;
+            let reading = move |probe: &Probe| Reading {
+                vehicle: id,
+                sensor: probe.sensor.name.to_owned(),
+                value: probe.shown,
+                unit: probe.sensor.unit,
+            };
+            craft.probes.iter().map(reading).collect::<Vec<_>>()
+        };
+        self.crafts.iter().flat_map(of).collect()
+    }
+
+    fn hint(&self, standings: &[Standing]) -> Option<String> {
+        let open = standings
+            .iter()
+            .any(|standing| !standing.landing && !standing.settled);
+        let phase = if !open {
+            Phase::Done
+        } else if self.crafts.iter().any(|craft| craft.airborne) {
+            Phase::Air
+        } else if self.crafts.iter().any(|craft| craft.armed) {
+            Phase::Armed
+        } else {
+            Phase::Ground
+        };
+        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
+        self.ended.is_none().then(|| found.text.clone())
+    }
+
+    fn cells(&self) -> Vec<Cell> {
+        let of = |survey: &Survey| {
+            let cell = |index: usize| Cell {
+                name: survey.plan.cells[index].name.clone(),
+                centre: self.mission.origin.place(survey.plan.cells[index].centre),
+                side_m: survey.plan.side_m,
+                sampled: survey.is_sampled(index),
+                value: survey.mean(index),
+            };
+            (0..survey.plan.cells.len()).map(cell).collect::<Vec<_>>()
+        };
+        self.surveys.iter().flat_map(of).collect()
+    }
+}

@@ -1,0 +1,128 @@
+//! Mission files: the shipped ones are good, bad ones are refused with the place and the reason.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use sortie::mission::Mission;
+
+/// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.
+const REFUSALS: &[&str] = &[
+    "bad-id.toml:2:6: a mission's id is 1 to 40 small letters, digits and `-`",
+    "duplicate-id.toml:41:6: the id `cells` is used twice",
+    "far-point.toml:19:10: `source` must lie within 20000 m of the origin, as [east, north]",
+    "gate-form.toml:50:18: a gate reads `NAME >= NUMBER`, with `>=`, `<=` or `==`",
+    "gate-name.toml:50:18: unknown name `safty` in a gate (did you mean `safety`?)",
+    "hazard-kind.toml:18:8: unknown hazard kind `minefield`; known: plume",
+    "heights.toml:36:11: `heights` must be [low, high], 0 to 1000 m",
+    "infinite.toml:21:8: `rate` must lie between 0.000001 and 1000000, not inf",
+    "latitude.toml:9:18: `lat` must lie between -85 and 85, not 95",
+    "medals.toml:50:10: medals must rise from bronze to gold, 1000 at most",
+    "missing-field.toml:1:1: missing field `brief`",
+    "missing-section.toml:1:1: the section `scoring` is missing",
+    "nan.toml:11:18: `speed` must lie between 0 and 60, not NaN",
+    "no-cell.toml:33:8: no cell of this size has its centre in the zone",
+    "nothing-mandatory.toml:27:1: at least one objective must be `mandatory`, or the mission can never be passed",
+    "objective-kind.toml:30:8: unknown objective kind `sample_cell`; known: sample_cells, map_error, recover (did you mean `sample_cells`?)",
+    "pads.toml:25:8: 2 vehicles need 2 pads, not 1",
+    "par-above-limit.toml:50:16: the par time must be shorter than `time_limit`",
+    "partial-reversed.toml:47:16: `partial_from` must be above `target`: a smaller error is better",
+    "sensor-not-fitted.toml:32:10: unknown sensor of the fleet `s_pm25`; known: s_voc",
+    "stability.toml:22:13: unknown variant `G`, expected one of `A`, `B`, `C`, `D`, `E`, `F`",
+    "syntax.toml:8:14: extra `=`, expected nothing",
+    "target-above-cells.toml:37:10: `target` must lie between 1 and the 9 cells of the zone",
+    "time-limit.toml:8:14: `time_limit` must lie between 10 and 86400, not 1e300",
+    "too-many-cells.toml:33:8: 1000 x 1000 cells are more than 10000; make `cell` larger",
+    "two-corners.toml:15:11: a polygon has 3 to 1000 corners",
+    "two-shapes.toml:12:1: a zone has either `polygon`, or `center` and `radius`",
+    "unknown-field.toml:8:1: unknown field `time_limt`, expected `time_limit` or `origin` (did you mean `time_limit`?)",
+    "unknown-key.toml:4:1: unknown key `titel` (did you mean `title`?)",
+    "unknown-section.toml:10:2: unknown key `wether` (did you mean `weather`?)",
+    "unknown-sensor.toml:26:12: unknown sensor `s_vox`; known: s_voc, s_pm25 (did you mean `s_voc`?)",
+    "unknown-survey.toml:44:6: unknown earlier sample_cells objective `cell`; known: cells (did you mean `cells`?)",
+    "unknown-zone.toml:31:8: unknown task zone `yrad`; known: yard (did you mean `yard`?)",
+    "weights.toml:50:11: the weights must sum to 1, not 0.900",
+    "wrong-schema.toml:1:10: this program reads schema 1 only",
+    "wrong-type.toml:8:14: invalid type: string \"8 min\", expected a number",
+    "zone-kind.toml:14:8: unknown zone kind `tusk`; known: task, geofence (did you mean `task`?)",
+];
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+fn faults(path: &Path) -> Vec<String> {
+    let source = std::fs::read_to_string(path).expect("the file is there");
+    let name = path
+        .file_name()
+        .expect("a file")
+        .to_string_lossy()
+        .into_owned();
+    match Mission::parse(&source) {
+        Ok(_) => Vec::new(),
+        Err(faults) => faults
+            .iter()
+            .map(|fault| fault.one_line(&name, &source))
+            .collect(),
+    }
+}
+
+fn toml_files(folder: &Path) -> BTreeSet<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("the folder is there");
+    let paths = entries.map(|entry| entry.expect("readable").path());
+    paths
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "toml")
+        })
+        .collect()
+}
+
+#[test]
+fn bad_missions_are_refused_with_the_place_and_the_reason() {
+    let found: Vec<String> = toml_files(&folder("tests/data/bad_missions"))
+        .iter()
+        .flat_map(|path| faults(path))
+        .collect();
+    for (found, expected) in found.iter().zip(REFUSALS) {
+        assert_eq!(found, expected);
+    }
+    assert_eq!(found.len(), REFUSALS.len());
+}
+
+#[test]
+fn the_file_that_the_bad_ones_are_made_from_is_good() {
+    assert_eq!(
+        faults(&folder("tests/data/good_mission.toml")),
+        Vec::<String>::new()
+    );
+}
+
+#[test]
+fn shipped_missions_are_good_and_named_like_their_files() {
+    for path in toml_files(&folder("missions")) {
+        assert_eq!(faults(&path), Vec::<String>::new());
+        let source = std::fs::read_to_string(&path).expect("read before");
+        let mission = Mission::parse(&source).expect("no faults");
+        assert_eq!(
+            path.file_stem().and_then(|stem| stem.to_str()),
+            Some(mission.id.as_str())
+        );
+    }
+}
+
+/// Every fault on its own does not hide the others.
+#[test]
+fn all_faults_of_a_file_are_reported_at_once() {
+    let source =
+        std::fs::read_to_string(folder("tests/data/good_mission.toml")).expect("it is there");
+    let broken = source
+        .replace("time_limit = 480", "time_limit = 0")
+        .replace("rate = 20", "rate = -1")
+        .replace("dwell = 5", "dwel = 5");
+    let faults = Mission::parse(&broken).expect_err("three faults");
+    let lines: Vec<usize> = faults
+        .iter()
+        .map(|fault| fault.line_column(&broken).0)
+        .collect();
+    assert_eq!(lines, [8, 21, 34]);
+}
