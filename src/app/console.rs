@@ -64,15 +64,50 @@ pub enum Deed {
 
 /// Everything the console itself can do.
 pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
-    verb("select", "select TARGETS", "select vehicles: 1-4,7  @red  all  none", Kind::Select),
-    verb("group", "group NAME [TARGETS]", "call vehicles @NAME from now on", Kind::Group),
+    verb(
+        "select",
+        "select TARGETS",
+        "select vehicles: 1-4,7  @red  all  none",
+        Kind::Select,
+    ),
+    verb(
+        "group",
+        "group NAME [TARGETS]",
+        "call vehicles @NAME from now on",
+        Kind::Group,
+    ),
     verb("theme", "theme NAME", "change the colours", Kind::Theme),
     verb("help", "help", "keys and verbs", Kind::Plain(Deed::Help)),
-    verb("links", "links", "what the links count", Kind::Plain(Deed::Links)),
-    verb("brief", "brief", "the mission's brief", Kind::Plain(Deed::Brief)),
-    verb("abandon", "abandon", "end the mission and see the debrief", Kind::Plain(Deed::Abandon)),
-    verb("restart", "restart", "fly the same mission again from its start", Kind::Plain(Deed::Restart)),
-    verb("leave", "leave", "end the session, back to the home screen", Kind::Plain(Deed::Leave)),
+    verb(
+        "links",
+        "links",
+        "what the links count",
+        Kind::Plain(Deed::Links),
+    ),
+    verb(
+        "brief",
+        "brief",
+        "the mission's brief",
+        Kind::Plain(Deed::Brief),
+    ),
+    verb(
+        "abandon",
+        "abandon",
+        "end the mission and see the debrief",
+        Kind::Plain(Deed::Abandon),
+    ),
+    verb(
+        "restart",
+        "restart",
+        "fly the same mission again from its start",
+        Kind::Plain(Deed::Restart),
+    ),
+    verb(
+        "leave",
+        "leave",
+        "end the session, back to the home screen",
+        Kind::Plain(Deed::Leave),
+    ),
     verb("quit", "quit", "leave the program", Kind::Plain(Deed::Quit)),
 ];
 
@@ -115,8 +150,12 @@ pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion>
         replaces: start..before.len(),
     };
     if head.trim().is_empty() {
-        let fitting = CONSOLE_VERBS.iter().filter(|verb| verb.name.starts_with(word));
-        return fitting.map(|verb| completion(verb.name, verb.summary)).collect();
+        let fitting = CONSOLE_VERBS
+            .iter()
+            .filter(|verb| verb.name.starts_with(word));
+        return fitting
+            .map(|verb| completion(verb.name, verb.summary))
+            .collect();
     }
     if head.trim() != "theme" {
         return Vec::new();
@@ -151,8 +190,10 @@ fn read(
         Kind::Group => 2,
     };
     if let Some(extra) = arguments.get(most) {
-        return Err(Diagnostic::new(extra.clone(), "nothing more is expected here")
-            .with_help(format!("usage: {}", verb.usage)));
+        return Err(
+            Diagnostic::new(extra.clone(), "nothing more is expected here")
+                .with_help(format!("usage: {}", verb.usage)),
+        );
     }
     let text = |at: usize| arguments.get(at).map(|span| line[span.clone()].to_owned());
     let missing = || {
@@ -172,15 +213,19 @@ fn read(
         }
         Kind::Theme => {
             let name = text(0).ok_or_else(missing)?;
-            if themes.contains(&name) {
-                return Ok(ConsoleLine::Theme(name));
-            }
-            let known = themes.iter().map(String::as_str);
-            Err(Diagnostic::new(arguments[0].clone(), format!("no theme is named `{name}`"))
-                .with_help(format!("there are: {}", themes.join(", ")))
-                .with_nearest(&name, known))
+            theme(name, arguments[0].clone(), themes)
         }
     }
+}
+
+fn theme(name: String, span: Range<usize>, themes: &[String]) -> Result<ConsoleLine, Diagnostic> {
+    if themes.contains(&name) {
+        return Ok(ConsoleLine::Theme(name));
+    }
+    let known = themes.iter().map(String::as_str);
+    Err(Diagnostic::new(span, format!("no theme is named `{name}`"))
+        .with_help(format!("there are: {}", themes.join(", ")))
+        .with_nearest(&name, known))
 }
 
 #[cfg(test)]
@@ -201,8 +246,18 @@ mod tests {
         );
         assert_eq!(
             parse("group @red 1-3", &themes()),
-            Some(Ok(ConsoleLine::Group { name: "red".to_owned(), targets: "1-3".to_owned() }))
+            Some(Ok(ConsoleLine::Group {
+                name: "red".to_owned(),
+                targets: "1-3".to_owned()
+            }))
         );
+    }
+
+    #[test]
+    fn no_verb_of_the_console_hides_one_for_vehicles() {
+        for own in CONSOLE_VERBS {
+            assert!(crate::language::verb(own.name).is_none(), "{}", own.name);
+        }
     }
 
     #[test]
@@ -219,7 +274,10 @@ mod tests {
     fn words_complete_from_their_beginning() {
         let texts = |line: &str| -> Vec<String> {
             let found = complete(line, line.len(), &themes());
-            found.into_iter().map(|completion| completion.text).collect()
+            found
+                .into_iter()
+                .map(|completion| completion.text)
+                .collect()
         };
         assert_eq!(texts("th"), ["theme"]);
         assert_eq!(texts("theme l"), ["light"]);

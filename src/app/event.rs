@@ -6,11 +6,11 @@ use std::time::Duration;
 use crossterm::event::KeyEvent;
 
 use super::state::{Activity, LinkSummary};
-use crate::scoring::Report;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
 use crate::mission::Progress;
 use crate::notice::Notice;
+use crate::scoring::Report;
 use crate::vehicle::Vehicle;
 use crate::wire::SystemId;
 

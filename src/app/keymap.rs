@@ -122,15 +122,16 @@ impl Press {
 
 impl Default for Keymap {
     fn default() -> Self {
-        let rows = [GENERAL, MOVES, FLIGHT, PROMPT].concat();
-        let bindings = rows.into_iter().map(|(press, place, action, description)| Binding {
+        let (screens, readers) = (moves(Place::Anywhere), moves(Place::Reader));
+        let rows = [GENERAL, &screens, &readers, FLIGHT, PROMPT].concat();
+        let binding = |(press, place, action, description)| Binding {
             press,
             place,
             action,
             description,
-        });
+        };
         Self {
-            bindings: bindings.collect(),
+            bindings: rows.into_iter().map(binding).collect(),
         }
     }
 }
@@ -145,16 +146,51 @@ const ENTER: Press = Press::Plain(KeyCode::Enter);
 const ESCAPE: Press = Press::Plain(KeyCode::Esc);
 
 const GENERAL: &[Row] = &[
-    (key(':'), Place::Anywhere, Action::Palette(""), "command line"),
-    (Press::Control('p'), Place::Anywhere, Action::Palette(""), "command line"),
+    (
+        key(':'),
+        Place::Anywhere,
+        Action::Palette(""),
+        "command line",
+    ),
+    (
+        Press::Control('p'),
+        Place::Anywhere,
+        Action::Palette(""),
+        "command line",
+    ),
     (key('?'), Place::Anywhere, Action::Help, "this help"),
-    (Press::Plain(KeyCode::F(1)), Place::Anywhere, Action::Help, "this help"),
-    (Press::Control('c'), Place::Anywhere, Action::Quit, "leave the program"),
-    (ENTER, Place::Home, Action::Submit, "take what is under the cursor"),
+    (
+        Press::Plain(KeyCode::F(1)),
+        Place::Anywhere,
+        Action::Help,
+        "this help",
+    ),
+    (
+        Press::Control('c'),
+        Place::Anywhere,
+        Action::Quit,
+        "leave the program",
+    ),
+    (
+        ENTER,
+        Place::Home,
+        Action::Submit,
+        "take what is under the cursor",
+    ),
     (key('q'), Place::Home, Action::Quit, "leave the program"),
     (key('r'), Place::Debrief, Action::Again, "fly again"),
-    (key('h'), Place::Debrief, Action::Leave, "back to the home screen"),
-    (ESCAPE, Place::Debrief, Action::Leave, "back to the home screen"),
+    (
+        key('h'),
+        Place::Debrief,
+        Action::Leave,
+        "back to the home screen",
+    ),
+    (
+        ESCAPE,
+        Place::Debrief,
+        Action::Leave,
+        "back to the home screen",
+    ),
     (ESCAPE, Place::Reader, Action::Escape, "close"),
     (key('q'), Place::Reader, Action::Escape, "close"),
     (key('?'), Place::Reader, Action::Escape, "close"),
@@ -162,56 +198,131 @@ const GENERAL: &[Row] = &[
     (Press::Control('c'), Place::Reader, Action::Escape, "close"),
 ];
 
-const fn up(place: Place) -> [Row; 6] {
+/// The keys that move a cursor or scroll.
+fn moves(place: Place) -> [Row; 8] {
+    let row = |press, step, description| (press, place, Action::Move(step), description);
+    let plain = Press::Plain;
     [
-        (key('k'), place, Action::Move(Step::Up), "up"),
-        (Press::Plain(KeyCode::Up), place, Action::Move(Step::Up), "up"),
-        (Press::Plain(KeyCode::PageUp), place, Action::Move(Step::PageUp), "ten up"),
-        (key('j'), place, Action::Move(Step::Down), "down"),
-        (Press::Plain(KeyCode::Down), place, Action::Move(Step::Down), "down"),
-        (Press::Plain(KeyCode::PageDown), place, Action::Move(Step::PageDown), "ten down"),
+        row(key('j'), Step::Down, "down"),
+        row(plain(KeyCode::Down), Step::Down, "down"),
+        row(key('k'), Step::Up, "up"),
+        row(plain(KeyCode::Up), Step::Up, "up"),
+        row(plain(KeyCode::PageDown), Step::PageDown, "ten down"),
+        row(plain(KeyCode::PageUp), Step::PageUp, "ten up"),
+        row(plain(KeyCode::Home), Step::First, "to the first"),
+        row(plain(KeyCode::End), Step::Last, "to the last"),
     ]
 }
 
-const MOVES: &[Row] = &{
-    let (any, reader) = (up(Place::Anywhere), up(Place::Reader));
-    [
-        any[0], any[1], any[2], any[3], any[4], any[5],
-        (Press::Plain(KeyCode::Home), Place::Anywhere, Action::Move(Step::First), "to the first"),
-        (Press::Plain(KeyCode::End), Place::Anywhere, Action::Move(Step::Last), "to the last"),
-        reader[0], reader[1], reader[2], reader[3], reader[4], reader[5],
-    ]
-};
-
 const FLIGHT: &[Row] = &[
-    (Press::Number, Place::Fly, Action::Type('0'), "list of vehicles, Enter selects them"),
-    (ENTER, Place::Fly, Action::Submit, "select the list that was typed"),
-    (Press::Plain(KeyCode::Backspace), Place::Fly, Action::Erase, "take back the last digit"),
-    (key(' '), Place::Fly, Action::Toggle, "select the one under the cursor"),
+    (
+        Press::Number,
+        Place::Fly,
+        Action::Type('0'),
+        "list of vehicles, Enter selects them",
+    ),
+    (
+        ENTER,
+        Place::Fly,
+        Action::Submit,
+        "select the list that was typed",
+    ),
+    (
+        Press::Plain(KeyCode::Backspace),
+        Place::Fly,
+        Action::Erase,
+        "take back the last digit",
+    ),
+    (
+        key(' '),
+        Place::Fly,
+        Action::Toggle,
+        "select the one under the cursor",
+    ),
     (key('*'), Place::Fly, Action::SelectAll, "select all"),
     (key('!'), Place::Fly, Action::Invert, "select the others"),
     (ESCAPE, Place::Fly, Action::Escape, "select none"),
-    (key('a'), Place::Fly, Action::Palette("arm"), "write `arm`; Enter sends"),
-    (key('d'), Place::Fly, Action::Palette("disarm"), "write `disarm`"),
-    (key('t'), Place::Fly, Action::Palette("takeoff "), "write `takeoff`"),
-    (key('g'), Place::Fly, Action::Palette("goto "), "write `goto`"),
-    (key('m'), Place::Fly, Action::Palette("mode "), "write `mode`"),
-    (key('h'), Place::Fly, Action::Palette("hold"), "write `hold`"),
-    (key('l'), Place::Fly, Action::Palette("land"), "write `land`"),
+    (
+        key('a'),
+        Place::Fly,
+        Action::Palette("arm"),
+        "write `arm`; Enter sends",
+    ),
+    (
+        key('d'),
+        Place::Fly,
+        Action::Palette("disarm"),
+        "write `disarm`",
+    ),
+    (
+        key('t'),
+        Place::Fly,
+        Action::Palette("takeoff "),
+        "write `takeoff`",
+    ),
+    (
+        key('g'),
+        Place::Fly,
+        Action::Palette("goto "),
+        "write `goto`",
+    ),
+    (
+        key('m'),
+        Place::Fly,
+        Action::Palette("mode "),
+        "write `mode`",
+    ),
+    (
+        key('h'),
+        Place::Fly,
+        Action::Palette("hold"),
+        "write `hold`",
+    ),
+    (
+        key('l'),
+        Place::Fly,
+        Action::Palette("land"),
+        "write `land`",
+    ),
     (key('r'), Place::Fly, Action::Palette("rtl"), "write `rtl`"),
     (key('L'), Place::Fly, Action::Links, "what the links count"),
     (key('b'), Place::Fly, Action::Brief, "the mission's brief"),
-    (key('q'), Place::Fly, Action::Palette("leave"), "write `leave`"),
+    (
+        key('q'),
+        Place::Fly,
+        Action::Palette("leave"),
+        "write `leave`",
+    ),
 ];
 
 const PROMPT: &[Row] = &[
     (ENTER, Place::Prompt, Action::Submit, "give the command"),
     (ESCAPE, Place::Prompt, Action::Escape, "close"),
     (Press::Control('c'), Place::Prompt, Action::Escape, "close"),
-    (Press::Plain(KeyCode::Tab), Place::Prompt, Action::Complete, "complete the word, then the next choice"),
-    (Press::Plain(KeyCode::BackTab), Place::Prompt, Action::CompleteBack, "the choice before"),
-    (Press::Plain(KeyCode::Up), Place::Prompt, Action::Older, "older line"),
-    (Press::Plain(KeyCode::Down), Place::Prompt, Action::Newer, "newer line"),
+    (
+        Press::Plain(KeyCode::Tab),
+        Place::Prompt,
+        Action::Complete,
+        "complete the word, then the next choice",
+    ),
+    (
+        Press::Plain(KeyCode::BackTab),
+        Place::Prompt,
+        Action::CompleteBack,
+        "the choice before",
+    ),
+    (
+        Press::Plain(KeyCode::Up),
+        Place::Prompt,
+        Action::Older,
+        "older line",
+    ),
+    (
+        Press::Plain(KeyCode::Down),
+        Place::Prompt,
+        Action::Newer,
+        "newer line",
+    ),
 ];
 
 #[cfg(test)]
@@ -228,13 +339,20 @@ mod tests {
         let r = KeyCode::Char('r');
         assert_eq!(press(r, plain, Place::Fly), Some(Action::Palette("rtl")));
         assert_eq!(press(r, plain, Place::Debrief), Some(Action::Again));
-        assert_eq!(press(r, plain, Place::Prompt), None, "a prompt takes letters as text");
+        assert_eq!(
+            press(r, plain, Place::Prompt),
+            None,
+            "a prompt takes letters as text"
+        );
         assert_eq!(press(r, KeyModifiers::CONTROL, Place::Fly), None);
         assert_eq!(
             press(KeyCode::Char('p'), KeyModifiers::CONTROL, Place::Home),
             Some(Action::Palette(""))
         );
-        assert_eq!(press(KeyCode::Char('7'), plain, Place::Fly), Some(Action::Type('7')));
+        assert_eq!(
+            press(KeyCode::Char('7'), plain, Place::Fly),
+            Some(Action::Type('7'))
+        );
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
-use crate::scoring::Report;
 use crate::language::Context;
+use crate::scoring::Report;
 use crate::vehicle::{Severity, VehicleClass};
 use crate::wire::SystemId;
 
@@ -17,7 +17,7 @@ mod session;
 
 pub use super::keymap::Keymap;
 pub use alert::{Alert, alert};
-pub use help::{HelpLine, help_lines};
+pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use ids::{parse_ranges, ranges};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Connect, Consequence, Order, Overlay, Palette};

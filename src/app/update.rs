@@ -28,7 +28,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Paste(text) => keys::paste(state, &text),
         Event::Started(started) => telemetry::started(state, *started),
         Event::VehicleGone(id) => telemetry::gone(state, id),
-        Event::Notice(notice) => return telemetry::notice(state, notice),
+        Event::Notice(notice) => return telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => state.notices.dropped = count,
         Event::Row(row) => state.session.ledger.apply(&row),
         Event::Links(links) => state.session.links = links,

@@ -24,17 +24,34 @@ pub mod telemetry;
 
 /// Draws a rule with a title along the top of `area` and returns what is left below it.
 pub fn titled(title: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
-    let Some(mut x) = put(buffer, area, 0, &Line::styled("── ", theme.style(Role::Border))) else {
+    let Some(mut x) = put(
+        buffer,
+        area,
+        0,
+        &Line::styled("── ", theme.style(Role::Border)),
+    ) else {
         return area;
     };
     let right = area.right();
     let title = clip(title, usize::from(area.width.saturating_sub(4)));
     x = buffer
-        .set_stringn(x, area.y, title, usize::from(right - x), theme.style(Role::Title))
+        .set_stringn(
+            x,
+            area.y,
+            title,
+            usize::from(right - x),
+            theme.style(Role::Title),
+        )
         .0;
     if x < right {
         let rest = "─".repeat(usize::from(right - x).saturating_sub(1));
-        buffer.set_stringn(x + 1, area.y, rest, usize::from(right - x), theme.style(Role::Border));
+        buffer.set_stringn(
+            x + 1,
+            area.y,
+            rest,
+            usize::from(right - x),
+            theme.style(Role::Border),
+        );
     }
     below(area, 1)
 }
@@ -72,6 +89,30 @@ pub fn below(area: Rect, rows: u16) -> Rect {
     Rect {
         y: area.y + rows,
         height: area.height - rows,
+        ..area
+    }
+}
+
+/// One row of an area, empty if the area has no such row.
+pub fn row_of(area: Rect, row: u16) -> Rect {
+    let area = below(area, row);
+    upper(area, 1)
+}
+
+/// The first rows of an area.
+pub fn upper(area: Rect, rows: u16) -> Rect {
+    Rect {
+        height: rows.min(area.height),
+        ..area
+    }
+}
+
+/// Some columns of an area, counted from its left edge.
+pub fn columns(area: Rect, from: u16, width: u16) -> Rect {
+    let from = from.min(area.width);
+    Rect {
+        x: area.x + from,
+        width: width.min(area.width - from),
         ..area
     }
 }
@@ -123,7 +164,10 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
             empty = false;
             line.push_str(word);
             while Span::raw(line.as_str()).width() > width {
-                let at = line.char_indices().nth(width).map_or(line.len(), |(at, _)| at);
+                let at = line
+                    .char_indices()
+                    .nth(width)
+                    .map_or(line.len(), |(at, _)| at);
                 if at == line.len() {
                     break;
                 }
@@ -134,6 +178,21 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
         lines.push(line);
     }
     lines
+}
+
+/// A text whose lines were broken for another width, as paragraphs: only blank and indented lines stay apart.
+pub fn reflow(text: &str) -> String {
+    let mut flowing = String::new();
+    let mut open = false;
+    for line in text.trim_end().lines() {
+        let joins = open && !line.trim().is_empty() && !line.starts_with(' ');
+        if !flowing.is_empty() {
+            flowing.push(if joins { ' ' } else { '\n' });
+        }
+        flowing.push_str(line.trim_end());
+        open = !line.trim().is_empty() && !line.starts_with(' ');
+    }
+    flowing
 }
 
 /// A time as minutes and seconds, with hours where there are any.
@@ -150,7 +209,9 @@ pub fn clock(time: Duration) -> String {
 /// How a severity looks.
 pub fn severity_role(severity: Severity) -> Role {
     match severity {
-        Severity::Emergency | Severity::Alert | Severity::Critical | Severity::Error => Role::Danger,
+        Severity::Emergency | Severity::Alert | Severity::Critical | Severity::Error => {
+            Role::Danger
+        }
         Severity::Warning => Role::Warning,
         Severity::Notice => Role::Accent,
         Severity::Info => Role::Info,
@@ -179,8 +240,19 @@ mod tests {
         assert_eq!(clip("position", 5), "posi…");
         assert_eq!(clip("position", 0), "");
         assert_eq!(clip("日本語", 4), "日…");
-        assert_eq!(wrap("one two  three\n\nfour", 8), ["one two", "three", "", "four"]);
+        assert_eq!(
+            wrap("one two  three\n\nfour", 8),
+            ["one two", "three", "", "four"]
+        );
         assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
+    }
+
+    #[test]
+    fn paragraphs_are_broken_anew_and_lists_are_not() {
+        assert_eq!(
+            reflow("one\ntwo\n\nthree:\n  a\n  b\nfour\n"),
+            "one two\n\nthree:\n  a\n  b\nfour"
+        );
     }
 
     #[test]

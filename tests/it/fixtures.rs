@@ -39,10 +39,36 @@ pub fn parked(id: u8) -> Vehicle {
         heading_deg: Some(0.0),
         at,
     });
-    vehicle.home = Some(Place { at_point: pad, altitude_amsl_m: 180.0 });
+    vehicle.home = Some(Place {
+        at_point: pad,
+        altitude_amsl_m: 180.0,
+    });
     vehicle.landed = LandedState::OnGround;
-    vehicle.attitude = Some(Attitude { roll_deg: 0.2, pitch_deg: -0.4, yaw_deg: 90.0, at });
-    vehicle.gps = Some(Gps { fix: FixType::RtkFixed, satellites: Some(14), hdop: Some(0.8), at });
+    add_instruments(&mut vehicle, at);
+    vehicle.link = LinkQuality {
+        last_heard: Some(at),
+        received: 990,
+        missing: 10,
+        round_trip: Some(Duration::from_millis(3)),
+        ..LinkQuality::default()
+    };
+    vehicle
+}
+
+/// Attitude, GPS, health, battery and filter of a vehicle in order.
+fn add_instruments(vehicle: &mut Vehicle, at: Duration) {
+    vehicle.attitude = Some(Attitude {
+        roll_deg: 0.2,
+        pitch_deg: -0.4,
+        yaw_deg: 90.0,
+        at,
+    });
+    vehicle.gps = Some(Gps {
+        fix: FixType::RtkFixed,
+        satellites: Some(14),
+        hdop: Some(0.8),
+        at,
+    });
     vehicle.health = Some(Health {
         present: 0,
         enabled: 0,
@@ -67,14 +93,6 @@ pub fn parked(id: u8) -> Vehicle {
         compass_variance: 0.04,
         at,
     });
-    vehicle.link = LinkQuality {
-        last_heard: Some(at),
-        received: 990,
-        missing: 10,
-        round_trip: Some(Duration::from_millis(3)),
-        ..LinkQuality::default()
-    };
-    vehicle
 }
 
 /// The same in the air in GUIDED.
@@ -122,8 +140,18 @@ pub fn progress() -> Progress {
         limit: Duration::from_secs(600),
         score_so_far: 412,
         objectives: vec![
-            objective("Measure the air over the yard", ObjectiveState::Open, "4/9 cells", 0.44),
-            objective("Find the highest concentration", ObjectiveState::Met, "B2", 1.0),
+            objective(
+                "Measure the air over the yard",
+                ObjectiveState::Open,
+                "4/9 cells",
+                0.44,
+            ),
+            objective(
+                "Find the highest concentration",
+                ObjectiveState::Met,
+                "B2",
+                1.0,
+            ),
             objective("Land on the pad", ObjectiveState::Open, "", 0.0),
         ],
         readings: vec![Reading {

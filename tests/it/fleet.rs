@@ -80,11 +80,18 @@ impl Console {
             }
         };
         let outcome = tokio::time::timeout(PATIENCE, waiting).await;
-        assert!(outcome.is_ok(), "waited in vain until {what}: {:?} {:?}", self.rows, self.notices);
+        assert!(
+            outcome.is_ok(),
+            "waited in vain until {what}: {:?} {:?}",
+            self.rows,
+            self.notices
+        );
     }
 
     fn vehicle(&self, id: SystemId) -> Option<Arc<Vehicle>> {
-        self.vehicles.get(&id).map(|vehicle| Arc::clone(&vehicle.borrow()))
+        self.vehicles
+            .get(&id)
+            .map(|vehicle| Arc::clone(&vehicle.borrow()))
     }
 
     /// Gives a line of the grammar to vehicles and returns the ledger entry that it would have.
@@ -125,16 +132,26 @@ impl Console {
     async fn until_done(&mut self, entry: EntryId, vehicle: SystemId) {
         let what = format!("{entry:?} is done by {vehicle}");
         self.until(&what, |console| {
-            console.state(entry, vehicle).is_some_and(RowState::is_final)
+            console
+                .state(entry, vehicle)
+                .is_some_and(RowState::is_final)
         })
         .await;
-        assert_eq!(self.state(entry, vehicle), Some(RowState::Done), "{:?}", self.rows);
+        assert_eq!(
+            self.state(entry, vehicle),
+            Some(RowState::Done),
+            "{:?}",
+            self.rows
+        );
     }
 
     async fn until_ready(&mut self, ids: &[SystemId]) {
         self.until("all are ready to arm", |console| {
-            ids.iter()
-                .all(|&id| console.vehicle(id).is_some_and(|vehicle| vehicle.ready_to_arm()))
+            ids.iter().all(|&id| {
+                console
+                    .vehicle(id)
+                    .is_some_and(|vehicle| vehicle.ready_to_arm())
+            })
         })
         .await;
     }
@@ -149,7 +166,10 @@ async fn serve(world: World, speedup: f64) -> (Vec<String>, CancellationToken) {
     let started = Simulator::start(world, speedup, &[endpoint], cancel.clone())
         .await
         .expect("ports are free");
-    let addresses = started.addresses.iter().map(|address| format!("tcp:{address}"));
+    let addresses = started
+        .addresses
+        .iter()
+        .map(|address| format!("tcp:{address}"));
     (addresses.collect(), cancel)
 }
 
@@ -161,7 +181,10 @@ async fn four_vehicles_fly_the_classic_flow_over_pipes() {
         .expect("pipes always open");
     let mut console = Console::start();
     for pipe in started.pipes {
-        console.fleet.connect(Transport::Pipe(pipe)).expect("the fleet runs");
+        console
+            .fleet
+            .connect(Transport::Pipe(pipe))
+            .expect("the fleet runs");
     }
     let all = [1, 2, 3, 4];
     console.until_ready(&all).await;
@@ -183,7 +206,8 @@ async fn four_vehicles_fly_the_classic_flow_over_pipes() {
     }
     console
         .until("all are back on the ground", |console| {
-            all.iter().all(|&id| console.vehicle(id).is_some_and(|vehicle| !vehicle.armed()))
+            all.iter()
+                .all(|&id| console.vehicle(id).is_some_and(|vehicle| !vehicle.armed()))
         })
         .await;
     for id in all {
@@ -207,9 +231,14 @@ async fn a_refused_arm_is_explained_in_plain_words() {
             console.state(arm, 1) == Some(RowState::Refused)
         })
         .await;
-    let text = console.rows.iter().rev().find_map(|row| row.explanation.clone());
+    let text = console
+        .rows
+        .iter()
+        .rev()
+        .find_map(|row| row.explanation.clone());
     assert!(
-        text.as_ref().is_some_and(|text| text.contains("LAND mode not armable")),
+        text.as_ref()
+            .is_some_and(|text| text.contains("LAND mode not armable")),
         "{text:?}"
     );
     cancel.cancel();
@@ -228,11 +257,17 @@ async fn a_vehicle_that_reboots_is_noticed_and_resumed() {
     console.give("reboot", &[1]);
     console
         .until("the reboot is noticed", |console| {
-            console.vehicle(1).is_some_and(|vehicle| vehicle.link.reboots == 1)
+            console
+                .vehicle(1)
+                .is_some_and(|vehicle| vehicle.link.reboots == 1)
         })
         .await;
     console.until_ready(&[1]).await;
-    assert_eq!(console.vehicles.len(), 1, "the same vehicle, not a second one");
+    assert_eq!(
+        console.vehicles.len(),
+        1,
+        "the same vehicle, not a second one"
+    );
     cancel.cancel();
 }
 
@@ -245,7 +280,10 @@ async fn two_vehicles_with_one_system_id_are_named() {
     console.connect(&second[0]);
     console
         .until("the conflict is named", |console| {
-            console.notices.iter().any(|text| text.contains("system id 1 comes from two places"))
+            console
+                .notices
+                .iter()
+                .any(|text| text.contains("system id 1 comes from two places"))
         })
         .await;
     assert_eq!(console.vehicles.len(), 1);
@@ -265,7 +303,10 @@ async fn an_address_where_nobody_listens_says_so_and_goes_on_trying() {
             console.links.first().is_some_and(|link| {
                 let status = link.borrow();
                 matches!(status.state, LinkState::Waiting { .. })
-                    && status.last_error.as_ref().is_some_and(|error| error.contains("refused"))
+                    && status
+                        .last_error
+                        .as_ref()
+                        .is_some_and(|error| error.contains("refused"))
             })
         })
         .await;

@@ -90,7 +90,11 @@ impl Console {
             _ => {
                 let last = name.chars().last().expect("a key has a name");
                 let control = name.strip_prefix("ctrl-").is_some();
-                let modifiers = if control { KeyModifiers::CONTROL } else { KeyModifiers::NONE };
+                let modifiers = if control {
+                    KeyModifiers::CONTROL
+                } else {
+                    KeyModifiers::NONE
+                };
                 KeyEvent::new(KeyCode::Char(last), modifiers)
             }
         };

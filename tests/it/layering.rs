@@ -23,8 +23,19 @@ const SHELL: &[&[&str]] = &[&["app"], &["ui"], &["terminal"], &["console"], &["c
 
 /// What pure modules must not touch: time and randomness are arguments, files and sockets are elsewhere.
 const IMPURE: &[&str] = &[
-    "tokio", "ratatui", "crossterm", "std::fs", "std::net", "std::thread", "std::process", "std::env",
-    "Instant", "SystemTime", "rand::rng", "chrono::Local", "chrono::Utc",
+    "tokio",
+    "ratatui",
+    "crossterm",
+    "std::fs",
+    "std::net",
+    "std::thread",
+    "std::process",
+    "std::env",
+    "Instant",
+    "SystemTime",
+    "rand::rng",
+    "chrono::Local",
+    "chrono::Utc",
 ];
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -63,7 +74,10 @@ fn modules() -> BTreeMap<String, Vec<(PathBuf, String)>> {
             .lines()
             .filter(|line| !line.trim_start().starts_with("//"))
             .collect();
-        modules.entry(module).or_default().push((inner, code.join("\n")));
+        modules
+            .entry(module)
+            .or_default()
+            .push((inner, code.join("\n")));
     }
     modules
 }
@@ -111,7 +125,10 @@ fn dependencies_point_down() {
             continue;
         }
         let all: Vec<&[&str]> = [PURE, IO, SHELL].concat();
-        assert!(level(&all, &module).is_some(), "{module} has no layer: add it to this test");
+        assert!(
+            level(&all, &module).is_some(),
+            "{module} has no layer: add it to this test"
+        );
         for (file, code) in files {
             for used in uses(&code) {
                 if used != module && level(&all, &used).is_some() && !allowed(&module, &used) {
@@ -134,7 +151,8 @@ fn pure_modules_touch_neither_clock_nor_world() {
             for impure in IMPURE {
                 let touched = code.match_indices(impure).any(|(at, _)| {
                     !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_')
-                        && !code[at + impure.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_')
+                        && !code[at + impure.len()..]
+                            .starts_with(|c: char| c.is_alphanumeric() || c == '_')
                 });
                 if touched {
                     faults.push(format!("{}: {impure}", file.display()));
@@ -151,7 +169,11 @@ fn input_and_output_know_nothing_of_the_screen() {
         if level(IO, &module).is_some() {
             for (file, code) in files {
                 assert!(!code.contains("ratatui::"), "{}: ratatui", file.display());
-                assert!(!code.contains("crossterm::"), "{}: crossterm", file.display());
+                assert!(
+                    !code.contains("crossterm::"),
+                    "{}: crossterm",
+                    file.display()
+                );
             }
         }
     }

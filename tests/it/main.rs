@@ -1,6 +1,7 @@
 //! The one integration-test binary.
 
 mod command_line;
+mod console;
 mod fixtures;
 mod fleet;
 mod harness;

@@ -14,7 +14,10 @@ const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 
 fn check(name: &str, console: &Console) {
     for (width, height) in SIZES {
-        insta::assert_snapshot!(format!("{name}_{width}x{height}"), console.screen(width, height));
+        insta::assert_snapshot!(
+            format!("{name}_{width}x{height}"),
+            console.screen(width, height)
+        );
     }
 }
 
@@ -46,25 +49,53 @@ fn busy() -> Console {
     lost.link.lost = true;
     lost.link.last_heard = Some(Duration::from_secs(180));
     let mut unready = fixtures::parked(4);
-    unready.health = unready.health.map(|health| sortie::vehicle::Health { healthy: 0, ..health });
+    unready.health = unready.health.map(|health| sortie::vehicle::Health {
+        healthy: 0,
+        ..health
+    });
     unready.prearm.push("Need Position Estimate".to_owned());
     console.at(185);
-    for vehicle in [fixtures::airborne(1, 20.0, 20.1), fixtures::airborne(2, 35.0, 20.0), lost, unready] {
+    for vehicle in [
+        fixtures::airborne(1, 20.0, 20.1),
+        fixtures::airborne(2, 35.0, 20.0),
+        lost,
+        unready,
+    ] {
         console.vehicle(vehicle);
     }
-    console.hear(Event::Links(vec![link("pipe:1", "up", true), link("udpin:0.0.0.0:14550", "retry in 4 s", false)]));
+    console.hear(Event::Links(vec![
+        link("pipe:1", "up", true),
+        link("udpin:0.0.0.0:14550", "retry in 4 s", false),
+    ]));
     console.give("all arm");
     for vehicle in 1..=3 {
         console.row(vehicle, RowState::Done, None);
     }
-    console.row(4, RowState::Refused, Some("arm refused: PreArm: Need Position Estimate"));
+    console.row(
+        4,
+        RowState::Refused,
+        Some("arm refused: PreArm: Need Position Estimate"),
+    );
     console.at(190).give("1-3 takeoff 20");
-    console.row(1, RowState::Done, None).row(2, RowState::Accepted, None).row(3, RowState::TimedOut, Some("takeoff: no answer in 5 s"));
+    console
+        .row(1, RowState::Done, None)
+        .row(2, RowState::Accepted, None)
+        .row(3, RowState::TimedOut, Some("takeoff: no answer in 5 s"));
     console.notice(Severity::Info, Some(1), "Arming motors");
     console.notice(Severity::Info, Some(2), "Arming motors");
-    console.notice(Severity::Critical, Some(4), "PreArm: Need Position Estimate");
-    console.notice(Severity::Critical, Some(4), "PreArm: Need Position Estimate");
-    console.at(191).notice(Severity::Alert, Some(3), "link lost: nothing heard for 3 s");
+    console.notice(
+        Severity::Critical,
+        Some(4),
+        "PreArm: Need Position Estimate",
+    );
+    console.notice(
+        Severity::Critical,
+        Some(4),
+        "PreArm: Need Position Estimate",
+    );
+    console
+        .at(191)
+        .notice(Severity::Alert, Some(3), "link lost: nothing heard for 3 s");
     console.hear(Event::NoticesDropped(12));
     console.hear(Event::Mission(Box::new(fixtures::progress())));
     console
@@ -81,8 +112,15 @@ fn home() {
 #[test]
 fn connect_prompt_with_an_error() {
     let mut console = Console::new();
-    console.press("down").press("down").press("enter").write("tcp:nowhere").press("enter");
-    console.hear(Event::Failed("`tcp:nowhere` has no port: write tcp:HOST:PORT".to_owned()));
+    console
+        .press("down")
+        .press("down")
+        .press("enter")
+        .write("tcp:nowhere")
+        .press("enter");
+    console.hear(Event::Failed(
+        "`tcp:nowhere` has no port: write tcp:HOST:PORT".to_owned(),
+    ));
     check("connect", &console);
 }
 
@@ -109,9 +147,15 @@ fn a_swarm_larger_than_the_screen() {
 fn the_command_line_offers_and_marks() {
     let mut console = busy();
     check("palette_empty", console.press(":"));
-    check("palette_wrong", console.write("1-2 takeof 20").press("enter"));
+    check(
+        "palette_wrong",
+        console.write("1-2 takeof 20").press("enter"),
+    );
     console.press("esc").press(":");
-    insta::assert_snapshot!("palette_tab_80x24", console.write("t").press("tab").screen(80, 24));
+    insta::assert_snapshot!(
+        "palette_tab_80x24",
+        console.write("t").press("tab").screen(80, 24)
+    );
 }
 
 #[test]
@@ -121,7 +165,10 @@ fn questions_help_links_and_brief() {
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").press("L"));
     check("brief", console.press("esc").press("b"));
-    insta::assert_snapshot!("leave_80x24", console.press("esc").give("leave").screen(80, 24));
+    insta::assert_snapshot!(
+        "leave_80x24",
+        console.press("esc").give("leave").screen(80, 24)
+    );
 }
 
 #[test]
@@ -138,7 +185,12 @@ fn a_terminal_that_is_too_small_is_told_so() {
 
 #[test]
 fn no_size_of_terminal_panics() {
-    let mut consoles = vec![Console::new(), Console::flying(0), Console::flying(250), busy()];
+    let mut consoles = vec![
+        Console::new(),
+        Console::flying(0),
+        Console::flying(250),
+        busy(),
+    ];
     for keys in [[":", "t"], ["?", "j"], ["L", "j"], ["b", "j"], ["*", "j"]] {
         let mut console = busy();
         console.press(keys[0]).press(keys[1]);
@@ -166,7 +218,10 @@ fn text_from_vehicles_never_reaches_the_terminal_as_control() {
     console.state.session.names.insert(1, escape.to_owned());
     console.notice(Severity::Critical, Some(1), escape);
     let mut vehicle = fixtures::parked(1);
-    vehicle.health = vehicle.health.map(|health| sortie::vehicle::Health { healthy: 0, ..health });
+    vehicle.health = vehicle.health.map(|health| sortie::vehicle::Health {
+        healthy: 0,
+        ..health
+    });
     vehicle.prearm.push(escape.to_owned());
     console.vehicle(vehicle);
     for (width, height) in SIZES {

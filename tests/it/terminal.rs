@@ -44,7 +44,9 @@ impl Terminal {
             pixel_width: 0,
             pixel_height: 0,
         };
-        let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
+        let pair = native_pty_system()
+            .openpty(size)
+            .expect("a pseudo-terminal");
         let mut command = CommandBuilder::new(program());
         command.args(arguments);
         command.env("TERM", "xterm-256color");
@@ -52,7 +54,10 @@ impl Terminal {
         for (name, value) in variables {
             command.env(name, value);
         }
-        let child = pair.slave.spawn_command(command).expect("the program starts");
+        let child = pair
+            .slave
+            .spawn_command(command)
+            .expect("the program starts");
         drop(pair.slave);
         let mut reader = pair.master.try_clone_reader().expect("a reader");
         let (bytes, output) = channel();
@@ -69,14 +74,20 @@ impl Terminal {
             master: pair.master,
             child,
             output,
-            screen: vt100::Parser::new(rows.try_into().expect("rows"), columns.try_into().expect("columns"), 0),
+            screen: vt100::Parser::new(
+                rows.try_into().expect("rows"),
+                columns.try_into().expect("columns"),
+                0,
+            ),
             raw: Vec::new(),
         }
     }
 
     /// Types keys as they are.
     pub fn press(&mut self, keys: &str) -> &mut Self {
-        self.keyboard.write_all(keys.as_bytes()).expect("the program reads");
+        self.keyboard
+            .write_all(keys.as_bytes())
+            .expect("the program reads");
         self.keyboard.flush().expect("the program reads");
         self
     }
@@ -95,7 +106,9 @@ impl Terminal {
 
     /// Waits until the screen no longer shows `text`.
     pub fn see_no_more(&mut self, text: &str) -> &mut Self {
-        self.wait(&format!("the end of {text:?}"), |screen| !screen.contains(text))
+        self.wait(&format!("the end of {text:?}"), |screen| {
+            !screen.contains(text)
+        })
     }
 
     /// Waits until the screen is as wanted.
@@ -109,7 +122,9 @@ impl Terminal {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.output.recv_timeout(left) {
                 Ok(bytes) => self.take(&bytes),
-                Err(RecvTimeoutError::Timeout) => panic!("waited in vain for {what} on:\n{contents}"),
+                Err(RecvTimeoutError::Timeout) => {
+                    panic!("waited in vain for {what} on:\n{contents}")
+                }
                 Err(RecvTimeoutError::Disconnected) => {
                     panic!("the program ended before {what} on:\n{contents}")
                 }
@@ -146,9 +161,10 @@ impl Terminal {
             pixel_height: 0,
         };
         self.master.resize(size).expect("the terminal is there");
-        self.screen
-            .screen_mut()
-            .set_size(rows.try_into().expect("rows"), columns.try_into().expect("columns"));
+        self.screen.screen_mut().set_size(
+            rows.try_into().expect("rows"),
+            columns.try_into().expect("columns"),
+        );
         self
     }
 

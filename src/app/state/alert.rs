@@ -35,18 +35,17 @@ pub fn alert(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         .or_else(|| prearm(vehicle))
 }
 
-fn some(severity: Severity, text: impl Into<String>) -> Option<Alert> {
-    Some(Alert {
+fn condition(severity: Severity, text: impl Into<String>) -> Alert {
+    Alert {
         severity,
         text: text.into(),
-    })
+    }
 }
 
 fn recent_text<'a>(vehicle: &'a Vehicle, now: Duration, words: &[&str]) -> Option<&'a str> {
     let mut texts = vehicle.texts.iter().rev();
     let found = texts.find(|line| {
-        now.saturating_sub(line.at) < TEXT_LIFE
-            && words.iter().any(|word| line.text.contains(word))
+        now.saturating_sub(line.at) < TEXT_LIFE && words.iter().any(|word| line.text.contains(word))
     });
     found.map(|line| line.text.as_str())
 }
@@ -56,7 +55,7 @@ fn crashed(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         return None;
     }
     recent_text(vehicle, now, &["Crash"])?;
-    some(Severity::Emergency, "CRASHED, disarmed")
+    Some(condition(Severity::Emergency, "CRASHED, disarmed"))
 }
 
 fn link_lost(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
@@ -64,7 +63,10 @@ fn link_lost(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         return None;
     }
     let silent = now.saturating_sub(vehicle.link.last_heard.unwrap_or_default());
-    some(Severity::Alert, format!("LINK LOST {} s", silent.as_secs()))
+    Some(condition(
+        Severity::Alert,
+        format!("LINK LOST {} s", silent.as_secs()),
+    ))
 }
 
 fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
@@ -73,7 +75,10 @@ fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         return None;
     }
     let reason = recent_text(vehicle, now, &["ailsafe"]);
-    some(Severity::Critical, reason.unwrap_or("FAILSAFE active"))
+    Some(condition(
+        Severity::Critical,
+        reason.unwrap_or("FAILSAFE active"),
+    ))
 }
 
 fn estimate(vehicle: &Vehicle) -> Option<Alert> {
@@ -81,14 +86,14 @@ fn estimate(vehicle: &Vehicle) -> Option<Alert> {
         return None;
     }
     if vehicle.gps.is_some_and(|gps| gps.fix < FixType::Fix3d) {
-        return some(Severity::Critical, "GPS lost");
+        return Some(condition(Severity::Critical, "GPS lost"));
     }
     let ekf = vehicle.ekf?;
     if ekf.flags.has(EkfFlags::GPS_GLITCHING) {
-        return some(Severity::Critical, "GPS glitch");
+        return Some(condition(Severity::Critical, "GPS glitch"));
     }
     if !ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE) {
-        return some(Severity::Critical, "EKF no position");
+        return Some(condition(Severity::Critical, "EKF no position"));
     }
     let parts = [
         ("velocity", ekf.velocity_variance),
@@ -100,16 +105,19 @@ fn estimate(vehicle: &Vehicle) -> Option<Alert> {
     if worst < EKF_LIMIT {
         return None;
     }
-    some(Severity::Error, format!("EKF {part} {worst:.1}"))
+    Some(condition(Severity::Error, format!("EKF {part} {worst:.1}")))
 }
 
 fn battery(vehicle: &Vehicle) -> Option<Alert> {
     let left = vehicle.battery()?.remaining_percent?;
     if left <= BATTERY_CRITICAL {
-        return some(Severity::Critical, format!("BATTERY {left} %"));
+        return Some(condition(Severity::Critical, format!("BATTERY {left} %")));
     }
     if left <= BATTERY_LOW {
-        return some(Severity::Warning, format!("battery low {left} %"));
+        return Some(condition(
+            Severity::Warning,
+            format!("battery low {left} %"),
+        ));
     }
     None
 }
@@ -118,7 +126,7 @@ fn fence(vehicle: &Vehicle) -> Option<Alert> {
     if !vehicle.fence?.breached {
         return None;
     }
-    some(Severity::Error, "outside fence")
+    Some(condition(Severity::Error, "outside fence"))
 }
 
 fn vibration(vehicle: &Vehicle) -> Option<Alert> {
@@ -127,7 +135,10 @@ fn vibration(vehicle: &Vehicle) -> Option<Alert> {
     if !vehicle.armed() || worst < VIBRATION_LIMIT {
         return None;
     }
-    some(Severity::Warning, format!("vibration {worst:.0}"))
+    Some(condition(
+        Severity::Warning,
+        format!("vibration {worst:.0}"),
+    ))
 }
 
 fn prearm(vehicle: &Vehicle) -> Option<Alert> {
@@ -135,8 +146,8 @@ fn prearm(vehicle: &Vehicle) -> Option<Alert> {
         return None;
     }
     match vehicle.prearm.last() {
-        Some(reason) => some(Severity::Warning, reason.clone()),
-        None => some(Severity::Notice, "not ready to arm"),
+        Some(reason) => Some(condition(Severity::Warning, reason.clone())),
+        None => Some(condition(Severity::Notice, "not ready to arm")),
     }
 }
 
@@ -164,17 +175,28 @@ mod tests {
     #[test]
     fn a_healthy_vehicle_has_no_alert() {
         assert_eq!(text_of(&vehicle()), None);
-        assert_eq!(text_of(&Vehicle::new(1, 1)), None, "nothing known is nothing wrong");
+        assert_eq!(
+            text_of(&Vehicle::new(1, 1)),
+            None,
+            "nothing known is nothing wrong"
+        );
     }
 
     #[test]
     fn the_most_serious_condition_wins() {
         let mut vehicle = vehicle();
-        vehicle.health = vehicle.health.map(|health| Health { healthy: 0, ..health });
+        vehicle.health = vehicle.health.map(|health| Health {
+            healthy: 0,
+            ..health
+        });
         assert_eq!(text_of(&vehicle).as_deref(), Some("not ready to arm"));
         vehicle.prearm.push("Need Position Estimate".to_owned());
         assert_eq!(text_of(&vehicle).as_deref(), Some("Need Position Estimate"));
-        vehicle.fence = Some(Fence { breached: true, breaches: 1, breach_type: 1 });
+        vehicle.fence = Some(Fence {
+            breached: true,
+            breaches: 1,
+            breach_type: 1,
+        });
         assert_eq!(text_of(&vehicle).as_deref(), Some("outside fence"));
         vehicle.batteries.push(Battery {
             id: 0,

@@ -2,7 +2,17 @@
 
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Binding, Keymap, Place};
-use crate::language::verbs;
+use crate::language::{Verb, verbs};
+
+/// Columns of a usage that leaves room for an explanation beside it.
+pub const SHORT_USAGE: usize = 22;
+
+/// Columns of a summary that fits beside it.
+const SHORT_SUMMARY: usize = 49;
+/// Columns of a note.
+const NOTE_WIDTH: usize = 66;
+/// Verbs that only pilot scripts can say.
+pub const SCRIPT_VERBS: &[&str] = &["wait"];
 
 /// One line of the help.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,6 +21,8 @@ pub enum HelpLine {
     Title(&'static str),
     /// Something to press or write, and what it does.
     Entry(String, String),
+    /// An explanation below an entry.
+    Note(String),
     /// Space between.
     Blank,
 }
@@ -30,23 +42,63 @@ pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
         lines.push(HelpLine::Blank);
     }
     lines.push(HelpLine::Title("commands: [targets] verb [arguments]"));
-    let targets = "targets: 3  1-4,7  @group  all; none means the selection";
-    lines.push(HelpLine::Entry("1-4,7 arm".to_owned(), targets.to_owned()));
-    for verb in verbs() {
-        for usage in verb.usage() {
-            lines.push(entry(&usage, verb.summary));
-        }
+    lines.extend(notes(
+        "targets: 3  1-4,7  @group  all; none means the selection",
+    ));
+    for verb in verbs()
+        .iter()
+        .filter(|verb| !SCRIPT_VERBS.contains(&verb.name))
+    {
+        lines.extend(explained(verb));
     }
     lines.push(HelpLine::Blank);
     lines.push(HelpLine::Title("the console itself"));
-    lines.extend(CONSOLE_VERBS.iter().map(|verb| entry(verb.usage, verb.summary)));
+    lines.extend(
+        CONSOLE_VERBS
+            .iter()
+            .map(|verb| entry(verb.usage, verb.summary)),
+    );
     lines
+}
+
+/// A verb: its summary beside its usage, or below where one of them is long.
+fn explained(verb: &Verb) -> Vec<HelpLine> {
+    let usages = verb.usage();
+    if let [usage] = usages.as_slice()
+        && usage.chars().count() <= SHORT_USAGE
+        && verb.summary.chars().count() <= SHORT_SUMMARY
+    {
+        return vec![entry(usage, verb.summary)];
+    }
+    let mut lines: Vec<HelpLine> = usages.iter().map(|usage| entry(usage, "")).collect();
+    lines.extend(notes(verb.summary));
+    lines
+}
+
+/// A text in lines of the width of notes.
+fn notes(text: &str) -> Vec<HelpLine> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + word.chars().count() < NOTE_WIDTH => {
+                if !line.is_empty() {
+                    line.push(' ');
+                }
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.into_iter().map(HelpLine::Note).collect()
 }
 
 /// The keys of a place; keys with one meaning share a line.
 fn keys(keymap: &Keymap, place: Place) -> Vec<HelpLine> {
     let mut rows: Vec<(String, &Binding)> = Vec::new();
-    let here = keymap.bindings().iter().filter(|binding| binding.place == place);
+    let here = keymap
+        .bindings()
+        .iter()
+        .filter(|binding| binding.place == place);
     for binding in here {
         let same = |(_, known): &&mut (String, &Binding)| known.description == binding.description;
         match rows.iter_mut().find(same) {
@@ -58,7 +110,9 @@ fn keys(keymap: &Keymap, place: Place) -> Vec<HelpLine> {
         }
     }
     let lines = rows.into_iter();
-    lines.map(|(labels, binding)| entry(&labels, binding.description)).collect()
+    lines
+        .map(|(labels, binding)| entry(&labels, binding.description))
+        .collect()
 }
 
 fn entry(what: &str, meaning: &str) -> HelpLine {

@@ -1,22 +1,11 @@
 //! Sets of vehicles as people write them: `1-4,7`.
 
+use crate::language::Targets;
 use crate::wire::SystemId;
 
-/// Ids as ranges, `1-4,7`; two neighbours stay apart (`1,2`). The ids have to be sorted.
+/// Ids as ranges, `1-4,7`. The ids have to be sorted.
 pub fn ranges(ids: impl IntoIterator<Item = SystemId>) -> String {
-    let mut runs: Vec<(SystemId, SystemId)> = Vec::new();
-    for id in ids {
-        match runs.last_mut() {
-            Some((_, last)) if last.checked_add(1) == Some(id) => *last = id,
-            _ => runs.push((id, id)),
-        }
-    }
-    let words = runs.into_iter().map(|(first, last)| match last - first {
-        0 => first.to_string(),
-        1 => format!("{first},{last}"),
-        _ => format!("{first}-{last}"),
-    });
-    words.collect::<Vec<_>>().join(",")
+    Targets::Ids(ids.into_iter().collect()).to_string()
 }
 
 /// Reads what [`ranges`] writes, in any order.
@@ -46,7 +35,7 @@ mod tests {
 
     #[test]
     fn ranges_are_short_and_exact() {
-        assert_eq!(ranges([1, 2, 3, 4, 7, 9, 10, 255]), "1-4,7,9,10,255");
+        assert_eq!(ranges([1, 2, 3, 4, 7, 9, 10, 255]), "1-4,7,9-10,255");
         assert_eq!(ranges([]), "");
         assert_eq!(parse_ranges("9-7,1"), Ok(vec![1, 7, 8, 9]));
         for wrong in ["", "0", "256", "1-", "1,,2", "a", "-3"] {

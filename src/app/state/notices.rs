@@ -92,6 +92,9 @@ mod tests {
             log.push(notice(1, &number.to_string()));
         }
         assert_eq!(log.lines().len(), LINES_KEPT);
-        assert_eq!(log.lines().next().map(|line| line.notice.text.as_str()), Some("5"));
+        assert_eq!(
+            log.lines().next().map(|line| line.notice.text.as_str()),
+            Some("5")
+        );
     }
 }

@@ -35,6 +35,8 @@ pub struct Session {
     pub places: BTreeMap<String, LatLon>,
     /// The newest entry of the ledger for each vehicle.
     latest: BTreeMap<SystemId, EntryId>,
+    /// Whether the user has put the cursor somewhere.
+    cursor_placed: bool,
 }
 
 /// What a session is about.
@@ -143,7 +145,10 @@ impl Session {
 
     /// How many vehicles are armed.
     pub fn armed(&self) -> usize {
-        self.vehicles.values().filter(|vehicle| vehicle.armed()).count()
+        self.vehicles
+            .values()
+            .filter(|vehicle| vehicle.armed())
+            .count()
     }
 
     /// The place of the cursor in the list of vehicles.
@@ -154,8 +159,28 @@ impl Session {
 
     /// Puts the cursor on a row of the list.
     pub fn set_cursor_row(&mut self, row: usize) {
-        let id = self.vehicles.keys().nth(row).copied();
-        self.cursor = id.or(self.cursor);
+        if let Some(&id) = self.vehicles.keys().nth(row) {
+            self.place_cursor(id);
+        }
+    }
+
+    /// Puts the cursor on a vehicle, where it stays.
+    pub fn place_cursor(&mut self, id: SystemId) {
+        self.cursor = Some(id);
+        self.cursor_placed = true;
+    }
+
+    /// Takes a snapshot over. Until the user moves the cursor it is on the first vehicle, whichever
+    /// happens to be heard first.
+    pub fn insert(&mut self, vehicle: Vehicle) {
+        let id = vehicle.id;
+        self.vehicles.insert(id, vehicle);
+        if self
+            .cursor
+            .is_none_or(|cursor| id < cursor && !self.cursor_placed)
+        {
+            self.cursor = Some(id);
+        }
     }
 
     /// The vehicle under the cursor.

@@ -91,7 +91,7 @@ pub fn select(state: &mut State, ids: &[SystemId]) {
         state.say(Severity::Warning, text);
     }
     if let Some(&first) = there.first() {
-        state.session.cursor = Some(first);
+        state.session.place_cursor(first);
     }
     state.session.selection = there.into_iter().collect();
 }

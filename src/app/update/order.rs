@@ -19,8 +19,9 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
             .targets
             .resolve(&selection, context)
             .map_err(|text| Diagnostic::new(first_word(line), text))?;
-        if targets.is_empty() {
-            let text = "there is no vehicle that this could go to";
+        let missing = |id: &&SystemId| !state.session.vehicles.contains_key(id);
+        if let Some(missing) = targets.iter().find(missing) {
+            let text = format!("there is no vehicle {missing}");
             return Err(Diagnostic::new(first_word(line), text));
         }
         order(line, statement, targets)
@@ -61,7 +62,9 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
         }
     };
     let now = state.now;
-    let entry = state.session.open(now, &order.line, order.verb.name, &order.targets);
+    let entry = state
+        .session
+        .open(now, &order.line, order.verb.name, &order.targets);
     vec![Effect::Command {
         entry,
         targets: order.targets,

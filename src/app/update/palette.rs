@@ -8,7 +8,7 @@ use crate::app::action::Action;
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::state::{Overlay, Palette, State, parse_ranges, ranges};
+use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language;
 use crate::vehicle::Severity;
@@ -56,10 +56,12 @@ pub fn edited(state: &mut State, mut palette: Palette) {
         .or_else(|| state.with_context(|context| language::hint(&line, context)));
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
     found.extend(console::complete(&line, cursor, &state.themes));
-    // Words that begin as typed come before words that only contain the letters.
+    found.retain(|completion| !SCRIPT_VERBS.contains(&completion.text.as_str()));
+    // Words that begin as typed come before words that only contain the letters, and commands before modes.
     found.sort_by_key(|completion| {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
-        !completion.text.starts_with(typed)
+        let command = language::verb(&completion.text).is_some();
+        (!completion.text.starts_with(typed), !command)
     });
     palette.completions = found;
     palette.before_tab = line;
@@ -113,7 +115,7 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
         }
     };
     if palette.history_at.is_none() {
-        palette.draft = palette.input.value().to_owned();
+        palette.input.value().clone_into(&mut palette.draft);
     }
     palette.history_at = at;
     let shown = at.and_then(|at| state.history.iter().rev().nth(at));
@@ -144,13 +146,11 @@ fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
 }
 
 fn carry_out(state: &mut State, line: &str) -> Result<Vec<Effect>, Diagnostic> {
-    match console::parse(line, &state.themes) {
-        Some(own) => console_line(state, line, own?),
-        None => {
-            let order = order::prepare(state, line)?;
-            Ok(order::give(state, order))
-        }
+    if let Some(own) = console::parse(line, &state.themes) {
+        return console_line(state, line, own?);
     }
+    let order = order::prepare(state, line)?;
+    Ok(order::give(state, order))
 }
 
 fn console_line(
@@ -160,7 +160,9 @@ fn console_line(
 ) -> Result<Vec<Effect>, Diagnostic> {
     let at_last_word = |text: String| {
         let end = line.trim_end().len();
-        let start = line[..end].rfind(char::is_whitespace).map_or(0, |at| at + 1);
+        let start = line[..end]
+            .rfind(char::is_whitespace)
+            .map_or(0, |at| at + 1);
         Diagnostic::new(start..end, text)
     };
     match own {
@@ -217,9 +219,17 @@ fn recipients(state: &State, line: &str) -> String {
     }
     if named {
         let ids = targeted(state, first).unwrap_or_default();
-        return if ids.is_empty() { String::new() } else { format!("to {}", ranges(ids)) };
+        return if ids.is_empty() {
+            String::new()
+        } else {
+            format!("to {}", ranges(ids))
+        };
     }
-    let why = if state.session.selection.is_empty() { "under the cursor" } else { "selected" };
+    let why = if state.session.selection.is_empty() {
+        "under the cursor"
+    } else {
+        "selected"
+    };
     format!("to {} ({why})", ranges(state.addressed()))
 }
 

@@ -27,8 +27,7 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
     if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&vehicle) {
         return;
     }
-    session.cursor.get_or_insert(vehicle.id);
-    session.vehicles.insert(vehicle.id, vehicle);
+    session.insert(vehicle);
     state.touch();
 }
 
@@ -57,13 +56,17 @@ pub fn started(state: &mut State, started: Started) {
     state.hush();
 }
 
-pub fn notice(state: &mut State, notice: Notice) -> Vec<Effect> {
+pub fn notice(state: &mut State, notice: &Notice) -> Vec<Effect> {
     let serious = notice.severity <= Severity::Critical;
     state.notices.push(Notice {
         text: sanitised(&notice.text),
-        ..notice
+        ..notice.clone()
     });
-    if serious { vec![Effect::Bell] } else { Vec::new() }
+    if serious {
+        vec![Effect::Bell]
+    } else {
+        Vec::new()
+    }
 }
 
 pub fn progress(state: &mut State, progress: Progress) {

@@ -16,9 +16,14 @@ pub fn draw(lines: &[String], scroll: usize, theme: &Theme, area: Rect, buffer: 
     let rows = usize::from(column.height);
     let first = scroll.min(lines.len().saturating_sub(rows));
     for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
-        // Section names are the lines that begin with a capital after one blank.
-        let section = line.len() > 2 && line.starts_with(' ') && line[1..].starts_with(char::is_uppercase);
+        // The debrief writes the names of its sections in capitals, after one blank.
+        let section = line.starts_with(' ') && line.chars().skip(1).take(2).all(char::is_uppercase);
         let role = if section { Role::Title } else { Role::Text };
-        put(buffer, column, row as u16, &Line::styled(line.as_str(), theme.style(role)));
+        put(
+            buffer,
+            column,
+            row as u16,
+            &Line::styled(line.as_str(), theme.style(role)),
+        );
     }
 }

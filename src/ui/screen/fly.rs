@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::app::state::State;
 use crate::ui::theme::Theme;
-use crate::ui::widget::{below, ledger, mission, notices, swarm, telemetry};
+use crate::ui::widget::{below, columns, ledger, mission, notices, swarm, telemetry, upper};
 
 /// From this width on, telemetry and mission have a column each.
 const THREE_COLUMNS: u16 = 160;
@@ -13,38 +13,37 @@ const THREE_COLUMNS: u16 = 160;
 const SIDE_WIDTH: u16 = 40;
 /// Columns of the mission where it stands alone.
 const MISSION_WIDTH: u16 = 56;
-/// Lines that the telemetry pane can fill, with its title.
-const TELEMETRY_ROWS: u16 = 14;
+/// Rows of the telemetry pane above a mission: what it needs, and what it can fill.
+const TELEMETRY_LEAST: u16 = 5;
+const TELEMETRY_MOST: u16 = 16;
 
 /// Draws the panes.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let vehicles = state.session.vehicles.len().min(usize::from(u16::MAX)) as u16;
-    // A rule, the column titles and at least four rows; never more than half of the screen.
-    let wanted = vehicles.max(4) + 2;
-    let table = Rect { height: wanted.min(area.height / 2), ..area };
-    swarm::draw(state, theme, table, buffer);
-    let rest = below(area, table.height);
-    let side = Rect { width: SIDE_WIDTH, ..rest };
-    let mut log = after(rest, side);
-    if state.session.mission.is_none() {
-        telemetry::draw(state, theme, side, buffer);
-    } else if area.width >= THREE_COLUMNS {
-        let middle = Rect { width: MISSION_WIDTH, ..log };
-        log = after(log, middle);
-        telemetry::draw(state, theme, side, buffer);
-        mission::draw(state, theme, middle, buffer);
+    let vehicles = state.session.vehicles.len() as u16;
+    // A rule, the column titles and a row each; never more than half of the screen.
+    let rows = (vehicles.max(1) + 2).min(area.height / 2);
+    swarm::draw(state, theme, upper(area, rows), buffer);
+    let rest = below(area, rows);
+    let side = columns(rest, 0, SIDE_WIDTH);
+    let mut log = columns(rest, SIDE_WIDTH + 1, rest.width);
+    if let Some(progress) = &state.session.mission {
+        let middle = columns(log, 0, MISSION_WIDTH);
+        if area.width >= THREE_COLUMNS {
+            log = columns(log, MISSION_WIDTH + 1, log.width);
+            telemetry::draw(state, theme, side, buffer);
+            mission::draw(state, theme, middle, buffer);
+        } else {
+            let left = side
+                .height
+                .saturating_sub(mission::height(progress, side.width));
+            let rows = left.clamp(TELEMETRY_LEAST, TELEMETRY_MOST);
+            telemetry::draw(state, theme, upper(side, rows), buffer);
+            mission::draw(state, theme, below(side, rows), buffer);
+        }
     } else {
-        let rows = TELEMETRY_ROWS.min(side.height / 2);
-        telemetry::draw(state, theme, Rect { height: rows, ..side }, buffer);
-        mission::draw(state, theme, below(side, rows), buffer);
+        telemetry::draw(state, theme, side, buffer);
     }
     let rows = log.height / 2;
-    ledger::draw(state, theme, Rect { height: rows, ..log }, buffer);
+    ledger::draw(state, theme, upper(log, rows), buffer);
     notices::draw(state, theme, below(log, rows), buffer);
-}
-
-/// What is left of `area` to the right of `column`, one column of space between.
-fn after(area: Rect, column: Rect) -> Rect {
-    let x = (column.right() + 1).min(area.right());
-    Rect { x, width: area.right() - x, ..area }
 }

@@ -6,26 +6,66 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{HomeItem, State};
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, clip, put, titled, wrap};
+use crate::ui::widget::{below, clip, columns, put, reflow, row_of, titled, wrap};
 
 /// Columns of the list.
 const LIST_WIDTH: u16 = 34;
+/// Columns of the text at most: longer lines are hard to read.
+const TEXT_WIDTH: u16 = 88;
+
+/// What free flight is for, with lines that can be given as they stand.
+const FREE_FLIGHT: &str =
+    "Simulated drones and no task: learn the commands, try things, break nothing.
+
+A first flight, each line after `:`
+
+  all guided
+  all arm
+  all takeoff 20
+  all goto by n 50
+  all rtl";
 
 /// Draws the list with its cursor, and a text about the line under it.
 pub fn draw(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let list = Rect { x: area.x + 1, width: LIST_WIDTH, ..below(area, 1) };
-    let about = Rect {
-        x: list.right() + 2,
-        width: area.width.saturating_sub(LIST_WIDTH + 4).min(88),
-        ..below(area, 1)
-    };
-    draw_list(state, cursor, theme, list, buffer);
-    draw_about(state, cursor, theme, about, buffer);
+    let area = below(area, 1);
+    draw_list(state, cursor, theme, columns(area, 1, LIST_WIDTH), buffer);
+    let width = area.width.saturating_sub(LIST_WIDTH + 4).min(TEXT_WIDTH);
+    draw_about(
+        state,
+        cursor,
+        theme,
+        columns(area, LIST_WIDTH + 3, width),
+        buffer,
+    );
 }
 
 fn draw_list(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let lines = list(state);
+    let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
+    let inner = titled("sortie", theme, area, buffer);
+    let rows = usize::from(inner.height);
+    let middle = cursor_line.unwrap_or(0).saturating_sub(rows / 2);
+    let first = middle.min(lines.len().saturating_sub(rows));
+    for (row, (at, text)) in lines.into_iter().skip(first).take(rows).enumerate() {
+        let row = row as u16;
+        let under_cursor = at == Some(cursor);
+        let line = if at.is_some() {
+            let mark = if under_cursor { '>' } else { ' ' };
+            let text = clip(&text, usize::from(inner.width).saturating_sub(3));
+            Line::raw(format!("{mark} {text}"))
+        } else {
+            Line::styled(text, theme.style(Role::Muted))
+        };
+        put(buffer, inner, row, &line);
+        if under_cursor {
+            buffer.set_style(row_of(inner, row), theme.style(Role::Cursor));
+        }
+    }
+}
+
+/// The lines of the list: items with their number, headings and blanks without.
+fn list(state: &State) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
-    let mut cursor_line = 0;
     for (at, item) in state.home_items().into_iter().enumerate() {
         let heading = match item {
             HomeItem::Mission(0) => Some("missions"),
@@ -38,27 +78,9 @@ fn draw_list(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &m
             }
             lines.push((None, heading.to_owned()));
         }
-        if at == cursor {
-            cursor_line = lines.len();
-        }
         lines.push((Some(at), name(state, item)));
     }
-    let inner = titled("sortie", theme, area, buffer);
-    let rows = usize::from(inner.height);
-    let first = cursor_line.saturating_sub(rows / 2).min(lines.len().saturating_sub(rows));
-    for (row, (at, text)) in lines.into_iter().skip(first).take(rows).enumerate() {
-        let Some(at) = at else {
-            put(buffer, inner, row as u16, &Line::styled(text, theme.style(Role::Muted)));
-            continue;
-        };
-        let mark = if at == cursor { "> " } else { "  " };
-        let text = clip(&text, usize::from(inner.width).saturating_sub(3));
-        put(buffer, inner, row as u16, &Line::raw(format!("{mark}{text}")));
-        if at == cursor {
-            let line = Rect { y: inner.y + row as u16, height: 1, ..inner };
-            buffer.set_style(line, theme.style(Role::Cursor));
-        }
-    }
+    lines
 }
 
 fn draw_about(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -68,7 +90,7 @@ fn draw_about(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &
     let inner = titled(&name(state, item), theme, area, buffer);
     let text = about(state, item);
     let mut row = 0;
-    for line in wrap(&text, usize::from(inner.width)) {
+    for line in wrap(&reflow(&text), usize::from(inner.width)) {
         put(buffer, inner, row, &Line::raw(line));
         row += 1;
     }
@@ -91,10 +113,7 @@ fn name(state: &State, item: HomeItem) -> String {
 fn about(state: &State, item: HomeItem) -> String {
     match item {
         HomeItem::Mission(at) => state.missions[at].brief.clone(),
-        HomeItem::Free => "Four simulated drones and no task: learn the commands, try things, break \
-                           nothing.\n\nA first flight, each line after `:`\n\n  all guided\n  all arm\n  \
-                           all takeoff 20\n  all goto n 50 e 0 up 20\n  all rtl"
-            .to_owned(),
+        HomeItem::Free => FREE_FLIGHT.to_owned(),
         HomeItem::Connect => "Command real drones or a simulator elsewhere: anything that speaks \
                               MAVLink over TCP, UDP or a serial port."
             .to_owned(),
@@ -108,5 +127,23 @@ fn deed(item: HomeItem) -> &'static str {
         HomeItem::Free => " starts",
         HomeItem::Connect => " asks for the address",
         HomeItem::Quit => " leaves",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FREE_FLIGHT;
+    use crate::language::{Context, parse};
+
+    #[test]
+    fn the_first_flight_can_be_flown_as_it_is_written() {
+        let lines: Vec<&str> = FREE_FLIGHT
+            .lines()
+            .filter(|line| line.starts_with("  "))
+            .collect();
+        assert_eq!(lines.len(), 5);
+        for line in lines {
+            assert!(parse(line.trim(), &Context::default()).is_ok(), "{line}");
+        }
     }
 }

@@ -58,9 +58,7 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
 }
 
 fn nearest_basic(rgb: [u8; 3]) -> Color {
-    let nearest = BASIC
-        .iter()
-        .min_by_key(|(_, basic)| distance(rgb, *basic));
+    let nearest = BASIC.iter().min_by_key(|(_, basic)| distance(rgb, *basic));
     nearest.map_or(Color::Reset, |&(colour, _)| colour)
 }
 

@@ -18,9 +18,12 @@ struct ThemeFile {
     roles: BTreeMap<Spanned<String>, StyleEntry>,
 }
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-#[derive(Default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a field of the theme file"
+)]
 struct StyleEntry {
     fg: Option<Spanned<String>>,
     bg: Option<Spanned<String>>,
@@ -60,7 +63,11 @@ pub fn read(source: &str) -> Result<BTreeMap<Role, Style>, Vec<Diagnostic>> {
             );
         }
     }
-    if faults.is_empty() { Ok(styles) } else { Err(faults) }
+    if faults.is_empty() {
+        Ok(styles)
+    } else {
+        Err(faults)
+    }
 }
 
 fn inherited(parent: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> BTreeMap<Role, Style> {

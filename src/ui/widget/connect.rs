@@ -13,7 +13,10 @@ const EXAMPLES: &[(&str, &str)] = &[
     ("tcp:127.0.0.1:5760", "ArduPilot SITL, one vehicle per port"),
     ("udpin:0.0.0.0:14550", "listen; vehicles send here"),
     ("udp:192.168.1.20:14550", "send to a vehicle or a router"),
-    ("serial:/dev/ttyACM0:115200", "an autopilot or a radio on a cable"),
+    (
+        "serial:/dev/ttyACM0:115200",
+        "an autopilot or a radio on a cable",
+    ),
     ("file:FLIGHT.tlog", "a recording"),
 ];
 const HEIGHT: u16 = 14;
@@ -27,7 +30,12 @@ pub fn draw(prompt: &Connect, theme: &Theme, area: Rect, buffer: &mut Buffer) ->
     let mut row = 1;
     let fault = prompt.fault.as_deref().unwrap_or_default();
     for line in wrap(fault, usize::from(inner.width)).into_iter().take(3) {
-        put(buffer, inner, row, &Line::styled(line, theme.style(Role::Danger)));
+        put(
+            buffer,
+            inner,
+            row,
+            &Line::styled(line, theme.style(Role::Danger)),
+        );
         row += 1;
     }
     row += 1;
@@ -40,6 +48,11 @@ pub fn draw(prompt: &Connect, theme: &Theme, area: Rect, buffer: &mut Buffer) ->
         row += 1;
     }
     let text = "several addresses: blanks between them.  Enter connects, Esc closes";
-    put(buffer, inner, row + 1, &Line::styled(text, theme.style(Role::Muted)));
+    put(
+        buffer,
+        inner,
+        row + 1,
+        &Line::styled(text, theme.style(Role::Muted)),
+    );
     cursor
 }

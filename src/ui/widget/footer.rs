@@ -8,7 +8,13 @@ use crate::app::state::{Screen, State};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{below, put, severity_role};
 
-const HOME: &[(&str, &str)] = &[("j k", "move"), ("Enter", "take"), (":", "command"), ("?", "help"), ("q", "quit")];
+const HOME: &[(&str, &str)] = &[
+    ("j k", "move"),
+    ("Enter", "take"),
+    (":", "command"),
+    ("?", "help"),
+    ("q", "quit"),
+];
 const FLY: &[(&str, &str)] = &[
     (":", "command"),
     ("?", "help"),
@@ -19,7 +25,13 @@ const FLY: &[(&str, &str)] = &[
     ("Esc", "none"),
     ("L", "links"),
 ];
-const DEBRIEF: &[(&str, &str)] = &[("j k", "scroll"), ("r", "fly again"), ("h", "home screen"), (":", "command"), ("?", "help")];
+const DEBRIEF: &[(&str, &str)] = &[
+    ("j k", "scroll"),
+    ("r", "fly again"),
+    ("h", "home screen"),
+    (":", "command"),
+    ("?", "help"),
+];
 
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -34,7 +46,10 @@ fn line<'a>(state: &'a State, theme: &Theme, width: usize) -> Line<'a> {
         return Line::from(vec![
             Span::styled(" vehicles ", theme.style(Role::Muted)),
             Span::styled(typed.as_str(), theme.style(Role::Selected)),
-            Span::styled("_  Enter selects   a t g m h l r commands them   Esc drops", theme.style(Role::Muted)),
+            Span::styled(
+                "_  Enter selects   a t g m h l r commands them   Esc drops",
+                theme.style(Role::Muted),
+            ),
         ]);
     }
     if let Some(message) = state.message() {

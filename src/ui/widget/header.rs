@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Screen, State};
+use crate::app::state::{Activity, Screen, State};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{clip, clock, put};
 
@@ -14,14 +14,31 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Re
     buffer.set_style(header, theme.style(Role::Header));
     let right = right_part(state, area.width);
     let left_width = usize::from(area.width).saturating_sub(right.width() + 4);
-    let title = state.session.activity.as_ref().map(|activity| activity.title());
+    let title = state.session.activity.as_ref().map(Activity::title);
     let name = format!(" {} ", state.screen.name());
-    let title = clip(&title.unwrap_or_default(), left_width.saturating_sub(name.len() + 1));
-    let bold = theme.style(Role::Header).add_modifier(ratatui::style::Modifier::BOLD);
-    let left = Line::from(vec![Span::styled(name, bold), Span::raw(format!(" {title}"))]);
+    let title = clip(
+        &title.unwrap_or_default(),
+        left_width.saturating_sub(name.len() + 1),
+    );
+    let bold = theme
+        .style(Role::Header)
+        .add_modifier(ratatui::style::Modifier::BOLD);
+    let left = Line::from(vec![
+        Span::styled(name, bold),
+        Span::raw(format!(" {title}")),
+    ]);
     put(buffer, header, 0, &left);
     let start = area.width.saturating_sub(right.width() as u16 + 1);
-    put(buffer, Rect { x: area.x + start, width: area.width - start, ..header }, 0, &right);
+    put(
+        buffer,
+        Rect {
+            x: area.x + start,
+            width: area.width - start,
+            ..header
+        },
+        0,
+        &right,
+    );
     Rect {
         y: area.y + 1,
         height: area.height.saturating_sub(2),

@@ -4,12 +4,16 @@ use std::collections::BTreeMap;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use crate::app::state::{State, ranges};
 use crate::ledger::{Entry, Row, RowState};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{clip, clock, put, row_role, titled, wrap};
+
+/// Columns before what became of a command.
+const INDENT: usize = 2;
 
 /// Draws the newest entries that fit.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -29,59 +33,73 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     }
     if blocks.is_empty() {
         let text = "no command yet: press : and write one";
-        put(buffer, inner, 0, &Line::styled(text, theme.style(Role::Muted)));
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled(text, theme.style(Role::Muted)),
+        );
     }
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
         put(buffer, inner, row as u16, line);
     }
 }
 
-fn entry_lines<'a>(entry: &'a Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
-    let time = format!("{} ", clock(entry.at));
-    let long = summary(entry, true);
-    let short = summary(entry, false);
-    let used = time.len() + entry.line.chars().count() + 2;
-    let role = entry_role(entry);
-    let outcome = |text: String| Span::styled(text, theme.style(role));
-    let mut lines = Vec::new();
-    let head = |line: String| {
-        vec![Span::styled(time.clone(), theme.style(Role::Muted)), Span::raw(line)]
-    };
-    let fitting = [long, short.clone()].into_iter().find(|text| used + text.chars().count() <= width);
-    match fitting {
-        Some(text) => {
-            let mut spans = head(format!("{}  ", entry.line));
-            spans.push(outcome(text));
-            lines.push(Line::from(spans));
-        }
-        None => {
-            let room = width.saturating_sub(time.len());
-            lines.push(Line::from(head(clip(&entry.line, room))));
-            lines.push(Line::from(vec![Span::raw("      "), outcome(short)]));
-        }
-    }
+fn entry_lines<'a>(entry: &Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
+    let style = theme.style(entry_role(entry));
+    let mut lines = head_lines(entry, width, theme);
     for (text, vehicles) in explanations(entry) {
         let plural = if vehicles.len() == 1 { "" } else { "s" };
         let text = format!("vehicle{plural} {}: {text}", ranges(vehicles));
-        for line in wrap(&text, width.saturating_sub(6)) {
-            lines.push(Line::styled(format!("      {line}"), theme.style(role)));
-        }
+        let wrapped = wrap(&text, width.saturating_sub(INDENT));
+        lines.extend(wrapped.iter().map(|line| indented(line, style)));
     }
     lines
+}
+
+/// The command and what became of it: on one line where it fits, else below each other.
+fn head_lines<'a>(entry: &Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
+    let style = theme.style(entry_role(entry));
+    let time = Span::styled(format!("{} ", clock(entry.at)), theme.style(Role::Muted));
+    let room = width.saturating_sub(time.width());
+    let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
+    let short = summary(entry, false);
+    let mut fitting = [summary(entry, true), short.clone()].into_iter();
+    if let Some(text) = fitting.find(|text| text.chars().count() <= free) {
+        let line = Span::raw(format!("{}  ", entry.line));
+        return vec![Line::from(vec![time, line, Span::styled(text, style)])];
+    }
+    let mut lines = vec![Line::from(vec![time, Span::raw(clip(&entry.line, room))])];
+    let wrapped = wrap(&short, width.saturating_sub(INDENT));
+    lines.extend(wrapped.iter().map(|line| indented(line, style)));
+    lines
+}
+
+fn indented<'a>(text: &str, style: Style) -> Line<'a> {
+    Line::styled(format!("{:INDENT$}{text}", ""), style)
 }
 
 /// How many vehicles are in which state, in words.
 fn summary(entry: &Entry, with_count: bool) -> String {
     if let [row] = entry.rows.as_slice() {
         let again = row.state == RowState::Sent && row.tries > 1;
-        let tries = if again { format!(", try {}", row.tries) } else { String::new() };
+        let tries = if again {
+            format!(", try {}", row.tries)
+        } else {
+            String::new()
+        };
         return format!("{}{tries}", row.state);
     }
     let mut counts: BTreeMap<(u8, String), usize> = BTreeMap::new();
     for row in &entry.rows {
-        *counts.entry((order(row.state), name(row.state))).or_default() += 1;
+        *counts
+            .entry((order(row.state), name(row.state)))
+            .or_default() += 1;
     }
-    let parts: Vec<_> = counts.iter().map(|((_, name), count)| format!("{count} {name}")).collect();
+    let parts: Vec<_> = counts
+        .iter()
+        .map(|((_, name), count)| format!("{count} {name}"))
+        .collect();
     let parts = parts.join(", ");
     if with_count {
         format!("{} vehicles: {parts}", entry.rows.len())
@@ -115,12 +133,16 @@ fn order(state: RowState) -> u8 {
 
 /// A command looks like the worst that became of it.
 fn entry_role(entry: &Entry) -> Role {
-    let worst = entry.rows.iter().map(|row| row.state).max_by_key(|&state| match state {
-        RowState::Done => 0,
-        RowState::Superseded => 1,
-        other if other.is_failure() => 3 + order(other),
-        _ => 2,
-    });
+    let worst = entry
+        .rows
+        .iter()
+        .map(|row| row.state)
+        .max_by_key(|&state| match state {
+            RowState::Done => 0,
+            RowState::Superseded => 1,
+            other if other.is_failure() => 3 + order(other),
+            _ => 2,
+        });
     worst.map_or(Role::Muted, row_role)
 }
 

@@ -8,13 +8,20 @@ use ratatui::text::{Line, Span};
 use crate::app::state::State;
 use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, clip, clock, put, titled, wrap};
+use crate::ui::widget::{below, clip, clock, columns, put, titled, wrap};
 use crate::vehicle::Vehicle;
 
 /// Columns of one cell in the grid.
 const CELL_WIDTH: u16 = 7;
 /// A grid is not drawn for cells that lie farther apart than this many cells.
 const GRID_LIMIT: usize = 64;
+
+/// Rows that the pane would like to have.
+pub fn height(progress: &Progress, width: u16) -> u16 {
+    let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
+    let hint = hint_lines(progress, usize::from(width)).len();
+    (1 + progress.objectives.len() + progress.readings.chunks(2).len() + grid + hint) as u16
+}
 
 /// Draws the pane.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -27,29 +34,38 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         clock(progress.limit),
         progress.score_so_far
     );
-    let inner = titled(&title, theme, area, buffer);
-    let mut lines = text_lines(progress, usize::from(inner.width), theme);
-    lines.truncate(usize::from(inner.height));
-    for (row, line) in lines.iter().enumerate() {
-        put(buffer, inner, row as u16, line);
+    let mut rest = titled(&title, theme, area, buffer);
+    let width = usize::from(rest.width);
+    let objectives = progress
+        .objectives
+        .iter()
+        .map(|objective| objective_line(objective, width, theme));
+    let readings = progress
+        .readings
+        .chunks(2)
+        .map(|pair| reading_line(pair, theme));
+    for line in objectives.chain(readings) {
+        put(buffer, rest, 0, &line);
+        rest = below(rest, 1);
     }
-    let rest = below(inner, lines.len() as u16);
     if let Some(grid) = Grid::of(&progress.cells) {
         grid.draw(state, theme, rest, buffer);
+        rest = below(rest, grid.rows() as u16);
+    }
+    for line in hint_lines(progress, width) {
+        put(
+            buffer,
+            rest,
+            0,
+            &Line::styled(line, theme.style(Role::Accent)),
+        );
+        rest = below(rest, 1);
     }
 }
 
-fn text_lines(progress: &Progress, width: usize, theme: &Theme) -> Vec<Line<'static>> {
-    let mut lines = Vec::new();
-    for objective in &progress.objectives {
-        lines.push(objective_line(objective, width, theme));
-    }
-    lines.extend(progress.readings.chunks(2).map(|pair| reading_line(pair, theme)));
-    if let Some(hint) = &progress.hint {
-        let hint = wrap(&format!("hint: {hint}"), width);
-        lines.extend(hint.into_iter().map(|line| Line::styled(line, theme.style(Role::Accent))));
-    }
-    lines
+fn hint_lines(progress: &Progress, width: usize) -> Vec<String> {
+    let hint = progress.hint.as_ref();
+    hint.map_or_else(Vec::new, |hint| wrap(&format!("hint: {hint}"), width))
 }
 
 fn objective_line(objective: &ObjectiveProgress, width: usize, theme: &Theme) -> Line<'static> {
@@ -72,7 +88,11 @@ fn reading_line(readings: &[Reading], theme: &Theme) -> Line<'static> {
     for reading in readings {
         let label = format!("{} {} ", reading.vehicle, reading.sensor);
         spans.push(Span::styled(label, theme.style(Role::Muted)));
-        spans.push(Span::raw(format!("{} {}   ", amount(reading.value), reading.unit)));
+        spans.push(Span::raw(format!(
+            "{} {}   ",
+            amount(reading.value),
+            reading.unit
+        )));
     }
     Line::from(spans)
 }
@@ -97,9 +117,16 @@ impl<'a> Grid<'a> {
     fn of(cells: &'a [Cell]) -> Option<Self> {
         let first = cells.first()?;
         let side = first.side_m.max(0.1);
-        let places: Vec<(f64, f64)> = cells.iter().map(|cell| first.centre.offset_to(cell.centre)).collect();
-        let north = places.iter().fold(f64::MIN, |most, place| most.max(place.0));
-        let west = places.iter().fold(f64::MAX, |least, place| least.min(place.1));
+        let places: Vec<(f64, f64)> = cells
+            .iter()
+            .map(|cell| first.centre.offset_to(cell.centre))
+            .collect();
+        let north = places
+            .iter()
+            .fold(f64::MIN, |most, place| most.max(place.0));
+        let west = places
+            .iter()
+            .fold(f64::MAX, |least, place| least.min(place.1));
         let cells: Vec<_> = cells
             .iter()
             .zip(&places)
@@ -109,40 +136,51 @@ impl<'a> Grid<'a> {
                 (row, column, cell)
             })
             .collect();
-        let most = cells.iter().map(|&(row, column, _)| row.max(column)).max()?;
+        let most = cells
+            .iter()
+            .map(|&(row, column, _)| row.max(column))
+            .max()?;
         let columns = cells.iter().map(|&(_, column, _)| column).max()? + 1;
         (most < GRID_LIMIT).then_some(Self { cells, columns })
+    }
+
+    fn rows(&self) -> usize {
+        self.cells
+            .iter()
+            .map(|&(row, ..)| row + 1)
+            .max()
+            .unwrap_or(0)
     }
 
     /// A cell shows its name until it has been sampled, then what was found there.
     fn draw(&self, state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         let fits = area.width / self.columns.max(1) as u16;
         let width = fits.min(CELL_WIDTH);
-        if width < 3 {
+        if width < 3 || area.height == 0 {
             return;
         }
-        let lost = self.cells.iter().any(|&(row, ..)| row >= usize::from(area.height));
-        let names = if lost && area.height > 0 { area.height - 1 } else { area.height };
-        for &(row, column, cell) in &self.cells {
-            if row >= usize::from(names) {
-                continue;
-            }
-            let here = Rect {
-                x: area.x + column as u16 * width,
-                y: area.y + row as u16,
-                width,
-                height: 1,
-            };
-            let (text, style) = self.cell(cell, state, theme);
-            put(buffer, here, 0, &Line::styled(clip(&text, usize::from(width) - 1), style));
-        }
-        if lost {
+        let mut rows = area.height;
+        if self.rows() > usize::from(rows) {
+            rows -= 1;
             let text = "more cells on a larger screen";
-            put(buffer, area, names, &Line::styled(text, theme.style(Role::Muted)));
+            put(
+                buffer,
+                area,
+                rows,
+                &Line::styled(text, theme.style(Role::Muted)),
+            );
+        }
+        for &(row, column, cell) in &self.cells {
+            if row < usize::from(rows) {
+                let here = columns(area, column as u16 * width, width);
+                let (text, style) = Self::cell(cell, state, theme);
+                let text = clip(&text, usize::from(width) - 1);
+                put(buffer, here, row as u16, &Line::styled(text, style));
+            }
         }
     }
 
-    fn cell(&self, cell: &Cell, state: &State, theme: &Theme) -> (String, Style) {
+    fn cell(cell: &Cell, state: &State, theme: &Theme) -> (String, Style) {
         let over = |vehicle: &&Vehicle| {
             vehicle.airborne()
                 && vehicle.global.is_some_and(|global| {

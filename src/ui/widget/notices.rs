@@ -34,29 +34,44 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
 
 fn lines<'a>(line: &NoticeLine, width: usize, theme: &Theme) -> Vec<Line<'a>> {
     let notice = &line.notice;
-    let style = theme.style(severity_role(notice.severity));
-    let mut head = format!("{} {:5} ", clock(notice.at), word(notice.severity));
-    if !line.vehicles.is_empty() {
-        let vehicles = clip(&ranges(line.vehicles.iter().copied()), 12);
-        head.push_str(&format!("{vehicles}: "));
-    }
-    let indent = head.chars().count();
-    let count = if line.count > 1 { format!(" (x{})", line.count) } else { String::new() };
-    let room = width.saturating_sub(indent);
-    let mut texts = wrap(&format!("{}{count}", notice.text), room);
-    if texts.len() > MOST_LINES {
-        // What is cut off must not take the count with it.
-        let last = texts.drain(MOST_LINES - 1..).collect::<Vec<_>>().join(" ");
-        let last = last.strip_suffix(&count).unwrap_or(&last).to_owned();
-        texts.push(format!("{}{count}", clip(&last, room.saturating_sub(count.len()))));
-    }
+    let vehicles = match ranges(line.vehicles.iter().copied()) {
+        none if none.is_empty() => none,
+        some => format!("{}: ", clip(&some, 12)),
+    };
+    let mut head = format!(
+        "{} {:5} {vehicles}",
+        clock(notice.at),
+        word(notice.severity)
+    );
+    let indent = " ".repeat(Span::raw(&head).width());
     let mut lines = Vec::new();
-    for (at, text) in texts.into_iter().enumerate() {
-        let head = if at == 0 { head.clone() } else { " ".repeat(indent) };
+    for text in texts(line, width.saturating_sub(indent.len())) {
+        let head = std::mem::replace(&mut head, indent.clone());
         lines.push(Line::from(vec![
             Span::styled(head, theme.style(Role::Muted)),
-            Span::styled(text, style),
+            Span::styled(text, theme.style(severity_role(notice.severity))),
         ]));
+    }
+    lines
+}
+
+/// The text in as many lines as it may take, with how often it came.
+fn texts(line: &NoticeLine, width: usize) -> Vec<String> {
+    // Once from each of the vehicles that are named needs no count.
+    let once_each = line.count as usize <= line.vehicles.len().max(1);
+    let count = if once_each {
+        String::new()
+    } else {
+        format!(" (x{})", line.count)
+    };
+    let text = &line.notice.text;
+    let mut lines = wrap(&format!("{text}{count}"), width);
+    if lines.len() > MOST_LINES {
+        // What is cut off must not take the count with it.
+        let rest = lines.drain(MOST_LINES - 1..).collect::<Vec<_>>().join(" ");
+        let rest = rest.strip_suffix(&count).unwrap_or(&rest);
+        let rest = clip(rest, width.saturating_sub(count.len()));
+        lines.push(format!("{rest}{count}"));
     }
     lines
 }

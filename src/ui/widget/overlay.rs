@@ -4,14 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Confirm, HelpLine, LinkSummary, Overlay, State, help_lines};
+use crate::app::state::{Confirm, HelpLine, LinkSummary, Overlay, SHORT_USAGE, State, help_lines};
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, boxed, centred, clip, put, wrap};
+use crate::ui::widget::{below, boxed, centred, clip, put, reflow, wrap};
 
 /// Columns that one column of help takes.
 const HELP_COLUMN: u16 = 74;
-/// Columns of what is pressed or written, in the help.
-const HELP_LABEL: usize = 28;
 
 /// Draws an overlay; those with a text cursor have files of their own.
 pub fn draw(state: &State, overlay: &Overlay, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -31,7 +29,12 @@ fn draw_confirm(question: &Confirm, theme: &Theme, area: Rect, buffer: &mut Buff
     let text = format!("{} - type {}", question.question, question.answer);
     let mut row = 0;
     for line in wrap(&text, width).into_iter().take(3) {
-        put(buffer, inner, row, &Line::styled(line, theme.style(Role::Danger)));
+        put(
+            buffer,
+            inner,
+            row,
+            &Line::styled(line, theme.style(Role::Danger)),
+        );
         row += 1;
     }
     let reason = clip(&question.reason, width);
@@ -46,15 +49,29 @@ fn draw_confirm(question: &Confirm, theme: &Theme, area: Rect, buffer: &mut Buff
 
 fn draw_help(state: &State, scroll: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let lines = help_lines(&state.keymap);
-    let place = centred((area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6, area.height - 2, area);
-    let inner = boxed("help   j k scroll   Esc closes", Role::Accent, theme, place, buffer);
+    let place = centred(
+        (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
+        area.height - 2,
+        area,
+    );
+    let inner = boxed(
+        "help   j k scroll   Esc closes",
+        Role::Accent,
+        theme,
+        place,
+        buffer,
+    );
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));
     for (at, line) in lines.iter().skip(first).take(rows * columns).enumerate() {
         let column = (at / rows) as u16;
         let x = inner.x + column * HELP_COLUMN;
-        let here = Rect { x, width: HELP_COLUMN.min(inner.right() - x), ..inner };
+        let here = Rect {
+            x,
+            width: HELP_COLUMN.min(inner.right() - x),
+            ..inner
+        };
         put(buffer, here, (at % rows) as u16, &help_line(line, theme));
     }
 }
@@ -62,23 +79,32 @@ fn draw_help(state: &State, scroll: usize, theme: &Theme, area: Rect, buffer: &m
 fn help_line<'a>(line: &'a HelpLine, theme: &Theme) -> Line<'a> {
     match line {
         HelpLine::Title(text) => Line::styled(*text, theme.style(Role::Title)),
+        HelpLine::Note(text) => Line::styled(format!("      {text}"), theme.style(Role::Muted)),
         HelpLine::Blank => Line::default(),
         HelpLine::Entry(what, meaning) => Line::from(vec![
-            Span::styled(format!("  {what:HELP_LABEL$} "), theme.style(Role::Key)),
+            Span::styled(format!("  {what:SHORT_USAGE$} "), theme.style(Role::Key)),
             Span::raw(meaning.as_str()),
         ]),
     }
 }
 
 fn draw_links(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let height = (links.len() as u16).saturating_mul(2).saturating_add(4).max(6);
+    let height = (links.len() as u16)
+        .saturating_mul(2)
+        .saturating_add(4)
+        .max(6);
     let place = centred(area.width.min(100), height.min(area.height - 2), area);
     let inner = boxed("links   Esc closes", Role::Accent, theme, place, buffer);
     let titles = format!(
         "{:>8} {:>8} {:>7} {:>7} {:>7} {:>8} {:>7} {:>8} {:>6}",
         "B/s in", "B/s out", "msg in", "msg out", "bad CRC", "skipped", "lost", "unknown", "RTT ms"
     );
-    put(buffer, inner, 0, &Line::styled(titles, theme.style(Role::Muted)));
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::styled(titles, theme.style(Role::Muted)),
+    );
     let rows = below(inner, 1);
     if links.is_empty() {
         put(buffer, rows, 0, &Line::raw("there is no link"));
@@ -96,7 +122,9 @@ fn draw_links(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buf
 }
 
 fn counters(link: &LinkSummary) -> String {
-    let trip = link.round_trip.map_or("-".to_owned(), |trip| trip.as_millis().to_string());
+    let trip = link
+        .round_trip
+        .map_or("-".to_owned(), |trip| trip.as_millis().to_string());
     format!(
         "{:>8.0} {:>8.0} {:>7.0} {:>7.0} {:>7} {:>8} {:>7} {:>8} {trip:>6}",
         link.bytes_in_per_s,
@@ -115,7 +143,10 @@ fn draw_brief(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let width = 76.min(area.width);
-    let lines = wrap(&mission.brief, usize::from(width).saturating_sub(4));
+    let lines = wrap(
+        &reflow(&mission.brief),
+        usize::from(width).saturating_sub(4),
+    );
     let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
     let place = centred(width, height, area);
     let inner = boxed(&mission.title, Role::Accent, theme, place, buffer);

@@ -8,11 +8,16 @@ use tui_input::Input;
 
 use crate::app::state::Palette;
 use crate::diagnostic::Diagnostic;
+use crate::language::Completion;
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, boxed, clip, put};
+use crate::ui::widget::{below, boxed, clip, put, row_of, wrap};
 
 /// Rows of the box: frame, line, mark, message, choices.
 const HEIGHT: u16 = 13;
+/// Rows of the hint, or of the mark under a wrong word and what is wrong with it.
+const HINT_ROWS: usize = 2;
+/// What is told while there is no verb yet.
+const GRAMMAR: &str = "[targets] verb [arguments]: Tab completes, Up brings back older lines";
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
@@ -27,12 +32,19 @@ pub fn draw(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) -
     let inner = boxed(title.trim_end(), Role::Accent, theme, place, buffer);
     let fault = palette.fault.as_ref();
     let (cursor, scroll) = draw_line(&palette.input, fault, theme, inner, buffer);
-    match fault {
-        Some(fault) => draw_fault(palette.input.value(), fault, scroll, (theme, inner), buffer),
-        None => {
-            let hint = palette.hint.as_deref().unwrap_or_default();
-            let hint = clip(hint, usize::from(inner.width - PROMPT));
-            put(buffer, indented(inner), 1, &Line::styled(hint, theme.style(Role::Muted)));
+    if let Some(fault) = fault {
+        draw_fault(palette.input.value(), fault, scroll, (theme, inner), buffer);
+    } else {
+        let hint = palette.hint.as_deref().unwrap_or(GRAMMAR);
+        let place = below(indented(inner), 1);
+        let lines = wrap(hint, usize::from(place.width));
+        for (row, line) in lines.into_iter().take(HINT_ROWS).enumerate() {
+            put(
+                buffer,
+                place,
+                row as u16,
+                &Line::styled(line, theme.style(Role::Muted)),
+            );
         }
     }
     draw_choices(palette, theme, below(inner, 3), buffer);
@@ -47,7 +59,10 @@ pub fn draw_line(
     area: Rect,
     buffer: &mut Buffer,
 ) -> (Position, usize) {
-    let text = Rect { height: 1.min(area.height), ..indented(area) };
+    let text = Rect {
+        height: 1.min(area.height),
+        ..indented(area)
+    };
     let scroll = input.visual_scroll(usize::from(text.width).saturating_sub(1).max(1));
     put(buffer, area, 0, &Line::styled(": ", theme.style(Role::Key)));
     let (before, wrong, after) = parts(input.value(), fault);
@@ -56,7 +71,9 @@ pub fn draw_line(
         Span::styled(wrong, theme.style(Role::Error)),
         Span::raw(after),
     ]);
-    Paragraph::new(line).scroll((0, scroll as u16)).render(text, buffer);
+    Paragraph::new(line)
+        .scroll((0, scroll as u16))
+        .render(text, buffer);
     let column = input.visual_cursor().saturating_sub(scroll) as u16;
     let x = (text.x + column).min(text.right().saturating_sub(1));
     (Position::new(x, text.y), scroll)
@@ -68,7 +85,11 @@ fn parts<'a>(line: &'a str, fault: Option<&Diagnostic>) -> (&'a str, &'a str, &'
     let Some(span) = fault.map(|fault| &fault.span) else {
         return whole;
     };
-    match (line.get(..span.start), line.get(span.clone()), line.get(span.end..)) {
+    match (
+        line.get(..span.start),
+        line.get(span.clone()),
+        line.get(span.end..),
+    ) {
         (Some(before), Some(wrong), Some(after)) => (before, wrong, after),
         _ => whole,
     }
@@ -86,37 +107,62 @@ fn draw_fault(
     let start = Span::raw(before).width().saturating_sub(scroll);
     let carets = "^".repeat(Span::raw(wrong).width().max(1));
     let style = theme.style(Role::Danger);
-    let text = Rect { height: area.height, ..indented(area) };
-    put(buffer, text, 1, &Line::styled(format!("{}{carets}", " ".repeat(start)), style));
-    let help = fault.help.as_ref().map_or(String::new(), |help| format!(" - {help}"));
+    let text = Rect {
+        height: area.height,
+        ..indented(area)
+    };
+    put(
+        buffer,
+        text,
+        1,
+        &Line::styled(format!("{}{carets}", " ".repeat(start)), style),
+    );
+    let help = fault
+        .help
+        .as_ref()
+        .map_or(String::new(), |help| format!(" - {help}"));
     let message = clip(&format!("{}{help}", fault.message), usize::from(text.width));
     put(buffer, text, 2, &Line::styled(message, style));
 }
 
 fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let choices = &palette.completions;
     let rows = usize::from(area.height);
-    let count = palette.completions.len();
-    let chosen = palette.chosen.unwrap_or(0);
-    let first = (chosen + 1).saturating_sub(rows).min(count.saturating_sub(rows));
-    let widest = palette.completions.iter().map(|choice| choice.text.chars().count()).max();
+    // The chosen one is the last row once the list has to scroll.
+    let first = palette
+        .chosen
+        .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
+    let widest = choices
+        .iter()
+        .map(|choice| choice.text.chars().count())
+        .max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
-    let seen = palette.completions.iter().enumerate().skip(first).take(rows);
-    for (row, (at, choice)) in seen.enumerate() {
-        let is_chosen = palette.chosen == Some(at);
-        let mark = if is_chosen { "> " } else { "  " };
-        let name = clip(&choice.text, name_width);
-        let hint_width = usize::from(area.width).saturating_sub(name_width + 4);
-        let line = Line::from(vec![
-            Span::raw(mark),
-            Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
-            Span::styled(clip(&choice.hint, hint_width), theme.style(Role::Muted)),
-        ]);
+    for (row, choice) in choices.iter().skip(first).take(rows).enumerate() {
+        let is_chosen = palette.chosen == Some(first + row);
+        let line = choice_line(choice, is_chosen, name_width, theme);
         put(buffer, area, row as u16, &line);
         if is_chosen {
-            let row = Rect { y: area.y + row as u16, height: 1, ..area };
-            buffer.set_style(row, theme.style(Role::Cursor));
+            buffer.set_style(row_of(area, row as u16), theme.style(Role::Cursor));
         }
     }
+}
+
+fn choice_line<'a>(
+    choice: &'a Completion,
+    is_chosen: bool,
+    name_width: usize,
+    theme: &Theme,
+) -> Line<'a> {
+    let mark = if is_chosen { "> " } else { "  " };
+    let name = clip(&choice.text, name_width);
+    // A verb without arguments has its name for a usage: once is enough.
+    let said = format!("{}: ", choice.text);
+    let hint = choice.hint.strip_prefix(&said).unwrap_or(&choice.hint);
+    Line::from(vec![
+        Span::raw(mark),
+        Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
+        Span::styled(hint, theme.style(Role::Muted)),
+    ])
 }
 
 fn indented(area: Rect) -> Rect {

@@ -30,6 +30,7 @@ struct Row<'a> {
     vehicle: &'a Vehicle,
     session: &'a Session,
     alert: Option<Alert>,
+    selected: bool,
 }
 
 /// In the order of display. Ranks say which go first when the screen is narrow.
@@ -71,33 +72,46 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height.saturating_sub(2));
     let count = session.vehicles.len();
     // The cursor stays in the middle while the list scrolls under it.
-    let first = session.cursor_row().saturating_sub(rows / 2).min(count.saturating_sub(rows));
+    let first = session
+        .cursor_row()
+        .saturating_sub(rows / 2)
+        .min(count.saturating_sub(rows));
     let inner = titled(&title(session, first, rows), theme, area, buffer);
     let columns = fitting(inner.width);
     draw_titles(&columns, theme, inner, buffer);
     let list = below(inner, 1);
     if count == 0 {
         let text = "  waiting for the first vehicle ...";
-        put(buffer, list, 0, &Line::styled(text, theme.style(Role::Muted)));
+        put(
+            buffer,
+            list,
+            0,
+            &Line::styled(text, theme.style(Role::Muted)),
+        );
     }
     let seen = session.vehicles.values().skip(first).take(rows);
     for (at, vehicle) in seen.enumerate() {
-        let line = Rect { y: list.y + at as u16, height: 1, ..list };
+        let line = Rect {
+            y: list.y + at as u16,
+            height: 1,
+            ..list
+        };
         draw_vehicle(vehicle, state, &columns, (theme, line), buffer);
     }
 }
 
 fn title(session: &Session, first: usize, rows: usize) -> String {
     let count = session.vehicles.len();
-    let mut title = "swarm".to_owned();
+    let mut parts = vec!["swarm".to_owned()];
     if count > rows {
-        title.push_str(&format!("  {}-{} of {count}", first + 1, (first + rows).min(count)));
+        let last = (first + rows).min(count);
+        parts.push(format!("{}-{last} of {count}", first + 1));
     }
     if !session.selection.is_empty() {
-        let chosen = ranges(session.selection.iter().copied());
-        title.push_str(&format!("  selected {}: {}", session.selection.len(), clip(&chosen, 40)));
+        let chosen = clip(&ranges(session.selection.iter().copied()), 40);
+        parts.push(format!("selected {}: {chosen}", session.selection.len()));
     }
-    title
+    parts.join("  ")
 }
 
 /// The columns that fit, with their widths; the last one takes what is left.
@@ -122,19 +136,17 @@ fn fitting(width: u16) -> Vec<(&'static Column, u16)> {
     columns
 }
 
-fn draw_titles(
-    columns: &[(&Column, u16)],
-    theme: &Theme,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let mut x = 2;
-    for (column, width) in columns {
-        let text = aligned(column.title, *width, column.right);
-        let place = Rect { x: area.x + x, width: *width, height: 1, ..area };
-        put(buffer, place, 0, &Line::styled(text, theme.style(Role::Muted)));
-        x += width + 1;
-    }
+fn draw_titles(columns: &[(&Column, u16)], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let titles = columns
+        .iter()
+        .map(|(column, width)| aligned(column.title, *width, column.right));
+    let line = format!("   {}", titles.collect::<Vec<_>>().join(" "));
+    put(
+        buffer,
+        area,
+        0,
+        &Line::styled(line, theme.style(Role::Muted)),
+    );
 }
 
 fn draw_vehicle(
@@ -147,36 +159,39 @@ fn draw_vehicle(
     let session = &state.session;
     let under_cursor = session.cursor == Some(vehicle.id);
     let selected = session.selection.contains(&vehicle.id);
-    let cursor_mark = if under_cursor { ">" } else { " " };
-    let selection_mark = if selected { "*" } else { " " };
-    let marks = Line::from(vec![
-        Span::raw(cursor_mark),
-        Span::styled(selection_mark, theme.style(Role::Selected)),
-    ]);
-    put(buffer, area, 0, &marks);
     let row = Row {
         vehicle,
         session,
         alert: alert(vehicle, state.now),
+        selected,
     };
-    let mut x = 2;
+    let cursor_mark = if under_cursor { ">" } else { " " };
+    let selection_mark = if selected { "*" } else { " " };
+    let mut line = Line::from(vec![
+        Span::raw(cursor_mark),
+        Span::styled(selection_mark, theme.style(Role::Selected)),
+    ]);
     for (column, width) in columns {
         let (text, role) = (column.cell)(&row);
-        let role = if selected && column.title == "id" { Role::Selected } else { role };
-        let place = Rect { x: area.x + x, width: *width, ..area };
-        let text = aligned(&text, *width, column.right);
-        put(buffer, place, 0, &Line::styled(text, theme.style(role)));
-        x += width + 1;
+        let text = format!(" {}", aligned(&text, *width, column.right));
+        line.push_span(Span::styled(text, theme.style(role)));
     }
+    put(buffer, area, 0, &line);
     if under_cursor {
         buffer.set_style(area, theme.style(Role::Cursor));
     }
 }
 
+/// A text cut or filled up to a width.
 fn aligned(text: &str, width: u16, right: bool) -> String {
-    let width = usize::from(width);
-    let text = clip(text, width);
-    if right { format!("{text:>width$}") } else { text }
+    let text = clip(text, usize::from(width));
+    let missing = usize::from(width).saturating_sub(Span::raw(&text).width());
+    let blanks = " ".repeat(missing);
+    if right {
+        blanks + &text
+    } else {
+        text + &blanks
+    }
 }
 
 /// A number that may not be known.
@@ -192,7 +207,12 @@ fn unknown() -> (String, Role) {
 }
 
 fn id(row: &Row<'_>) -> (String, Role) {
-    (row.vehicle.id.to_string(), Role::Text)
+    let role = if row.selected {
+        Role::Selected
+    } else {
+        Role::Text
+    };
+    (row.vehicle.id.to_string(), role)
 }
 
 fn name(row: &Row<'_>) -> (String, Role) {
@@ -200,7 +220,9 @@ fn name(row: &Row<'_>) -> (String, Role) {
 }
 
 fn mode(row: &Row<'_>) -> (String, Role) {
-    row.vehicle.mode().map_or_else(unknown, |mode| (mode.to_string(), Role::Text))
+    row.vehicle
+        .mode()
+        .map_or_else(unknown, |mode| (mode.to_string(), Role::Text))
 }
 
 fn armed(row: &Row<'_>) -> (String, Role) {
@@ -253,8 +275,14 @@ fn gps(row: &Row<'_>) -> (String, Role) {
     let Some(gps) = row.vehicle.gps else {
         return unknown();
     };
-    let role = if gps.fix < FixType::Fix3d { Role::Warning } else { Role::Text };
-    let satellites = gps.satellites.map_or(String::new(), |count| format!(" {count}"));
+    let role = if gps.fix < FixType::Fix3d {
+        Role::Warning
+    } else {
+        Role::Text
+    };
+    let satellites = gps
+        .satellites
+        .map_or(String::new(), |count| format!(" {count}"));
     (format!("{}{satellites}", gps.fix), role)
 }
 
@@ -263,7 +291,11 @@ fn link(row: &Row<'_>) -> (String, Role) {
     if link.lost {
         return ("LOST".to_owned(), Role::Danger);
     }
-    let role = if link.percent() < 90 { Role::Warning } else { Role::Text };
+    let role = if link.percent() < 90 {
+        Role::Warning
+    } else {
+        Role::Text
+    };
     (format!("{}%", link.percent()), role)
 }
 
@@ -283,7 +315,10 @@ fn command(row: &Row<'_>) -> (String, Role) {
     };
     // The state is what must not be cut off.
     let width = usize::from(COMMAND_WIDTH).saturating_sub(state.chars().count() + 1);
-    (format!("{} {state}", clip(&entry.verb, width)), row_role(line.state))
+    (
+        format!("{} {state}", clip(&entry.verb, width)),
+        row_role(line.state),
+    )
 }
 
 fn alert_cell(row: &Row<'_>) -> (String, Role) {
@@ -292,4 +327,3 @@ fn alert_cell(row: &Row<'_>) -> (String, Role) {
         None => (String::new(), Role::Text),
     }
 }
-

@@ -52,7 +52,12 @@ fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, String)> {
         ("link", link(vehicle, state)),
         ("wind", wind(vehicle)),
         ("vibe", vibration(vehicle)),
-        ("ground", vehicle.rangefinder_m.map_or(String::new(), |m| format!("{m:.1} m below"))),
+        (
+            "ground",
+            vehicle
+                .rangefinder_m
+                .map_or(String::new(), |m| format!("{m:.1} m below")),
+        ),
         ("plan", plan(vehicle)),
         ("RC", channels(vehicle)),
         ("servos", pulses(&vehicle.servos_us)),
@@ -76,7 +81,10 @@ fn height(vehicle: &Vehicle) -> String {
     let climb = -global.down_m_s;
     // A climb of -0.0 would flicker.
     let climb = if climb.abs() < 0.05 { 0.0 } else { climb };
-    format!("{:.1} m  climb {climb:+.1}  sea {:.0} m", global.altitude_m, global.altitude_amsl_m)
+    format!(
+        "{:.1} m  climb {climb:+.1}  sea {:.0} m",
+        global.altitude_m, global.altitude_amsl_m
+    )
 }
 
 fn speed(vehicle: &Vehicle) -> String {
@@ -117,23 +125,33 @@ fn target(vehicle: &Vehicle) -> String {
     let (Some(global), Some(target)) = (vehicle.global, vehicle.target) else {
         return String::new();
     };
-    let distance = target.at_point.map(|to| format!("{:.0} m away", global.at_point.distance_m(to)));
-    let altitude = target.altitude_m.map(|altitude| format!("at {altitude:.0} m"));
+    let distance = target
+        .at_point
+        .map(|to| format!("{:.0} m away", global.at_point.distance_m(to)));
+    let altitude = target
+        .altitude_m
+        .map(|altitude| format!("at {altitude:.0} m"));
     let parts = [distance, altitude].into_iter().flatten();
     parts.collect::<Vec<_>>().join("  ")
 }
 
 fn place(vehicle: &Vehicle) -> String {
     let point = vehicle.global.map(|global| global.at_point);
-    point.map_or(String::new(), |point| format!("{:.6} {:.6}", point.lat_deg, point.lon_deg))
+    point.map_or(String::new(), |point| {
+        format!("{:.6} {:.6}", point.lat_deg, point.lon_deg)
+    })
 }
 
 fn gps(vehicle: &Vehicle) -> String {
     let Some(gps) = vehicle.gps else {
         return String::new();
     };
-    let satellites = gps.satellites.map_or(String::new(), |count| format!("  {count} satellites"));
-    let hdop = gps.hdop.map_or(String::new(), |hdop| format!("  HDOP {hdop:.1}"));
+    let satellites = gps
+        .satellites
+        .map_or(String::new(), |count| format!("  {count} satellites"));
+    let hdop = gps
+        .hdop
+        .map_or(String::new(), |hdop| format!("  HDOP {hdop:.1}"));
     format!("{}{satellites}{hdop}", gps.fix)
 }
 
@@ -142,7 +160,11 @@ fn ekf(vehicle: &Vehicle) -> String {
         return String::new();
     };
     let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
-    let state = if ekf.flags.has(position) { "ok" } else { "no position" };
+    let state = if ekf.flags.has(position) {
+        "ok"
+    } else {
+        "no position"
+    };
     format!(
         "{state}  vel {:.2} pos {:.2} mag {:.2}",
         ekf.velocity_variance, ekf.position_horizontal_variance, ekf.compass_variance
@@ -152,20 +174,26 @@ fn ekf(vehicle: &Vehicle) -> String {
 fn attitude(vehicle: &Vehicle) -> String {
     let attitude = vehicle.attitude;
     attitude.map_or(String::new(), |attitude| {
-        format!("roll {:+.0}°  pitch {:+.0}°", attitude.roll_deg, attitude.pitch_deg)
+        // Adding zero turns a rounded -0 into +0, which does not flicker.
+        let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
+        format!("roll {roll:+.0}°  pitch {pitch:+.0}°")
     })
 }
 
 fn link(vehicle: &Vehicle, state: &State) -> String {
     let link = &vehicle.link;
     let quality = if link.lost {
-        let silent = state.now.saturating_sub(link.last_heard.unwrap_or_default());
+        let silent = state
+            .now
+            .saturating_sub(link.last_heard.unwrap_or_default());
         format!("LOST {} s ago", silent.as_secs())
     } else {
         format!("{} %", link.percent())
     };
     let trip = link.round_trip;
-    let trip = trip.map_or(String::new(), |trip| format!("  round trip {} ms", trip.as_millis()));
+    let trip = trip.map_or(String::new(), |trip| {
+        format!("  round trip {} ms", trip.as_millis())
+    });
     let reboots = match link.reboots {
         0 => String::new(),
         count => format!("  rebooted {count}x"),
@@ -175,7 +203,9 @@ fn link(vehicle: &Vehicle, state: &State) -> String {
 
 fn wind(vehicle: &Vehicle) -> String {
     let wind = vehicle.wind;
-    wind.map_or(String::new(), |wind| format!("{:.1} m/s from {:.0}°", wind.speed_m_s, wind.from_deg))
+    wind.map_or(String::new(), |wind| {
+        format!("{:.1} m/s from {:.0}°", wind.speed_m_s, wind.from_deg)
+    })
 }
 
 fn vibration(vehicle: &Vehicle) -> String {
@@ -195,7 +225,9 @@ fn plan(vehicle: &Vehicle) -> String {
 }
 
 fn channels(vehicle: &Vehicle) -> String {
-    vehicle.rc.map_or(String::new(), |rc| pulses(&rc.channels_us))
+    vehicle
+        .rc
+        .map_or(String::new(), |rc| pulses(&rc.channels_us))
 }
 
 /// The first channels that carry something.
@@ -205,7 +237,9 @@ fn pulses(pulses_us: &[u16]) -> String {
 }
 
 fn load(vehicle: &Vehicle) -> String {
-    vehicle.health.map_or(String::new(), |health| format!("{:.0} %", health.load_percent))
+    vehicle.health.map_or(String::new(), |health| {
+        format!("{:.0} %", health.load_percent)
+    })
 }
 
 fn firmware(vehicle: &Vehicle) -> String {

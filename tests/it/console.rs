@@ -1,0 +1,419 @@
+//! What the console does with keys and lines, told as scripts.
+
+use sortie::app::effect::Effect;
+use sortie::app::event::Event;
+use sortie::app::state::{Activity, Overlay, Screen};
+use sortie::ledger::RowState;
+use sortie::vehicle::Severity;
+
+use crate::fixtures;
+use crate::harness::Console;
+
+fn selection(console: &Console) -> Vec<u8> {
+    console.state.session.selection.iter().copied().collect()
+}
+
+fn palette_line(console: &Console) -> String {
+    match &console.state.overlay {
+        Some(Overlay::Palette(palette)) => palette.input.value().to_owned(),
+        other => panic!("the command line is not open: {other:?}"),
+    }
+}
+
+fn fault_word(console: &Console) -> String {
+    match &console.state.overlay {
+        Some(Overlay::Palette(palette)) => {
+            let fault = palette.fault.as_ref().expect("a fault");
+            palette.input.value()[fault.span.clone()].to_owned()
+        }
+        other => panic!("the command line is not open: {other:?}"),
+    }
+}
+
+#[test]
+fn a_line_with_targets_goes_to_exactly_those() {
+    let mut console = Console::flying(4);
+    console.give("2-3 arm");
+    assert_eq!(console.sent_to(), [2, 3]);
+    let entry = console
+        .state
+        .session
+        .ledger
+        .entries()
+        .next()
+        .expect("an entry");
+    assert_eq!((entry.line.as_str(), entry.rows.len()), ("2-3 arm", 2));
+}
+
+#[test]
+fn a_line_without_targets_goes_to_the_selection_else_to_the_cursor() {
+    let mut console = Console::flying(6);
+    console.press("j").give("arm");
+    assert_eq!(console.sent_to(), [2]);
+    console.write("1,4-5").press("enter").give("arm");
+    assert_eq!(console.sent_to(), [1, 4, 5]);
+    let entry = console
+        .state
+        .session
+        .ledger
+        .entries()
+        .next_back()
+        .expect("an entry");
+    assert_eq!(entry.line, "1,4-5 arm", "the ledger names them");
+}
+
+#[test]
+fn vehicles_are_selected_by_numbers_space_star_and_exclamation_mark() {
+    let mut console = Console::flying(9);
+    assert_eq!(
+        selection(console.write("3-9").press("enter")),
+        [3, 4, 5, 6, 7, 8, 9]
+    );
+    assert_eq!(selection(console.press("!")), [1, 2]);
+    assert_eq!(
+        selection(console.press("space")),
+        [1, 2, 3],
+        "the cursor was on 3"
+    );
+    assert_eq!(selection(console.press("*")).len(), 9);
+    assert!(selection(console.press("esc")).is_empty());
+    console.write("12").press("enter");
+    assert_eq!(
+        console.state.message().map(|it| it.text.as_str()),
+        Some("there is no vehicle 12")
+    );
+}
+
+#[test]
+fn quick_keys_only_write_a_line() {
+    let mut console = Console::flying(2);
+    console.press("a");
+    assert!(console.effects.is_empty());
+    assert_eq!(palette_line(&console), "arm");
+    console.press("enter");
+    assert_eq!(console.sent_to(), [1]);
+    console.write("1-2").press("t").write("20").press("enter");
+    assert_eq!(
+        console.sent_to(),
+        [1, 2],
+        "numbers typed before the key become the targets"
+    );
+}
+
+#[test]
+fn a_dangerous_verb_wants_the_number_of_its_targets() {
+    let mut console = Console::flying(5);
+    console.give("1,3,5 kill");
+    assert!(console.effects.is_empty());
+    assert!(console.screen(80, 24).contains("KILL 3: 1 3 5 - type 3"));
+    console.press("3");
+    assert_eq!(console.sent_to(), [1, 3, 5]);
+    for wrong in ["5", "enter", "y", "esc", "ctrl-c"] {
+        console.give("1,3,5 kill").press(wrong);
+        assert!(console.effects.is_empty(), "{wrong}");
+        assert!(console.state.overlay.is_none(), "{wrong}");
+        console.press("3");
+        assert!(
+            console.effects.is_empty(),
+            "the question is gone after {wrong}"
+        );
+        console.press("esc");
+    }
+    let mut console = Console::flying(12);
+    console.give("all kill").press("1");
+    assert!(console.effects.is_empty());
+    assert_eq!(console.press("2").sent_to().len(), 12);
+}
+
+#[test]
+fn a_wrong_line_stays_with_the_wrong_word_marked() {
+    let mut console = Console::flying(4);
+    for (line, word) in [
+        ("1-2 takeof 20", "takeof"),
+        ("all takeoff high", "high"),
+        ("7 arm", "7"),
+        ("@red arm", "@red"),
+        ("theme drak", "drak"),
+        ("select 1-x", "1-x"),
+    ] {
+        console.give(line);
+        assert!(console.effects.is_empty(), "{line}");
+        assert_eq!(palette_line(&console), line);
+        assert_eq!(fault_word(&console), word, "{line}");
+        console.press("esc");
+    }
+    assert!(
+        console.state.history.is_empty(),
+        "a line that did nothing is not history"
+    );
+    assert_eq!(console.state.session.ledger.entries().len(), 0);
+}
+
+#[test]
+fn waiting_is_for_pilot_scripts() {
+    let mut console = Console::flying(1);
+    console.give("wait all armed");
+    assert_eq!(fault_word(&console), "wait");
+    assert!(
+        console
+            .screen(80, 24)
+            .contains("`wait` is for pilot scripts")
+    );
+}
+
+#[test]
+fn commands_without_vehicles_are_refused_on_the_spot() {
+    let mut console = Console::new();
+    for line in ["arm", "all arm", "1 arm"] {
+        console.give(line);
+        assert!(console.effects.is_empty(), "{line}");
+        assert!(!fault_word(&console).is_empty(), "{line}");
+        console.press("esc");
+    }
+}
+
+#[test]
+fn tab_completes_and_goes_round() {
+    let mut console = Console::flying(2);
+    console.press(":").write("theme ").press("tab");
+    assert_eq!(palette_line(&console), "theme dark ");
+    console.press("tab");
+    assert_eq!(palette_line(&console), "theme light ");
+    console.press("shift-tab").press("shift-tab");
+    assert_eq!(palette_line(&console), "theme monochrome ");
+    console.press("enter");
+    assert_eq!(console.effects, [Effect::SetTheme("monochrome".to_owned())]);
+    console.press(":").write("all tko").press("tab");
+    assert!(
+        palette_line(&console).starts_with("all takeoff "),
+        "{}",
+        palette_line(&console)
+    );
+}
+
+#[test]
+fn the_arrows_bring_older_lines_back_and_return_to_the_draft() {
+    let mut console = Console::flying(2);
+    console.give("1 arm").give("2 arm");
+    console.press(":").write("1 ta").press("up");
+    assert_eq!(palette_line(&console), "2 arm");
+    console.press("up").press("up");
+    assert_eq!(palette_line(&console), "1 arm");
+    console.press("down").press("down");
+    assert_eq!(palette_line(&console), "1 ta");
+}
+
+#[test]
+fn groups_and_selections_are_made_on_the_command_line() {
+    let mut console = Console::flying(4);
+    console.give("group red 2-3").give("@red arm");
+    assert_eq!(console.sent_to(), [2, 3]);
+    assert_eq!(selection(console.give("select @red")), [2, 3]);
+    assert!(selection(console.give("select none")).is_empty());
+}
+
+#[test]
+fn the_home_screen_starts_what_is_under_the_cursor() {
+    let mut console = Console::new();
+    assert_eq!(
+        console.press("enter").effects,
+        [Effect::StartMission("m01".to_owned())]
+    );
+    assert_eq!(
+        console.press("j").press("enter").effects,
+        [Effect::StartFree]
+    );
+    console
+        .press("j")
+        .press("enter")
+        .write("tcp:1.2.3.4:5760 udpin::14550");
+    let addresses = ["tcp:1.2.3.4:5760", "udpin::14550"]
+        .map(str::to_owned)
+        .to_vec();
+    assert_eq!(console.press("enter").effects, [Effect::Connect(addresses)]);
+    assert!(
+        console.state.overlay.is_some(),
+        "the prompt waits for the outcome"
+    );
+    console.start(Activity::Connected {
+        addresses: Vec::new(),
+    });
+    assert!(console.state.overlay.is_none());
+    assert!(matches!(console.state.screen, Screen::Fly { .. }));
+}
+
+#[test]
+fn what_would_be_lost_is_asked_about() {
+    let mut console = Console::flying(1);
+    assert_eq!(
+        console.give("quit").effects,
+        [Effect::Quit],
+        "nothing is armed"
+    );
+    console.vehicle(fixtures::airborne(1, 0.0, 10.0));
+    assert!(console.press("ctrl-c").effects.is_empty());
+    assert_eq!(console.press("y").effects, [Effect::Quit]);
+    assert!(console.give("leave").effects.is_empty());
+    assert_eq!(console.press("y").effects, [Effect::LeaveSession]);
+    assert!(matches!(console.state.screen, Screen::Home { .. }));
+    assert!(console.state.session.vehicles.is_empty());
+    console.vehicle(fixtures::parked(1));
+    assert!(
+        console.state.session.vehicles.is_empty(),
+        "late telemetry belongs to nobody"
+    );
+}
+
+#[test]
+fn keys_meant_for_the_flight_do_not_close_the_debrief() {
+    let mut console = Console::flying(1);
+    console
+        .at(100)
+        .hear(Event::MissionEnded(Box::new(fixtures::report())));
+    assert!(console.press("h").effects.is_empty());
+    assert!(matches!(console.state.screen, Screen::Debrief { .. }));
+    console.at(102);
+    assert_eq!(console.press("h").effects, [Effect::LeaveSession]);
+}
+
+#[test]
+fn a_line_being_typed_survives_the_end_of_the_mission() {
+    let mut console = Console::flying(1);
+    console.press(":").write("1 r");
+    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.write("tl");
+    assert_eq!(palette_line(&console), "1 rtl");
+}
+
+#[test]
+fn only_visible_changes_move_the_revision() {
+    let mut console = Console::flying(2);
+    console.at(5);
+    let before = console.state.revision();
+    console.hear(Event::Tick {
+        now: std::time::Duration::from_millis(5400),
+    });
+    console.vehicle(fixtures::parked(1));
+    assert_eq!(console.state.revision(), before);
+    console.at(6);
+    assert!(console.state.revision() > before);
+}
+
+#[test]
+fn a_vehicle_that_goes_leaves_cursor_and_selection_in_order() {
+    let mut console = Console::flying(3);
+    console.press("*").press("j").press("j");
+    console.hear(Event::VehicleGone(3));
+    assert_eq!(console.state.session.cursor, Some(2));
+    assert_eq!(selection(&console), [1, 2]);
+    console
+        .hear(Event::VehicleGone(1))
+        .hear(Event::VehicleGone(2));
+    assert_eq!(console.state.session.cursor, None);
+    console.screen(80, 24);
+}
+
+#[test]
+fn the_cursor_begins_on_the_first_vehicle_and_stays_where_it_was_put() {
+    let mut console = Console::flying(0);
+    console
+        .vehicle(fixtures::parked(4))
+        .vehicle(fixtures::parked(2));
+    assert_eq!(console.state.session.cursor, Some(2));
+    console.press("j").vehicle(fixtures::parked(1));
+    assert_eq!(console.state.session.cursor, Some(4));
+}
+
+#[test]
+fn rows_of_a_group_command_go_their_own_ways() {
+    let mut console = Console::flying(3);
+    console.give("all arm");
+    console
+        .row(1, RowState::Done, None)
+        .row(2, RowState::Sent, None);
+    console.row(
+        3,
+        RowState::Refused,
+        Some("arm refused: PreArm: Need Position Estimate"),
+    );
+    let screen = console.screen(120, 40);
+    assert!(
+        screen.contains("3 vehicles: 1 effect seen, 1 sent, 1 refused"),
+        "{screen}"
+    );
+    assert!(
+        screen.contains("vehicle 3: arm refused: PreArm: Need Position Estimate"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn serious_notices_ring_the_bell() {
+    let mut console = Console::flying(1);
+    console.notice(Severity::Warning, Some(1), "low");
+    assert!(console.effects.is_empty());
+    console.notice(Severity::Critical, Some(1), "EKF failsafe");
+    assert_eq!(console.effects, [Effect::Bell]);
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig::with_cases(60))]
+    #[test]
+    fn no_sequence_of_keys_breaks_the_console(
+        keys in proptest::collection::vec(proptest::sample::select(KEYS), 1..80),
+    ) {
+        let mut console = Console::flying(3);
+        for key in keys {
+            console.press(key);
+            let effects = std::mem::take(&mut console.effects);
+            if effects.contains(&Effect::LeaveSession) {
+                proptest::prop_assert!(console.state.session.activity.is_none());
+            }
+            proptest::prop_assert!(!effects.iter().any(is_kill), "killed without its question");
+        }
+        console.screen(80, 24);
+    }
+}
+
+/// No digit among them, so that no question about a kill can be answered.
+const KEYS: &[&str] = &[
+    ":",
+    "?",
+    "*",
+    "!",
+    "space",
+    "enter",
+    "esc",
+    "tab",
+    "shift-tab",
+    "up",
+    "down",
+    "left",
+    "end",
+    "backspace",
+    "a",
+    "l",
+    "k",
+    "i",
+    "q",
+    "u",
+    "t",
+    "y",
+    "h",
+    "r",
+    "b",
+    "L",
+    "j",
+    "-",
+    ",",
+    "@",
+    "ж",
+    "ctrl-c",
+    "ctrl-p",
+    "ctrl-w",
+    "ctrl-u",
+];
+
+fn is_kill(effect: &Effect) -> bool {
+    matches!(effect, Effect::Command { verb, .. } if verb.name == "kill")
+}
