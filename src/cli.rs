@@ -120,7 +120,10 @@ fn start_log(common: &Common) -> Result<(), Failure> {
         return Ok(());
     };
     let file = File::create(path).map_err(|error| {
-        Failure::Invalid(format!("sortie: cannot write the log {}: {error}", path.display()))
+        Failure::Invalid(format!(
+            "sortie: cannot write the log {}: {error}",
+            path.display()
+        ))
     })?;
     let levels = tracing_subscriber::EnvFilter::try_from_env("SORTIE_LOG")
         .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new("info"));

@@ -25,6 +25,7 @@ use crate::session::Order;
 use crate::store;
 use crate::terminal::Screen;
 use crate::ui::{self, Theme};
+use crate::vehicle::VehicleId;
 
 mod session;
 
@@ -82,9 +83,6 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
             _ = hung_up.recv() => break,
             event = keys.next() => match event {
                 Some(Ok(event)) => {
-                    if matches!(event, TerminalEvent::Resize(..)) {
-                        screen.redraw()?;
-                    }
                     console.hear(event).await;
                     // A key is answered at once, not at the next tick.
                     console.draw(&mut screen)?;
@@ -203,7 +201,7 @@ impl Console {
         let Some(running) = &mut self.running else {
             return;
         };
-        let mut events = running.collect();
+        let mut events = running.collect(now);
         events.extend(running.fly(now, &self.state.session));
         for event in events {
             self.feed(event).await;
@@ -227,12 +225,15 @@ impl Console {
                 targets,
                 verb,
                 command,
-            } => self.command(&targets, &Order {
-                entry,
-                verb: verb.name,
-                retry: verb.retry,
-                command,
-            }),
+            } => self.command(
+                &targets,
+                &Order {
+                    entry,
+                    verb: verb.name,
+                    retry: verb.retry,
+                    command,
+                },
+            ),
             Effect::StartMission(name) => self.start(Plan::Mission(name)).await,
             Effect::StartFree => self.start(Plan::Free).await,
             Effect::Connect(addresses) => self.start(Plan::Connect(addresses)).await,
@@ -262,7 +263,7 @@ impl Console {
         }
     }
 
-    fn command(&self, targets: &[u8], order: &Order) -> anyhow::Result<()> {
+    fn command(&self, targets: &[VehicleId], order: &Order) -> anyhow::Result<()> {
         let running = self
             .running
             .as_ref()

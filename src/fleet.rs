@@ -15,7 +15,7 @@ use tokio_util::sync::CancellationToken;
 use crate::link::{LinkStatus, Transport};
 use crate::session::{Order, Report};
 use crate::vehicle::Vehicle;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 mod hub;
 mod vehicle_task;
@@ -55,7 +55,7 @@ pub enum FleetEvent {
 /// What the console asks of the hub.
 enum Request {
     Connect(Transport),
-    Order(SystemId, Order),
+    Order(VehicleId, Order),
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
@@ -86,7 +86,7 @@ impl Fleet {
     ///
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was sent.
-    pub fn order(&self, vehicle: SystemId, order: Order) -> Result<(), Unreachable> {
+    pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
         self.ask(Request::Order(vehicle, order))
     }
 

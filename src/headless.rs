@@ -17,10 +17,10 @@ use crate::mission::{Flight, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
 use crate::sim::{self, PortId, World, WorldConfig};
-use crate::vehicle::{Severity, Vehicle, VehicleClass};
+use crate::vehicle::{Severity, Vehicle, VehicleClass, VehicleId};
 use crate::wire::{
-    AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, Outgoing,
-    SystemId,
+    AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
+    Outgoing,
 };
 
 /// How often sessions look at their deadlines.
@@ -40,7 +40,7 @@ struct Seat {
 pub struct Exercise {
     world: World,
     seats: Vec<Seat>,
-    vehicles: BTreeMap<SystemId, Vehicle>,
+    vehicles: BTreeMap<VehicleId, Vehicle>,
     ledger: Ledger,
     pilot: Pilot,
     flight: Flight,
@@ -69,7 +69,7 @@ impl Exercise {
                 port: exercise.world.connect(index),
                 decoder: Decoder::new(),
                 encoder: Encoder::new(GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT),
-                session: Session::new(index as SystemId + 1, AUTOPILOT_COMPONENT, Duration::ZERO),
+                session: Session::new(index as u8 + 1, AUTOPILOT_COMPONENT, Duration::ZERO),
             });
         }
         // From here on commands count.
@@ -130,7 +130,8 @@ impl Exercise {
         }
         self.bytes.clear();
         if is_due(now, HEARTBEAT_EVERY) {
-            seat.encoder.encode(&ground_station_heartbeat(), &mut self.bytes);
+            seat.encoder
+                .encode(&ground_station_heartbeat(), &mut self.bytes);
         }
         for message in seat.session.take_outgoing() {
             seat.encoder.encode(&message, &mut self.bytes);
@@ -172,7 +173,7 @@ impl Exercise {
         let Action::Command { verb, command } = &statement.action else {
             return;
         };
-        let all: Vec<SystemId> = self.vehicles.keys().copied().collect();
+        let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
         let groups = BTreeMap::new();
         let context = Context {
             groups: &groups,

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use crate::commands::Command;
 use crate::geo::LatLon;
 use crate::vehicle::VehicleClass;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 mod argument;
 mod complete;
@@ -44,16 +44,16 @@ pub use wait::{Field, Relation, Situation, Until, Wait};
 #[derive(Debug, Clone, Copy)]
 pub struct Context<'a> {
     /// Named groups of vehicles, without the `@`.
-    pub groups: &'a BTreeMap<String, Vec<SystemId>>,
+    pub groups: &'a BTreeMap<String, Vec<VehicleId>>,
     /// Named places; a name with blanks in it cannot be said.
     pub places: &'a BTreeMap<String, LatLon>,
     /// The vehicles there are; empty when nobody knows yet, and then every number will do.
-    pub vehicles: &'a [SystemId],
+    pub vehicles: &'a [VehicleId],
     /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
     pub class: VehicleClass,
 }
 
-static NO_GROUPS: BTreeMap<String, Vec<SystemId>> = BTreeMap::new();
+static NO_GROUPS: BTreeMap<String, Vec<VehicleId>> = BTreeMap::new();
 static NO_PLACES: BTreeMap<String, LatLon> = BTreeMap::new();
 
 impl Default for Context<'_> {

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::time::Duration;
 
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// Entries kept; older ones fall out so that a console left open for days stays small.
 pub const ENTRIES_KEPT: usize = 10_000;
@@ -73,7 +73,7 @@ pub struct RowUpdate {
     /// Which entry.
     pub entry: EntryId,
     /// Which vehicle's row.
-    pub vehicle: SystemId,
+    pub vehicle: VehicleId,
     /// The new state.
     pub state: RowState,
     /// How often it has been sent by now.
@@ -88,7 +88,7 @@ pub struct RowUpdate {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// Which vehicle.
-    pub vehicle: SystemId,
+    pub vehicle: VehicleId,
     /// How far it has come.
     pub state: RowState,
     /// How often it has been sent.
@@ -142,7 +142,7 @@ impl Ledger {
         at: Duration,
         line: impl Into<String>,
         verb: impl Into<String>,
-        targets: &[SystemId],
+        targets: &[VehicleId],
     ) -> EntryId {
         let id = EntryId(self.next);
         self.next += 1;
@@ -209,7 +209,7 @@ impl Ledger {
     }
 
     /// The newest entry that concerns a vehicle, with its row there.
-    pub fn latest_for(&self, vehicle: SystemId) -> Option<(&Entry, &Row)> {
+    pub fn latest_for(&self, vehicle: VehicleId) -> Option<(&Entry, &Row)> {
         self.entries.iter().rev().find_map(|entry| {
             let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
             Some((entry, row))
@@ -227,7 +227,7 @@ impl Ledger {
 mod tests {
     use super::*;
 
-    fn update(entry: EntryId, vehicle: SystemId, state: RowState, at_s: u64) -> RowUpdate {
+    fn update(entry: EntryId, vehicle: VehicleId, state: RowState, at_s: u64) -> RowUpdate {
         RowUpdate {
             entry,
             vehicle,

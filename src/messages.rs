@@ -6,8 +6,8 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::notice::Notice;
-use crate::vehicle::{Place, Severity, Vehicle};
-use crate::wire::{Content, Frame, SystemId};
+use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
+use crate::wire::{Content, Frame};
 
 mod attitude;
 mod battery;
@@ -53,7 +53,7 @@ pub struct Inbox {
 
 /// Where a handler says what a human should hear.
 struct Report<'a> {
-    vehicle: SystemId,
+    vehicle: VehicleId,
     now: Duration,
     notices: &'a mut Vec<Notice>,
 }
@@ -208,7 +208,7 @@ impl Inbox {
             heartbeat: vehicle.heartbeat,
             link: vehicle.link,
             texts: std::mem::take(&mut vehicle.texts),
-            ..Vehicle::new(vehicle.id, vehicle.component)
+            ..Vehicle::new(vehicle.system, vehicle.component)
         };
         for text in self.texts.drain() {
             self.take_text(vehicle, &text, report);

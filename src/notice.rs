@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::vehicle::Severity;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// One line for the notice list, the log and the debrief's timeline.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,7 +11,7 @@ pub struct Notice {
     /// When it happened, on the program's clock.
     pub at: Duration,
     /// Which vehicle it is about, if one.
-    pub vehicle: Option<SystemId>,
+    pub vehicle: Option<VehicleId>,
     /// How serious it is.
     pub severity: Severity,
     /// The text, free of control characters.

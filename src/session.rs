@@ -105,6 +105,13 @@ impl Session {
         self.inbox.parameters()
     }
 
+    /// Says by which link, by number, the vehicle is heard from now on. Also to be called when that link has
+    /// come up again: the vehicle may have rebooted, and what was asked of it is asked again.
+    pub fn heard_via(&mut self, link: u16, now: Duration) {
+        self.vehicle.link.via = Some(link);
+        self.streams.forget(now);
+    }
+
     /// Takes in one frame from this vehicle's system.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {
         self.hear(frame, now);
@@ -117,14 +124,13 @@ impl Session {
                 active.hear_text(notice);
             }
         }
-        self.reports
-            .extend(notices.into_iter().map(Report::Notice));
+        self.reports.extend(notices.into_iter().map(Report::Notice));
         if self.vehicle.link.reboots > reboots {
             self.streams.forget(now);
         }
         self.streams.note(frame.content.id());
         if let Content::Message(message) = &frame.content {
-            let (reply, round_trip) = self.timesync.receive(message, self.vehicle.id, now);
+            let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);
             self.outgoing.extend(reply);
             if round_trip.is_some() {
                 self.vehicle.link.round_trip = round_trip;
@@ -149,12 +155,11 @@ impl Session {
     pub fn poll(&mut self, now: Duration) {
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
-        self.reports
-            .extend(notices.into_iter().map(Report::Notice));
+        self.reports.extend(notices.into_iter().map(Report::Notice));
         self.watch_silence(now);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
-            let id = (self.vehicle.id, self.vehicle.component);
-            self.outgoing.extend(self.timesync.poll(id, now));
+            let address = (self.vehicle.system, self.vehicle.component);
+            self.outgoing.extend(self.timesync.poll(address, now));
             self.outgoing.extend(self.streams.poll(&self.vehicle, now));
         }
         self.advance(now);
@@ -230,8 +235,11 @@ impl Session {
             }));
         }
         for transaction in self.active.take().into_iter().chain(self.watched.drain(..)) {
-            self.reports
-                .push(Report::Row(transaction.superseded(&self.vehicle, &reason, now)));
+            self.reports.push(Report::Row(transaction.superseded(
+                &self.vehicle,
+                &reason,
+                now,
+            )));
         }
     }
 

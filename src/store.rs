@@ -138,7 +138,11 @@ fn find(
         return read(path, kind);
     }
     let looks_like_a_path = path_or_name.contains('/') || path_or_name.ends_with(ending);
-    let user = user_folder().map(|folder| folder.join("missions").join(format!("{path_or_name}{ending}")));
+    let user = user_folder().map(|folder| {
+        folder
+            .join("missions")
+            .join(format!("{path_or_name}{ending}"))
+    });
     if let Some(user) = user.filter(|path| !looks_like_a_path && path.exists()) {
         return read(&user, kind);
     }

@@ -6,27 +6,33 @@
 use std::fs::File;
 use std::io::{self, Write};
 use std::os::fd::AsFd as _;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, mpsc};
+use std::time::Duration;
 
 use crossterm::terminal::{
     BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
     disable_raw_mode, enable_raw_mode,
 };
 use crossterm::{cursor, event, execute, queue};
-use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use ratatui::{Terminal, TerminalOptions, Viewport};
 
 use crate::ui::ColourDepth;
+
+/// How long the end of the program waits for the last frame to be written.
+const LAST_FRAME_PATIENCE: Duration = Duration::from_millis(500);
+
+mod backend;
+
+use backend::FrameBackend;
 
 /// Whether the terminal is ours, so that it is given back exactly once.
 static TAKEN: AtomicBool = AtomicBool::new(false);
 
 /// The screen of the console.
 pub struct Screen {
-    terminal: Terminal<CrosstermBackend<FrameWriter>>,
+    terminal: Terminal<FrameBackend>,
     traffic: Arc<Traffic>,
 }
 
@@ -34,9 +40,25 @@ pub struct Screen {
 #[derive(Debug, Default)]
 struct Traffic {
     /// Pieces of frames that the writing thread has yet to write.
-    waiting: AtomicUsize,
+    waiting: Mutex<usize>,
+    /// Signalled when the last of them has been written.
+    written: Condvar,
     /// Bytes made so far.
     bytes: AtomicU64,
+}
+
+impl Traffic {
+    fn waiting(&self) -> MutexGuard<'_, usize> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits until everything has been written, or for the given time.
+    fn wait_until_written(&self, patience: Duration) {
+        drop(
+            self.written
+                .wait_timeout_while(self.waiting(), patience, |waiting| *waiting > 0),
+        );
+    }
 }
 
 impl Screen {
@@ -61,7 +83,7 @@ impl Screen {
         let traffic = Arc::new(Traffic::default());
         let writer = FrameWriter::to_terminal(Arc::clone(&traffic))?;
         Ok(Self {
-            terminal: Terminal::new(CrosstermBackend::new(writer))?,
+            terminal: Terminal::new(FrameBackend::new(writer))?,
             traffic,
         })
     }
@@ -80,13 +102,13 @@ impl Screen {
         };
         let viewport = Viewport::Fixed(Rect::new(0, 0, columns, rows));
         let terminal =
-            Terminal::with_options(CrosstermBackend::new(writer), TerminalOptions { viewport })?;
+            Terminal::with_options(FrameBackend::new(writer), TerminalOptions { viewport })?;
         Ok(Self { terminal, traffic })
     }
 
     /// Whether the last frame has gone out, so that another can be drawn.
     pub fn is_ready(&self) -> bool {
-        self.traffic.waiting.load(Ordering::Acquire) == 0
+        *self.traffic.waiting() == 0
     }
 
     /// Bytes made for the terminal so far.
@@ -103,18 +125,13 @@ impl Screen {
         self.terminal.draw(render)?;
         execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
     }
-
-    /// Forgets what is on the terminal, so that the next frame is drawn whole.
-    ///
-    /// # Errors
-    /// The terminal is gone.
-    pub fn redraw(&mut self) -> io::Result<()> {
-        self.terminal.clear()
-    }
 }
 
 impl Drop for Screen {
     fn drop(&mut self) {
+        // The last frame must not follow what gives the terminal back; a terminal that does not read must
+        // not hold up the end either.
+        self.traffic.wait_until_written(LAST_FRAME_PATIENCE);
         give_back();
     }
 }
@@ -162,7 +179,8 @@ impl FrameWriter {
                 // A write error means that the terminal is gone; the signal or the end of input that comes
                 // with it ends the console.
                 drop(terminal.write_all(&frame));
-                shared.waiting.fetch_sub(1, Ordering::Release);
+                *shared.waiting() -= 1;
+                shared.written.notify_all();
             }
         });
         Ok(Self {
@@ -186,7 +204,7 @@ impl Write for FrameWriter {
             .fetch_add(frame.len() as u64, Ordering::Relaxed);
         match &self.frames {
             Some(frames) if !frame.is_empty() => {
-                self.traffic.waiting.fetch_add(1, Ordering::AcqRel);
+                *self.traffic.waiting() += 1;
                 frames
                     .send(frame)
                     .map_err(|_| io::Error::from(io::ErrorKind::BrokenPipe))

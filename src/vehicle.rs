@@ -15,11 +15,20 @@ mod status;
 pub use mode::{Mode, VehicleClass};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 
+/// The number by which people and the grammar call a vehicle. It is the vehicle's system id as long as that
+/// is enough; a swarm larger than the 255 ids of MAVLink needs more numbers than that.
+pub type VehicleId = u16;
+
+/// The highest number that a vehicle may have; four digits are as wide as a table should get.
+pub const HIGHEST_VEHICLE: VehicleId = 9999;
+
 /// Everything known about one vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vehicle {
-    /// Its MAVLink system id.
-    pub id: SystemId,
+    /// What it is called.
+    pub id: VehicleId,
+    /// Its MAVLink system id: the address of messages to it.
+    pub system: SystemId,
     /// The component id of its autopilot.
     pub component: ComponentId,
     /// Identity and state from HEARTBEAT; `None` before the first one.
@@ -343,6 +352,8 @@ pub struct LinkQuality {
     pub round_trip: Option<Duration>,
     /// How often it has rebooted since we know it.
     pub reboots: u32,
+    /// The number of the link by which it is heard.
+    pub via: Option<u16>,
 }
 
 impl LinkQuality {
@@ -368,9 +379,10 @@ pub struct StatusText {
 
 impl Vehicle {
     /// A vehicle of which nothing is known but who it is.
-    pub fn new(id: SystemId, component: ComponentId) -> Self {
+    pub fn new(system: SystemId, component: ComponentId) -> Self {
         Self {
-            id,
+            id: VehicleId::from(system),
+            system,
             component,
             heartbeat: None,
             attitude: None,

@@ -3,7 +3,7 @@
 use crate::commands::Command;
 use crate::language::Verb;
 use crate::ledger::EntryId;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// Work for the run loop.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +15,7 @@ pub enum Effect {
         /// Where the outcome belongs.
         entry: EntryId,
         /// The vehicles, sorted.
-        targets: Vec<SystemId>,
+        targets: Vec<VehicleId>,
         /// Its row of the verb table: retries and deadline.
         verb: &'static Verb,
         /// What to do.

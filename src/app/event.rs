@@ -12,7 +12,7 @@ use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::vehicle::Vehicle;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// Something that the console reacts to.
 #[derive(Debug, Clone)]
@@ -33,7 +33,7 @@ pub enum Event {
     /// A vehicle's telemetry changed.
     Vehicle(Box<Vehicle>),
     /// A vehicle will not come back.
-    VehicleGone(SystemId),
+    VehicleGone(VehicleId),
     /// Something to tell.
     Notice(Notice),
     /// So many notices were dropped so far because the console was busy.
@@ -58,5 +58,5 @@ pub struct Started {
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
     /// Names of vehicles, where they have one.
-    pub names: BTreeMap<SystemId, String>,
+    pub names: BTreeMap<VehicleId, String>,
 }

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use crate::language::Context;
 use crate::scoring::Report;
+use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
-use crate::wire::SystemId;
 
 mod alert;
 mod help;
@@ -185,7 +185,7 @@ impl State {
     }
 
     /// The vehicles that a command without targets goes to: the selection, else the one under the cursor.
-    pub fn addressed(&self) -> Vec<SystemId> {
+    pub fn addressed(&self) -> Vec<VehicleId> {
         if self.session.selection.is_empty() {
             self.session.cursor.into_iter().collect()
         } else {
@@ -195,7 +195,7 @@ impl State {
 
     /// Runs `work` with what the grammar has to know: groups, places, vehicles.
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
-        let vehicles: Vec<SystemId> = self.session.vehicles.keys().copied().collect();
+        let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
         work(&Context {
             groups: &self.session.groups,
             places: &self.session.places,
@@ -231,6 +231,6 @@ impl State {
 }
 
 /// The selected vehicles.
-pub type Selection = BTreeSet<SystemId>;
+pub type Selection = BTreeSet<VehicleId>;
 /// Named groups of vehicles.
-pub type Groups = BTreeMap<String, Vec<SystemId>>;
+pub type Groups = BTreeMap<String, Vec<VehicleId>>;

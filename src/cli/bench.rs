@@ -7,6 +7,7 @@ use clap::Subcommand;
 use super::Failure;
 
 mod decode;
+mod frame;
 
 mod load;
 
@@ -16,6 +17,8 @@ pub(super) enum Bench {
     /// Decoding and model update per message, beside a floor that only finds frames.
     Decode(decode::DecodeArguments),
     /// Time and bytes per frame of the console.
+    /// Time and bytes per frame of the console, with a tenth of the vehicles changing.
+    Frame(frame::FrameArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.
     Load(load::LoadArguments),
 }
@@ -24,6 +27,7 @@ pub(super) enum Bench {
 pub(super) fn bench(bench: &Bench) -> Result<ExitCode, Failure> {
     match bench {
         Bench::Decode(options) => decode::decode(options),
+        Bench::Frame(options) => frame::frame(options),
         Bench::Load(options) => load::load(options),
     }
 }

@@ -50,7 +50,13 @@ pub(super) fn fly(options: &FlyArguments, theme: Theme) -> Result<ExitCode, Fail
         }
         None => Opening::Free,
     };
-    open(opening, theme, options.vehicles, options.seed, options.speedup)
+    open(
+        opening,
+        theme,
+        options.vehicles,
+        options.seed,
+        options.speedup,
+    )
 }
 
 /// Vehicles that are already there.

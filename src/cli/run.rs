@@ -12,7 +12,7 @@ use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source};
-use crate::vehicle::VehicleClass;
+use crate::vehicle::{VehicleClass, VehicleId};
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
@@ -104,7 +104,7 @@ pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
 
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(invalid)?;
-    let vehicles: Vec<u8> = (1..=mission.vehicles).map(|id| id as u8).collect();
+    let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
     let (groups, places) = (std::collections::BTreeMap::new(), mission.places());
     let context = Context {
         groups: &groups,

@@ -33,7 +33,11 @@ pub(super) struct SimArguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Where the first vehicle stands: latitude, longitude, height above sea level in metres, heading in degrees.
-    #[arg(long, default_value = "-35.363262,149.165237,584,0", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        default_value = "-35.363262,149.165237,584,0",
+        allow_hyphen_values = true
+    )]
     home: Home,
 }
 
@@ -69,7 +73,8 @@ impl FromStr for Home {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+        let numbers: Result<Vec<f64>, _> =
+            text.split(',').map(|part| part.trim().parse()).collect();
         let [lat, lon, altitude_amsl_m, heading_deg] = numbers
             .ok()
             .and_then(|numbers| <[f64; 4]>::try_from(numbers).ok())

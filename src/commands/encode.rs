@@ -41,7 +41,7 @@ pub(super) fn long(
         payload.extend_from_slice(&param.to_le_bytes());
     }
     payload.extend_from_slice(&command.to_le_bytes());
-    payload.extend_from_slice(&[vehicle.id, vehicle.component, confirmation]);
+    payload.extend_from_slice(&[vehicle.system, vehicle.component, confirmation]);
     Ok(outgoing(COMMAND_LONG, payload))
 }
 
@@ -88,7 +88,7 @@ pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, Str
     payload.extend_from_slice(&fields.y.to_le_bytes());
     payload.extend_from_slice(&fields.z.to_le_bytes());
     payload.extend_from_slice(&fields.command.to_le_bytes());
-    payload.extend_from_slice(&[vehicle.id, vehicle.component, fields.frame, 0, 0]);
+    payload.extend_from_slice(&[vehicle.system, vehicle.component, fields.frame, 0, 0]);
     Ok(outgoing(COMMAND_INT, payload))
 }
 
@@ -154,7 +154,7 @@ pub(super) fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Outgoing,
 }
 
 fn local(vehicle: &Vehicle, mut fields: SET_POSITION_TARGET_LOCAL_NED_DATA) -> Outgoing {
-    fields.target_system = vehicle.id;
+    fields.target_system = vehicle.system;
     fields.target_component = vehicle.component;
     fields.coordinate_frame = MavFrame::MAV_FRAME_LOCAL_NED;
     MavMessage::SET_POSITION_TARGET_LOCAL_NED(fields).into()
@@ -177,7 +177,7 @@ pub(super) fn global_position(
     finite(&[alt, yaw])?;
     Ok(
         MavMessage::SET_POSITION_TARGET_GLOBAL_INT(SET_POSITION_TARGET_GLOBAL_INT_DATA {
-            target_system: vehicle.id,
+            target_system: vehicle.system,
             target_component: vehicle.component,
             coordinate_frame: MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT,
             lat_int,
@@ -195,7 +195,7 @@ pub(super) fn global_position(
 pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, String> {
     Ok(MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: -1,
-        target_system: vehicle.id,
+        target_system: vehicle.system,
         target_component: vehicle.component,
         param_id: parameter_id(name)?.into(),
     })
@@ -211,7 +211,7 @@ pub(super) fn write_parameter(
     finite(&[value])?;
     Ok(MavMessage::PARAM_SET(PARAM_SET_DATA {
         param_value: value,
-        target_system: vehicle.id,
+        target_system: vehicle.system,
         target_component: vehicle.component,
         param_id: parameter_id(name)?.into(),
         param_type: MavParamType::MAV_PARAM_TYPE_REAL32,

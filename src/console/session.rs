@@ -14,14 +14,13 @@ use crate::fleet::{Clock, Fleet, FleetEvent};
 use crate::geo::LatLon;
 use crate::headless;
 use crate::ledger::Ledger;
-use crate::link::{Address, Endpoint, LinkState, LinkStatus, Simulator, Transport};
+use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::store;
-use crate::vehicle::Vehicle;
-use crate::wire::SystemId;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -61,6 +60,7 @@ pub(super) struct Running {
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     links: Vec<watch::Receiver<LinkStatus>>,
+    links_said: Vec<LinkNews>,
     mission: Option<MissionClock>,
     cancel: CancellationToken,
 }
@@ -88,6 +88,7 @@ impl Running {
             events,
             vehicles: Vec::new(),
             links: Vec::new(),
+            links_said: Vec::new(),
             mission: None,
             cancel,
         };
@@ -155,7 +156,7 @@ impl Running {
     ///
     /// # Errors
     /// The fleet has ended or cannot keep up.
-    pub fn order(&self, vehicle: SystemId, order: Order) -> anyhow::Result<()> {
+    pub fn order(&self, vehicle: VehicleId, order: Order) -> anyhow::Result<()> {
         Ok(self.fleet.order(vehicle, order)?)
     }
 
@@ -167,7 +168,7 @@ impl Running {
     }
 
     /// What has happened since the last tick. Telemetry is merged: one event per vehicle that changed.
-    pub fn collect(&mut self) -> Vec<Event> {
+    pub fn collect(&mut self, now: Duration) -> Vec<Event> {
         let mut collected = Vec::new();
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
@@ -186,11 +187,41 @@ impl Running {
                 collected.push(Event::Vehicle(Box::new(snapshot)));
             }
         }
-        if self.links.iter().any(|link| link.has_changed().unwrap_or(false)) {
-            let links = self.links.iter_mut().map(|link| summary(&link.borrow_and_update()));
+        collected.extend(self.hear_links(now).map(Event::Notice));
+        if self
+            .links
+            .iter()
+            .any(|link| link.has_changed().unwrap_or(false))
+        {
+            let links = self.links.iter_mut().map(|link| {
+                let status = link.borrow_and_update();
+                let round_trip = round_trip(&self.vehicles, status.id);
+                summary(&status, round_trip)
+            });
             collected.push(Event::Links(links.collect()));
         }
         collected
+    }
+
+    /// What a human should hear of the links: that one is down and why, and that it is up again.
+    fn hear_links(&mut self, now: Duration) -> impl Iterator<Item = Notice> {
+        self.links_said.resize(self.links.len(), LinkNews::Silent);
+        let notices: Vec<Notice> = self
+            .links
+            .iter()
+            .zip(&mut self.links_said)
+            .filter_map(|(link, said)| {
+                let status = link.borrow();
+                let news = LinkNews::of(&status);
+                if news == LinkNews::Silent || news == *said {
+                    return None;
+                }
+                let before = std::mem::replace(said, news.clone());
+                let is_usual = before == LinkNews::Silent && news == LinkNews::Up;
+                (!is_usual).then(|| news.notice(&status.name, now))
+            })
+            .collect();
+        notices.into_iter()
     }
 
     /// Steps the mission up to now and returns what came of it.
@@ -209,7 +240,10 @@ impl Running {
                 .flight
                 .step(clock.stepped, &shown.vehicles, &shown.ledger);
             // The mission speaks on its own clock; the console's notices are on the program's.
-            events.extend(said.into_iter().map(|notice| Event::Notice(Notice { at: now, ..notice })));
+            events.extend(
+                said.into_iter()
+                    .map(|notice| Event::Notice(Notice { at: now, ..notice })),
+            );
         }
         events.push(Event::Mission(Box::new(clock.flight.progress())));
         if clock.flight.outcome().is_some() {
@@ -218,6 +252,41 @@ impl Running {
             events.push(Event::MissionEnded(Box::new(report)));
         }
         events
+    }
+}
+
+/// What is worth saying of a link.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum LinkNews {
+    /// Nothing yet.
+    Silent,
+    /// It carries data.
+    Up,
+    /// It does not, for this reason.
+    Down(String),
+}
+
+impl LinkNews {
+    fn of(status: &LinkStatus) -> Self {
+        match (status.state, &status.last_error) {
+            (LinkState::Up, _) => Self::Up,
+            (_, Some(error)) => Self::Down(error.clone()),
+            (LinkState::Ended, None) => Self::Down("ended".to_owned()),
+            _ => Self::Silent,
+        }
+    }
+
+    fn notice(&self, name: &str, now: Duration) -> Notice {
+        let (severity, text) = match self {
+            Self::Silent | Self::Up => (Severity::Info, format!("link {name} is up")),
+            Self::Down(reason) => (Severity::Error, format!("link {name}: {reason}")),
+        };
+        Notice {
+            at: now,
+            vehicle: None,
+            severity,
+            text,
+        }
     }
 }
 
@@ -257,7 +326,18 @@ fn find_mission(name: &str) -> anyhow::Result<Mission> {
         .with_context(|| format!("the mission {} is faulty", source.name))
 }
 
-fn summary(status: &LinkStatus) -> LinkSummary {
+/// The shortest round trip of the vehicles that are heard by a link.
+fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Option<Duration> {
+    let quality = |vehicle: &watch::Receiver<Arc<Vehicle>>| vehicle.borrow().link;
+    vehicles
+        .iter()
+        .map(quality)
+        .filter(|quality| quality.via == Some(link.0))
+        .filter_map(|quality| quality.round_trip)
+        .min()
+}
+
+fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
     let state = match &status.last_error {
         Some(error) if status.state != LinkState::Up => format!("{}: {error}", status.state),
         _ => status.state.to_string(),
@@ -274,6 +354,6 @@ fn summary(status: &LinkStatus) -> LinkSummary {
         skipped_bytes: status.decoder.skipped_bytes,
         lost: status.lost_total,
         unknown: status.decoder.unknown_messages,
-        round_trip: None,
+        round_trip,
     }
 }

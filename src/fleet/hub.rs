@@ -13,7 +13,7 @@ use super::{Clock, FleetEvent, Request};
 use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
 use crate::notice::Notice;
 use crate::session::{LOST_AFTER, Order, Report, Session};
-use crate::vehicle::{Severity, Vehicle};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{Content, Frame, SystemId};
 
 /// Batches of frames that may wait for the hub; beyond that links read more slowly.
@@ -86,11 +86,15 @@ impl Hub {
 
     /// An order to a vehicle that is unknown or stuck gets no answer; the console's ledger has no row for
     /// the former, and the latter's row ends with its deadline once the task runs again.
-    fn order(&mut self, vehicle: SystemId, order: Order) {
-        if let Some(route) = self.routes.get(&vehicle)
+    fn order(&mut self, vehicle: VehicleId, order: Order) {
+        let system = SystemId::try_from(vehicle).ok();
+        if let Some(route) = system.and_then(|system| self.routes.get(&system))
             && route.inbox.try_send(ToVehicle::Order(order)).is_err()
         {
-            tracing::warn!(vehicle, "the vehicle's task does not keep up: an order was dropped");
+            tracing::warn!(
+                vehicle,
+                "the vehicle's task does not keep up: an order was dropped"
+            );
         }
     }
 
@@ -129,7 +133,10 @@ impl Hub {
         }
         route.heard_at = now;
         if route.inbox.try_send(ToVehicle::Frames(frames)).is_err() {
-            tracing::warn!(system, "the vehicle's task does not keep up: telemetry was dropped");
+            tracing::warn!(
+                system,
+                "the vehicle's task does not keep up: telemetry was dropped"
+            );
         }
     }
 
@@ -145,11 +152,14 @@ impl Hub {
         };
         let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
+        let mut session = Session::new(system, component, now);
+        session.heard_via(link_id.0, now);
         let task = VehicleTask {
-            session: Session::new(system, component, now),
+            session,
             clock: self.clock,
             inbox: inbox_out,
             route: (link.clone(), peer),
+            reconnects: link.status().borrow().reconnects,
             state,
             events: self.events.clone(),
             backlog: VecDeque::new(),
@@ -188,7 +198,7 @@ impl Hub {
         );
         self.tell(FleetEvent::Report(Report::Notice(Notice {
             at: now,
-            vehicle: Some(system),
+            vehicle: Some(VehicleId::from(system)),
             severity: Severity::Error,
             text,
         })))

@@ -31,6 +31,8 @@ pub(super) struct VehicleTask {
     pub clock: Clock,
     pub inbox: mpsc::Receiver<ToVehicle>,
     pub route: (LinkHandle, Peer),
+    /// How often the link had come up again when we looked last.
+    pub reconnects: u32,
     pub state: watch::Sender<Arc<Vehicle>>,
     pub events: mpsc::Sender<FleetEvent>,
     pub backlog: VecDeque<Report>,
@@ -50,10 +52,20 @@ impl VehicleTask {
                 },
                 () = tokio::time::sleep(patience) => {}
             }
+            self.notice_reconnection();
             self.session.poll(self.clock.now());
             self.send();
             self.publish();
             self.report();
+        }
+    }
+
+    fn notice_reconnection(&mut self) {
+        let link = &self.route.0;
+        let reconnects = link.status().borrow().reconnects;
+        if reconnects != self.reconnects {
+            self.reconnects = reconnects;
+            self.session.heard_via(link.id().0, self.clock.now());
         }
     }
 
@@ -66,7 +78,11 @@ impl VehicleTask {
                 }
             }
             ToVehicle::Order(order) => self.session.order(order, now),
-            ToVehicle::Route(link, peer) => self.route = (link, peer),
+            ToVehicle::Route(link, peer) => {
+                self.session.heard_via(link.id().0, now);
+                self.reconnects = link.status().borrow().reconnects;
+                self.route = (link, peer);
+            }
         }
     }
 

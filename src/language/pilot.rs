@@ -9,7 +9,7 @@ use super::{Action, Context, Statement, Targets, parse};
 use crate::diagnostic::Diagnostic;
 use crate::ledger::Ledger;
 use crate::vehicle::Vehicle;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// A script that has no fault.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -23,7 +23,7 @@ struct Step {
     line: usize,
     statement: Statement,
     /// The vehicles that are meant; `None` is all there are when it comes to it.
-    vehicles: Option<Vec<SystemId>>,
+    vehicles: Option<Vec<VehicleId>>,
 }
 
 impl Script {
@@ -153,7 +153,7 @@ impl Pilot {
     pub fn step(
         &mut self,
         now: Duration,
-        vehicles: &BTreeMap<SystemId, Vehicle>,
+        vehicles: &BTreeMap<VehicleId, Vehicle>,
         ledger: &Ledger,
     ) -> Vec<PilotEvent> {
         let mut events = Vec::new();
@@ -197,7 +197,7 @@ fn is_over(wait: &Wait, waited: Duration) -> bool {
 
 impl Step {
     /// Whether the condition holds for all that are meant, and for one at least.
-    fn met(&self, wait: &Wait, vehicles: &BTreeMap<SystemId, Vehicle>, ledger: &Ledger) -> bool {
+    fn met(&self, wait: &Wait, vehicles: &BTreeMap<VehicleId, Vehicle>, ledger: &Ledger) -> bool {
         match &self.vehicles {
             None => {
                 !vehicles.is_empty()

@@ -5,10 +5,7 @@ use std::fmt;
 use super::Context;
 use super::lexer::Word;
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::wire::SystemId;
-
-/// The highest system id of a vehicle; 255 is ours by convention.
-const HIGHEST: SystemId = 254;
+use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 
 /// Whom a line concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -18,7 +15,7 @@ pub enum Targets {
     /// Every vehicle.
     All,
     /// These, sorted, each once.
-    Ids(Vec<SystemId>),
+    Ids(Vec<VehicleId>),
     /// A named group, without the `@`.
     Group(String),
 }
@@ -54,9 +51,9 @@ impl Targets {
     /// In plain words when nobody is meant: an empty selection, a group or a vehicle that does not exist.
     pub fn resolve(
         &self,
-        selection: &[SystemId],
+        selection: &[VehicleId],
         context: &Context,
-    ) -> Result<Vec<SystemId>, String> {
+    ) -> Result<Vec<VehicleId>, String> {
         let ids = match self {
             Self::Selection if selection.is_empty() => {
                 return Err(
@@ -134,7 +131,7 @@ fn unknown_group(name: &str, word: &Word, context: &Context) -> Diagnostic {
 }
 
 /// The ids of `4` or `1-4`.
-fn range(part: &str, context: &Context) -> Result<Vec<SystemId>, String> {
+fn range(part: &str, context: &Context) -> Result<Vec<VehicleId>, String> {
     let (first, last) = match part.split_once('-') {
         Some((first, last)) => (id(first, part)?, id(last, part)?),
         None => (id(part, part)?, id(part, part)?),
@@ -148,7 +145,7 @@ fn range(part: &str, context: &Context) -> Result<Vec<SystemId>, String> {
     }
 }
 
-fn id(text: &str, part: &str) -> Result<SystemId, String> {
+fn id(text: &str, part: &str) -> Result<VehicleId, String> {
     if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(format!(
             "`{part}` names no vehicles: say a number, a range such as `1-4`, `@group` or `all`"
@@ -156,15 +153,17 @@ fn id(text: &str, part: &str) -> Result<SystemId, String> {
     }
     text.parse()
         .ok()
-        .filter(|id| (1..=HIGHEST).contains(id))
-        .ok_or_else(|| format!("{text} is no system id: they run from 1 to {HIGHEST}"))
+        .filter(|id| (1..=HIGHEST_VEHICLE).contains(id))
+        .ok_or_else(|| {
+            format!("{text} is no vehicle: they are numbered from 1 to {HIGHEST_VEHICLE}")
+        })
 }
 
-fn exists(id: SystemId, context: &Context) -> bool {
+fn exists(id: VehicleId, context: &Context) -> bool {
     context.vehicles.is_empty() || context.vehicles.contains(&id)
 }
 
-fn no_vehicle(id: SystemId, context: &Context) -> String {
+fn no_vehicle(id: VehicleId, context: &Context) -> String {
     let mut known = context.vehicles.to_vec();
     known.sort_unstable();
     format!("there is no vehicle {id}, only {}", Targets::Ids(known))

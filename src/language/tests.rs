@@ -7,7 +7,7 @@ pub(super) fn places() -> BTreeMap<String, LatLon> {
     BTreeMap::from([("tower".to_owned(), LatLon::new(50.45, 30.52))])
 }
 
-pub(super) fn groups() -> BTreeMap<String, Vec<SystemId>> {
+pub(super) fn groups() -> BTreeMap<String, Vec<VehicleId>> {
     BTreeMap::from([("red".to_owned(), vec![1, 3]), ("none".to_owned(), vec![])])
 }
 
@@ -18,7 +18,7 @@ fn read(line: &str) -> Result<Statement, crate::diagnostic::Diagnostic> {
 }
 
 pub(super) fn context<'a>(
-    groups: &'a BTreeMap<String, Vec<SystemId>>,
+    groups: &'a BTreeMap<String, Vec<VehicleId>>,
     places: &'a BTreeMap<String, LatLon>,
 ) -> Context<'a> {
     Context {
@@ -250,8 +250,8 @@ fn the_exact_word_that_is_wrong_is_named() {
         ("takeoff 1e999", "1e999", "too large", ""),
         ("takeoff 20 30", "30", "too much", "takeoff ALTITUDE"),
         ("5-2 arm", "5-2", "backwards: say `2-5`", ""),
-        ("0 arm", "0", "no system id", ""),
-        ("1,300 arm", "300", "no system id", ""),
+        ("0 arm", "0", "numbered from 1 to 9999", ""),
+        ("1,300 arm", "300", "no vehicle 300, only 1-8", ""),
         ("1-99 arm", "1-99", "no vehicle 9, only 1-8", ""),
         ("1,,2 arm", "", "names no vehicles", ""),
         (
@@ -358,7 +358,7 @@ fn arguments_of_a_form_have_different_names() {
 fn targets_resolve_to_vehicles_or_say_why_not() {
     let (groups, places) = (groups(), places());
     let context = context(&groups, &places);
-    let ids = |targets: Targets, selection: &[SystemId]| targets.resolve(selection, &context);
+    let ids = |targets: Targets, selection: &[VehicleId]| targets.resolve(selection, &context);
     assert_eq!(ids(Targets::Selection, &[4, 2]), Ok(vec![4, 2]));
     assert_eq!(ids(Targets::Group("red".to_owned()), &[]), Ok(vec![1, 3]));
     assert_eq!(ids(Targets::All, &[1]).map(|all| all.len()), Ok(8));

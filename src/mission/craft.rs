@@ -6,8 +6,8 @@ use super::sensor::Probe;
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
 use crate::scoring::SafetyKind;
+use crate::vehicle::VehicleId;
 use crate::vehicle::{GlobalPosition, StatusText, Vehicle};
-use crate::wire::SystemId;
 
 /// Motors that stop above this height let a vehicle fall.
 const FALL_FROM_M: f64 = 2.0;
@@ -25,7 +25,7 @@ const OFF_PAD_M: f64 = 3.0;
     reason = "independent facts about one vehicle"
 )]
 pub(crate) struct Craft {
-    pub id: SystemId,
+    pub id: VehicleId,
     /// Where it is, once it has said so.
     pub at: Option<Point>,
     /// Height above home.
@@ -57,7 +57,7 @@ pub(crate) struct Craft {
 pub(crate) type Breach = (SafetyKind, String);
 
 impl Craft {
-    pub fn new(id: SystemId, probes: Vec<Probe>) -> Self {
+    pub fn new(id: VehicleId, probes: Vec<Probe>) -> Self {
         Self {
             id,
             at: None,

@@ -27,7 +27,7 @@ pub(crate) struct Pilot {
     pub ledger: Ledger,
     pub now: Duration,
     pub disarmed_at: Option<Duration>,
-    vehicles: BTreeMap<u8, Vehicle>,
+    vehicles: BTreeMap<u16, Vehicle>,
     /// North, east, up.
     position_m: [f64; 3],
     armed_s: f64,

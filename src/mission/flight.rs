@@ -19,8 +19,8 @@ use crate::notice::Notice;
 use crate::scoring::{
     CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, rounded,
 };
+use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
-use crate::wire::SystemId;
 
 mod result;
 mod view;
@@ -135,7 +135,7 @@ impl Flight {
     pub fn step(
         &mut self,
         now: Duration,
-        vehicles: &BTreeMap<SystemId, Vehicle>,
+        vehicles: &BTreeMap<VehicleId, Vehicle>,
         ledger: &Ledger,
     ) -> Vec<Notice> {
         if self.ended.is_some() {
@@ -176,7 +176,7 @@ impl Flight {
     }
 
     /// The first vehicles by system id take part, as many as the mission wants.
-    fn enlist(&mut self, vehicles: &BTreeMap<SystemId, Vehicle>) {
+    fn enlist(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>) {
         for &id in vehicles.keys() {
             if self.crafts.len() >= self.mission.vehicles {
                 return;
@@ -192,7 +192,7 @@ impl Flight {
         }
     }
 
-    fn step_crafts(&mut self, vehicles: &BTreeMap<SystemId, Vehicle>, notices: &mut Vec<Notice>) {
+    fn step_crafts(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>, notices: &mut Vec<Notice>) {
         let mission = Arc::clone(&self.mission);
         let mut breaches = Vec::new();
         for craft in &mut self.crafts {
@@ -220,7 +220,7 @@ impl Flight {
     fn break_rule(
         &mut self,
         kind: SafetyKind,
-        id: SystemId,
+        id: VehicleId,
         text: &str,
         notices: &mut Vec<Notice>,
     ) {
@@ -236,7 +236,7 @@ impl Flight {
 
     fn step_commands(
         &mut self,
-        vehicles: &BTreeMap<SystemId, Vehicle>,
+        vehicles: &BTreeMap<VehicleId, Vehicle>,
         ledger: &Ledger,
         notices: &mut Vec<Notice>,
     ) {
@@ -366,7 +366,7 @@ impl Flight {
     fn say(
         &mut self,
         kind: &str,
-        vehicle: Option<SystemId>,
+        vehicle: Option<VehicleId>,
         severity: Severity,
         text: String,
         notices: &mut Vec<Notice>,
@@ -380,7 +380,7 @@ impl Flight {
         self.record(kind, vehicle, text);
     }
 
-    fn record(&mut self, kind: &str, vehicle: Option<SystemId>, text: String) {
+    fn record(&mut self, kind: &str, vehicle: Option<VehicleId>, text: String) {
         self.events.push(EventReport {
             at_s: rounded(self.elapsed.as_secs_f64(), 1),
             kind: kind.to_owned(),

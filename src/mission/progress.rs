@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::geo::LatLon;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// A mission as it stands now.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +54,7 @@ pub enum ObjectiveState {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
     /// Which vehicle carries it.
-    pub vehicle: SystemId,
+    pub vehicle: VehicleId,
     /// Its name.
     pub sensor: String,
     /// What it shows.

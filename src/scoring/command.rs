@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::ledger::{Entry, EntryId, Ledger, Row, RowState};
 use crate::vehicle::Vehicle;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// The same line to the same vehicle within this time is a duplicate.
 const DUPLICATE_WITHIN: Duration = Duration::from_secs(2);
@@ -60,7 +60,7 @@ pub struct CommandLog {
     first: Option<EntryId>,
     given_at: BTreeMap<EntryId, Duration>,
     /// Rows that failed; true where the vehicle could not be heard, which excuses the operator.
-    excused: BTreeMap<(EntryId, SystemId), bool>,
+    excused: BTreeMap<(EntryId, VehicleId), bool>,
 }
 
 /// Something about a command that a human should hear, as [`CommandLog::step`] finds it.
@@ -69,14 +69,14 @@ pub enum CommandEvent {
     /// Refused or never answered.
     Rejected {
         /// By which vehicle.
-        vehicle: SystemId,
+        vehicle: VehicleId,
         /// The line and the reason.
         text: String,
     },
     /// Arming was forced or its checks were switched off.
     Forced {
         /// With which vehicle.
-        vehicle: SystemId,
+        vehicle: VehicleId,
     },
 }
 
@@ -86,7 +86,7 @@ impl CommandLog {
     pub fn step(
         &mut self,
         now: Duration,
-        vehicles: &BTreeMap<SystemId, Vehicle>,
+        vehicles: &BTreeMap<VehicleId, Vehicle>,
         ledger: &Ledger,
     ) -> Vec<CommandEvent> {
         let first = *self.first.get_or_insert_with(|| {
@@ -115,7 +115,7 @@ impl CommandLog {
         &mut self,
         entry: &Entry,
         row: &Row,
-        vehicles: &BTreeMap<SystemId, Vehicle>,
+        vehicles: &BTreeMap<VehicleId, Vehicle>,
     ) -> Option<CommandEvent> {
         let key = (entry.id, row.vehicle);
         if !is_rejected(row) || self.excused.contains_key(&key) {
@@ -149,7 +149,7 @@ impl CommandLog {
     /// Counts them.
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
-        let mut last: BTreeMap<(SystemId, &str), (Duration, bool)> = BTreeMap::new();
+        let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
         for (_, entry) in self.entries(ledger) {
             for row in &entry.rows {
                 let before = last.insert((row.vehicle, &entry.line), (entry.at, is_rejected(row)));

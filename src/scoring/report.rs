@@ -109,7 +109,7 @@ pub struct LedgerReport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RowReport {
     /// Which vehicle.
-    pub vehicle: u8,
+    pub vehicle: u16,
     /// How it ended, in words.
     pub state: String,
     /// Whether that is otherwise than the operator wanted.
@@ -128,7 +128,7 @@ pub struct EventReport {
     /// `objective`, `alert`, `rule`, `rejected` or `phase`.
     pub kind: String,
     /// Which vehicle, where it is about one.
-    pub vehicle: Option<u8>,
+    pub vehicle: Option<u16>,
     /// In words.
     pub text: String,
 }

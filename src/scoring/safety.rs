@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// The same event of the same vehicle within this time is one event.
 const MERGED_WITHIN: Duration = Duration::from_secs(5);
@@ -79,7 +79,7 @@ pub struct SafetyEvent {
     /// Which rule.
     pub kind: SafetyKind,
     /// By whom.
-    pub vehicle: SystemId,
+    pub vehicle: VehicleId,
     /// Mission time of its beginning.
     pub at: Duration,
     /// How long it lasted; zero for what happens at once.
@@ -106,12 +106,18 @@ pub fn safety_value(events: &[SafetyEvent]) -> f64 {
 pub struct SafetyLog {
     events: Vec<SafetyEvent>,
     /// Index of the newest event per vehicle and kind, and when it was seen last.
-    newest: BTreeMap<(SystemId, SafetyKind), (usize, Duration)>,
+    newest: BTreeMap<(VehicleId, SafetyKind), (usize, Duration)>,
 }
 
 impl SafetyLog {
     /// Notes that a rule is broken now. Called again while it stays broken, it lengthens the event; true for a new one.
-    pub fn note(&mut self, kind: SafetyKind, vehicle: SystemId, now: Duration, text: &str) -> bool {
+    pub fn note(
+        &mut self,
+        kind: SafetyKind,
+        vehicle: VehicleId,
+        now: Duration,
+        text: &str,
+    ) -> bool {
         if let Some((index, seen)) = self.newest.get_mut(&(vehicle, kind))
             && now.saturating_sub(*seen) <= MERGED_WITHIN
         {

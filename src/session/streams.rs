@@ -97,7 +97,8 @@ impl Streams {
         let mut commands = Vec::new();
         for wanted in WANTED_STREAMS {
             let arrived = self.arrived.get(&wanted.message).copied().unwrap_or(0);
-            if f64::from(arrived) < wanted.rate_hz * window_s * GOOD_ENOUGH && self.may_ask(wanted.message)
+            if f64::from(arrived) < wanted.rate_hz * window_s * GOOD_ENOUGH
+                && self.may_ask(wanted.message)
             {
                 commands.push(Command::MessageInterval {
                     message: wanted.message,

@@ -175,7 +175,9 @@ fn a_silent_vehicle_is_asked_on_schedule_and_never_after_the_deadline() {
     scene.pass(ms(10_000));
     let sent = scene.longs(ARM);
     assert_eq!(
-        sent.iter().map(|long| long.confirmation).collect::<Vec<_>>(),
+        sent.iter()
+            .map(|long| long.confirmation)
+            .collect::<Vec<_>>(),
         [0, 1, 2]
     );
     assert_eq!(scene.states(1).last(), Some(&RowState::TimedOut));
@@ -187,7 +189,11 @@ fn a_refusal_is_explained_by_the_text_that_follows_it() {
     let mut scene = Scene::new();
     scene.order(1, "arm", Command::Arm);
     scene.ack(ARM, MavResult::MAV_RESULT_FAILED);
-    assert_eq!(scene.states(1), [RowState::Sent], "the reason may still come");
+    assert_eq!(
+        scene.states(1),
+        [RowState::Sent],
+        "the reason may still come"
+    );
     scene.text("Arm: Need Position Estimate");
     scene.pass(ms(400));
     assert_eq!(scene.states(1).last(), Some(&RowState::Refused));
@@ -265,7 +271,13 @@ fn later_commands_wait_until_the_earlier_one_is_settled() {
 #[test]
 fn an_urgent_command_goes_before_everything_that_waits() {
     let mut scene = Scene::new();
-    scene.order(1, "guided", Command::SetMode { name: "GUIDED".into() });
+    scene.order(
+        1,
+        "guided",
+        Command::SetMode {
+            name: "GUIDED".into(),
+        },
+    );
     scene.order(2, "arm", Command::Arm);
     scene.order(3, "rtl", Command::ReturnToLaunch);
     assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
@@ -288,7 +300,11 @@ fn a_setpoint_outside_guided_is_refused_here_because_the_vehicle_would_ignore_it
     };
     scene.order(1, "goto", goto);
     assert_eq!(scene.states(1), [RowState::Refused]);
-    assert!(scene.explanation(1).contains("GUIDED"), "{}", scene.explanation(1));
+    assert!(
+        scene.explanation(1).contains("GUIDED"),
+        "{}",
+        scene.explanation(1)
+    );
 }
 
 #[test]
@@ -296,10 +312,22 @@ fn silence_is_noticed_within_three_seconds_and_so_is_the_return() {
     let mut scene = Scene::new();
     scene.pass(ms(2900));
     assert!(scene.session.vehicle().link.lost);
-    assert_eq!(scene.notices.iter().filter(|text| *text == "link lost").count(), 1);
+    assert_eq!(
+        scene
+            .notices
+            .iter()
+            .filter(|text| *text == "link lost")
+            .count(),
+        1
+    );
     scene.heartbeat(STABILIZE, false);
     assert!(!scene.session.vehicle().link.lost);
-    assert!(scene.notices.iter().any(|text| text.starts_with("link back after")));
+    assert!(
+        scene
+            .notices
+            .iter()
+            .any(|text| text.starts_with("link back after"))
+    );
 }
 
 #[test]

@@ -54,6 +54,8 @@ pub(super) struct Transaction {
     given: Duration,
     phase: Phase,
     tries: u8,
+    /// How often a setpoint, which nothing answers, has been said again.
+    setpoints_repeated: u8,
     first_sent: Duration,
     last_sent: Duration,
     /// Built once, from the state at the first transmission: a repeated "10 m further" must not add up.
@@ -81,6 +83,7 @@ impl Transaction {
             given,
             phase: Phase::Fresh,
             tries: 0,
+            setpoints_repeated: 0,
             first_sent: given,
             last_sent: given,
             request: None,
@@ -118,7 +121,8 @@ impl Transaction {
 
     /// Looks for the answer in a frame of the vehicle.
     pub fn receive(&mut self, frame: &Frame, vehicle: &Vehicle, now: Duration) {
-        if !matches!(self.phase, Phase::AwaitingAnswer { .. }) || frame.component != vehicle.component
+        if !matches!(self.phase, Phase::AwaitingAnswer { .. })
+            || frame.component != vehicle.component
         {
             return;
         }
@@ -132,7 +136,11 @@ impl Transaction {
                 }
             }
             (Some(Answer::Parameter(name)), Content::Message(MavMessage::PARAM_VALUE(value))) => {
-                if value.param_id.to_str().is_ok_and(|id| id.eq_ignore_ascii_case(name)) {
+                if value
+                    .param_id
+                    .to_str()
+                    .is_ok_and(|id| id.eq_ignore_ascii_case(name))
+                {
                     match self.order.command.parameter_outcome(value.param_value) {
                         Ok(text) => self.accept(Some(text), now),
                         Err(text) => self.end(RowState::Refused, Some(text)),
@@ -227,6 +235,11 @@ impl Transaction {
             && now < self.given + self.order.retry.deadline
     }
 
+    fn may_repeat_setpoint(&self, now: Duration) -> bool {
+        self.setpoints_repeated + 1 < self.order.retry.tries
+            && now >= self.last_sent + self.order.retry.every
+    }
+
     fn await_answer(
         &mut self,
         vehicle: &Vehicle,
@@ -235,7 +248,10 @@ impl Transaction {
         outgoing: &mut Vec<Outgoing>,
     ) {
         if self.effect_has_come(vehicle) {
-            return self.end(RowState::Done, Some("seen in telemetry, the answer was lost".to_owned()));
+            return self.end(
+                RowState::Done,
+                Some("seen in telemetry, the answer was lost".to_owned()),
+            );
         }
         if now >= deadline {
             return match self.last_result {
@@ -266,12 +282,20 @@ impl Transaction {
         let repeat = self.order.command.repeat();
         if let Some(repeat) = &repeat {
             if now >= since + repeat.lasting {
-                outgoing.extend(self.request.as_mut().and_then(|request| request.closing.take()));
+                outgoing.extend(
+                    self.request
+                        .as_mut()
+                        .and_then(|request| request.closing.take()),
+                );
                 return self.end(RowState::Done, None);
             }
             if now >= self.last_sent + repeat.every {
                 self.last_sent = now;
-                outgoing.extend(self.request.iter().flat_map(|request| request.messages.clone()));
+                outgoing.extend(
+                    self.request
+                        .iter()
+                        .flat_map(|request| request.messages.clone()),
+                );
             }
             return;
         }
@@ -288,9 +312,16 @@ impl Transaction {
                 );
                 self.end(RowState::NoEffect, Some(text));
             }
-            // Nothing acknowledges a setpoint, so it is said again in case it was lost.
-            Some(false) if self.answered_at.is_none() && self.may_send_again(now) => {
-                self.send(now, outgoing);
+            // Nothing acknowledges a setpoint, so it is said again in case it was lost. That is no new try:
+            // nobody knows that the first one failed.
+            Some(false) if self.answered_at.is_none() && self.may_repeat_setpoint(now) => {
+                self.setpoints_repeated += 1;
+                self.last_sent = now;
+                outgoing.extend(
+                    self.request
+                        .iter()
+                        .flat_map(|request| request.messages.clone()),
+                );
             }
             Some(false) => {}
         }

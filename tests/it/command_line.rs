@@ -20,15 +20,23 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn the_reference_pilot_passes_with_the_same_bytes_twice() {
     let arguments = [
-        "run", "missions/01-air-sample.toml", "--pilot", "missions/pilots/01-air-sample.pilot",
-        "--json", "--no-timing",
+        "run",
+        "missions/01-air-sample.toml",
+        "--pilot",
+        "missions/pilots/01-air-sample.pilot",
+        "--json",
+        "--no-timing",
     ];
     let (first, second) = (sortie(&arguments), sortie(&arguments));
     assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
     assert_eq!(text(&first.stdout), text(&second.stdout));
     let report: serde_json::Value = serde_json::from_slice(&first.stdout).expect("one document");
     assert_eq!(report["passed"], true);
-    assert!(report["score"].as_u64().is_some_and(|score| score >= 700), "{}", report["score"]);
+    assert!(
+        report["score"].as_u64().is_some_and(|score| score >= 700),
+        "{}",
+        report["score"]
+    );
 }
 
 #[test]
@@ -39,24 +47,48 @@ fn only_the_wall_time_differs_between_equal_runs() {
     };
     let mut timed = read(sortie(&arguments));
     let plain = read(sortie(&[&arguments[..], &["--no-timing"]].concat()));
-    let removed = timed.as_object_mut().and_then(|report| report.remove("wall_time_s"));
+    let removed = timed
+        .as_object_mut()
+        .and_then(|report| report.remove("wall_time_s"));
     assert!(removed.is_some_and(|time| time.is_f64()));
     assert_eq!(timed, plain);
 }
 
 #[test]
 fn seeds_change_the_world() {
-    let of = |seed| sortie(&["run", "01", "--pilot", "01-air-sample", "--json", "--no-timing", "--seed", seed]);
+    let of = |seed| {
+        sortie(&[
+            "run",
+            "01",
+            "--pilot",
+            "01-air-sample",
+            "--json",
+            "--no-timing",
+            "--seed",
+            seed,
+        ])
+    };
     assert_ne!(of("1").stdout, of("2").stdout);
 }
 
 #[test]
 fn a_pilot_that_only_arms_fails_with_a_low_score() {
-    let output = sortie(&["run", "01", "--pilot", "missions/pilots/01-arm-only.pilot", "--json", "--no-timing"]);
+    let output = sortie(&[
+        "run",
+        "01",
+        "--pilot",
+        "missions/pilots/01-arm-only.pilot",
+        "--json",
+        "--no-timing",
+    ]);
     assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one document");
     assert_eq!(report["passed"], false);
-    assert!(report["score"].as_u64().is_some_and(|score| score < 300), "{}", report["score"]);
+    assert!(
+        report["score"].as_u64().is_some_and(|score| score < 300),
+        "{}",
+        report["score"]
+    );
 }
 
 #[test]
@@ -69,21 +101,40 @@ fn a_wrong_field_is_pointed_at_with_exit_code_2() {
     let output = sortie(&["run", path, "--pilot", "01-air-sample"]);
     assert_eq!(output.status.code(), Some(2));
     let said = text(&output.stderr);
-    assert!(said.contains("time_limt") && said.contains("time_limit"), "{said}");
+    assert!(
+        said.contains("time_limt") && said.contains("time_limit"),
+        "{said}"
+    );
     assert!(said.contains("wrong.toml:"), "{said}");
     let checked = sortie(&["check", path]);
     assert_eq!(checked.status.code(), Some(1));
-    assert!(text(&checked.stdout).contains("wrong.toml:"), "{}", text(&checked.stdout));
+    assert!(
+        text(&checked.stdout).contains("wrong.toml:"),
+        "{}",
+        text(&checked.stdout)
+    );
 }
 
 #[test]
 fn faults_say_what_and_what_to_do() {
     let cases: &[(&[&str], i32, &[&str])] = &[
-        (&["run", "99", "--pilot", "x"], 2, &["no mission `99`", "01-air-sample"]),
-        (&["run", "01", "--pilot", "nowhere.pilot"], 2, &["nowhere.pilot"]),
+        (
+            &["run", "99", "--pilot", "x"],
+            2,
+            &["no mission `99`", "01-air-sample"],
+        ),
+        (
+            &["run", "01", "--pilot", "nowhere.pilot"],
+            2,
+            &["nowhere.pilot"],
+        ),
         (&["connect", "tpc:127.0.0.1:5760"], 2, &["tpc"]),
         (&["connect", "tcp:127.0.0.1:99999"], 2, &["99999"]),
-        (&["fly", "--theme", "drak"], 2, &["drak", "did you mean `dark`?"]),
+        (
+            &["fly", "--theme", "drak"],
+            2,
+            &["drak", "did you mean `dark`?"],
+        ),
         (&["fly"], 1, &["needs a terminal"]),
         (&["sim", "--vehicles", "0"], 2, &["0"]),
         (&["sim", "--home", "91,0,0,0"], 2, &["latitude"]),
@@ -94,7 +145,10 @@ fn faults_say_what_and_what_to_do() {
         let said = text(&output.stderr);
         assert_eq!(output.status.code(), Some(*code), "{arguments:?}: {said}");
         for word in *words {
-            assert!(said.contains(word), "{arguments:?} does not say {word:?}: {said}");
+            assert!(
+                said.contains(word),
+                "{arguments:?} does not say {word:?}: {said}"
+            );
         }
     }
 }
@@ -106,7 +160,11 @@ fn a_port_in_use_is_named() {
     let output = sortie(&["sim", "--tcp", &address]);
     let said = text(&output.stderr);
     assert_eq!(output.status.code(), Some(1));
-    assert!(said.contains("in use") && said.contains(&taken.local_addr().expect("bound").port().to_string()), "{said}");
+    assert!(
+        said.contains("in use")
+            && said.contains(&taken.local_addr().expect("bound").port().to_string()),
+        "{said}"
+    );
 }
 
 #[test]
@@ -123,5 +181,11 @@ fn everything_that_ships_is_good() {
     let mut arguments = vec!["check"];
     arguments.extend(files.iter().map(String::as_str));
     let output = sortie(&arguments);
-    assert_eq!(output.status.code(), Some(0), "{}{}", text(&output.stdout), text(&output.stderr));
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{}{}",
+        text(&output.stdout),
+        text(&output.stderr)
+    );
 }

@@ -9,7 +9,7 @@ use sortie::vehicle::Severity;
 use crate::fixtures;
 use crate::harness::Console;
 
-fn selection(console: &Console) -> Vec<u8> {
+fn selection(console: &Console) -> Vec<u16> {
     console.state.session.selection.iter().copied().collect()
 }
 

@@ -16,8 +16,9 @@ pub const BRIEF: &str = "A tank at the yard has leaked. Before anybody walks in,
                          enough for the sensor to settle, and bring it back to its pad.";
 
 /// A copter on the ground that is ready to arm.
-pub fn parked(id: u8) -> Vehicle {
-    let mut vehicle = Vehicle::new(id, 1);
+pub fn parked(id: u16) -> Vehicle {
+    let mut vehicle = Vehicle::new((id % 250) as u8, 1);
+    vehicle.id = id;
     let at = Duration::ZERO;
     let pad = HOME.moved(0.0, 5.0 * f64::from(id));
     vehicle.heartbeat = Some(Heartbeat {
@@ -96,7 +97,7 @@ fn add_instruments(vehicle: &mut Vehicle, at: Duration) {
 }
 
 /// The same in the air in GUIDED.
-pub fn airborne(id: u8, north_m: f64, altitude_m: f64) -> Vehicle {
+pub fn airborne(id: u16, north_m: f64, altitude_m: f64) -> Vehicle {
     let mut vehicle = parked(id);
     vehicle.landed = LandedState::InAir;
     if let Some(heartbeat) = &mut vehicle.heartbeat {

@@ -12,8 +12,7 @@ use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Transport};
 use sortie::session::{Order, Report};
 use sortie::sim::{Start, World, WorldConfig};
-use sortie::vehicle::{Vehicle, VehicleClass};
-use sortie::wire::SystemId;
+use sortie::vehicle::{Vehicle, VehicleClass, VehicleId};
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
@@ -33,7 +32,7 @@ fn world(vehicles: usize) -> World {
 struct Console {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
-    vehicles: BTreeMap<SystemId, watch::Receiver<Arc<Vehicle>>>,
+    vehicles: BTreeMap<VehicleId, watch::Receiver<Arc<Vehicle>>>,
     links: Vec<watch::Receiver<LinkStatus>>,
     rows: Vec<RowUpdate>,
     notices: Vec<String>,
@@ -88,14 +87,14 @@ impl Console {
         );
     }
 
-    fn vehicle(&self, id: SystemId) -> Option<Arc<Vehicle>> {
+    fn vehicle(&self, id: VehicleId) -> Option<Arc<Vehicle>> {
         self.vehicles
             .get(&id)
             .map(|vehicle| Arc::clone(&vehicle.borrow()))
     }
 
     /// Gives a line of the grammar to vehicles and returns the ledger entry that it would have.
-    fn give(&mut self, line: &str, targets: &[SystemId]) -> EntryId {
+    fn give(&mut self, line: &str, targets: &[VehicleId]) -> EntryId {
         let (groups, places) = (BTreeMap::new(), BTreeMap::new());
         let context = Context {
             groups: &groups,
@@ -121,7 +120,7 @@ impl Console {
         entry
     }
 
-    fn state(&self, entry: EntryId, vehicle: SystemId) -> Option<RowState> {
+    fn state(&self, entry: EntryId, vehicle: VehicleId) -> Option<RowState> {
         self.rows
             .iter()
             .rev()
@@ -129,7 +128,7 @@ impl Console {
             .map(|row| row.state)
     }
 
-    async fn until_done(&mut self, entry: EntryId, vehicle: SystemId) {
+    async fn until_done(&mut self, entry: EntryId, vehicle: VehicleId) {
         let what = format!("{entry:?} is done by {vehicle}");
         self.until(&what, |console| {
             console
@@ -145,7 +144,7 @@ impl Console {
         );
     }
 
-    async fn until_ready(&mut self, ids: &[SystemId]) {
+    async fn until_ready(&mut self, ids: &[VehicleId]) {
         self.until("all are ready to arm", |console| {
             ids.iter().all(|&id| {
                 console
@@ -246,12 +245,15 @@ async fn a_refused_arm_is_explained_in_plain_words() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_vehicle_that_reboots_is_noticed_and_resumed() {
-    let (addresses, cancel) = serve(world(1), 10.0).await;
+    let (addresses, cancel) = serve(world(1), 5.0).await;
     let mut console = Console::start();
     console.connect(&addresses[0]);
     console
         .until("it has been up for a while", |console| {
-            console.vehicle(1).and_then(|vehicle| vehicle.boot_ms).is_some_and(|ms| ms > 10_000)
+            console
+                .vehicle(1)
+                .and_then(|vehicle| vehicle.boot_ms)
+                .is_some_and(|ms| ms > 10_000)
         })
         .await;
     console.give("reboot", &[1]);

@@ -41,7 +41,7 @@ impl Console {
     }
 
     /// In free flight with `count` vehicles on the ground.
-    pub fn flying(count: u8) -> Self {
+    pub fn flying(count: u16) -> Self {
         let mut console = Self::new();
         console.start(Activity::Free);
         for id in 1..=count {
@@ -115,7 +115,7 @@ impl Console {
     }
 
     /// The newest command's row of a vehicle changes.
-    pub fn row(&mut self, vehicle: u8, state: RowState, explanation: Option<&str>) -> &mut Self {
+    pub fn row(&mut self, vehicle: u16, state: RowState, explanation: Option<&str>) -> &mut Self {
         let newest = self.state.session.ledger.entries().len() as u32 - 1;
         self.hear(Event::Row(RowUpdate {
             entry: EntryId(newest),
@@ -127,7 +127,7 @@ impl Console {
         }))
     }
 
-    pub fn notice(&mut self, severity: Severity, vehicle: Option<u8>, text: &str) -> &mut Self {
+    pub fn notice(&mut self, severity: Severity, vehicle: Option<u16>, text: &str) -> &mut Self {
         self.hear(Event::Notice(Notice {
             at: self.state.now,
             vehicle,
@@ -137,7 +137,7 @@ impl Console {
     }
 
     /// The targets of the one command that the last event sent out.
-    pub fn sent_to(&self) -> Vec<u8> {
+    pub fn sent_to(&self) -> Vec<u16> {
         match self.effects.as_slice() {
             [Effect::Command { targets, .. }] => targets.clone(),
             other => panic!("no single command went out: {other:?}"),

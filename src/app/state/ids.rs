@@ -1,23 +1,23 @@
 //! Sets of vehicles as people write them: `1-4,7`.
 
 use crate::language::Targets;
-use crate::wire::SystemId;
+use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 
 /// Ids as ranges, `1-4,7`. The ids have to be sorted.
-pub fn ranges(ids: impl IntoIterator<Item = SystemId>) -> String {
+pub fn ranges(ids: impl IntoIterator<Item = VehicleId>) -> String {
     Targets::Ids(ids.into_iter().collect()).to_string()
 }
 
 /// Reads what [`ranges`] writes, in any order.
 ///
 /// # Errors
-/// Plain words when a part is neither a number from 1 to 255 nor a range of them.
-pub fn parse_ranges(text: &str) -> Result<Vec<SystemId>, String> {
+/// Plain words when a part is neither a number from 1 to 9999 nor a range of them.
+pub fn parse_ranges(text: &str) -> Result<Vec<VehicleId>, String> {
     let mut ids = Vec::new();
     for part in text.split(',') {
         let (first, last) = part.split_once('-').unwrap_or((part, part));
-        let number = |word: &str| match word.trim().parse::<SystemId>() {
-            Ok(id) if id > 0 => Ok(id),
+        let number = |word: &str| match word.trim().parse::<VehicleId>() {
+            Ok(id) if (1..=HIGHEST_VEHICLE).contains(&id) => Ok(id),
             _ => Err(format!("`{part}` is no vehicle: write 3, 3-9 or 1,4-6")),
         };
         let (first, last) = (number(first)?, number(last)?);
@@ -38,14 +38,14 @@ mod tests {
         assert_eq!(ranges([1, 2, 3, 4, 7, 9, 10, 255]), "1-4,7,9-10,255");
         assert_eq!(ranges([]), "");
         assert_eq!(parse_ranges("9-7,1"), Ok(vec![1, 7, 8, 9]));
-        for wrong in ["", "0", "256", "1-", "1,,2", "a", "-3"] {
+        for wrong in ["", "0", "10000", "1-", "1,,2", "a", "-3"] {
             assert!(parse_ranges(wrong).is_err(), "{wrong}");
         }
     }
 
     proptest! {
         #[test]
-        fn what_is_written_reads_back(ids in proptest::collection::btree_set(1u8.., 1..40)) {
+        fn what_is_written_reads_back(ids in proptest::collection::btree_set(1..=HIGHEST_VEHICLE, 1..40)) {
             let ids: Vec<_> = ids.into_iter().collect();
             prop_assert_eq!(parse_ranges(&ranges(ids.clone())), Ok(ids));
         }

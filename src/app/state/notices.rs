@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, VecDeque};
 
 use crate::notice::Notice;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// Lines kept.
 pub const LINES_KEPT: usize = 1000;
@@ -19,7 +19,7 @@ pub struct NoticeLine {
     /// How many it stands for.
     pub count: u32,
     /// The vehicles they were about.
-    pub vehicles: BTreeSet<SystemId>,
+    pub vehicles: BTreeSet<VehicleId>,
 }
 
 /// The list of notices.
@@ -64,7 +64,7 @@ mod tests {
     use crate::vehicle::Severity;
     use std::time::Duration;
 
-    fn notice(vehicle: SystemId, text: &str) -> Notice {
+    fn notice(vehicle: VehicleId, text: &str) -> Notice {
         Notice {
             at: Duration::ZERO,
             vehicle: Some(vehicle),

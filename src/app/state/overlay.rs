@@ -6,7 +6,7 @@ use crate::app::effect::Effect;
 use crate::commands::Command;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// An overlay. It takes the keys while it is there.
 #[derive(Debug, Clone)]
@@ -81,7 +81,7 @@ pub struct Order {
     /// The whole line, with its targets.
     pub line: String,
     /// The vehicles, sorted.
-    pub targets: Vec<SystemId>,
+    pub targets: Vec<VehicleId>,
     /// Its row of the verb table.
     pub verb: &'static Verb,
     /// What to do.

@@ -7,8 +7,8 @@ use super::{Groups, Selection};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Ledger, Row};
 use crate::mission::Progress;
+use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
-use crate::wire::SystemId;
 
 /// A session.
 #[derive(Debug, Clone, Default)]
@@ -16,13 +16,13 @@ pub struct Session {
     /// What is being done; `None` between sessions.
     pub activity: Option<Activity>,
     /// The vehicles, as their telemetry said last.
-    pub vehicles: BTreeMap<SystemId, Vehicle>,
+    pub vehicles: BTreeMap<VehicleId, Vehicle>,
     /// Names of vehicles, where they have one.
-    pub names: BTreeMap<SystemId, String>,
+    pub names: BTreeMap<VehicleId, String>,
     /// The vehicles that commands go to; none selected means the one under the cursor.
     pub selection: Selection,
     /// The vehicle under the cursor.
-    pub cursor: Option<SystemId>,
+    pub cursor: Option<VehicleId>,
     /// All commands of the session.
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
@@ -34,7 +34,7 @@ pub struct Session {
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
     /// The newest entry of the ledger for each vehicle.
-    latest: BTreeMap<SystemId, EntryId>,
+    latest: BTreeMap<VehicleId, EntryId>,
     /// Whether the user has put the cursor somewhere.
     cursor_placed: bool,
 }
@@ -103,7 +103,7 @@ impl Session {
     pub fn new(
         activity: Activity,
         places: BTreeMap<String, LatLon>,
-        names: BTreeMap<SystemId, String>,
+        names: BTreeMap<VehicleId, String>,
     ) -> Self {
         Self {
             activity: Some(activity),
@@ -114,7 +114,7 @@ impl Session {
     }
 
     /// Opens a ledger entry.
-    pub fn open(&mut self, at: Duration, line: &str, verb: &str, targets: &[SystemId]) -> EntryId {
+    pub fn open(&mut self, at: Duration, line: &str, verb: &str, targets: &[VehicleId]) -> EntryId {
         let entry = self.ledger.open(at, line, verb, targets);
         for &id in targets {
             self.latest.insert(id, entry);
@@ -123,7 +123,7 @@ impl Session {
     }
 
     /// The newest command to a vehicle, with how it went there.
-    pub fn latest(&self, vehicle: SystemId) -> Option<(&Entry, &Row)> {
+    pub fn latest(&self, vehicle: VehicleId) -> Option<(&Entry, &Row)> {
         let entry = self.ledger.entry(*self.latest.get(&vehicle)?)?;
         let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
         Some((entry, row))
@@ -165,7 +165,7 @@ impl Session {
     }
 
     /// Puts the cursor on a vehicle, where it stays.
-    pub fn place_cursor(&mut self, id: SystemId) {
+    pub fn place_cursor(&mut self, id: VehicleId) {
         self.cursor = Some(id);
         self.cursor_placed = true;
     }

@@ -7,7 +7,7 @@ use crate::app::state::{
     Confirm, Connect, Consequence, HomeItem, Overlay, Screen, Session, State, parse_ranges, ranges,
 };
 use crate::vehicle::Severity;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
     match action {
@@ -83,9 +83,9 @@ pub fn go_home(state: &mut State) {
 }
 
 /// Selects exactly these vehicles, as far as they are there.
-pub fn select(state: &mut State, ids: &[SystemId]) {
-    let known = |id: &SystemId| state.session.vehicles.contains_key(id);
-    let (there, missing): (Vec<SystemId>, Vec<SystemId>) = ids.iter().partition(|id| known(id));
+pub fn select(state: &mut State, ids: &[VehicleId]) {
+    let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
+    let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));
     if !missing.is_empty() {
         let text = format!("there is no vehicle {}", ranges(missing));
         state.say(Severity::Warning, text);

@@ -5,7 +5,7 @@ use crate::app::effect::Effect;
 use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// Up to so many targets are named one by one.
 const NAMED_TARGETS: usize = 12;
@@ -19,7 +19,7 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
             .targets
             .resolve(&selection, context)
             .map_err(|text| Diagnostic::new(first_word(line), text))?;
-        let missing = |id: &&SystemId| !state.session.vehicles.contains_key(id);
+        let missing = |id: &&VehicleId| !state.session.vehicles.contains_key(id);
         if let Some(missing) = targets.iter().find(missing) {
             let text = format!("there is no vehicle {missing}");
             return Err(Diagnostic::new(first_word(line), text));
@@ -37,7 +37,7 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
     let named = if count > NAMED_TARGETS {
         ranges(order.targets.iter().copied())
     } else {
-        let ids = order.targets.iter().map(SystemId::to_string);
+        let ids = order.targets.iter().map(VehicleId::to_string);
         ids.collect::<Vec<_>>().join(" ")
     };
     state.overlay = Some(Overlay::Confirm(Confirm {
@@ -73,7 +73,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
     }]
 }
 
-fn order(line: &str, statement: Statement, targets: Vec<SystemId>) -> Result<Order, Diagnostic> {
+fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Order, Diagnostic> {
     let Action::Command { verb, command } = statement.action else {
         let start = line.find("wait").unwrap_or(0);
         let end = (start + "wait".len()).min(line.len());

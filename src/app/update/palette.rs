@@ -12,7 +12,7 @@ use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ran
 use crate::diagnostic::Diagnostic;
 use crate::language;
 use crate::vehicle::Severity;
-use crate::wire::SystemId;
+use crate::vehicle::VehicleId;
 
 /// Opens the command line with a text in it.
 pub fn open(state: &mut State, line: String) {
@@ -196,7 +196,7 @@ fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
     Vec::new()
 }
 
-fn group(state: &mut State, name: String, ids: Vec<SystemId>) -> Result<(), String> {
+fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), String> {
     let word = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
     if name.is_empty() || !name.chars().all(word) {
         return Err(format!("`{name}` is no name: use letters, digits, - and _"));
@@ -234,7 +234,7 @@ fn recipients(state: &State, line: &str) -> String {
 }
 
 /// The vehicles that a word names; nothing means those that a command would go to.
-fn targeted(state: &State, word: &str) -> Result<Vec<SystemId>, String> {
+fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, String> {
     match word {
         "" => Ok(state.addressed()),
         "none" => Ok(Vec::new()),

@@ -9,8 +9,8 @@ use crate::debrief;
 use crate::mission::Progress;
 use crate::notice::{Notice, sanitised};
 use crate::scoring::Report;
+use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
-use crate::wire::SystemId;
 
 pub fn tick(state: &mut State, now: Duration) {
     // The clock shows seconds, and messages live for whole seconds: nothing else on the screen depends on time.
@@ -31,7 +31,7 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
     state.touch();
 }
 
-pub fn gone(state: &mut State, id: SystemId) {
+pub fn gone(state: &mut State, id: VehicleId) {
     let session = &mut state.session;
     let row = session.cursor_row();
     session.vehicles.remove(&id);

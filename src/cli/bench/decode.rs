@@ -59,7 +59,9 @@ pub(in crate::cli) fn decode(options: &DecodeArguments) -> Result<ExitCode, Fail
         whole = whole.min(time(|| messages = update_models(&bytes)));
     }
     if messages == 0 {
-        return Err(Failure::Failed(anyhow::anyhow!("the recording has no MAVLink frame")));
+        return Err(Failure::Failed(anyhow::anyhow!(
+            "the recording has no MAVLink frame"
+        )));
     }
     let per_message = |time: Duration| time.as_nanos() as f64 / messages as f64;
     let result = Measured {
@@ -71,8 +73,14 @@ pub(in crate::cli) fn decode(options: &DecodeArguments) -> Result<ExitCode, Fail
         println!("{}", serde_json::to_string(&result)?);
     } else {
         println!("messages                      {messages:>10}");
-        println!("decode and model update       {:>10.0} ns per message", result.ns_per_message);
-        println!("floor: find and check frames  {:>10.0} ns per message", result.floor_ns_per_message);
+        println!(
+            "decode and model update       {:>10.0} ns per message",
+            result.ns_per_message
+        );
+        println!(
+            "floor: find and check frames  {:>10.0} ns per message",
+            result.floor_ns_per_message
+        );
         println!(
             "paper, Table 2                {PAPER_NS_PER_MESSAGE:>10.0} ns per message ({:.0} times as much)",
             PAPER_NS_PER_MESSAGE / result.ns_per_message
@@ -88,8 +96,9 @@ fn time(work: impl FnOnce()) -> Duration {
 }
 
 fn frames_of(path: &PathBuf) -> Result<Vec<u8>, Failure> {
-    let file = File::open(path)
-        .map_err(|error| Failure::Invalid(format!("sortie: cannot read {}: {error}", path.display())))?;
+    let file = File::open(path).map_err(|error| {
+        Failure::Invalid(format!("sortie: cannot read {}: {error}", path.display()))
+    })?;
     let mut bytes = Vec::new();
     for record in TlogReader::new(BufReader::new(file)) {
         bytes.extend_from_slice(&record?.bytes);
@@ -123,15 +132,38 @@ fn embedded_flight() -> Vec<u8> {
         })
     };
     for stream in WANTED_STREAMS {
-        let params = [stream.message as f32, (1e6 / stream.rate_hz) as f32, 0., 0., 0., 0., 0.];
-        say(&mut world, long(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, params));
+        let params = [
+            stream.message as f32,
+            (1e6 / stream.rate_hz) as f32,
+            0.,
+            0.,
+            0.,
+            0.,
+            0.,
+        ];
+        say(
+            &mut world,
+            long(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, params),
+        );
     }
     let mut bytes = Vec::new();
     for step in 0..12_000 {
         match step {
-            300 => say(&mut world, long(MavCmd::MAV_CMD_DO_SET_MODE, [1., 4., 0., 0., 0., 0., 0.])),
-            310 => say(&mut world, long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1., 0., 0., 0., 0., 0., 0.])),
-            400 => say(&mut world, long(MavCmd::MAV_CMD_NAV_TAKEOFF, [0., 0., 0., 0., 0., 0., 20.])),
+            300 => say(
+                &mut world,
+                long(MavCmd::MAV_CMD_DO_SET_MODE, [1., 4., 0., 0., 0., 0., 0.]),
+            ),
+            310 => say(
+                &mut world,
+                long(
+                    MavCmd::MAV_CMD_COMPONENT_ARM_DISARM,
+                    [1., 0., 0., 0., 0., 0., 0.],
+                ),
+            ),
+            400 => say(
+                &mut world,
+                long(MavCmd::MAV_CMD_NAV_TAKEOFF, [0., 0., 0., 0., 0., 0., 20.]),
+            ),
             2000 => say(
                 &mut world,
                 MavMessage::SET_POSITION_TARGET_LOCAL_NED(SET_POSITION_TARGET_LOCAL_NED_DATA {

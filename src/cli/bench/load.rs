@@ -70,7 +70,11 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
     runtime()?.block_on(console::drive(console, SIZE, &lines, |now, bytes| {
         if now >= WARM_UP && marks.is_empty() || now >= until {
             match processor_time() {
-                Ok(cpu) => marks.push(Mark { at: now, cpu, bytes }),
+                Ok(cpu) => marks.push(Mark {
+                    at: now,
+                    cpu,
+                    bytes,
+                }),
                 Err(error) => unreadable = Some(error),
             }
         }
@@ -106,9 +110,18 @@ fn print(options: &LoadArguments, start: &Mark, end: &Mark) -> Result<(), Failur
     }
     println!("vehicles flying      {:>8}", measured.vehicles);
     println!("measured for         {:>8.1} s", measured.window_s);
-    println!("whole process        {:>8.2} % of a core", measured.core_percent);
-    println!("per vehicle          {:>8.3} % of a core", measured.core_percent_per_vehicle);
-    println!("to the terminal      {:>8.0} bytes per second", measured.bytes_per_s);
+    println!(
+        "whole process        {:>8.2} % of a core",
+        measured.core_percent
+    );
+    println!(
+        "per vehicle          {:>8.3} % of a core",
+        measured.core_percent_per_vehicle
+    );
+    println!(
+        "to the terminal      {:>8.0} bytes per second",
+        measured.bytes_per_s
+    );
     Ok(())
 }
 

@@ -13,7 +13,7 @@ wait 2s
 all rtl
 ";
 
-fn swarm(armed: bool) -> BTreeMap<SystemId, Vehicle> {
+fn swarm(armed: bool) -> BTreeMap<VehicleId, Vehicle> {
     [1, 2]
         .into_iter()
         .map(|id| {
@@ -28,7 +28,7 @@ fn swarm(armed: bool) -> BTreeMap<SystemId, Vehicle> {
                 status: SystemStatus::Standby,
                 at: Duration::ZERO,
             });
-            (id, vehicle)
+            (vehicle.id, vehicle)
         })
         .collect()
 }

@@ -11,6 +11,7 @@ use crate::app::state::{State, ranges};
 use crate::ledger::{Entry, Row, RowState};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{clip, clock, put, row_role, titled, wrap};
+use crate::vehicle::VehicleId;
 
 /// Columns before what became of a command.
 const INDENT: usize = 2;
@@ -147,8 +148,8 @@ fn entry_role(entry: &Entry) -> Role {
 }
 
 /// The explanations of rows, equal ones together, in the order of their first vehicle.
-fn explanations(entry: &Entry) -> Vec<(&str, Vec<u8>)> {
-    let mut found: Vec<(&str, Vec<u8>)> = Vec::new();
+fn explanations(entry: &Entry) -> Vec<(&str, Vec<VehicleId>)> {
+    let mut found: Vec<(&str, Vec<VehicleId>)> = Vec::new();
     let explained = |row: &Row| row.state.is_failure() || !row.state.is_final();
     for row in entry.rows.iter().filter(|row| explained(row)) {
         let Some(text) = row.explanation.as_deref() else {

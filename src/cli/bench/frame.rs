@@ -1,0 +1,200 @@
+//! `sortie bench frame`: what drawing costs.
+
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use serde::Serialize;
+
+use super::super::Failure;
+use crate::app::event::{Event, Started};
+use crate::app::state::{Activity, State};
+use crate::app::update;
+use crate::geo::LatLon;
+use crate::terminal::Screen;
+use crate::ui::{self, Theme};
+use crate::vehicle::{
+    Attitude, Battery, FixType, GlobalPosition, Gps, Heartbeat, LandedState, Mode, Place,
+    SystemStatus, Vehicle, VehicleClass, VehicleId,
+};
+
+/// Swarms that are drawn.
+const SWARMS: [VehicleId; 4] = [1, 10, 100, 1000];
+/// Frames per swarm; the first ones warm up and are not counted.
+const FRAMES: u32 = 300;
+const WARM_UP: u32 = 20;
+/// One vehicle in this many has changed since the last frame.
+const ONE_IN: u32 = 10;
+
+/// Options of `sortie bench frame`.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct FrameArguments {
+    /// Columns of the screen.
+    #[arg(long, default_value_t = 120, value_parser = clap::value_parser!(u16).range(80..=1000))]
+    width: u16,
+    /// Rows of the screen.
+    #[arg(long, default_value_t = 40, value_parser = clap::value_parser!(u16).range(24..=1000))]
+    height: u16,
+    /// One JSON document instead of the table.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct Measured {
+    vehicles: VehicleId,
+    width: u16,
+    height: u16,
+    us_per_frame: f64,
+    bytes_per_frame: f64,
+    bytes_idle: u64,
+}
+
+/// Measures and prints.
+pub(in crate::cli) fn frame(options: &FrameArguments) -> Result<ExitCode, Failure> {
+    let measured: Vec<Measured> = SWARMS
+        .iter()
+        .map(|&vehicles| measure(vehicles, options))
+        .collect::<Result<_, _>>()?;
+    if options.json {
+        println!("{}", serde_json::to_string(&measured)?);
+        return Ok(ExitCode::SUCCESS);
+    }
+    println!(
+        "screen {}x{}, a tenth of the vehicles changes per frame",
+        options.width, options.height
+    );
+    println!("vehicles   us per frame   bytes per frame   bytes when nothing changes");
+    for row in measured {
+        println!(
+            "{:>8} {:>14.0} {:>17.0} {:>28}",
+            row.vehicles, row.us_per_frame, row.bytes_per_frame, row.bytes_idle
+        );
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Failure> {
+    let theme = Theme::default();
+    let mut screen = Screen::nowhere(options.width, options.height)?;
+    let mut state = swarm(vehicles);
+    let mut drawing = Duration::ZERO;
+    let mut bytes_before = 0;
+    for frame in 0..FRAMES {
+        if frame == WARM_UP {
+            drawing = Duration::ZERO;
+            bytes_before = screen.bytes();
+        }
+        advance(&mut state, vehicles, frame);
+        let started = Instant::now();
+        draw_if_changed(&mut screen, &state, &theme, None)?;
+        drawing += started.elapsed();
+    }
+    let counted = f64::from(FRAMES - WARM_UP);
+    let bytes_after = screen.bytes();
+    draw_if_changed(&mut screen, &state, &theme, Some(state.revision()))?;
+    Ok(Measured {
+        vehicles,
+        width: options.width,
+        height: options.height,
+        us_per_frame: drawing.as_secs_f64() * 1e6 / counted,
+        bytes_per_frame: (bytes_after - bytes_before) as f64 / counted,
+        bytes_idle: screen.bytes() - bytes_after,
+    })
+}
+
+/// The console's own rule: a frame is drawn when the state has moved since the last one.
+fn draw_if_changed(
+    screen: &mut Screen,
+    state: &State,
+    theme: &Theme,
+    drawn: Option<u64>,
+) -> std::io::Result<()> {
+    if drawn == Some(state.revision()) {
+        return Ok(());
+    }
+    screen.draw(|frame| ui::draw(state, theme, frame))
+}
+
+/// A swarm on the flight screen.
+fn swarm(vehicles: VehicleId) -> State {
+    let mut state = State::new(Vec::new(), Vec::new(), "dark".to_owned());
+    let started = Started {
+        activity: Activity::Free,
+        places: std::collections::BTreeMap::new(),
+        names: std::collections::BTreeMap::new(),
+    };
+    update(&mut state, Event::Started(Box::new(started)));
+    for id in 1..=vehicles {
+        update(&mut state, Event::Vehicle(Box::new(flying(id, 0))));
+    }
+    state
+}
+
+/// The next tenth of the swarm has moved on.
+fn advance(state: &mut State, vehicles: VehicleId, frame: u32) {
+    let now = Duration::from_millis(u64::from(frame) * 100);
+    update(state, Event::Tick { now });
+    let is_due = |id: &VehicleId| vehicles == 1 || u32::from(*id) % ONE_IN == frame % ONE_IN;
+    for id in (1..=vehicles).filter(is_due) {
+        update(state, Event::Vehicle(Box::new(flying(id, frame))));
+    }
+}
+
+/// A copter under way: its figures differ by vehicle and by frame.
+fn flying(id: VehicleId, frame: u32) -> Vehicle {
+    let at = Duration::from_millis(u64::from(frame) * 100);
+    let home = LatLon::new(50.45, 30.52);
+    let class = VehicleClass::Copter;
+    let far = f64::from(frame) + f64::from(id);
+    let mut vehicle = Vehicle::new((id % 250) as u8, 1);
+    vehicle.id = id;
+    vehicle.landed = LandedState::InAir;
+    vehicle.heartbeat = Some(Heartbeat {
+        mav_type: 2,
+        autopilot: 3,
+        class,
+        mode: Mode { class, number: 4 },
+        armed: true,
+        status: SystemStatus::Active,
+        at,
+    });
+    vehicle.global = Some(GlobalPosition {
+        at_point: home.moved(far, far / 2.0),
+        altitude_amsl_m: 180.0 + far % 60.0,
+        altitude_m: far % 60.0,
+        north_m_s: (far % 10.0) as f32,
+        east_m_s: 1.0,
+        down_m_s: 0.0,
+        heading_deg: Some((far % 360.0) as f32),
+        at,
+    });
+    vehicle.attitude = Some(Attitude {
+        roll_deg: (far % 20.0) as f32 - 10.0,
+        pitch_deg: (far % 14.0) as f32 - 7.0,
+        yaw_deg: (far % 360.0) as f32,
+        at,
+    });
+    vehicle.home = Some(Place {
+        at_point: home,
+        altitude_amsl_m: 180.0,
+    });
+    vehicle.gps = Some(Gps {
+        fix: FixType::RtkFixed,
+        satellites: Some(10),
+        hdop: Some(1.2),
+        at,
+    });
+    vehicle.batteries = vec![Battery {
+        id: 0,
+        voltage_v: Some(12.6),
+        current_a: Some(28.1 + (far % 3.0) as f32),
+        consumed_mah: Some(far as f32),
+        consumed_wh: None,
+        remaining_percent: Some(100 - (frame / 10 % 100) as u8),
+        at,
+    }];
+    vehicle.link.received = 100;
+    vehicle.link.last_heard = Some(at);
+    vehicle
+}
