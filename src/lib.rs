@@ -1,4 +1,30 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
+//!
+//! # Code map
+//! Dependencies point down only; a test reads the `use` lines and enforces it.
+//!
+//! | layer | modules |
+//! | --- | --- |
+//! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
+//! | input and output | [`fleet`] (a task per vehicle), [`link`] (transports, and the simulator as a server), [`store`] (files) |
+//! | pure | [`headless`] (a mission in lock step), [`debrief`], [`scoring`], [`mission`], [`sim`], [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`wire`] (frames), [`geo`], [`diagnostic`] |
+//!
+//! # A telemetry packet
+//! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, the hub of [`fleet`] gives the frames
+//! to the vehicle's task, whose [`session`] offers them to the command under way and to [`messages`], which
+//! changes the [`vehicle`] model in place. The console takes a snapshot of what changed once per tick.
+//!
+//! # A keypress
+//! Event, [`app::update`], effect: the palette's line is read by [`language`] into a typed command of
+//! [`commands`]; the [`ledger`] opens a row per target; each vehicle's session sends, waits, retries, and
+//! watches telemetry for the effect.
+//!
+//! # Invariants
+//! - Pure modules have no clock, no randomness of their own, no files and no sockets: `now` and seeds are arguments.
+//! - The same [`session`] runs in the console's tasks and in the headless lock step.
+//! - State goes through `watch`, occurrences through bounded `mpsc`, shutdown through a cancellation token.
+//! - Nothing queues without bound; telemetry merges when the terminal is slow.
+//! - Text from a vehicle is cleaned of control characters before it reaches the model.
 
 pub mod app;
 pub mod cli;

@@ -35,47 +35,47 @@ pub struct Vehicle {
     pub heartbeat: Option<Heartbeat>,
     /// ATTITUDE.
     pub attitude: Option<Attitude>,
-    /// GLOBAL_POSITION_INT.
+    /// `GLOBAL_POSITION_INT`.
     pub global: Option<GlobalPosition>,
-    /// LOCAL_POSITION_NED: metres from the EKF origin.
+    /// `LOCAL_POSITION_NED`: metres from the EKF origin.
     pub local: Option<LocalPosition>,
-    /// HOME_POSITION.
+    /// `HOME_POSITION`.
     pub home: Option<Place>,
-    /// POSITION_TARGET_GLOBAL_INT or _LOCAL_NED: where the autopilot is heading.
+    /// `POSITION_TARGET_GLOBAL_INT` or _`LOCAL_NED`: where the autopilot is heading.
     pub target: Option<Target>,
-    /// GPS_RAW_INT.
+    /// `GPS_RAW_INT`.
     pub gps: Option<Gps>,
-    /// VFR_HUD.
+    /// `VFR_HUD`.
     pub hud: Option<Hud>,
-    /// SYS_STATUS.
+    /// `SYS_STATUS`.
     pub health: Option<Health>,
-    /// BATTERY_STATUS, one per pack, in order of the pack's id; pack 0 falls back to SYS_STATUS.
+    /// `BATTERY_STATUS`, one per pack, in order of the pack's id; pack 0 falls back to `SYS_STATUS`.
     pub batteries: Vec<Battery>,
-    /// EKF_STATUS_REPORT.
+    /// `EKF_STATUS_REPORT`.
     pub ekf: Option<Ekf>,
     /// VIBRATION.
     pub vibration: Option<Vibration>,
-    /// EXTENDED_SYS_STATE.
+    /// `EXTENDED_SYS_STATE`.
     pub landed: LandedState,
-    /// MISSION_CURRENT and MISSION_ITEM_REACHED.
+    /// `MISSION_CURRENT` and `MISSION_ITEM_REACHED`.
     pub plan: PlanProgress,
-    /// FENCE_STATUS; `None` while no fence is enabled.
+    /// `FENCE_STATUS`; `None` while no fence is enabled.
     pub fence: Option<Fence>,
-    /// RANGEFINDER or DISTANCE_SENSOR facing down: metres to the ground.
+    /// RANGEFINDER or `DISTANCE_SENSOR` facing down: metres to the ground.
     pub rangefinder_m: Option<f32>,
     /// WIND: direction it comes from and speed.
     pub wind: Option<Wind>,
-    /// RC_CHANNELS: pulse widths in microseconds, channel 1 first; 0 where unused.
+    /// `RC_CHANNELS`: pulse widths in microseconds, channel 1 first; 0 where unused.
     pub rc: Option<RcChannels>,
-    /// SERVO_OUTPUT_RAW of port 0: pulse widths in microseconds, output 1 first.
+    /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
-    /// AUTOPILOT_VERSION.
+    /// `AUTOPILOT_VERSION`.
     pub version: Option<AutopilotVersion>,
     /// Milliseconds since the autopilot booted, as its messages carry it; a step back is a reboot.
     pub boot_ms: Option<u32>,
     /// How well we hear it.
     pub link: LinkQuality,
-    /// The reasons not to arm that it reported last, newest last, without the "PreArm: " prefix.
+    /// The reasons not to arm that it reported last, newest last, without the "`PreArm`: " prefix.
     pub prearm: Vec<String>,
     /// The last few status texts, newest last.
     pub texts: Vec<StatusText>,
@@ -116,7 +116,7 @@ pub struct Attitude {
     pub at: Duration,
 }
 
-/// GLOBAL_POSITION_INT.
+/// `GLOBAL_POSITION_INT`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GlobalPosition {
     /// Where it is.
@@ -144,7 +144,7 @@ impl GlobalPosition {
     }
 }
 
-/// LOCAL_POSITION_NED, relative to the EKF origin.
+/// `LOCAL_POSITION_NED`, relative to the EKF origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalPosition {
     /// North, east, down, in metres.
@@ -177,7 +177,7 @@ pub struct Target {
     pub at: Duration,
 }
 
-/// GPS_RAW_INT.
+/// `GPS_RAW_INT`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gps {
     /// Kind of fix.
@@ -190,7 +190,7 @@ pub struct Gps {
     pub at: Duration,
 }
 
-/// VFR_HUD.
+/// `VFR_HUD`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hud {
     /// Indicated airspeed in m/s.
@@ -209,7 +209,7 @@ pub struct Hud {
     pub at: Duration,
 }
 
-/// SYS_STATUS: which subsystems are present, enabled and healthy (`MAV_SYS_STATUS_SENSOR` bits).
+/// `SYS_STATUS`: which subsystems are present, enabled and healthy (`MAV_SYS_STATUS_SENSOR` bits).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Health {
     /// Bits of what is fitted.
@@ -258,7 +258,7 @@ pub struct Battery {
     pub at: Duration,
 }
 
-/// EKF_STATUS_REPORT.
+/// `EKF_STATUS_REPORT`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ekf {
     /// What the filter can estimate.
@@ -295,7 +295,7 @@ pub struct PlanProgress {
     pub reached: Option<u16>,
 }
 
-/// FENCE_STATUS.
+/// `FENCE_STATUS`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fence {
     /// Whether the vehicle is outside.
@@ -315,7 +315,7 @@ pub struct Wind {
     pub speed_m_s: f32,
 }
 
-/// RC_CHANNELS.
+/// `RC_CHANNELS`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RcChannels {
     /// Pulse widths in microseconds, channel 1 first; 0 where unused.
@@ -324,7 +324,7 @@ pub struct RcChannels {
     pub rssi: Option<u8>,
 }
 
-/// AUTOPILOT_VERSION.
+/// `AUTOPILOT_VERSION`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AutopilotVersion {
     /// Major, minor, patch.
@@ -461,7 +461,7 @@ impl Vehicle {
                 .is_some_and(|ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE))
     }
 
-    /// Whether it is off the ground, by EXTENDED_SYS_STATE, else by being armed and above 1 m.
+    /// Whether it is off the ground, by `EXTENDED_SYS_STATE`, else by being armed and above 1 m.
     pub fn airborne(&self) -> bool {
         match self.landed {
             LandedState::InAir | LandedState::Takeoff | LandedState::Landing => true,

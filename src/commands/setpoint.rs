@@ -35,7 +35,7 @@ pub(super) fn goto(
     }
 }
 
-/// ArduPlane flies to a point by `DO_REPOSITION` only.
+/// `ArduPlane` flies to a point by `DO_REPOSITION` only.
 fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, String> {
     let (point, altitude_m) = match destination {
         Destination::Global {

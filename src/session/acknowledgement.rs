@@ -1,11 +1,11 @@
-//! COMMAND_ACK, also where its command is newer than the dialect.
+//! `COMMAND_ACK`, also where its command is newer than the dialect.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::commands::AckResult;
 use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM};
 
-/// MAVLink id of COMMAND_ACK.
+/// MAVLink id of `COMMAND_ACK`.
 const COMMAND_ACK: u32 = 77;
 
 /// What a vehicle answered to a command.

@@ -44,9 +44,9 @@ pub const WANTED_STREAMS: &[Stream] = &[
     stream(162, 0.5), // FENCE_STATUS
 ];
 
-/// MAVLink id of HOME_POSITION.
+/// MAVLink id of `HOME_POSITION`.
 const HOME_POSITION: u32 = 242;
-/// MAVLink id of AUTOPILOT_VERSION.
+/// MAVLink id of `AUTOPILOT_VERSION`.
 const AUTOPILOT_VERSION: u32 = 148;
 
 /// Rates are judged over this long.

@@ -94,7 +94,7 @@ impl Scene {
     fn pass(&mut self, time: Duration) {
         let until = self.now + time;
         while self.now < until {
-            self.now += ms(10).min(until - self.now);
+            self.now += ms(10).min(until.checked_sub(self.now).unwrap());
             self.session.poll(self.now);
             self.collect();
         }
@@ -125,7 +125,7 @@ impl Scene {
         }
     }
 
-    /// The COMMAND_LONGs of a kind that were sent.
+    /// The `COMMAND_LONGs` of a kind that were sent.
     fn longs(&self, command: MavCmd) -> Vec<&COMMAND_LONG_DATA> {
         self.sent
             .iter()

@@ -18,7 +18,7 @@ const REASON_PATIENCE: Duration = Duration::from_millis(300);
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
 /// How long later commands wait for the effect of one that they depend on.
 const SETTLE_PATIENCE: Duration = Duration::from_millis(1500);
-/// The progress that COMMAND_ACK carries where it says nothing about it.
+/// The progress that `COMMAND_ACK` carries where it says nothing about it.
 const PROGRESS_UNKNOWN: u8 = 255;
 
 /// What a transaction needs next.
@@ -135,16 +135,15 @@ impl Transaction {
                     self.acknowledged(ack, now);
                 }
             }
-            (Some(Answer::Parameter(name)), Content::Message(MavMessage::PARAM_VALUE(value))) => {
+            (Some(Answer::Parameter(name)), Content::Message(MavMessage::PARAM_VALUE(value)))
                 if value
                     .param_id
                     .to_str()
-                    .is_ok_and(|id| id.eq_ignore_ascii_case(name))
-                {
-                    match self.order.command.parameter_outcome(value.param_value) {
-                        Ok(text) => self.accept(Some(text), now),
-                        Err(text) => self.end(RowState::Refused, Some(text)),
-                    }
+                    .is_ok_and(|id| id.eq_ignore_ascii_case(name)) =>
+            {
+                match self.order.command.parameter_outcome(value.param_value) {
+                    Ok(text) => self.accept(Some(text), now),
+                    Err(text) => self.end(RowState::Refused, Some(text)),
                 }
             }
             _ => {}

@@ -1,5 +1,5 @@
 //! Flight modes by name, per class of vehicle. Source: ArduPilot's `Mode::Number` enums of each vehicle
-//! (ArduCopter, ArduPlane, Rover, ArduSub; 4.6), the same numbers as MAVLink's `COPTER_MODE` and siblings.
+//! (ArduCopter, `ArduPlane`, Rover, `ArduSub`; 4.6), the same numbers as MAVLink's `COPTER_MODE` and siblings.
 
 use std::fmt;
 

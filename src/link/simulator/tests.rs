@@ -48,7 +48,7 @@ fn reboot(system: u8) -> Outgoing {
     .into()
 }
 
-/// REQUEST_DATA_STREAM for everything at 50 Hz: deprecated, and still what ground stations send.
+/// `REQUEST_DATA_STREAM` for everything at 50 Hz: deprecated, and still what ground stations send.
 fn all_streams(system: u8) -> Outgoing {
     Outgoing::Raw {
         id: 66,
