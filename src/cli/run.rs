@@ -98,12 +98,12 @@ fn clock(at: Duration) -> String {
 
 /// A mission by path, name or number, with its faults explained.
 pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
-    let source = store::mission(path_or_name).map_err(invalid)?;
+    let source = store::mission(path_or_name).map_err(|error| invalid(&error))?;
     Mission::parse(&source.text).map_err(|faults| explain(&source, &faults))
 }
 
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
-    let source = store::pilot(path_or_name).map_err(invalid)?;
+    let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
     let (groups, places) = (std::collections::BTreeMap::new(), mission.places());
     let context = Context {
@@ -115,7 +115,7 @@ fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure>
     Script::parse(&source.text, &context).map_err(|faults| explain(&source, &faults))
 }
 
-fn invalid(error: store::StoreError) -> Failure {
+fn invalid(error: &store::StoreError) -> Failure {
     Failure::Invalid(format!("sortie: {error}"))
 }
 

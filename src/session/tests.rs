@@ -94,7 +94,7 @@ impl Scene {
     fn pass(&mut self, time: Duration) {
         let until = self.now + time;
         while self.now < until {
-            self.now += ms(10).min(until.checked_sub(self.now).unwrap());
+            self.now += ms(10).min(until.saturating_sub(self.now));
             self.session.poll(self.now);
             self.collect();
         }

@@ -95,7 +95,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
 }
 
 fn print(options: &LoadArguments, start: &Mark, end: &Mark) -> Result<(), Failure> {
-    let window_s = end.at.checked_sub(start.at).unwrap().as_secs_f64();
+    let window_s = end.at.saturating_sub(start.at).as_secs_f64();
     let core_percent = end.cpu.saturating_sub(start.cpu).as_secs_f64() / window_s * 100.0;
     let measured = Measured {
         vehicles: options.vehicles,
