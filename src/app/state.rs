@@ -11,6 +11,7 @@ use crate::vehicle::{Severity, VehicleClass};
 mod alert;
 mod help;
 mod ids;
+mod links;
 mod notices;
 mod overlay;
 mod session;
@@ -21,7 +22,8 @@ pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use ids::{parse_ranges, ranges};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Connect, Consequence, Order, Overlay, Palette};
-pub use session::{Activity, LinkSummary, Session};
+pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
+pub use session::{Activity, Session};
 
 /// Lines of the command line's history kept.
 const HISTORY_KEPT: usize = 200;

@@ -338,22 +338,24 @@ fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Optio
 }
 
 fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
-    let state = match &status.last_error {
-        Some(error) if status.state != LinkState::Up => format!("{}: {error}", status.state),
-        _ => status.state.to_string(),
-    };
+    let up = status.state == LinkState::Up;
     LinkSummary {
         name: status.name.clone(),
-        state,
-        up: status.state == LinkState::Up,
+        state: status.state.to_string(),
+        up,
+        error: status.last_error.clone().filter(|_| !up),
+        peers: status.peers,
         bytes_in_per_s: f64::from(status.rates.bytes_in_s),
         bytes_out_per_s: f64::from(status.rates.bytes_out_s),
         messages_in_per_s: f64::from(status.rates.messages_in_s),
         messages_out_per_s: f64::from(status.rates.messages_out_s),
         bad_crc: status.decoder.crc_errors,
         skipped_bytes: status.decoder.skipped_bytes,
-        lost: status.lost_total,
         unknown: status.decoder.unknown_messages,
+        undecoded: status.decoder.undecoded,
+        lost: status.lost.clone(),
+        unsent: status.dropped_out,
+        reconnects: status.reconnects,
         round_trip,
     }
 }

@@ -32,9 +32,12 @@ fn link(name: &str, state: &str, up: bool) -> LinkSummary {
         messages_out_per_s: 2.0,
         bad_crc: 3,
         skipped_bytes: 1205,
-        lost: 17,
+        error: (!up).then(|| "port 14550 is in use: another program listens there".to_owned()),
+        peers: 1,
+        lost: vec![((1, 1), 0), ((3, 1), 17)],
         unknown: 1,
         round_trip: Some(Duration::from_millis(4)),
+        ..LinkSummary::default()
     }
 }
 

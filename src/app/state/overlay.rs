@@ -23,7 +23,10 @@ pub enum Overlay {
         scroll: usize,
     },
     /// What the links count.
-    Links,
+    Links {
+        /// The first line shown.
+        scroll: usize,
+    },
     /// The mission's brief.
     Brief,
 }

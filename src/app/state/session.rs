@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Groups, Selection};
+use super::{Groups, LinkSummary, Selection};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Ledger, Row};
 use crate::mission::Progress;
@@ -67,35 +67,6 @@ impl Activity {
             Self::Connected { addresses } => addresses.join(" "),
         }
     }
-}
-
-/// What a link counts.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct LinkSummary {
-    /// Its address.
-    pub name: String,
-    /// Its state in words, such as `up` or `retry in 4 s`.
-    pub state: String,
-    /// Whether it carries data.
-    pub up: bool,
-    /// Bytes per second received.
-    pub bytes_in_per_s: f64,
-    /// Bytes per second sent.
-    pub bytes_out_per_s: f64,
-    /// Messages per second received.
-    pub messages_in_per_s: f64,
-    /// Messages per second sent.
-    pub messages_out_per_s: f64,
-    /// Frames dropped for their checksum.
-    pub bad_crc: u64,
-    /// Bytes skipped to find the next frame.
-    pub skipped_bytes: u64,
-    /// Frames missing by sequence numbers.
-    pub lost: u64,
-    /// Messages that the dialect does not have.
-    pub unknown: u64,
-    /// Round trip by TIMESYNC.
-    pub round_trip: Option<Duration>,
 }
 
 impl Session {

@@ -13,7 +13,7 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
     match action {
         Action::Palette(words) => open_palette(state, words),
         Action::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Action::Links => state.overlay = Some(Overlay::Links),
+        Action::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
         Action::Brief => brief(state),
         Action::Move(step) => go(state, step),
         Action::Toggle | Action::SelectAll | Action::Invert => pick(state, action),

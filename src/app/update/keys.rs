@@ -8,7 +8,7 @@ use super::{act, order, palette};
 use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::state::{Confirm, Connect, Overlay, Screen, State};
+use crate::app::state::{Confirm, Connect, Overlay, Screen, State, help_lines, link_lines};
 use crate::notice::sanitised;
 use crate::vehicle::Severity;
 
@@ -141,10 +141,15 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
     match state.keymap.resolve(key, Place::Reader) {
         Some(Action::Escape) => return Vec::new(),
         Some(Action::Move(step)) => {
-            if let Overlay::Help { scroll } = &mut reader {
-                let count = crate::app::state::help_lines(&state.keymap).len();
-                *scroll = step.apply(*scroll, count);
-            }
+            let (scroll, count) = match &mut reader {
+                Overlay::Help { scroll } => (scroll, help_lines(&state.keymap).len()),
+                Overlay::Links { scroll } => (scroll, link_lines(&state.session.links).len()),
+                _ => {
+                    state.overlay = Some(reader);
+                    return Vec::new();
+                }
+            };
+            *scroll = step.apply(*scroll, count);
         }
         _ => {}
     }

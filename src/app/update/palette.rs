@@ -186,7 +186,7 @@ fn console_line(
 fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
     match deed {
         Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Deed::Links => state.overlay = Some(Overlay::Links),
+        Deed::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
         Deed::Brief => act::brief(state),
         Deed::Abandon => return act::abandon(state),
         Deed::Restart => return act::restart(state),

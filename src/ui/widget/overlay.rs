@@ -4,9 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Confirm, HelpLine, LinkSummary, Overlay, SHORT_USAGE, State, help_lines};
+use crate::app::state::{
+    Confirm, HelpLine, LinkLineState, LinkSummary, Overlay, SHORT_USAGE, State, help_lines,
+    link_lines,
+};
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, boxed, centred, clip, put, reflow, wrap};
+use crate::ui::widget::{boxed, centred, clip, put, reflow, wrap};
 
 /// Columns that one column of help takes.
 const HELP_COLUMN: u16 = 74;
@@ -16,7 +19,9 @@ pub fn draw(state: &State, overlay: &Overlay, theme: &Theme, area: Rect, buffer:
     match overlay {
         Overlay::Confirm(question) => draw_confirm(question, theme, area, buffer),
         Overlay::Help { scroll } => draw_help(state, *scroll, theme, area, buffer),
-        Overlay::Links => draw_links(&state.session.links, theme, area, buffer),
+        Overlay::Links { scroll } => {
+            draw_links(&state.session.links, *scroll, theme, area, buffer);
+        }
         Overlay::Brief => draw_brief(state, theme, area, buffer),
         Overlay::Palette(_) | Overlay::Connect(_) => {}
     }
@@ -88,54 +93,39 @@ fn help_line<'a>(line: &'a HelpLine, theme: &Theme) -> Line<'a> {
     }
 }
 
-fn draw_links(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let height = (links.len() as u16)
-        .saturating_mul(2)
-        .saturating_add(4)
-        .max(6);
-    let place = centred(area.width.min(100), height.min(area.height - 2), area);
-    let inner = boxed("links   Esc closes", Role::Accent, theme, place, buffer);
-    let titles = format!(
-        "{:>8} {:>8} {:>7} {:>7} {:>7} {:>8} {:>7} {:>8} {:>6}",
-        "B/s in", "B/s out", "msg in", "msg out", "bad CRC", "skipped", "lost", "unknown", "RTT ms"
-    );
-    put(
+fn draw_links(
+    links: &[LinkSummary],
+    scroll: usize,
+    theme: &Theme,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let lines = link_lines(links);
+    let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
+    let place = centred(area.width.min(100), height, area);
+    let inner = boxed(
+        "links   j k scroll   Esc closes",
+        Role::Accent,
+        theme,
+        place,
         buffer,
-        inner,
-        0,
-        &Line::styled(titles, theme.style(Role::Muted)),
     );
-    let rows = below(inner, 1);
-    if links.is_empty() {
-        put(buffer, rows, 0, &Line::raw("there is no link"));
+    let rows = usize::from(inner.height);
+    let first = scroll.min(lines.len().saturating_sub(rows));
+    for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
+        let role = match line.state {
+            LinkLineState::Up => Role::Ok,
+            LinkLineState::Down => Role::Warning,
+            LinkLineState::Detail => Role::Text,
+        };
+        let text = clip(&line.text, usize::from(inner.width));
+        put(
+            buffer,
+            inner,
+            row as u16,
+            &Line::styled(text, theme.style(role)),
+        );
     }
-    for (at, link) in links.iter().enumerate() {
-        let row = 2 * at as u16;
-        let role = if link.up { Role::Ok } else { Role::Warning };
-        let name = Line::from(vec![
-            Span::raw(format!("{}  ", link.name)),
-            Span::styled(link.state.as_str(), theme.style(role)),
-        ]);
-        put(buffer, rows, row, &name);
-        put(buffer, rows, row + 1, &Line::raw(counters(link)));
-    }
-}
-
-fn counters(link: &LinkSummary) -> String {
-    let trip = link
-        .round_trip
-        .map_or("-".to_owned(), |trip| trip.as_millis().to_string());
-    format!(
-        "{:>8.0} {:>8.0} {:>7.0} {:>7.0} {:>7} {:>8} {:>7} {:>8} {trip:>6}",
-        link.bytes_in_per_s,
-        link.bytes_out_per_s,
-        link.messages_in_per_s,
-        link.messages_out_per_s,
-        link.bad_crc,
-        link.skipped_bytes,
-        link.lost,
-        link.unknown,
-    )
 }
 
 fn draw_brief(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Alert, Session, State, alert, ranges};
+use crate::app::state::{Alert, Session, LinkSummary, State, alert, ranges};
 use crate::ledger::RowState;
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{below, clip, put, row_role, severity_role, titled};
@@ -66,6 +66,24 @@ const fn column(
     }
 }
 
+/// What there is to know while nobody has been heard: how the links are doing.
+fn draw_waiting(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let waiting = "  waiting for the first vehicle ...".to_owned();
+    let lines = links.iter().map(|link| {
+        let reason = link.error.as_deref().unwrap_or(&link.state);
+        format!("  {}: {reason}", link.name)
+    });
+    for (row, text) in std::iter::once(waiting).chain(lines).enumerate() {
+        let text = clip(&text, usize::from(area.width));
+        put(
+            buffer,
+            area,
+            row as u16,
+            &Line::styled(text, theme.style(Role::Muted)),
+        );
+    }
+}
+
 /// Draws the table.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let session = &state.session;
@@ -81,13 +99,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     draw_titles(&columns, theme, inner, buffer);
     let list = below(inner, 1);
     if count == 0 {
-        let text = "  waiting for the first vehicle ...";
-        put(
-            buffer,
-            list,
-            0,
-            &Line::styled(text, theme.style(Role::Muted)),
-        );
+        draw_waiting(&session.links, theme, list, buffer);
     }
     let seen = session.vehicles.values().skip(first).take(rows);
     for (at, vehicle) in seen.enumerate() {
