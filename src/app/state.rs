@@ -20,9 +20,9 @@ pub use super::keymap::Keymap;
 pub use alert::{Alert, alert};
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use ids::{parse_ranges, ranges};
+pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Connect, Consequence, Order, Overlay, Palette};
-pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
 pub use session::{Activity, Session};
 
 /// Lines of the command line's history kept.

@@ -6,7 +6,9 @@ use std::process::{Command, Output};
 use crate::terminal::program;
 
 fn sortie(arguments: &[&str]) -> Output {
-    Command::new(program())
+    let program = program();
+    Command::new(&program[0])
+        .args(&program[1..])
         .args(arguments)
         .env("NO_COLOR", "1")
         .output()

@@ -17,7 +17,7 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 /// How long anything may take before a test gives up.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(90);
 
 fn world(vehicles: usize) -> World {
     let start = Start {
@@ -29,7 +29,7 @@ fn world(vehicles: usize) -> World {
 }
 
 /// A fleet and everything that it has said.
-struct Console {
+pub struct Console {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: BTreeMap<VehicleId, watch::Receiver<Arc<Vehicle>>>,
@@ -40,7 +40,7 @@ struct Console {
 }
 
 impl Console {
-    fn start() -> Self {
+    pub fn start() -> Self {
         let (fleet, events) = Fleet::start(Clock::start(), CancellationToken::new());
         Self {
             fleet,
@@ -53,7 +53,7 @@ impl Console {
         }
     }
 
-    fn connect(&self, address: &str) {
+    pub fn connect(&self, address: &str) {
         let address = address.parse().expect("an address");
         self.fleet
             .connect(Transport::Address(address))
@@ -61,7 +61,7 @@ impl Console {
     }
 
     /// Lets the fleet run until something is true.
-    async fn until(&mut self, what: &str, mut is_true: impl FnMut(&Self) -> bool) {
+    pub async fn until(&mut self, what: &str, mut is_true: impl FnMut(&Self) -> bool) {
         let waiting = async {
             while !is_true(self) {
                 tokio::select! {
@@ -87,14 +87,14 @@ impl Console {
         );
     }
 
-    fn vehicle(&self, id: VehicleId) -> Option<Arc<Vehicle>> {
+    pub fn vehicle(&self, id: VehicleId) -> Option<Arc<Vehicle>> {
         self.vehicles
             .get(&id)
             .map(|vehicle| Arc::clone(&vehicle.borrow()))
     }
 
     /// Gives a line of the grammar to vehicles and returns the ledger entry that it would have.
-    fn give(&mut self, line: &str, targets: &[VehicleId]) -> EntryId {
+    pub fn give(&mut self, line: &str, targets: &[VehicleId]) -> EntryId {
         let (groups, places) = (BTreeMap::new(), BTreeMap::new());
         let context = Context {
             groups: &groups,
@@ -128,7 +128,7 @@ impl Console {
             .map(|row| row.state)
     }
 
-    async fn until_done(&mut self, entry: EntryId, vehicle: VehicleId) {
+    pub async fn until_done(&mut self, entry: EntryId, vehicle: VehicleId) {
         let what = format!("{entry:?} is done by {vehicle}");
         self.until(&what, |console| {
             console

@@ -1,5 +1,6 @@
 //! The one integration-test binary.
 
+mod arducopter;
 mod command_line;
 mod console;
 mod fixtures;

@@ -10,9 +10,11 @@ use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system}
 /// that fails does so only once.
 const PATIENCE: Duration = Duration::from_secs(90);
 
-/// The program under test; `SORTIE_BIN` names another build of it.
-pub fn program() -> String {
-    std::env::var("SORTIE_BIN").unwrap_or_else(|_| env!("CARGO_BIN_EXE_sortie").to_owned())
+/// The program under test with its first arguments; `SORTIE_BIN` names another way to run it.
+pub fn program() -> Vec<String> {
+    let command = std::env::var("SORTIE_BIN");
+    let command = command.unwrap_or_else(|_| env!("CARGO_BIN_EXE_sortie").to_owned());
+    command.split_whitespace().map(str::to_owned).collect()
 }
 
 /// A terminal with the program in it.
@@ -47,8 +49,10 @@ impl Terminal {
         let pair = native_pty_system()
             .openpty(size)
             .expect("a pseudo-terminal");
-        let mut command = CommandBuilder::new(program());
+        let mut command =
+            CommandBuilder::from_argv(program().into_iter().map(Into::into).collect());
         command.args(arguments);
+        command.cwd(env!("CARGO_MANIFEST_DIR"));
         command.env("TERM", "xterm-256color");
         command.env_remove("NO_COLOR");
         for (name, value) in variables {

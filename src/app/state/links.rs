@@ -81,15 +81,12 @@ fn lines_of(link: &LinkSummary) -> Vec<LinkLine> {
     let title = format!("{}  {}", link.name, link.state);
     let mut lines = vec![LinkLine { text: title, state }];
     lines.extend(link.error.iter().map(|error| detail(format!("  {error}"))));
-    let round_trip = link
-        .round_trip
-        .map_or("not measured".to_owned(), |trip| format!("{} ms", trip.as_millis()));
+    let round_trip = link.round_trip.map_or("not measured".to_owned(), |trip| {
+        format!("{} ms", trip.as_millis())
+    });
     lines.push(detail(format!(
         "  in {:.0} B/s {:.0} msg/s   out {:.0} B/s {:.0} msg/s   round trip {round_trip}",
-        link.bytes_in_per_s,
-        link.messages_in_per_s,
-        link.bytes_out_per_s,
-        link.messages_out_per_s,
+        link.bytes_in_per_s, link.messages_in_per_s, link.bytes_out_per_s, link.messages_out_per_s,
     )));
     lines.push(detail(format!(
         "  bad CRC {}   skipped {} B   unknown ids {}   undecoded {}",
@@ -142,6 +139,10 @@ mod tests {
         let lines = link_lines(&[link]);
         assert_eq!(lines[0].state, LinkLineState::Down);
         assert!(lines[1].text.contains("connection refused"));
-        assert!(lines.iter().any(|line| line.text.ends_with("lost 3/1: 12, 3/154: 2")));
+        assert!(
+            lines
+                .iter()
+                .any(|line| line.text.ends_with("lost 3/1: 12, 3/154: 2"))
+        );
     }
 }

@@ -66,7 +66,10 @@ fn links(state: &State) -> String {
     let links = &state.session.links;
     match links.as_slice() {
         [] => "no link".to_owned(),
-        [link] => clip(&format!("{} {}", link.name, if link.up { "up" } else { "down" }), 30),
+        [link] => clip(
+            &format!("{} {}", link.name, if link.up { "up" } else { "down" }),
+            30,
+        ),
         links => {
             let up = links.iter().filter(|link| link.up).count();
             format!("{up}/{} links up", links.len())

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Alert, Session, LinkSummary, State, alert, ranges};
+use crate::app::state::{Alert, LinkSummary, Session, State, alert, ranges};
 use crate::ledger::RowState;
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{below, clip, put, row_role, severity_role, titled};

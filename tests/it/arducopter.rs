@@ -1,0 +1,100 @@
+//! The console's fleet against a real ArduCopter, where `SORTIE_ARDUCOPTER` names one.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::process::{Child, Command, Stdio};
+
+use crate::fleet::Console;
+
+/// SITL's TCP port is 5760 and ten more per instance; this instance is out of everybody's way.
+const INSTANCE: u16 = 83;
+
+/// What a new vehicle lacks before it lets itself be armed: a frame, and calibrations that are not all zero.
+fn parameters() -> String {
+    let mut text = String::from("FRAME_CLASS 1\nFRAME_TYPE 0\nBATT_MONITOR 4\n");
+    for compass in ["", "2", "3"] {
+        for (axis, offset) in [("X", 5), ("Y", 13), ("Z", -18)] {
+            writeln!(text, "COMPASS_OFS{compass}_{axis} {offset}").expect("a string takes it");
+        }
+    }
+    for sensor in ["", "2"] {
+        for axis in ["X", "Y", "Z"] {
+            writeln!(text, "INS_ACC{sensor}OFFS_{axis} 0.001").expect("a string takes it");
+            writeln!(text, "INS_ACC{sensor}SCAL_{axis} 1.001").expect("a string takes it");
+        }
+    }
+    for channel in 1..=8 {
+        writeln!(
+            text,
+            "RC{channel}_MIN 1000\nRC{channel}_MAX 2000\nRC{channel}_TRIM 1500"
+        )
+        .expect("a string takes it");
+    }
+    text
+}
+
+/// A running SITL; it ends with the test.
+struct Sitl(Child);
+
+impl Drop for Sitl {
+    fn drop(&mut self) {
+        // Errors mean that it has ended already.
+        drop(self.0.kill());
+        drop(self.0.wait());
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_real_arducopter_flies_the_classic_flow() {
+    let Some(binary) = std::env::var_os("SORTIE_ARDUCOPTER") else {
+        eprintln!("skipped: SORTIE_ARDUCOPTER names no arducopter");
+        return;
+    };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("copter.parm"), parameters()).expect("written");
+    let sitl = Command::new(binary)
+        .args([
+            "--model",
+            "quad",
+            "--speedup",
+            "1",
+            "--slave",
+            "0",
+            "--sysid",
+            "7",
+        ])
+        .args([
+            "--defaults",
+            "copter.parm",
+            "--home",
+            "-35.363262,149.165237,584,0",
+        ])
+        .args(["-I", &INSTANCE.to_string()])
+        .current_dir(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("SORTIE_ARDUCOPTER can be started");
+    let _sitl = Sitl(sitl);
+    let mut console = Console::start();
+    console.connect(&format!("tcp:127.0.0.1:{}", 5760 + 10 * INSTANCE));
+    // Armable in GUIDED about 42 s after the connection.
+    console
+        .until("the position is known", |console| {
+            console
+                .vehicle(7)
+                .is_some_and(|vehicle| vehicle.ready_to_arm())
+        })
+        .await;
+    for line in ["guided", "arm", "takeoff 10", "goto n 20 e 10 up 15", "rtl"] {
+        let entry = console.give(line, &[7]);
+        console.until_done(entry, 7).await;
+    }
+    console
+        .until("it has landed", |console| {
+            console.vehicle(7).is_some_and(|vehicle| !vehicle.armed())
+        })
+        .await;
+    let vehicle = console.vehicle(7).expect("it appeared");
+    assert!(vehicle.distance_home_m().is_some_and(|metres| metres < 1.5));
+}
