@@ -96,22 +96,6 @@ impl Terminal {
         self
     }
 
-    /// Presses keys again and again until the screen shows `text`.
-    pub fn press_until(&mut self, keys: &str, text: &str) -> &mut Self {
-        let deadline = Instant::now() + PATIENCE;
-        while !self.contents().contains(text) {
-            assert!(
-                Instant::now() < deadline,
-                "{keys:?} does not lead to {text:?}"
-            );
-            self.press(keys);
-            if let Ok(bytes) = self.output.recv_timeout(Duration::from_millis(200)) {
-                self.take(&bytes);
-            }
-        }
-        self
-    }
-
     /// Gives a command line through the palette.
     pub fn command(&mut self, line: &str) -> &mut Self {
         self.press(":").see("command");
