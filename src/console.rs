@@ -18,7 +18,8 @@ use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::state::{MissionListing, State};
 use crate::app::update;
-use crate::fleet::Clock;
+use crate::fleet::{Clock, Unreachable};
+use crate::ledger::RowState;
 use crate::link::Address;
 use crate::mission::Mission;
 use crate::session::Order;
@@ -141,6 +142,7 @@ struct Console {
     theme: Theme,
     running: Option<Running>,
     drawn: Option<u64>,
+    bell: bool,
     over: bool,
 }
 
@@ -159,6 +161,7 @@ impl Console {
             state,
             running: None,
             drawn: None,
+            bell: false,
             over: false,
         })
     }
@@ -177,6 +180,9 @@ impl Console {
 
     /// Draws if something changed and the terminal has taken the last frame.
     fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
+        if std::mem::take(&mut self.bell) {
+            screen.ring()?;
+        }
         let revision = self.state.revision();
         if self.drawn == Some(revision) || !screen.is_ready() {
             return Ok(());
@@ -201,9 +207,15 @@ impl Console {
         let Some(running) = &mut self.running else {
             return;
         };
-        let mut events = running.collect(now);
-        events.extend(running.fly(now, &self.state.session));
-        for event in events {
+        for event in running.collect(now) {
+            self.feed(event).await;
+        }
+        // The mission sees what has just been collected.
+        let flown = match &mut self.running {
+            Some(running) => running.fly(now, &self.state.session),
+            None => Vec::new(),
+        };
+        for event in flown {
             self.feed(event).await;
         }
     }
@@ -225,15 +237,16 @@ impl Console {
                 targets,
                 verb,
                 command,
-            } => self.command(
-                &targets,
-                &Order {
+            } => {
+                let order = Order {
                     entry,
                     verb: verb.name,
                     retry: verb.retry,
                     command,
-                },
-            ),
+                };
+                self.command(&targets, &order);
+                Ok(())
+            }
             Effect::StartMission(name) => self.start(Plan::Mission(name)).await,
             Effect::StartFree => self.start(Plan::Free).await,
             Effect::Connect(addresses) => self.start(Plan::Connect(addresses)).await,
@@ -255,23 +268,35 @@ impl Console {
                 }
                 Ok(())
             }
-            Effect::Bell => crate::terminal::ring().map_err(Into::into),
+            Effect::Bell => {
+                self.bell = true;
+                Ok(())
+            }
         };
         if let Err(error) = outcome {
-            // The error's own events cannot start anything, so this recursion is one level deep.
-            Box::pin(self.feed(Event::Failed(format!("{error:#}")))).await;
+            // Nothing that a failure causes is an effect.
+            update(&mut self.state, Event::Failed(format!("{error:#}")));
         }
     }
 
-    fn command(&self, targets: &[VehicleId], order: &Order) -> anyhow::Result<()> {
-        let running = self
-            .running
-            .as_ref()
-            .ok_or_else(|| anyhow::anyhow!("nothing is connected"))?;
+    /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
+    fn command(&mut self, targets: &[VehicleId], order: &Order) {
         for &vehicle in targets {
-            running.order(vehicle, order.clone())?;
+            let given = match &self.running {
+                Some(running) => running.order(vehicle, order.clone()),
+                None => Err(Unreachable),
+            };
+            if let Err(error) = given {
+                let now = self.clock.now();
+                let row = order.unsent(
+                    vehicle,
+                    RowState::Refused,
+                    format!("not sent: {error}"),
+                    now,
+                );
+                update(&mut self.state, Event::Row(row));
+            }
         }
-        Ok(())
     }
 
     async fn start(&mut self, plan: Plan) -> anyhow::Result<()> {

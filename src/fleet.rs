@@ -50,6 +50,8 @@ pub enum FleetEvent {
     Linked(watch::Receiver<LinkStatus>),
     /// A command has come further, or a human should hear of something.
     Report(Report),
+    /// So many reports more were dropped because the console did not listen.
+    Dropped(u64),
 }
 
 /// What the console asks of the hub.

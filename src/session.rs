@@ -13,7 +13,7 @@ use crate::language::Retry;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::messages::{Inbox, Parameters};
 use crate::notice::Notice;
-use crate::vehicle::{Severity, Vehicle};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
 mod acknowledgement;
@@ -24,6 +24,7 @@ mod tests;
 mod timesync;
 mod transaction;
 
+use acknowledgement::{Acknowledgement, OwedAcks};
 use streams::Streams;
 use timesync::Timesync;
 use transaction::{Progress, Transaction};
@@ -36,6 +37,9 @@ pub const LOST_AFTER: Duration = Duration::from_millis(2500);
 const BUSY_POLL: Duration = Duration::from_millis(50);
 /// How long a session may be left alone otherwise.
 const IDLE_POLL: Duration = Duration::from_millis(500);
+
+/// Orders that may wait for one vehicle; more are refused.
+const MOST_WAITING: usize = 32;
 
 /// One vehicle's part in a command.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +63,39 @@ pub enum Report {
     Notice(Notice),
 }
 
+impl Order {
+    /// The last word on an order that was never sent.
+    pub fn unsent(
+        &self,
+        vehicle: VehicleId,
+        state: RowState,
+        reason: impl Into<String>,
+        now: Duration,
+    ) -> RowUpdate {
+        RowUpdate {
+            entry: self.entry,
+            vehicle,
+            state,
+            tries: 0,
+            at: now,
+            explanation: Some(reason.into()),
+        }
+    }
+}
+
+/// What a session has to send and to say.
+#[derive(Debug, Default)]
+struct Output {
+    messages: Vec<Outgoing>,
+    reports: Vec<Report>,
+}
+
+impl Output {
+    fn row(&mut self, update: RowUpdate) {
+        self.reports.push(Report::Row(update));
+    }
+}
+
 /// The state of a conversation with one vehicle.
 #[derive(Debug)]
 pub struct Session {
@@ -73,8 +110,8 @@ pub struct Session {
     active: Option<Transaction>,
     /// Those that were accepted and whose effect is awaited.
     watched: Vec<Transaction>,
-    outgoing: Vec<Outgoing>,
-    reports: Vec<Report>,
+    owed: OwedAcks,
+    output: Output,
 }
 
 impl Session {
@@ -90,8 +127,8 @@ impl Session {
             queue: VecDeque::new(),
             active: None,
             watched: Vec::new(),
-            outgoing: Vec::new(),
-            reports: Vec::new(),
+            owed: OwedAcks::default(),
+            output: Output::default(),
         }
     }
 
@@ -112,9 +149,13 @@ impl Session {
         self.streams.forget(now);
     }
 
-    /// Takes in one frame from this vehicle's system.
+    /// Takes in one frame from this vehicle's system. Only its autopilot counts as being heard: a companion
+    /// computer with the same system id goes on talking when the autopilot has stopped.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {
-        self.hear(frame, now);
+        let is_autopilot = frame.component == self.vehicle.component;
+        if is_autopilot {
+            self.hear(frame, now);
+        }
         let reboots = self.vehicle.link.reboots;
         let mut notices = Vec::new();
         self.inbox
@@ -124,28 +165,26 @@ impl Session {
                 active.hear_text(notice);
             }
         }
-        self.reports.extend(notices.into_iter().map(Report::Notice));
+        self.say(notices);
         if self.vehicle.link.reboots > reboots {
             self.streams.forget(now);
         }
-        self.streams.note(frame.content.id());
-        if let Content::Message(message) = &frame.content {
-            let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);
-            self.outgoing.extend(reply);
-            if round_trip.is_some() {
-                self.vehicle.link.round_trip = round_trip;
-            }
-        }
-        if let Some(active) = &mut self.active {
-            active.receive(frame, &self.vehicle, now);
+        if is_autopilot {
+            self.answer(frame, now);
         }
         self.advance(now);
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
     pub fn order(&mut self, order: Order, now: Duration) {
-        if precedence::is_urgent(&order.command) {
+        if precedence::is_urgent(&order.command, &self.vehicle) {
             self.clear_the_line(order.verb, now);
+        }
+        if self.queue.len() >= MOST_WAITING {
+            let reason = format!("not sent: {MOST_WAITING} commands wait for this vehicle already");
+            self.output
+                .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
+            return;
         }
         self.queue.push_back((order, now));
         self.advance(now);
@@ -155,12 +194,17 @@ impl Session {
     pub fn poll(&mut self, now: Duration) {
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
-        self.reports.extend(notices.into_iter().map(Report::Notice));
+        self.say(notices);
         self.watch_silence(now);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
             let address = (self.vehicle.system, self.vehicle.component);
-            self.outgoing.extend(self.timesync.poll(address, now));
-            self.outgoing.extend(self.streams.poll(&self.vehicle, now));
+            self.output
+                .messages
+                .extend(self.timesync.poll(address, now));
+            for (message, command) in self.streams.poll(&self.vehicle, now) {
+                self.output.messages.push(message);
+                self.owed.add(command, 1, now);
+            }
         }
         self.advance(now);
     }
@@ -176,16 +220,17 @@ impl Session {
 
     /// The messages to send, in order; they are gone from the session then.
     pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
-        std::mem::take(&mut self.outgoing)
+        std::mem::take(&mut self.output.messages)
     }
 
     /// What there is to report, in order; it is gone from the session then.
     pub fn take_reports(&mut self) -> Vec<Report> {
-        std::mem::take(&mut self.reports)
+        std::mem::take(&mut self.output.reports)
     }
 
     fn hear(&mut self, frame: &Frame, now: Duration) {
         self.loss.note(frame);
+        self.streams.note(frame.content.id());
         let link = &mut self.vehicle.link;
         link.received += 1;
         link.missing = self.loss.lost();
@@ -201,6 +246,24 @@ impl Session {
         }
     }
 
+    /// Looks for answers to what we asked, and for questions to us.
+    fn answer(&mut self, frame: &Frame, now: Duration) {
+        if let Content::Message(message) = &frame.content {
+            let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);
+            self.output.messages.extend(reply);
+            if round_trip.is_some() {
+                self.vehicle.link.round_trip = round_trip;
+            }
+        }
+        let ack = Acknowledgement::from_frame(frame);
+        if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
+            return;
+        }
+        if let Some(active) = &mut self.active {
+            active.receive(frame, now, &mut self.output);
+        }
+    }
+
     fn watch_silence(&mut self, now: Duration) {
         let link = &mut self.vehicle.link;
         let silent = link
@@ -212,34 +275,33 @@ impl Session {
         }
     }
 
+    fn say(&mut self, notices: Vec<Notice>) {
+        self.output
+            .reports
+            .extend(notices.into_iter().map(Report::Notice));
+    }
+
     fn notice(&mut self, severity: Severity, text: String, now: Duration) {
-        self.reports.push(Report::Notice(Notice {
+        self.say(vec![Notice {
             at: now,
             vehicle: Some(self.vehicle.id),
             severity,
             text,
-        }));
+        }]);
     }
 
     /// Gives up everything that waits or flies, because something urgent was ordered.
     fn clear_the_line(&mut self, verb: &str, now: Duration) {
         let reason = format!("{verb} took its place");
         for (order, _) in self.queue.drain(..) {
-            self.reports.push(Report::Row(RowUpdate {
-                entry: order.entry,
-                vehicle: self.vehicle.id,
-                state: RowState::Superseded,
-                tries: 0,
-                at: now,
-                explanation: Some(reason.clone()),
-            }));
+            self.output
+                .row(order.unsent(self.vehicle.id, RowState::Superseded, &reason, now));
+        }
+        if let Some((command, acks)) = self.active.as_ref().and_then(Transaction::owed_acks) {
+            self.owed.add(command, acks, now);
         }
         for transaction in self.active.take().into_iter().chain(self.watched.drain(..)) {
-            self.reports.push(Report::Row(transaction.superseded(
-                &self.vehicle,
-                &reason,
-                now,
-            )));
+            transaction.supersede(&reason, now, &mut self.output);
         }
     }
 
@@ -250,42 +312,39 @@ impl Session {
                 let Some((order, given)) = self.queue.pop_front() else {
                     break;
                 };
-                self.active = Some(Transaction::new(order, given));
+                self.active =
+                    Transaction::start(order, given, &self.vehicle, now, &mut self.output);
             }
             let Some(mut active) = self.active.take() else {
-                break;
+                continue;
             };
-            match active.poll(&self.vehicle, now, &mut self.outgoing, &mut self.reports) {
+            match active.poll(&self.vehicle, now, &mut self.output) {
                 Progress::Waiting => {
                     self.active = Some(active);
                     break;
                 }
                 Progress::Watching => {
                     if active.moves_the_vehicle() {
-                        self.supersede_movements(&active, now);
+                        self.supersede_movements(active.verb(), now);
                     }
                     self.watched.push(active);
                 }
                 Progress::Ended => {}
             }
         }
-        let (vehicle, outgoing, reports) = (&self.vehicle, &mut self.outgoing, &mut self.reports);
-        self.watched.retain_mut(|transaction| {
-            !matches!(
-                transaction.poll(vehicle, now, outgoing, reports),
-                Progress::Ended
-            )
-        });
+        let (vehicle, output) = (&self.vehicle, &mut self.output);
+        self.watched
+            .retain_mut(|watched| watched.poll(vehicle, now, output) != Progress::Ended);
     }
 
     /// A vehicle flies to one place at a time: what it was doing before is not awaited any longer.
-    fn supersede_movements(&mut self, by: &Transaction, now: Duration) {
-        let reason = format!("{} took its place", by.verb());
-        let (vehicle, reports) = (&self.vehicle, &mut self.reports);
+    fn supersede_movements(&mut self, verb: &str, now: Duration) {
+        let reason = format!("{verb} took its place");
+        let output = &mut self.output;
         self.watched.retain(|transaction| {
             let superseded = transaction.moves_the_vehicle();
             if superseded {
-                reports.push(Report::Row(transaction.superseded(vehicle, &reason, now)));
+                transaction.supersede(&reason, now, output);
             }
             !superseded
         });

@@ -74,6 +74,10 @@ impl Screen {
         enable_raw_mode()?;
         TAKEN.store(true, Ordering::SeqCst);
         give_back_on_panic();
+        Self::set_up().inspect_err(|_| give_back())
+    }
+
+    fn set_up() -> io::Result<Self> {
         execute!(
             io::stdout(),
             EnterAlternateScreen,
@@ -124,6 +128,16 @@ impl Screen {
         queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
         self.terminal.draw(render)?;
         execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
+    }
+
+    /// Rings the terminal's bell, after what has been drawn.
+    ///
+    /// # Errors
+    /// The terminal is gone.
+    pub fn ring(&mut self) -> io::Result<()> {
+        let writer = self.terminal.backend_mut();
+        writer.write_all(b"\x07")?;
+        Write::flush(writer)
     }
 }
 
@@ -212,16 +226,6 @@ impl Write for FrameWriter {
             _ => Ok(()),
         }
     }
-}
-
-/// Rings the terminal's bell.
-///
-/// # Errors
-/// The terminal is gone.
-pub fn ring() -> io::Result<()> {
-    let mut stdout = io::stdout();
-    stdout.write_all(b"\x07")?;
-    stdout.flush()
 }
 
 /// How many colours the terminal can show, by `NO_COLOR`, `COLORTERM` and `TERM`.

@@ -10,7 +10,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::app::event::{Event, Started};
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
-use crate::fleet::{Clock, Fleet, FleetEvent};
+use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
 use crate::headless;
 use crate::ledger::Ledger;
@@ -61,6 +61,8 @@ pub(super) struct Running {
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     links: Vec<watch::Receiver<LinkStatus>>,
     links_said: Vec<LinkNews>,
+    /// Reports that the fleet dropped so far.
+    dropped: u64,
     mission: Option<MissionClock>,
     cancel: CancellationToken,
 }
@@ -89,6 +91,7 @@ impl Running {
             vehicles: Vec::new(),
             links: Vec::new(),
             links_said: Vec::new(),
+            dropped: 0,
             mission: None,
             cancel,
         };
@@ -156,8 +159,8 @@ impl Running {
     ///
     /// # Errors
     /// The fleet has ended or cannot keep up.
-    pub fn order(&self, vehicle: VehicleId, order: Order) -> anyhow::Result<()> {
-        Ok(self.fleet.order(vehicle, order)?)
+    pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
+        self.fleet.order(vehicle, order)
     }
 
     /// Ends the mission; its report comes with the next tick.
@@ -177,6 +180,10 @@ impl Running {
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));
+                }
+                Ok(FleetEvent::Dropped(count)) => {
+                    self.dropped += count;
+                    collected.push(Event::NoticesDropped(self.dropped));
                 }
                 Err(_) => break,
             }

@@ -10,11 +10,12 @@ use tokio_util::sync::CancellationToken;
 
 use super::vehicle_task::{ToVehicle, VehicleTask};
 use super::{Clock, FleetEvent, Request};
+use crate::ledger::RowState;
 use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
 use crate::notice::Notice;
 use crate::session::{LOST_AFTER, Order, Report, Session};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
-use crate::wire::{Content, Frame, SystemId};
+use crate::wire::{ComponentId, Content, Frame, SystemId};
 
 /// Batches of frames that may wait for the hub; beyond that links read more slowly.
 const INBOUND_KEPT: usize = 256;
@@ -31,6 +32,8 @@ const AUTOPILOT_NONE: u8 = 8;
 struct Route {
     link: LinkId,
     peer: Peer,
+    /// The autopilot's component; other components with its system id may come another way.
+    component: ComponentId,
     heard_at: Duration,
     conflict_said_at: Option<Duration>,
     inbox: mpsc::Sender<ToVehicle>,
@@ -67,7 +70,7 @@ pub(super) async fn run(
             () = cancel.cancelled() => return,
             request = requests.recv() => match request {
                 Some(Request::Connect(transport)) => hub.connect(transport).await,
-                Some(Request::Order(vehicle, order)) => hub.order(vehicle, order),
+                Some(Request::Order(vehicle, order)) => hub.order(vehicle, order).await,
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
@@ -84,18 +87,19 @@ impl Hub {
         self.tell(FleetEvent::Linked(status)).await;
     }
 
-    /// An order to a vehicle that is unknown or stuck gets no answer; the console's ledger has no row for
-    /// the former, and the latter's row ends with its deadline once the task runs again.
-    fn order(&mut self, vehicle: VehicleId, order: Order) {
+    /// Hands an order on; one that cannot be handed on is answered here, so that no row waits for ever.
+    async fn order(&mut self, vehicle: VehicleId, order: Order) {
         let system = SystemId::try_from(vehicle).ok();
-        if let Some(route) = system.and_then(|system| self.routes.get(&system))
-            && route.inbox.try_send(ToVehicle::Order(order)).is_err()
-        {
-            tracing::warn!(
-                vehicle,
-                "the vehicle's task does not keep up: an order was dropped"
-            );
-        }
+        let reason = match system.and_then(|system| self.routes.get(&system)) {
+            None => "not sent: no such vehicle is heard",
+            Some(route) => match route.inbox.try_send(ToVehicle::Order(order.clone())) {
+                Ok(()) => return,
+                Err(_) => "not sent: the vehicle's task does not keep up",
+            },
+        };
+        let now = self.clock.now();
+        let row = order.unsent(vehicle, RowState::Refused, reason, now);
+        self.tell(FleetEvent::Report(Report::Row(row))).await;
     }
 
     /// Gives each vehicle its frames, those of one vehicle together.
@@ -120,7 +124,10 @@ impl Hub {
         let Some(route) = self.routes.get_mut(&system) else {
             return;
         };
-        if (route.link, route.peer) != from {
+        let is_autopilot = frames
+            .iter()
+            .any(|frame| frame.component == route.component);
+        if (route.link, route.peer) != from && is_autopilot {
             if now.saturating_sub(route.heard_at) < LOST_AFTER {
                 return self.complain(system, from, now).await;
             }
@@ -128,10 +135,14 @@ impl Hub {
                 return;
             };
             // The vehicle has come back another way: a new connection, or another port of a lab network.
-            (route.link, route.peer) = from;
-            drop(route.inbox.try_send(ToVehicle::Route(link.clone(), from.1)));
+            let news = ToVehicle::Route(link.clone(), from.1);
+            if route.inbox.try_send(news).is_ok() {
+                (route.link, route.peer) = from;
+            }
         }
-        route.heard_at = now;
+        if is_autopilot {
+            route.heard_at = now;
+        }
         if route.inbox.try_send(ToVehicle::Frames(frames)).is_err() {
             tracing::warn!(
                 system,
@@ -163,6 +174,7 @@ impl Hub {
             state,
             events: self.events.clone(),
             backlog: VecDeque::new(),
+            dropped: 0,
         };
         tokio::spawn(task.run(self.cancel.clone()));
         self.routes.insert(
@@ -170,6 +182,7 @@ impl Hub {
             Route {
                 link: link_id,
                 peer,
+                component,
                 heard_at: now,
                 conflict_said_at: None,
                 inbox,

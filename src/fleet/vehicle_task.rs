@@ -36,6 +36,8 @@ pub(super) struct VehicleTask {
     pub state: watch::Sender<Arc<Vehicle>>,
     pub events: mpsc::Sender<FleetEvent>,
     pub backlog: VecDeque<Report>,
+    /// Reports dropped since the console was last told.
+    pub dropped: u64,
 }
 
 impl VehicleTask {
@@ -117,9 +119,17 @@ impl VehicleTask {
             }
         }
         if self.backlog.len() > BACKLOG {
+            let before = self.backlog.len();
             self.backlog
                 .retain(|report| matches!(report, Report::Row(_)));
-            self.backlog.truncate(BACKLOG);
+            // The newest rows are the final ones, so the oldest go.
+            let surplus = self.backlog.len().saturating_sub(BACKLOG);
+            self.backlog.drain(..surplus);
+            self.dropped += (before - self.backlog.len()) as u64;
+        }
+        let dropped = FleetEvent::Dropped(self.dropped);
+        if self.dropped > 0 && self.events.try_send(dropped).is_ok() {
+            self.dropped = 0;
         }
     }
 }

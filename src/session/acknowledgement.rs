@@ -1,5 +1,7 @@
 //! `COMMAND_ACK`, also where its command is newer than the dialect.
 
+use std::time::Duration;
+
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::commands::AckResult;
@@ -42,5 +44,31 @@ impl Acknowledgement {
             _ => return None,
         };
         (target == 0 || target == GROUND_STATION_SYSTEM).then_some(ack)
+    }
+}
+
+/// Acknowledgements that may still come for commands whose answer nobody waits for any longer. Without them
+/// the late answer to an arm would be taken for the answer to the kill that replaced it: both are one `MAV_CMD`.
+#[derive(Debug, Default)]
+pub(super) struct OwedAcks(Vec<(u16, Duration)>);
+
+/// An acknowledgement that has not come by then will not come: vehicles answer within milliseconds, links
+/// within a second.
+const OWED_FOR: Duration = Duration::from_secs(2);
+
+impl OwedAcks {
+    /// So many acknowledgements of a command may still come.
+    pub fn add(&mut self, command: u16, count: u8, now: Duration) {
+        self.0.extend((0..count).map(|_| (command, now + OWED_FOR)));
+    }
+
+    /// Whether an acknowledgement of the command was owed; it is not any longer.
+    pub fn take(&mut self, command: u16, now: Duration) -> bool {
+        self.0.retain(|(_, until)| now < *until);
+        let owed = self.0.iter().position(|(owed, _)| *owed == command);
+        if let Some(at) = owed {
+            self.0.remove(at);
+        }
+        owed.is_some()
     }
 }

@@ -1,9 +1,22 @@
 //! Which commands give way to which.
 
 use crate::commands::Command;
+use crate::vehicle::Vehicle;
+
+/// Modes in which a vehicle stops, lands or comes home, under the names of every class.
+const URGENT_MODES: [&str; 8] = [
+    "LAND",
+    "RTL",
+    "SMART_RTL",
+    "AUTO_RTL",
+    "BRAKE",
+    "QLAND",
+    "QRTL",
+    "HOLD",
+];
 
 /// Whether everything that waits or flies must give way: the operator wants it to stop, land or come home now.
-pub(super) fn is_urgent(command: &Command) -> bool {
+pub(super) fn is_urgent(command: &Command, vehicle: &Vehicle) -> bool {
     match command {
         Command::Kill
         | Command::Disarm
@@ -11,7 +24,9 @@ pub(super) fn is_urgent(command: &Command) -> bool {
         | Command::ReturnToLaunch
         | Command::Hold => true,
         Command::SetMode { name } => {
-            ["LAND", "RTL", "SMART_RTL", "BRAKE"].contains(&name.to_ascii_uppercase().as_str())
+            let class = vehicle.heartbeat.map(|heartbeat| heartbeat.class);
+            let mode = class.and_then(|class| class.mode(name));
+            mode.is_some_and(|mode| URGENT_MODES.iter().any(|urgent| mode.is(urgent)))
         }
         _ => false,
     }

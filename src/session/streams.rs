@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::commands::Command;
+use crate::commands::{Answer, Command};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
@@ -88,8 +88,8 @@ impl Streams {
         *self.arrived.entry(message).or_default() += 1;
     }
 
-    /// Requests that are due.
-    pub fn poll(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
+    /// Requests that are due, each with the `MAV_CMD` that will be acknowledged for it.
+    pub fn poll(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<(Outgoing, u16)> {
         if now < self.next_look {
             return Vec::new();
         }
@@ -117,10 +117,14 @@ impl Streams {
         self.arrived.clear();
         self.window_start = now;
         self.next_look = now + WINDOW;
-        commands
+        let requests = commands
             .iter()
-            .filter_map(|command| command.request(vehicle, 0).ok())
-            .flat_map(|request| request.messages)
+            .filter_map(|command| command.request(vehicle, 0).ok());
+        requests
+            .filter_map(|request| match request.answer {
+                Answer::Ack(command) => Some((request.messages.into_iter().next()?, command)),
+                _ => None,
+            })
             .collect()
     }
 

@@ -43,9 +43,13 @@ impl Scene {
     }
 
     fn hear(&mut self, message: MavMessage) {
+        self.hear_from(1, message);
+    }
+
+    fn hear_from(&mut self, component: u8, message: MavMessage) {
         let frame = Frame {
             system: 3,
-            component: 1,
+            component,
             sequence: self.sequence,
             version: mavlink::MavlinkVersion::V2,
             signed: false,
@@ -392,4 +396,122 @@ fn the_round_trip_is_measured_and_the_vehicles_question_answered() {
         sent,
         Outgoing::Message(MavMessage::TIMESYNC(sync)) if sync.ts1 == 77 && sync.tc1 != 0
     )));
+}
+
+#[test]
+fn the_answer_to_a_replaced_command_is_not_taken_for_that_of_its_successor() {
+    let mut scene = Scene::new();
+    scene.order(1, "arm", Command::Arm);
+    scene.order(2, "kill", Command::Kill);
+    // Both are one MAV_CMD; this is the arm's.
+    scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(2), [RowState::Sent]);
+    scene.heartbeat(STABILIZE, true);
+    assert_eq!(scene.states(2), [RowState::Sent], "it is armed");
+    scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(2).last(), Some(&RowState::Accepted));
+    scene.pass(ms(100));
+    scene.heartbeat(STABILIZE, false);
+    assert_eq!(scene.states(2).last(), Some(&RowState::Done));
+}
+
+#[test]
+fn what_was_so_before_proves_nothing_until_the_vehicle_says_it_again() {
+    let mut scene = Scene::new();
+    scene.now = ms(100);
+    scene.order(1, "kill", Command::Kill);
+    scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(1).last(), Some(&RowState::Accepted));
+    scene.pass(ms(200));
+    scene.heartbeat(STABILIZE, false);
+    assert_eq!(scene.states(1).last(), Some(&RowState::Done));
+}
+
+#[test]
+fn acknowledgements_of_our_own_requests_for_telemetry_answer_no_command() {
+    let interval = MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL;
+    let mut scene = Scene::new();
+    scene.pass(ms(200));
+    let asked = scene.longs(interval).len();
+    assert!(asked > 0);
+    let command = Command::MessageInterval {
+        message: 30,
+        rate_hz: 10.0,
+    };
+    scene.order(1, "interval", command);
+    for _ in 0..asked {
+        scene.ack(interval, MavResult::MAV_RESULT_FAILED);
+    }
+    assert_eq!(scene.states(1), [RowState::Sent]);
+    scene.ack(interval, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(1).last(), Some(&RowState::Done));
+}
+
+#[test]
+fn a_companion_does_not_hide_that_the_autopilot_is_silent() {
+    let mut scene = Scene::new();
+    for _ in 0..4 {
+        scene.pass(ms(1000));
+        scene.hear_from(191, MavMessage::HEARTBEAT(HEARTBEAT_DATA::default()));
+    }
+    assert!(scene.session.vehicle().link.lost);
+}
+
+#[test]
+fn a_temporary_rejection_is_tried_again_and_then_explained() {
+    let mut scene = Scene::new();
+    scene.order(1, "arm", Command::Arm);
+    scene.ack(ARM, MavResult::MAV_RESULT_TEMPORARILY_REJECTED);
+    scene.pass(ms(1100));
+    assert_eq!(scene.longs(ARM).len(), 2);
+    scene.pass(ms(4000));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Refused));
+}
+
+#[test]
+fn a_command_that_waited_too_long_is_not_sent_late() {
+    let mut scene = Scene::new();
+    scene.order(
+        1,
+        "guided",
+        Command::SetMode {
+            name: "GUIDED".into(),
+        },
+    );
+    scene.order(2, "arm", Command::Arm);
+    scene.pass(ms(5000));
+    assert_eq!(scene.states(2), [RowState::TimedOut]);
+    assert!(
+        scene.explanation(2).starts_with("not sent"),
+        "{}",
+        scene.explanation(2)
+    );
+    assert!(scene.longs(ARM).is_empty());
+}
+
+#[test]
+fn a_velocity_ends_without_effect_when_the_vehicle_leaves_guided() {
+    let mut scene = Scene::new();
+    scene.heartbeat(GUIDED, true);
+    scene.hear(MavMessage::EXTENDED_SYS_STATE(
+        mavlink::dialects::ardupilotmega::EXTENDED_SYS_STATE_DATA {
+            landed_state: mavlink::dialects::ardupilotmega::MavLandedState::MAV_LANDED_STATE_IN_AIR,
+            ..Default::default()
+        },
+    ));
+    let command = Command::Velocity {
+        ned_m_s: [2.0, 0.0, 0.0],
+        lasting: ms(10_000),
+    };
+    scene.order(1, "velocity", command);
+    scene.pass(ms(1000));
+    assert_eq!(
+        scene.states(1),
+        [RowState::Sent],
+        "{}",
+        scene.explanation(1)
+    );
+    scene.heartbeat(STABILIZE, true);
+    assert_eq!(scene.states(1).last(), Some(&RowState::NoEffect));
+    assert!(scene.explanation(1).contains("STABILIZE"));
 }

@@ -5,12 +5,12 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::acknowledgement::Acknowledgement;
-use super::{Order, Report, precedence};
-use crate::commands::{AckResult, Answer, Effect, Request, explain};
+use super::{Order, Output, precedence};
+use crate::commands::{AckResult, Answer, Effect, Repeat, Request, explain};
 use crate::ledger::{RowState, RowUpdate};
 use crate::notice::Notice;
-use crate::vehicle::{Severity, Vehicle};
-use crate::wire::{Content, Frame, Outgoing};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::wire::{Content, Frame};
 
 /// Status texts that explain a refusal may come a little after it.
 const REASON_PATIENCE: Duration = Duration::from_millis(300);
@@ -18,6 +18,9 @@ const REASON_PATIENCE: Duration = Duration::from_millis(300);
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
 /// How long later commands wait for the effect of one that they depend on.
 const SETTLE_PATIENCE: Duration = Duration::from_millis(1500);
+/// A velocity that is held for less than this may end before the vehicle has gathered speed (0 to 5 m/s takes
+/// an ArduCopter 2.4 s), so that nothing follows from not having seen it.
+const GATHERING_SPEED: Duration = Duration::from_secs(4);
 /// The progress that `COMMAND_ACK` carries where it says nothing about it.
 const PROGRESS_UNKNOWN: u8 = 255;
 
@@ -33,16 +36,24 @@ pub(super) enum Progress {
 }
 
 /// Where a transaction stands.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Phase {
-    /// Not sent yet.
-    Fresh,
-    /// Sent; the answer is awaited until the deadline.
-    AwaitingAnswer { deadline: Duration },
+    /// Sent; the answer is awaited.
+    AwaitingAnswer {
+        deadline: Duration,
+        /// The vehicle works on it, so it is not sent again.
+        in_progress: bool,
+        /// It has said "not now": worth another try.
+        rejected: bool,
+    },
     /// Refused; the reason may still come.
     AwaitingReason { result: AckResult, until: Duration },
     /// Accepted, or sent where no answer exists.
-    AwaitingEffect { since: Duration },
+    AwaitingEffect {
+        since: Duration,
+        /// How often a setpoint, which nothing answers, has been said again.
+        repeated: u8,
+    },
     /// Over.
     Over,
 }
@@ -51,50 +62,81 @@ enum Phase {
 #[derive(Debug)]
 pub(super) struct Transaction {
     order: Order,
+    vehicle: VehicleId,
     given: Duration,
     phase: Phase,
     tries: u8,
-    /// How often a setpoint, which nothing answers, has been said again.
-    setpoints_repeated: u8,
     first_sent: Duration,
     last_sent: Duration,
     /// Built once, from the state at the first transmission: a repeated "10 m further" must not add up.
-    request: Option<Request>,
-    effect: Option<Effect>,
-    /// The effect was there before the command was; it proves nothing then.
+    request: Request,
+    effect: Effect,
+    /// The effect was there before the command was: only telemetry that is newer proves anything.
     effect_was_there: bool,
+    /// The effect has shown while setpoints were being repeated.
+    effect_has_shown: bool,
     /// What the vehicle said since the first transmission.
     texts: Vec<String>,
-    /// It has been heard and is worked on, so it is not sent again.
-    in_progress: bool,
-    /// The answer so far, where it was one that allows another try.
-    last_result: Option<AckResult>,
-    /// When it was accepted.
-    answered_at: Option<Duration>,
-    /// Row updates that `receive` found and `poll` has yet to report.
-    pending: Vec<(RowState, Option<String>)>,
 }
 
 impl Transaction {
-    /// A command that was given at some time and has not been sent.
-    pub fn new(order: Order, given: Duration) -> Self {
-        Self {
-            order,
+    /// Sends a command that was given at some time, now that the line is free. `None` when it had to end at
+    /// once: too late, or senseless for this vehicle.
+    pub fn start(
+        order: Order,
+        given: Duration,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) -> Option<Self> {
+        let deadline = given + order.retry.deadline;
+        let request = if now >= deadline {
+            Err((
+                RowState::TimedOut,
+                format!(
+                    "not sent: its {:.1} s were over before the line was free",
+                    order.retry.deadline.as_secs_f64()
+                ),
+            ))
+        } else {
+            let request = order.command.request(vehicle, 0);
+            request.map_err(|reason| (RowState::Refused, reason))
+        };
+        let request = match request {
+            Ok(request) => request,
+            Err((state, reason)) => {
+                output.row(order.unsent(vehicle.id, state, reason, now));
+                return None;
+            }
+        };
+        let effect = order.command.effect(vehicle);
+        let phase = match request.answer {
+            Answer::None => Phase::AwaitingEffect {
+                since: now,
+                repeated: 0,
+            },
+            Answer::Ack(_) | Answer::Parameter(_) => Phase::AwaitingAnswer {
+                deadline,
+                in_progress: false,
+                rejected: false,
+            },
+        };
+        let mut transaction = Self {
+            vehicle: vehicle.id,
             given,
-            phase: Phase::Fresh,
+            phase,
             tries: 0,
-            setpoints_repeated: 0,
-            first_sent: given,
-            last_sent: given,
-            request: None,
-            effect: None,
-            effect_was_there: false,
+            first_sent: now,
+            last_sent: now,
+            effect_was_there: effect.seen(vehicle) == Some(true),
+            effect_has_shown: false,
+            effect,
+            request,
             texts: Vec::new(),
-            in_progress: false,
-            last_result: None,
-            answered_at: None,
-            pending: Vec::new(),
-        }
+            order,
+        };
+        transaction.send(now, output);
+        Some(transaction)
     }
 
     /// The verb it was given with.
@@ -107,43 +149,46 @@ impl Transaction {
         precedence::moves_the_vehicle(&self.order.command)
     }
 
-    /// The last update of a transaction that gives way to another.
-    pub fn superseded(&self, vehicle: &Vehicle, reason: &str, now: Duration) -> RowUpdate {
-        self.row(vehicle, RowState::Superseded, Some(reason.to_owned()), now)
+    /// The command whose acknowledgements may still come although nobody waits for them, and how many.
+    pub fn owed_acks(&self) -> Option<(u16, u8)> {
+        match (&self.request.answer, self.phase) {
+            (Answer::Ack(command), Phase::AwaitingAnswer { .. }) => Some((*command, self.tries)),
+            _ => None,
+        }
+    }
+
+    /// Gives way to another command.
+    pub fn supersede(&self, reason: &str, now: Duration, output: &mut Output) {
+        self.report(RowState::Superseded, Some(reason.to_owned()), now, output);
     }
 
     /// Remembers what the vehicle says meanwhile; it may be the reason of a refusal.
     pub fn hear_text(&mut self, notice: &Notice) {
-        if self.tries > 0 && notice.severity <= Severity::Warning {
+        if notice.severity <= Severity::Warning {
             self.texts.push(notice.text.clone());
         }
     }
 
-    /// Looks for the answer in a frame of the vehicle.
-    pub fn receive(&mut self, frame: &Frame, vehicle: &Vehicle, now: Duration) {
-        if !matches!(self.phase, Phase::AwaitingAnswer { .. })
-            || frame.component != vehicle.component
-        {
+    /// Looks for the answer in a frame of the vehicle's autopilot.
+    pub fn receive(&mut self, frame: &Frame, now: Duration, output: &mut Output) {
+        if !matches!(self.phase, Phase::AwaitingAnswer { .. }) {
             return;
         }
-        let answer = self.request.as_ref().map(|request| &request.answer);
-        match (answer, &frame.content) {
-            (Some(Answer::Ack(command)), _) => {
+        match (&self.request.answer, &frame.content) {
+            (Answer::Ack(command), _) => {
                 if let Some(ack) = Acknowledgement::from_frame(frame)
                     && ack.command == *command
                 {
-                    self.acknowledged(ack, now);
+                    self.acknowledged(ack, now, output);
                 }
             }
-            (Some(Answer::Parameter(name)), Content::Message(MavMessage::PARAM_VALUE(value)))
-                if value
-                    .param_id
-                    .to_str()
-                    .is_ok_and(|id| id.eq_ignore_ascii_case(name)) =>
-            {
-                match self.order.command.parameter_outcome(value.param_value) {
-                    Ok(text) => self.accept(Some(text), now),
-                    Err(text) => self.end(RowState::Refused, Some(text)),
+            (Answer::Parameter(name), Content::Message(MavMessage::PARAM_VALUE(value))) => {
+                let id = value.param_id.to_str();
+                if id.is_ok_and(|id| id.eq_ignore_ascii_case(name)) {
+                    match self.order.command.parameter_outcome(value.param_value) {
+                        Ok(text) => self.accept(Some(text), now, output),
+                        Err(text) => self.end(RowState::Refused, Some(text), now, output),
+                    }
                 }
             }
             _ => {}
@@ -151,205 +196,173 @@ impl Transaction {
     }
 
     /// Lets time pass and reports what changed.
-    pub fn poll(
-        &mut self,
-        vehicle: &Vehicle,
-        now: Duration,
-        outgoing: &mut Vec<Outgoing>,
-        reports: &mut Vec<Report>,
-    ) -> Progress {
+    pub fn poll(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) -> Progress {
         match self.phase {
-            Phase::Fresh => self.start(vehicle, now, outgoing),
-            Phase::AwaitingAnswer { deadline } => {
-                self.await_answer(vehicle, deadline, now, outgoing);
-            }
+            Phase::AwaitingAnswer { .. } => self.await_answer(vehicle, now, output),
             Phase::AwaitingReason { result, until } if now >= until => {
-                self.refuse(result, vehicle);
+                self.refuse(result, vehicle, now, output);
             }
             Phase::AwaitingReason { .. } | Phase::Over => {}
-            Phase::AwaitingEffect { since } => self.await_effect(vehicle, since, now, outgoing),
+            Phase::AwaitingEffect { since, .. } => match self.order.command.repeat() {
+                Some(repeat) => self.keep_up(repeat, vehicle, now, output),
+                None => self.await_effect(since, vehicle, now, output),
+            },
         }
-        for (state, explanation) in std::mem::take(&mut self.pending) {
-            reports.push(Report::Row(self.row(vehicle, state, explanation, now)));
-        }
-        self.progress(now)
-    }
-
-    fn progress(&self, now: Duration) -> Progress {
         match self.phase {
             Phase::Over => Progress::Ended,
-            Phase::AwaitingEffect { .. } if self.is_settled(now) => Progress::Watching,
+            Phase::AwaitingEffect { since, .. } if self.is_settled(since, now) => {
+                Progress::Watching
+            }
             _ => Progress::Waiting,
         }
     }
 
-    fn is_settled(&self, now: Duration) -> bool {
-        !precedence::later_ones_depend_on_it(&self.order.command)
-            || self
-                .answered_at
-                .is_none_or(|answered| now >= answered + SETTLE_PATIENCE)
+    fn is_settled(&self, since: Duration, now: Duration) -> bool {
+        let is_awaited = precedence::later_ones_depend_on_it(&self.order.command);
+        !is_awaited || now >= since + SETTLE_PATIENCE
     }
 
-    fn start(&mut self, vehicle: &Vehicle, now: Duration, outgoing: &mut Vec<Outgoing>) {
-        let deadline = self.given + self.order.retry.deadline;
-        if now > deadline {
-            let text = format!(
-                "not sent: its {:.1} s were over before the line was free",
-                self.order.retry.deadline.as_secs_f64()
-            );
-            return self.end(RowState::TimedOut, Some(text));
-        }
-        let request = match self.order.command.request(vehicle, 0) {
-            Ok(request) => request,
-            Err(reason) => return self.end(RowState::Refused, Some(reason)),
-        };
-        let effect = self.order.command.effect(vehicle);
-        self.effect_was_there = effect.seen(vehicle) == Some(true);
-        self.effect = Some(effect);
-        self.first_sent = now;
-        self.phase = match request.answer {
-            Answer::None => Phase::AwaitingEffect { since: now },
-            Answer::Ack(_) | Answer::Parameter(_) => Phase::AwaitingAnswer { deadline },
-        };
-        self.request = Some(request);
-        self.send(now, outgoing);
-    }
-
-    /// Sends the request, and prepares it for another try.
-    fn send(&mut self, now: Duration, outgoing: &mut Vec<Outgoing>) {
-        let Some(request) = &mut self.request else {
-            return;
-        };
-        outgoing.extend(request.messages.iter().cloned());
-        request.again();
+    fn send(&mut self, now: Duration, output: &mut Output) {
+        output
+            .messages
+            .extend(self.request.messages.iter().cloned());
+        self.request.again();
         self.tries = self.tries.saturating_add(1);
         self.last_sent = now;
-        self.pending.push((RowState::Sent, None));
+        self.report(RowState::Sent, None, now, output);
     }
 
-    fn may_send_again(&self, now: Duration) -> bool {
-        !self.in_progress
-            && self.tries < self.order.retry.tries
-            && now >= self.last_sent + self.order.retry.every
-            && now < self.given + self.order.retry.deadline
-    }
-
-    fn may_repeat_setpoint(&self, now: Duration) -> bool {
-        self.setpoints_repeated + 1 < self.order.retry.tries
-            && now >= self.last_sent + self.order.retry.every
-    }
-
-    fn await_answer(
-        &mut self,
-        vehicle: &Vehicle,
-        deadline: Duration,
-        now: Duration,
-        outgoing: &mut Vec<Outgoing>,
-    ) {
-        if self.effect_has_come(vehicle) {
-            return self.end(
-                RowState::Done,
-                Some("seen in telemetry, the answer was lost".to_owned()),
-            );
+    fn await_answer(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+        let Phase::AwaitingAnswer {
+            deadline,
+            in_progress,
+            rejected,
+        } = self.phase
+        else {
+            return;
+        };
+        if self.effect_shows(vehicle) == Some(true) {
+            let remark = "seen in telemetry, the answer was lost".to_owned();
+            return self.end(RowState::Done, Some(remark), now, output);
         }
         if now >= deadline {
-            return match self.last_result {
-                Some(result) => self.refuse(result, vehicle),
-                None => self.end(
-                    RowState::TimedOut,
-                    Some(format!(
-                        "no answer to {} {} in {:.1} s",
-                        self.tries,
-                        if self.tries == 1 { "try" } else { "tries" },
-                        now.saturating_sub(self.first_sent).as_secs_f64()
-                    )),
-                ),
-            };
+            if rejected {
+                return self.refuse(AckResult::TemporarilyRejected, vehicle, now, output);
+            }
+            let text = format!(
+                "no answer to {} {} in {:.1} s",
+                self.tries,
+                if self.tries == 1 { "try" } else { "tries" },
+                now.saturating_sub(self.first_sent).as_secs_f64()
+            );
+            return self.end(RowState::TimedOut, Some(text), now, output);
         }
-        if self.may_send_again(now) {
-            self.send(now, outgoing);
+        let retry = self.order.retry;
+        if !in_progress
+            && self.tries < retry.tries
+            && now >= self.last_sent + retry.every
+            && now < self.given + retry.deadline
+        {
+            self.send(now, output);
         }
     }
 
     fn await_effect(
         &mut self,
-        vehicle: &Vehicle,
         since: Duration,
+        vehicle: &Vehicle,
         now: Duration,
-        outgoing: &mut Vec<Outgoing>,
+        output: &mut Output,
     ) {
-        let repeat = self.order.command.repeat();
-        if let Some(repeat) = &repeat {
-            if now >= since + repeat.lasting {
-                outgoing.extend(
-                    self.request
-                        .as_mut()
-                        .and_then(|request| request.closing.take()),
-                );
-                return self.end(RowState::Done, None);
+        match self.effect_shows(vehicle) {
+            None | Some(true) => self.end(RowState::Done, None, now, output),
+            Some(false) if now >= since + self.effect.within() => {
+                let within_s = self.effect.within().as_secs_f64();
+                let text = format!("{} not seen within {within_s:.0} s", self.effect.describe());
+                self.end(RowState::NoEffect, Some(text), now, output);
             }
-            if now >= self.last_sent + repeat.every {
-                self.last_sent = now;
-                outgoing.extend(
-                    self.request
-                        .iter()
-                        .flat_map(|request| request.messages.clone()),
-                );
-            }
+            Some(false) => self.repeat_setpoint(now, output),
+        }
+    }
+
+    /// Nothing acknowledges a setpoint, so it is said again in case it was lost. That is no new try: nobody
+    /// knows that the first one failed.
+    fn repeat_setpoint(&mut self, now: Duration, output: &mut Output) {
+        let Phase::AwaitingEffect { repeated, .. } = &mut self.phase else {
             return;
-        }
-        let Some(effect) = &self.effect else {
-            return self.end(RowState::Done, None);
         };
-        match effect.seen(vehicle) {
-            None | Some(true) => self.end(RowState::Done, None),
-            Some(false) if now >= since + effect.within() => {
-                let text = format!(
-                    "{} not seen within {:.0} s",
-                    effect.describe(),
-                    effect.within().as_secs_f64()
-                );
-                self.end(RowState::NoEffect, Some(text));
-            }
-            // Nothing acknowledges a setpoint, so it is said again in case it was lost. That is no new try:
-            // nobody knows that the first one failed.
-            Some(false) if self.answered_at.is_none() && self.may_repeat_setpoint(now) => {
-                self.setpoints_repeated += 1;
-                self.last_sent = now;
-                outgoing.extend(
-                    self.request
-                        .iter()
-                        .flat_map(|request| request.messages.clone()),
-                );
-            }
-            Some(false) => {}
+        let retry = self.order.retry;
+        if self.request.answer == Answer::None
+            && *repeated + 1 < retry.tries
+            && now >= self.last_sent + retry.every
+        {
+            *repeated += 1;
+            self.last_sent = now;
+            output
+                .messages
+                .extend(self.request.messages.iter().cloned());
         }
     }
 
-    fn effect_has_come(&self, vehicle: &Vehicle) -> bool {
-        !self.effect_was_there
-            && self
-                .effect
-                .as_ref()
-                .is_some_and(|effect| effect.seen(vehicle) == Some(true))
+    /// A velocity is said again and again for its time, and then a stop.
+    fn keep_up(&mut self, repeat: Repeat, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+        self.effect_has_shown |= self.effect_shows(vehicle) == Some(true);
+        let mode = vehicle.mode();
+        if let Some(mode) = mode.filter(|mode| !mode.is("GUIDED")) {
+            let text = format!("the vehicle left GUIDED for {mode}");
+            return self.end(RowState::NoEffect, Some(text), now, output);
+        }
+        if now >= self.first_sent + repeat.lasting {
+            output.messages.extend(self.request.closing.take());
+            if self.effect_has_shown || repeat.lasting < GATHERING_SPEED {
+                return self.end(RowState::Done, None, now, output);
+            }
+            let text = format!("{} was not seen", self.effect.describe());
+            return self.end(RowState::NoEffect, Some(text), now, output);
+        }
+        if now >= self.last_sent + repeat.every {
+            self.last_sent = now;
+            output
+                .messages
+                .extend(self.request.messages.iter().cloned());
+        }
     }
 
-    fn acknowledged(&mut self, ack: Acknowledgement, now: Duration) {
-        match ack.result {
-            AckResult::Accepted => self.accept(None, now),
-            AckResult::InProgress => {
+    /// Whether telemetry shows the effect of this very command; `None` where there is nothing to see. What was
+    /// there before has to be confirmed by a heartbeat that came after the command.
+    fn effect_shows(&self, vehicle: &Vehicle) -> Option<bool> {
+        let seen = self.effect.seen(vehicle)?;
+        let is_news = !self.effect_was_there
+            || vehicle
+                .heartbeat
+                .is_some_and(|heartbeat| heartbeat.at > self.first_sent);
+        let is_proof = match self.phase {
+            // Without an answer, only a change proves that the command arrived.
+            Phase::AwaitingAnswer { .. } => !self.effect_was_there,
+            _ => is_news,
+        };
+        Some(seen && is_proof)
+    }
+
+    fn acknowledged(&mut self, ack: Acknowledgement, now: Duration, output: &mut Output) {
+        match (ack.result, &mut self.phase) {
+            (AckResult::Accepted, _) => self.accept(None, now, output),
+            (AckResult::InProgress, _) => {
                 let percent = match ack.progress {
                     PROGRESS_UNKNOWN => 0,
                     percent => percent.min(100),
                 };
-                self.pending.push((RowState::InProgress(percent), None));
-                self.in_progress = true;
                 self.phase = Phase::AwaitingAnswer {
                     deadline: now + PROGRESS_PATIENCE,
+                    in_progress: true,
+                    rejected: false,
                 };
+                self.report(RowState::InProgress(percent), None, now, output);
             }
-            AckResult::TemporarilyRejected => self.last_result = Some(ack.result),
-            result => {
+            (AckResult::TemporarilyRejected, Phase::AwaitingAnswer { rejected, .. }) => {
+                *rejected = true;
+            }
+            (result, _) => {
                 self.phase = Phase::AwaitingReason {
                     result,
                     until: now + REASON_PATIENCE,
@@ -358,42 +371,45 @@ impl Transaction {
         }
     }
 
-    fn accept(&mut self, remark: Option<String>, now: Duration) {
-        self.pending.push((RowState::Accepted, remark));
-        self.answered_at = Some(now);
-        self.phase = Phase::AwaitingEffect { since: now };
+    fn accept(&mut self, remark: Option<String>, now: Duration, output: &mut Output) {
+        self.phase = Phase::AwaitingEffect {
+            since: now,
+            repeated: 0,
+        };
+        self.report(RowState::Accepted, remark, now, output);
     }
 
-    fn refuse(&mut self, result: AckResult, vehicle: &Vehicle) {
-        let text = explain(
-            self.order.verb,
-            result,
-            &self.texts,
-            vehicle,
-            &self.order.command,
-        );
-        self.end(RowState::Refused, Some(text));
+    fn refuse(&mut self, result: AckResult, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+        let order = &self.order;
+        let text = explain(order.verb, result, &self.texts, vehicle, &order.command);
+        self.end(RowState::Refused, Some(text), now, output);
     }
 
-    fn end(&mut self, state: RowState, explanation: Option<String>) {
-        self.pending.push((state, explanation));
-        self.phase = Phase::Over;
-    }
-
-    fn row(
-        &self,
-        vehicle: &Vehicle,
+    fn end(
+        &mut self,
         state: RowState,
         explanation: Option<String>,
         now: Duration,
-    ) -> RowUpdate {
-        RowUpdate {
+        output: &mut Output,
+    ) {
+        self.phase = Phase::Over;
+        self.report(state, explanation, now, output);
+    }
+
+    fn report(
+        &self,
+        state: RowState,
+        explanation: Option<String>,
+        now: Duration,
+        output: &mut Output,
+    ) {
+        output.row(RowUpdate {
             entry: self.order.entry,
-            vehicle: vehicle.id,
+            vehicle: self.vehicle,
             state,
             tries: self.tries,
             at: now,
             explanation,
-        }
+        });
     }
 }

@@ -71,6 +71,7 @@ impl Console {
                             self.vehicles.insert(id, vehicle);
                         }
                         FleetEvent::Linked(link) => self.links.push(link),
+                        FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
                         FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
                         FleetEvent::Report(Report::Notice(notice)) => self.notices.push(notice.text),
                     },
