@@ -52,7 +52,7 @@ enum Command {
     Fly(fly::FlyArguments),
     /// The console on vehicles that are already there.
     Connect {
-        /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, <file:FILE.tlog>.
+        /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
         addresses: Vec<Address>,
     },
@@ -60,7 +60,7 @@ enum Command {
     Run(run::RunArguments),
     /// The embedded simulator as a server for any ground station.
     Sim(sim::SimArguments),
-    /// Checks missions and pilot scripts; faults are printed as <FILE:LINE:COLUMN>.
+    /// Checks missions and pilot scripts; faults are printed with their line and column.
     Check {
         /// Files ending in .toml (missions, themes) or .pilot.
         #[arg(required = true, value_name = "FILE")]

@@ -166,13 +166,16 @@ impl Session {
             }
         }
         self.say(notices);
-        if self.vehicle.link.reboots > reboots {
-            self.streams.forget(now);
-        }
         if is_autopilot {
             self.answer(frame, now);
         }
         self.advance(now);
+        if self.vehicle.link.reboots > reboots {
+            self.streams.forget(now);
+            // What was meant for the vehicle before must not reach the one that has just booted.
+            self.clear_the_line("the reboot", now);
+            self.supersede_movements("the reboot", now);
+        }
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
@@ -290,7 +293,8 @@ impl Session {
         }]);
     }
 
-    /// Gives up everything that waits or flies, because something urgent was ordered.
+    /// Gives up everything that waits or has not been answered, because something urgent was ordered. What flies
+    /// goes on until the urgent command has been accepted.
     fn clear_the_line(&mut self, verb: &str, now: Duration) {
         let reason = format!("{verb} took its place");
         for (order, _) in self.queue.drain(..) {
@@ -300,8 +304,8 @@ impl Session {
         if let Some((command, acks)) = self.active.as_ref().and_then(Transaction::owed_acks) {
             self.owed.add(command, acks, now);
         }
-        for transaction in self.active.take().into_iter().chain(self.watched.drain(..)) {
-            transaction.supersede(&reason, now, &mut self.output);
+        if let Some(active) = self.active.take() {
+            active.supersede(&reason, now, &mut self.output);
         }
     }
 
@@ -318,18 +322,16 @@ impl Session {
             let Some(mut active) = self.active.take() else {
                 continue;
             };
-            match active.poll(&self.vehicle, now, &mut self.output) {
-                Progress::Waiting => {
-                    self.active = Some(active);
-                    break;
-                }
-                Progress::Watching => {
-                    if active.moves_the_vehicle() {
-                        self.supersede_movements(active.verb(), now);
-                    }
-                    self.watched.push(active);
-                }
-                Progress::Ended => {}
+            let progress = active.poll(&self.vehicle, now, &mut self.output);
+            if progress == Progress::Waiting {
+                self.active = Some(active);
+                break;
+            }
+            if active.moves_the_vehicle() {
+                self.supersede_movements(active.verb(), now);
+            }
+            if progress == Progress::Watching {
+                self.watched.push(active);
             }
         }
         let (vehicle, output) = (&self.vehicle, &mut self.output);

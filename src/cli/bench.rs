@@ -8,7 +8,6 @@ use super::Failure;
 
 mod decode;
 mod frame;
-
 mod load;
 
 /// What to measure.
@@ -16,7 +15,6 @@ mod load;
 pub(super) enum Bench {
     /// Decoding and model update per message, beside a floor that only finds frames.
     Decode(decode::DecodeArguments),
-    /// Time and bytes per frame of the console.
     /// Time and bytes per frame of the console, with a tenth of the vehicles changing.
     Frame(frame::FrameArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.

@@ -1,4 +1,4 @@
-//! `sortie check`: faults in files, as <FILE:LINE:COLUMN>.
+//! `sortie check`: faults in files, as `FILE:LINE:COLUMN`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -81,6 +81,19 @@ pub(super) fn theme(name: Option<&str>) -> Result<Theme, Failure> {
     Ok(theme.for_colours(terminal::colour_depth()))
 }
 
+/// A recording that is not there will not appear later, so it is no case for trying again.
+fn check_recording(address: &Address) -> Result<(), Failure> {
+    if let Address::File { path } = address
+        && let Err(error) = std::fs::File::open(path)
+    {
+        let path = path.display();
+        return Err(Failure::Invalid(format!(
+            "sortie: cannot read the recording {path}: {error}"
+        )));
+    }
+    Ok(())
+}
+
 fn open(
     opening: Opening,
     theme: Theme,
@@ -92,6 +105,11 @@ fn open(
         return Err(Failure::Failed(anyhow::anyhow!(
             "the console needs a terminal on standard input and output; `sortie run` works without one"
         )));
+    }
+    if let Opening::Connect(addresses) = &opening {
+        for address in addresses {
+            check_recording(address)?;
+        }
     }
     let options = Options {
         opening,

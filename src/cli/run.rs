@@ -68,18 +68,21 @@ pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
             let due = exercise.now().div_f64(times);
             std::thread::sleep(due.saturating_sub(started.elapsed()));
         }
-        if !options.json {
-            for notice in exercise.take_notices() {
-                let vehicle = notice
-                    .vehicle
-                    .map_or(String::new(), |id| format!("vehicle {id}: "));
-                eprintln!("{} {vehicle}{}", clock(notice.at), notice.text);
+        for notice in exercise.take_notices() {
+            let vehicle = notice
+                .vehicle
+                .map_or(String::new(), |id| format!("vehicle {id}: "));
+            let line = format!("{} {vehicle}{}", clock(notice.at), notice.text);
+            tracing::info!("{line}");
+            if !options.json {
+                eprintln!("{line}");
             }
         }
     }
     let mut report = exercise.report();
     if options.json {
-        report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64());
+        // Whole seconds: anything finer would differ between equal runs.
+        report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
         println!("{}", serde_json::to_string_pretty(&report)?);
     } else {
         print!("{}", debrief::text(&report));

@@ -177,6 +177,7 @@ impl Hub {
             dropped: 0,
         };
         tokio::spawn(task.run(self.cancel.clone()));
+        tracing::info!(system, link = link_id.0, "a vehicle is heard");
         self.routes.insert(
             system,
             Route {

@@ -109,7 +109,9 @@ impl VehicleTask {
 
     /// Hands over what there is to say. Rows of the ledger outlive notices when the console does not listen.
     fn report(&mut self) {
-        self.backlog.extend(self.session.take_reports());
+        let reports = self.session.take_reports();
+        reports.iter().for_each(log);
+        self.backlog.extend(reports);
         while let Some(report) = self.backlog.pop_front() {
             if let Err(error) = self.events.try_send(FleetEvent::Report(report)) {
                 if let mpsc::error::TrySendError::Full(FleetEvent::Report(report)) = error {
@@ -130,6 +132,22 @@ impl VehicleTask {
         let dropped = FleetEvent::Dropped(self.dropped);
         if self.dropped > 0 && self.events.try_send(dropped).is_ok() {
             self.dropped = 0;
+        }
+    }
+}
+
+fn log(report: &Report) {
+    match report {
+        Report::Row(row) => tracing::debug!(
+            entry = row.entry.0,
+            vehicle = row.vehicle,
+            tries = row.tries,
+            explanation = row.explanation,
+            "{}",
+            row.state
+        ),
+        Report::Notice(notice) => {
+            tracing::info!(vehicle = notice.vehicle, severity = %notice.severity, "{}", notice.text);
         }
     }
 }

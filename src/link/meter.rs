@@ -81,6 +81,7 @@ impl Meter {
             self.status.reconnects += 1;
         }
         self.has_been_up = true;
+        tracing::info!(link = %self.status.name, "up");
         self.status.local = local;
         self.status.last_error = None;
         self.state(LinkState::Up);
@@ -88,6 +89,7 @@ impl Meter {
 
     /// The link does not carry data, for a reason if there is one to tell.
     pub(super) fn down(&mut self, state: LinkState, reason: Option<String>) {
+        tracing::info!(link = %self.status.name, %state, reason, "down");
         if reason.is_some() {
             self.status.last_error = reason;
         }

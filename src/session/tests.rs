@@ -515,3 +515,36 @@ fn a_velocity_ends_without_effect_when_the_vehicle_leaves_guided() {
     assert_eq!(scene.states(1).last(), Some(&RowState::NoEffect));
     assert!(scene.explanation(1).contains("STABILIZE"));
 }
+
+#[test]
+fn a_refused_command_does_not_take_the_place_of_what_is_flying() {
+    let mut scene = Scene::new();
+    scene.heartbeat(GUIDED, true);
+    let takeoff = MavCmd::MAV_CMD_NAV_TAKEOFF;
+    scene.order(1, "takeoff", Command::Takeoff { altitude_m: 20.0 });
+    scene.ack(takeoff, MavResult::MAV_RESULT_ACCEPTED);
+    scene.order(2, "disarm", Command::Disarm);
+    scene.ack(ARM, MavResult::MAV_RESULT_FAILED);
+    scene.pass(ms(1000));
+    assert_eq!(scene.states(2).last(), Some(&RowState::Refused));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Accepted));
+}
+
+#[test]
+fn a_reboot_ends_what_was_meant_for_the_vehicle_before() {
+    let mut scene = Scene::new();
+    let attitude = |time_boot_ms| {
+        MavMessage::ATTITUDE(mavlink::dialects::ardupilotmega::ATTITUDE_DATA {
+            time_boot_ms,
+            ..Default::default()
+        })
+    };
+    scene.hear(attitude(60_000));
+    scene.order(1, "land", Command::Land);
+    scene.pass(ms(500));
+    scene.hear(attitude(400));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
+    let sent = scene.longs(MavCmd::MAV_CMD_NAV_LAND).len();
+    scene.pass(ms(5000));
+    assert_eq!(scene.longs(MavCmd::MAV_CMD_NAV_LAND).len(), sent);
+}

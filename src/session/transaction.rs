@@ -73,6 +73,8 @@ pub(super) struct Transaction {
     effect: Effect,
     /// The effect was there before the command was: only telemetry that is newer proves anything.
     effect_was_there: bool,
+    /// It was accepted, or sent where nothing accepts it.
+    is_accepted: bool,
     /// The effect has shown while setpoints were being repeated.
     effect_has_shown: bool,
     /// What the vehicle said since the first transmission.
@@ -129,6 +131,7 @@ impl Transaction {
             first_sent: now,
             last_sent: now,
             effect_was_there: effect.seen(vehicle) == Some(true),
+            is_accepted: request.answer == Answer::None,
             effect_has_shown: false,
             effect,
             request,
@@ -144,9 +147,9 @@ impl Transaction {
         self.order.verb
     }
 
-    /// Whether it decides where the vehicle flies.
+    /// Whether it decides where the vehicle flies from now on.
     pub fn moves_the_vehicle(&self) -> bool {
-        precedence::moves_the_vehicle(&self.order.command)
+        self.is_accepted && precedence::moves_the_vehicle(&self.order.command)
     }
 
     /// The command whose acknowledgements may still come although nobody waits for them, and how many.
@@ -249,12 +252,7 @@ impl Transaction {
             if rejected {
                 return self.refuse(AckResult::TemporarilyRejected, vehicle, now, output);
             }
-            let text = format!(
-                "no answer to {} {} in {:.1} s",
-                self.tries,
-                if self.tries == 1 { "try" } else { "tries" },
-                now.saturating_sub(self.first_sent).as_secs_f64()
-            );
+            let text = self.silence(now);
             return self.end(RowState::TimedOut, Some(text), now, output);
         }
         let retry = self.order.retry;
@@ -265,6 +263,20 @@ impl Transaction {
         {
             self.send(now, output);
         }
+    }
+
+    fn silence(&self, now: Duration) -> String {
+        let tries = match self.tries {
+            1 => "1 try".to_owned(),
+            tries => format!("{tries} tries"),
+        };
+        let seconds = now.saturating_sub(self.first_sent).as_secs_f64();
+        let guess = match &self.request.answer {
+            // Vehicles say nothing at all to the name of a parameter that they lack.
+            Answer::Parameter(name) => format!("; perhaps it has no parameter {name}"),
+            _ => String::new(),
+        };
+        format!("no answer to {tries} in {seconds:.1} s{guess}")
     }
 
     fn await_effect(
@@ -372,6 +384,7 @@ impl Transaction {
     }
 
     fn accept(&mut self, remark: Option<String>, now: Duration, output: &mut Output) {
+        self.is_accepted = true;
         self.phase = Phase::AwaitingEffect {
             since: now,
             repeated: 0,

@@ -171,3 +171,22 @@ fn without_colours_states_are_still_told_apart() {
     terminal.command("quit");
     assert_eq!(terminal.end(), 0);
 }
+
+#[test]
+fn the_log_tells_of_links_and_a_missing_recording_is_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let log = folder.path().join("sortie.log");
+    let log = log.to_str().expect("a plain path");
+    let mut terminal = Terminal::start(&["--log", log, "connect", "tcp:127.0.0.1:1"], 120, 40);
+    terminal.see("refused").command("quit");
+    assert_eq!(terminal.end(), 0);
+    let said = std::fs::read_to_string(log).expect("the log was written");
+    assert!(
+        said.contains("tcp:127.0.0.1:1") && said.contains("refused"),
+        "{said}"
+    );
+
+    let mut terminal = Terminal::start(&["connect", "file:nowhere.tlog"], 120, 40);
+    terminal.see("cannot read the recording nowhere.tlog");
+    assert_eq!(terminal.end(), 2);
+}
