@@ -13,6 +13,14 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::link::Address;
 
+/// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
+macro_rules! say {
+    ($($words:tt)*) => {{
+        use std::io::Write as _;
+        writeln!(std::io::stdout(), $($words)*)
+    }};
+}
+
 mod bench;
 mod check;
 mod fly;
@@ -91,6 +99,8 @@ pub fn main(arguments: Arguments) -> ExitCode {
     let outcome = start_log(&arguments.common).and_then(|()| dispatch(arguments));
     match outcome {
         Ok(code) => code,
+        // Whoever reads our output has had enough of it: nothing to complain about.
+        Err(Failure::Failed(error)) if is_closed_pipe(&error) => ExitCode::from(1),
         Err(Failure::Failed(error)) => {
             eprintln!("sortie: {error:#}");
             ExitCode::from(1)
@@ -100,6 +110,12 @@ pub fn main(arguments: Arguments) -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+fn is_closed_pipe(error: &anyhow::Error) -> bool {
+    error
+        .downcast_ref::<io::Error>()
+        .is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
 fn dispatch(arguments: Arguments) -> Result<ExitCode, Failure> {

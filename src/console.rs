@@ -77,11 +77,16 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
     ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
     let mut terminated = signal(SignalKind::terminate())?;
     let mut hung_up = signal(SignalKind::hangup())?;
+    // Ctrl-C is a key in raw mode; these come from elsewhere.
+    let mut interrupted = signal(SignalKind::interrupt())?;
+    let mut quit = signal(SignalKind::quit())?;
     while !console.over {
         tokio::select! {
             biased;
             _ = terminated.recv() => break,
             _ = hung_up.recv() => break,
+            _ = interrupted.recv() => break,
+            _ = quit.recv() => break,
             event = keys.next() => match event {
                 Some(Ok(event)) => {
                     console.hear(event).await;

@@ -142,7 +142,7 @@ pub fn usage(line: &str) -> Option<&'static str> {
 /// What could stand at the end of the line, if the console itself has something to offer.
 pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion> {
     let before = line.get(..cursor).unwrap_or(line);
-    let start = before.rfind(char::is_whitespace).map_or(0, |at| at + 1);
+    let start = last_word(before);
     let (head, word) = before.split_at(start);
     let completion = |text: &str, hint: &str| Completion {
         text: text.to_owned(),
@@ -162,6 +162,13 @@ pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion>
     }
     let fitting = themes.iter().filter(|theme| theme.starts_with(word));
     fitting.map(|theme| completion(theme, "theme")).collect()
+}
+
+/// Where the last word of a text begins. Blanks may be longer than a byte.
+pub fn last_word(text: &str) -> usize {
+    text.char_indices()
+        .rfind(|(_, c)| c.is_whitespace())
+        .map_or(0, |(at, blank)| at + blank.len_utf8())
 }
 
 fn find(word: &str) -> Option<&'static ConsoleVerb> {
@@ -268,6 +275,14 @@ mod tests {
             assert_eq!(fault.span, span, "{line}");
             assert!(fault.help.is_some(), "{line}");
         }
+    }
+
+    #[test]
+    fn blanks_longer_than_a_byte_part_words_too() {
+        for line in ["arm\u{a0}", "theme\u{3000}l", "\u{2003}"] {
+            complete(line, line.len(), &themes());
+        }
+        assert_eq!(last_word("theme\u{3000}l"), 8);
     }
 
     #[test]

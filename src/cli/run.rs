@@ -83,9 +83,9 @@ pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
         report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
-        println!("{}", serde_json::to_string_pretty(&report)?);
+        say!("{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        print!("{}", debrief::text(&report));
+        say!("{}", debrief::text(&report).trim_end())?;
     }
     Ok(if report.passed {
         ExitCode::SUCCESS

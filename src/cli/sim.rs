@@ -126,9 +126,12 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
         )
         .await?;
         for address in &started.addresses {
-            println!("serving {address}");
+            say!("serving {address}")?;
         }
-        println!("{} vehicle(s), end with Ctrl-C", options.vehicles);
+        if let Some(HostPort { host, port }) = &options.udp {
+            say!("sending to {host}:{port} over UDP")?;
+        }
+        say!("{} vehicle(s), end with Ctrl-C", options.vehicles)?;
         tokio::signal::ctrl_c().await?;
         cancel.cancel();
         Ok(ExitCode::SUCCESS)

@@ -61,6 +61,8 @@ pub(super) struct Running {
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     links: Vec<watch::Receiver<LinkStatus>>,
     links_said: Vec<LinkNews>,
+    /// How many of the links had ended when they were shown last.
+    links_ended: usize,
     /// Reports that the fleet dropped so far.
     dropped: u64,
     mission: Option<MissionClock>,
@@ -91,6 +93,7 @@ impl Running {
             vehicles: Vec::new(),
             links: Vec::new(),
             links_said: Vec::new(),
+            links_ended: 0,
             dropped: 0,
             mission: None,
             cancel,
@@ -195,11 +198,12 @@ impl Running {
             }
         }
         collected.extend(self.hear_links(now).map(Event::Notice));
-        if self
-            .links
-            .iter()
-            .any(|link| link.has_changed().unwrap_or(false))
-        {
+        // A link that has ended has changed for the last time; its last state still has to be shown.
+        let links_ended = self.links.iter().filter(|link| link.has_changed().is_err());
+        let links_ended = links_ended.count();
+        let has_changed = |link: &watch::Receiver<LinkStatus>| link.has_changed().unwrap_or(false);
+        if links_ended != self.links_ended || self.links.iter().any(has_changed) {
+            self.links_ended = links_ended;
             let links = self.links.iter_mut().map(|link| {
                 let status = link.borrow_and_update();
                 let round_trip = round_trip(&self.vehicles, status.id);

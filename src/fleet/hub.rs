@@ -124,6 +124,7 @@ impl Hub {
         let Some(route) = self.routes.get_mut(&system) else {
             return;
         };
+        let mut moved_from = None;
         let is_autopilot = frames
             .iter()
             .any(|frame| frame.component == route.component);
@@ -137,7 +138,9 @@ impl Hub {
             // The vehicle has come back another way: a new connection, or another port of a lab network.
             let news = ToVehicle::Route(link.clone(), from.1);
             if route.inbox.try_send(news).is_ok() {
-                (route.link, route.peer) = from;
+                let before = std::mem::replace(&mut route.link, from.0);
+                route.peer = from.1;
+                moved_from = Some(before);
             }
         }
         if is_autopilot {
@@ -148,6 +151,14 @@ impl Hub {
                 system,
                 "the vehicle's task does not keep up: telemetry was dropped"
             );
+        }
+        if let Some(before) = moved_from {
+            let text = format!(
+                "is heard by {} now, no longer by {}",
+                self.name_of(from.0),
+                self.name_of(before)
+            );
+            self.warn(system, text, now).await;
         }
     }
 
@@ -204,19 +215,28 @@ impl Hub {
             return;
         }
         route.conflict_said_at = Some(now);
+        let used = route.link;
+        let other = if used == from.0 {
+            "another sender there".to_owned()
+        } else {
+            self.name_of(from.0)
+        };
         let text = format!(
-            "system id {system} comes from two places: {} (in use) and {} (ignored). If these are two \
-             vehicles, give one another SYSID_THISMAV and reboot it",
-            self.name_of(self.routes[&system].link),
-            self.name_of(from.0),
+            "system id {system} comes from two places: {} (used), {other} (ignored). Two vehicles? Give \
+             one another SYSID_THISMAV and reboot it",
+            self.name_of(used),
         );
-        self.tell(FleetEvent::Report(Report::Notice(Notice {
+        self.warn(system, text, now).await;
+    }
+
+    async fn warn(&self, system: SystemId, text: String, now: Duration) {
+        let notice = Notice {
             at: now,
             vehicle: Some(VehicleId::from(system)),
             severity: Severity::Error,
             text,
-        })))
-        .await;
+        };
+        self.tell(FleetEvent::Report(Report::Notice(notice))).await;
     }
 
     fn name_of(&self, link: LinkId) -> String {

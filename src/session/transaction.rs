@@ -252,7 +252,11 @@ impl Transaction {
             if rejected {
                 return self.refuse(AckResult::TemporarilyRejected, vehicle, now, output);
             }
-            let text = self.silence(now);
+            let text = if in_progress {
+                "it said that it is working on it, and then nothing more".to_owned()
+            } else {
+                self.silence(now)
+            };
             return self.end(RowState::TimedOut, Some(text), now, output);
         }
         let retry = self.order.retry;

@@ -191,3 +191,25 @@ fn everything_that_ships_is_good() {
         text(&output.stderr)
     );
 }
+
+#[test]
+fn a_full_disk_is_an_error_and_no_panic() {
+    let full = fs::OpenOptions::new().write(true).open("/dev/full");
+    let Ok(full) = full else {
+        eprintln!("skipped: this system has no /dev/full");
+        return;
+    };
+    let program = program();
+    let output = Command::new(&program[0])
+        .args(&program[1..])
+        .args(["run", "01", "--pilot", "01-air-sample", "--json"])
+        .stdout(full)
+        .output()
+        .expect("the program runs");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        !text(&output.stderr).contains("panicked"),
+        "{}",
+        text(&output.stderr)
+    );
+}

@@ -139,7 +139,7 @@ fn a_terminal_that_is_too_small_is_told_so_until_it_grows() {
 
 #[test]
 fn being_terminated_gives_the_terminal_back() {
-    for name in ["-TERM", "-HUP"] {
+    for name in ["-TERM", "-HUP", "-INT", "-QUIT"] {
         let mut terminal = free_flight(80, 24);
         signal(&terminal, name);
         terminal.end();

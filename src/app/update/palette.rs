@@ -160,9 +160,7 @@ fn console_line(
 ) -> Result<Vec<Effect>, Diagnostic> {
     let at_last_word = |text: String| {
         let end = line.trim_end().len();
-        let start = line[..end]
-            .rfind(char::is_whitespace)
-            .map_or(0, |at| at + 1);
+        let start = console::last_word(&line[..end]);
         Diagnostic::new(start..end, text)
     };
     match own {

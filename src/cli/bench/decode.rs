@@ -70,21 +70,21 @@ pub(in crate::cli) fn decode(options: &DecodeArguments) -> Result<ExitCode, Fail
         floor_ns_per_message: per_message(floor),
     };
     if options.json {
-        println!("{}", serde_json::to_string(&result)?);
+        say!("{}", serde_json::to_string(&result)?)?;
     } else {
-        println!("messages                      {messages:>10}");
-        println!(
+        say!("messages                      {messages:>10}")?;
+        say!(
             "decode and model update       {:>10.0} ns per message",
             result.ns_per_message
-        );
-        println!(
+        )?;
+        say!(
             "floor: find and check frames  {:>10.0} ns per message",
             result.floor_ns_per_message
-        );
-        println!(
+        )?;
+        say!(
             "paper, Table 2                {PAPER_NS_PER_MESSAGE:>10.0} ns per message ({:.0} times as much)",
             PAPER_NS_PER_MESSAGE / result.ns_per_message
-        );
+        )?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -57,19 +57,23 @@ pub(in crate::cli) fn frame(options: &FrameArguments) -> Result<ExitCode, Failur
         .map(|&vehicles| measure(vehicles, options))
         .collect::<Result<_, _>>()?;
     if options.json {
-        println!("{}", serde_json::to_string(&measured)?);
+        say!("{}", serde_json::to_string(&measured)?)?;
         return Ok(ExitCode::SUCCESS);
     }
-    println!(
+    say!(
         "screen {}x{}, a tenth of the vehicles changes per frame",
-        options.width, options.height
-    );
-    println!("vehicles   us per frame   bytes per frame   bytes when nothing changes");
+        options.width,
+        options.height
+    )?;
+    say!("vehicles   us per frame   bytes per frame   bytes when nothing changes")?;
     for row in measured {
-        println!(
+        say!(
             "{:>8} {:>14.0} {:>17.0} {:>28}",
-            row.vehicles, row.us_per_frame, row.bytes_per_frame, row.bytes_idle
-        );
+            row.vehicles,
+            row.us_per_frame,
+            row.bytes_per_frame,
+            row.bytes_idle
+        )?;
     }
     Ok(ExitCode::SUCCESS)
 }

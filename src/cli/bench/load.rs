@@ -105,23 +105,23 @@ fn print(options: &LoadArguments, start: &Mark, end: &Mark) -> Result<(), Failur
         bytes_per_s: (end.bytes - start.bytes) as f64 / window_s,
     };
     if options.json {
-        println!("{}", serde_json::to_string(&measured)?);
+        say!("{}", serde_json::to_string(&measured)?)?;
         return Ok(());
     }
-    println!("vehicles flying      {:>8}", measured.vehicles);
-    println!("measured for         {:>8.1} s", measured.window_s);
-    println!(
+    say!("vehicles flying      {:>8}", measured.vehicles)?;
+    say!("measured for         {:>8.1} s", measured.window_s)?;
+    say!(
         "whole process        {:>8.2} % of a core",
         measured.core_percent
-    );
-    println!(
+    )?;
+    say!(
         "per vehicle          {:>8.3} % of a core",
         measured.core_percent_per_vehicle
-    );
-    println!(
+    )?;
+    say!(
         "to the terminal      {:>8.0} bytes per second",
         measured.bytes_per_s
-    );
+    )?;
     Ok(())
 }
 
