@@ -17,7 +17,7 @@ use crate::mission::{Flight, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
 use crate::sim::{self, PortId, World, WorldConfig};
-use crate::vehicle::{Severity, Vehicle, VehicleClass, VehicleId};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
     Outgoing,
@@ -174,12 +174,10 @@ impl Exercise {
             return;
         };
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
-        let groups = BTreeMap::new();
         let context = Context {
-            groups: &groups,
-            places: &self.places,
+            places: Some(&self.places),
             vehicles: &all,
-            class: VehicleClass::Copter,
+            ..Context::default()
         };
         let targets = match statement.targets.resolve(&all, &context) {
             Ok(targets) => targets,

@@ -12,7 +12,7 @@ use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source};
-use crate::vehicle::{VehicleClass, VehicleId};
+use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
@@ -105,12 +105,11 @@ pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
-    let (groups, places) = (std::collections::BTreeMap::new(), mission.places());
+    let places = mission.places();
     let context = Context {
-        groups: &groups,
-        places: &places,
+        places: Some(&places),
         vehicles: &vehicles,
-        class: VehicleClass::Copter,
+        ..Context::default()
     };
     Script::parse(&source.text, &context).map_err(|faults| explain(&source, &faults))
 }
