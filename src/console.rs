@@ -5,6 +5,7 @@
 
 use std::io;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{
@@ -39,8 +40,8 @@ const TICK: Duration = Duration::from_millis(100);
 pub enum Opening {
     /// The home screen.
     Home,
-    /// A mission, by path, name or number.
-    Mission(String),
+    /// A mission.
+    Mission(Arc<Mission>),
     /// Free flight.
     Free,
     /// Vehicles that are already there.
@@ -65,9 +66,9 @@ pub struct Options {
 /// Runs the console until the user leaves it or the terminal goes away.
 ///
 /// # Errors
-/// There is no terminal, or what it was to begin with does not exist.
+/// There is no terminal, or it has gone away.
 pub async fn run(options: Options) -> anyhow::Result<()> {
-    let mut console = Console::new(options)?;
+    let mut console = Console::new(options);
     let mut screen = Screen::open()?;
     console.draw(&mut screen)?;
     console.begin().await;
@@ -102,14 +103,14 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
 /// goes through the command line, and `look` sees the bytes drawn so far after every tick.
 ///
 /// # Errors
-/// What it was to begin with does not exist.
+/// Drawing failed.
 pub async fn drive(
     options: Options,
     size: (u16, u16),
     lines: &[(Duration, &str)],
     mut look: impl FnMut(Duration, u64) -> ControlFlow<()>,
 ) -> anyhow::Result<()> {
-    let mut console = Console::new(options)?;
+    let mut console = Console::new(options);
     let mut screen = Screen::nowhere(size.0, size.1)?;
     console.begin().await;
     let mut ticks = tokio::time::interval(TICK);
@@ -145,14 +146,10 @@ struct Console {
 }
 
 impl Console {
-    fn new(options: Options) -> anyhow::Result<Self> {
-        if let Opening::Mission(name) = &options.opening {
-            // Said on the command line's own screen rather than on the console's.
-            store::mission(name)?;
-        }
+    fn new(options: Options) -> Self {
         let themes = Theme::names().map(str::to_owned).collect();
         let state = State::new(listings(), themes, options.theme.name().to_owned());
-        Ok(Self {
+        Self {
             theme: options.theme.clone(),
             options,
             clock: Clock::start(),
@@ -160,19 +157,21 @@ impl Console {
             running: None,
             drawn: None,
             over: false,
-        })
+        }
     }
 
     async fn begin(&mut self) {
-        let effect = match &self.options.opening {
+        let plan = match &self.options.opening {
             Opening::Home => return,
-            Opening::Mission(name) => Effect::StartMission(name.clone()),
-            Opening::Free => Effect::StartFree,
+            Opening::Mission(mission) => Plan::Mission(Arc::clone(mission)),
+            Opening::Free => Plan::Free,
             Opening::Connect(addresses) => {
-                Effect::Connect(addresses.iter().map(ToString::to_string).collect())
+                Plan::Connect(addresses.iter().map(ToString::to_string).collect())
             }
         };
-        self.carry_out(effect).await;
+        if let Err(error) = self.start(plan).await {
+            self.feed(Event::Failed(format!("{error:#}"))).await;
+        }
     }
 
     /// Draws if something changed and the terminal has taken the last frame.
@@ -234,7 +233,10 @@ impl Console {
                     command,
                 },
             ),
-            Effect::StartMission(name) => self.start(Plan::Mission(name)).await,
+            Effect::StartMission(id) => match store::mission(&id) {
+                Ok(mission) => self.start(Plan::Mission(Arc::new(mission))).await,
+                Err(error) => Err(error.into()),
+            },
             Effect::StartFree => self.start(Plan::Free).await,
             Effect::Connect(addresses) => self.start(Plan::Connect(addresses)).await,
             Effect::AbandonMission => {

@@ -2,6 +2,7 @@
 
 use std::io::IsTerminal as _;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::Args;
 
@@ -45,8 +46,7 @@ pub(super) fn fly(options: &FlyArguments, theme: Theme) -> Result<ExitCode, Fail
         _ if !options.connect.is_empty() => Opening::Connect(options.connect.clone()),
         Some(mission) => {
             // Faults are shown here, with the lines around them, rather than inside the console.
-            super::run::load_mission(mission)?;
-            Opening::Mission(mission.clone())
+            Opening::Mission(Arc::new(super::run::load_mission(mission)?))
         }
         None => Opening::Free,
     };

@@ -11,7 +11,7 @@ use crate::debrief;
 use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::Mission;
-use crate::store::{self, Source};
+use crate::store::{self, Source, StoreError};
 use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
@@ -98,8 +98,10 @@ fn clock(at: Duration) -> String {
 
 /// A mission by path, name or number, with its faults explained.
 pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
-    let source = store::mission(path_or_name).map_err(|error| invalid(&error))?;
-    Mission::parse(&source.text).map_err(|faults| explain(&source, &faults))
+    store::mission(path_or_name).map_err(|error| match error {
+        StoreError::Faulty { file, faults } => explain(&file, &faults),
+        error => invalid(&error),
+    })
 }
 
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
@@ -114,7 +116,7 @@ fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure>
     Script::parse(&source.text, &context).map_err(|faults| explain(&source, &faults))
 }
 
-fn invalid(error: &store::StoreError) -> Failure {
+fn invalid(error: &StoreError) -> Failure {
     Failure::Invalid(format!("sortie: {error}"))
 }
 

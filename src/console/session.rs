@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use anyhow::Context as _;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
@@ -19,7 +18,6 @@ use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
-use crate::store;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 /// Where free flight begins.
@@ -36,8 +34,8 @@ const EVENTS_PER_TICK: usize = 2000;
 /// What a session is to be.
 #[derive(Debug, Clone)]
 pub(super) enum Plan {
-    /// A mission, by path, name, number or id.
-    Mission(String),
+    /// A mission.
+    Mission(Arc<Mission>),
     /// Simulated vehicles without a task.
     Free,
     /// Vehicles at these addresses.
@@ -78,7 +76,7 @@ impl Running {
     /// Starts a session.
     ///
     /// # Errors
-    /// The mission does not exist or is faulty, or an address makes no sense.
+    /// An address makes no sense, or the fleet has ended.
     pub async fn start(plan: Plan, backend: &Backend) -> anyhow::Result<(Self, Started)> {
         let cancel = CancellationToken::new();
         let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
@@ -93,7 +91,7 @@ impl Running {
             cancel,
         };
         let started = match plan {
-            Plan::Mission(name) => running.start_mission(&name, backend).await?,
+            Plan::Mission(mission) => running.start_mission(mission, backend).await?,
             Plan::Free => {
                 let config = WorldConfig {
                     seed: backend.seed,
@@ -113,8 +111,11 @@ impl Running {
         Ok((running, started))
     }
 
-    async fn start_mission(&mut self, name: &str, backend: &Backend) -> anyhow::Result<Started> {
-        let mission = Arc::new(find_mission(name)?);
+    async fn start_mission(
+        &mut self,
+        mission: Arc<Mission>,
+        backend: &Backend,
+    ) -> anyhow::Result<Started> {
         let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
         // From here on commands count.
         flight.step(Duration::ZERO, &BTreeMap::new(), &Ledger::new());
@@ -302,28 +303,6 @@ fn started(activity: Activity) -> Started {
         places: BTreeMap::new(),
         names: BTreeMap::new(),
     }
-}
-
-/// A mission by path, name or number, or by the id that it gives itself.
-fn find_mission(name: &str) -> anyhow::Result<Mission> {
-    let by_id = |source: store::Source| {
-        Mission::parse(&source.text)
-            .ok()
-            .filter(|mission| mission.id == name)
-    };
-    if let Some(mission) = store::missions().into_iter().find_map(by_id) {
-        return Ok(mission);
-    }
-    let source = store::mission(name)?;
-    Mission::parse(&source.text)
-        .map_err(|faults| {
-            let lines: Vec<String> = faults
-                .iter()
-                .map(|fault| fault.one_line(&source.name, &source.text))
-                .collect();
-            anyhow::anyhow!(lines.join("\n"))
-        })
-        .with_context(|| format!("the mission {} is faulty", source.name))
 }
 
 /// The shortest round trip of the vehicles that are heard by a link.
