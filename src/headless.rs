@@ -12,7 +12,7 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use crate::language::{Action, Context, Pilot, PilotEvent, Script, Statement};
-use crate::ledger::Ledger;
+use crate::ledger::{Given, Ledger};
 use crate::mission::{Flight, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
@@ -72,10 +72,6 @@ impl Exercise {
                 session: Session::new(index as u8 + 1, AUTOPILOT_COMPONENT, Duration::ZERO),
             });
         }
-        // From here on commands count.
-        exercise
-            .flight
-            .step(Duration::ZERO, &exercise.vehicles, &exercise.ledger);
         exercise
     }
 
@@ -191,9 +187,12 @@ impl Exercise {
                 return;
             }
         };
-        let entry = self
-            .ledger
-            .open(now, statement.line.as_str(), verb.name, &targets);
+        let given = Given {
+            line: &statement.line,
+            verb: verb.name,
+            risk: command.risk(),
+        };
+        let entry = self.ledger.open(now, given, &targets);
         for seat in &mut self.seats {
             if targets.contains(&seat.session.vehicle().id) {
                 let order = Order {

@@ -12,7 +12,6 @@ use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent};
 use crate::geo::LatLon;
 use crate::headless;
-use crate::ledger::Ledger;
 use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
@@ -116,9 +115,7 @@ impl Running {
         mission: Arc<Mission>,
         backend: &Backend,
     ) -> anyhow::Result<Started> {
-        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
-        // From here on commands count.
-        flight.step(Duration::ZERO, &BTreeMap::new(), &Ledger::new());
+        let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = headless::world_config(&mission, backend.seed);
         self.simulate(&config, backend.speedup).await?;
         self.mission = Some(MissionClock {

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::{Groups, LinkSummary, Selection};
 use crate::geo::LatLon;
-use crate::ledger::{Entry, EntryId, Ledger, Row};
+use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::Progress;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
@@ -85,8 +85,8 @@ impl Session {
     }
 
     /// Opens a ledger entry.
-    pub fn open(&mut self, at: Duration, line: &str, verb: &str, targets: &[VehicleId]) -> EntryId {
-        let entry = self.ledger.open(at, line, verb, targets);
+    pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
+        let entry = self.ledger.open(at, given, targets);
         for &id in targets {
             self.latest.insert(id, entry);
         }
