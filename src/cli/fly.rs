@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use super::{Failure, runtime, sim::parse_speedup};
+use super::{Failure, parse_speedup, runtime};
 use crate::console::{self, Opening, Options};
 use crate::diagnostic::nearest;
 use crate::link::Address;

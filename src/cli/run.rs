@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use super::Failure;
+use super::{Failure, parse_speedup};
 use crate::debrief;
 use crate::headless::Exercise;
 use crate::language::{Context, Script};
@@ -29,7 +29,7 @@ pub(super) struct RunArguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Simulated seconds per second, or `max`.
-    #[arg(long, default_value = "max", value_parser = parse_speedup)]
+    #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
     /// Leave out how long it took, so that equal runs print equal bytes.
     #[arg(long)]
@@ -45,15 +45,13 @@ enum Speedup {
     Times(f64),
 }
 
-fn parse_speedup(text: &str) -> Result<Speedup, String> {
+fn speedup_or_max(text: &str) -> Result<Speedup, String> {
     if text == "max" {
         return Ok(Speedup::Max);
     }
-    text.parse()
-        .ok()
-        .filter(|times: &f64| (0.01..=1000.0).contains(times))
+    parse_speedup(text)
         .map(Speedup::Times)
-        .ok_or_else(|| "expected a number from 0.01 to 1000, or `max`".to_owned())
+        .map_err(|expected| format!("{expected}, or `max`"))
 }
 
 /// Flies and prints. The exit code tells whether the mission was passed.

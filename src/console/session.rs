@@ -11,7 +11,6 @@ use crate::app::event::{Event, Started};
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent};
 use crate::geo::LatLon;
-use crate::headless;
 use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
@@ -25,8 +24,6 @@ const FREE_FLIGHT_START: Start = Start {
     altitude_amsl_m: 180.0,
     heading_deg: 0.0,
 };
-/// How far apart the vehicles of free flight stand.
-const SPACING_M: f64 = 5.0;
 /// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.
 const EVENTS_PER_TICK: usize = 2000;
 
@@ -94,7 +91,7 @@ impl Running {
             Plan::Free => {
                 let config = WorldConfig {
                     seed: backend.seed,
-                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START, SPACING_M)
+                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
                 };
                 running.simulate(&config, backend.speedup).await?;
                 started(Activity::Free)
@@ -116,7 +113,7 @@ impl Running {
         backend: &Backend,
     ) -> anyhow::Result<Started> {
         let flight = Flight::new(Arc::clone(&mission), backend.seed);
-        let config = headless::world_config(&mission, backend.seed);
+        let config = mission.world(backend.seed);
         self.simulate(&config, backend.speedup).await?;
         self.mission = Some(MissionClock {
             flight,

@@ -25,7 +25,7 @@ fn world(vehicles: usize) -> World {
         altitude_amsl_m: 180.0,
         heading_deg: 0.0,
     };
-    World::new(&WorldConfig::row(vehicles, start, 5.0))
+    World::new(&WorldConfig::row(vehicles, start))
 }
 
 /// A fleet and everything that it has said.
