@@ -119,19 +119,16 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
 /// # Errors
 /// There is no such mission, the file cannot be read, or what it says is faulty.
 pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
-    let source = match at_path("mission", path_or_name) {
-        Some(source) => source?,
-        None => {
-            let all = missions();
-            let has_id = |source: &&Source| {
-                Mission::parse(&source.text).is_ok_and(|mission| mission.id == path_or_name)
-            };
-            match all.iter().find(has_id) {
-                Some(source) => source.clone(),
-                None => named("mission", path_or_name, all)?,
-            }
+    let source = at_path("mission", path_or_name).unwrap_or_else(|| {
+        let all = missions();
+        let has_id = |source: &&Source| {
+            Mission::parse(&source.text).is_ok_and(|mission| mission.id == path_or_name)
+        };
+        match all.iter().find(has_id) {
+            Some(source) => Ok(source.clone()),
+            None => named("mission", path_or_name, &all),
         }
-    };
+    })?;
     Mission::parse(&source.text).map_err(|faults| StoreError::Faulty {
         file: source,
         faults,
@@ -145,7 +142,7 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
 pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
     at_path("pilot script", path_or_name).unwrap_or_else(|| {
         let all = merged("pilot script", PILOTS, "missions/pilots", "pilot");
-        named("pilot script", path_or_name, all)
+        named("pilot script", path_or_name, &all)
     })
 }
 
@@ -183,7 +180,7 @@ fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str
 }
 
 /// The one that is called so, else the first whose number it is.
-fn named(kind: &'static str, name: &str, all: Vec<Source>) -> Result<Source, StoreError> {
+fn named(kind: &'static str, name: &str, all: &[Source]) -> Result<Source, StoreError> {
     let by_number = format!("{name}-");
     let names: Vec<&str> = all.iter().map(Source::stem).collect();
     let found = names
@@ -263,12 +260,12 @@ mod tests {
             name: format!("folder/{name}.toml"),
             text: String::new(),
         };
-        let all = || vec![source("01-b-c"), source("01-b"), source("02")];
+        let all = [source("01-b-c"), source("01-b"), source("02")];
         for (asked, found) in [("01-b", "01-b"), ("01", "01-b-c"), ("02", "02")] {
-            let source = named("mission", asked, all()).expect("it is there");
+            let source = named("mission", asked, &all).expect("it is there");
             assert_eq!(source.stem(), found, "{asked}");
         }
-        assert!(named("mission", "0", all()).is_err());
+        assert!(named("mission", "0", &all).is_err());
     }
 
     #[test]

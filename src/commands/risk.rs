@@ -4,6 +4,8 @@ use super::Command;
 use super::request::{FORCE_DISARM, cmd};
 use crate::ledger::Risk;
 
+/// The parameter that arms rather than disarms.
+const ARM: f32 = 1.0;
 /// Makes ArduPilot arm whatever its checks say; [`FORCE_DISARM`] does too.
 const FORCE_ARM: f32 = 2989.0;
 /// The parameter that chooses the checks before arming; 0 is none.
@@ -36,7 +38,7 @@ fn of_arming(command: u16, arm: f32, magic: f32) -> Risk {
     let disarms_by_force = magic == FORCE_DISARM;
     if command != cmd::COMPONENT_ARM_DISARM {
         Risk::None
-    } else if arm == 1.0 && (disarms_by_force || magic == FORCE_ARM) {
+    } else if arm == ARM && (disarms_by_force || magic == FORCE_ARM) {
         Risk::SkipsChecks
     } else if disarms_by_force {
         Risk::Unsafe

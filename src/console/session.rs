@@ -295,7 +295,6 @@ fn started(activity: Activity) -> Started {
     Started {
         activity,
         places: BTreeMap::new(),
-        names: BTreeMap::new(),
     }
 }
 
