@@ -151,6 +151,14 @@ fn start_log(common: &Common) -> Result<(), Failure> {
     Ok(())
 }
 
+/// A factor that a simulation can keep up with.
+fn parse_speedup(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|times: &f64| (0.01..=1000.0).contains(times))
+        .ok_or_else(|| "expected a number from 0.01 to 1000".to_owned())
+}
+
 /// The runtime of commands that have tasks.
 fn runtime() -> io::Result<tokio::runtime::Runtime> {
     tokio::runtime::Builder::new_multi_thread()

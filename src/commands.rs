@@ -13,6 +13,7 @@ mod encode;
 mod explain;
 mod mav_cmd;
 mod request;
+mod risk;
 mod setpoint;
 #[cfg(test)]
 mod tests;

@@ -5,6 +5,7 @@
 
 use std::io;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{
@@ -20,7 +21,7 @@ use crate::app::state::{MissionListing, State};
 use crate::app::update;
 use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
-use crate::link::Address;
+use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::session::Order;
 use crate::store;
@@ -40,8 +41,8 @@ const TICK: Duration = Duration::from_millis(100);
 pub enum Opening {
     /// The home screen.
     Home,
-    /// A mission, by path, name or number.
-    Mission(String),
+    /// A mission.
+    Mission(Arc<Mission>),
     /// Free flight.
     Free,
     /// Vehicles that are already there.
@@ -66,9 +67,9 @@ pub struct Options {
 /// Runs the console until the user leaves it or the terminal goes away.
 ///
 /// # Errors
-/// There is no terminal, or what it was to begin with does not exist.
+/// There is no terminal, or it has gone away.
 pub async fn run(options: Options) -> anyhow::Result<()> {
-    let mut console = Console::new(options)?;
+    let mut console = Console::new(options);
     let mut screen = Screen::open()?;
     console.draw(&mut screen)?;
     console.begin().await;
@@ -108,14 +109,14 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
 /// goes through the command line, and `look` sees the bytes drawn so far after every tick.
 ///
 /// # Errors
-/// What it was to begin with does not exist.
+/// Drawing failed.
 pub async fn drive(
     options: Options,
     size: (u16, u16),
     lines: &[(Duration, &str)],
     mut look: impl FnMut(Duration, u64) -> ControlFlow<()>,
 ) -> anyhow::Result<()> {
-    let mut console = Console::new(options)?;
+    let mut console = Console::new(options);
     let mut screen = Screen::nowhere(size.0, size.1)?;
     console.begin().await;
     let mut ticks = tokio::time::interval(TICK);
@@ -152,14 +153,10 @@ struct Console {
 }
 
 impl Console {
-    fn new(options: Options) -> anyhow::Result<Self> {
-        if let Opening::Mission(name) = &options.opening {
-            // Said on the command line's own screen rather than on the console's.
-            store::mission(name)?;
-        }
+    fn new(options: Options) -> Self {
         let themes = Theme::names().map(str::to_owned).collect();
         let state = State::new(listings(), themes, options.theme.name().to_owned());
-        Ok(Self {
+        Self {
             theme: options.theme.clone(),
             options,
             clock: Clock::start(),
@@ -168,19 +165,19 @@ impl Console {
             drawn: None,
             bell: false,
             over: false,
-        })
+        }
     }
 
     async fn begin(&mut self) {
-        let effect = match &self.options.opening {
+        let plan = match &self.options.opening {
             Opening::Home => return,
-            Opening::Mission(name) => Effect::StartMission(name.clone()),
-            Opening::Free => Effect::StartFree,
-            Opening::Connect(addresses) => {
-                Effect::Connect(addresses.iter().map(ToString::to_string).collect())
-            }
+            Opening::Mission(mission) => Plan::Mission(Arc::clone(mission)),
+            Opening::Free => Plan::Free,
+            Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
-        self.carry_out(effect).await;
+        if let Err(error) = self.start(plan).await {
+            self.feed(Event::Failed(format!("{error:#}"))).await;
+        }
     }
 
     /// Draws if something changed and the terminal has taken the last frame.
@@ -252,9 +249,15 @@ impl Console {
                 self.command(&targets, &order);
                 Ok(())
             }
-            Effect::StartMission(name) => self.start(Plan::Mission(name)).await,
+            Effect::StartMission(id) => match store::mission(&id) {
+                Ok(mission) => self.start(Plan::Mission(Arc::new(mission))).await,
+                Err(error) => Err(error.into()),
+            },
             Effect::StartFree => self.start(Plan::Free).await,
-            Effect::Connect(addresses) => self.start(Plan::Connect(addresses)).await,
+            Effect::Connect(addresses) => match parse(&addresses) {
+                Ok(addresses) => self.start(Plan::Connect(addresses)).await,
+                Err(error) => Err(error.into()),
+            },
             Effect::AbandonMission => {
                 self.running.iter_mut().for_each(Running::abandon);
                 Ok(())
@@ -319,6 +322,10 @@ impl Console {
         update(&mut self.state, Event::Started(Box::new(started)));
         Ok(())
     }
+}
+
+fn parse(addresses: &[String]) -> Result<Vec<Address>, AddressError> {
+    addresses.iter().map(|address| address.parse()).collect()
 }
 
 /// The missions that can be flown; one that is faulty is left out and logged.

@@ -7,20 +7,16 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{
-    HEARTBEAT_DATA, MavAutopilot, MavMessage, MavModeFlag, MavState, MavType,
-};
-
 use crate::language::{Action, Context, Pilot, PilotEvent, Script, Statement};
-use crate::ledger::Ledger;
+use crate::ledger::{Given, Ledger};
 use crate::mission::{Flight, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
-use crate::sim::{self, PortId, World, WorldConfig};
-use crate::vehicle::{Severity, Vehicle, VehicleClass, VehicleId};
+use crate::sim::{PortId, World};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
-    Outgoing,
+    ground_station_heartbeat,
 };
 
 /// How often sessions look at their deadlines.
@@ -52,7 +48,7 @@ pub struct Exercise {
 impl Exercise {
     /// Puts the mission's vehicles on their pads.
     pub fn new(mission: Arc<Mission>, seed: u64, script: Script) -> Self {
-        let world = World::new(&world_config(&mission, seed));
+        let world = World::new(&mission.world(seed));
         let mut exercise = Self {
             seats: Vec::with_capacity(world.vehicles()),
             world,
@@ -72,10 +68,6 @@ impl Exercise {
                 session: Session::new(index as u8 + 1, AUTOPILOT_COMPONENT, Duration::ZERO),
             });
         }
-        // From here on commands count.
-        exercise
-            .flight
-            .step(Duration::ZERO, &exercise.vehicles, &exercise.ledger);
         exercise
     }
 
@@ -174,12 +166,10 @@ impl Exercise {
             return;
         };
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
-        let groups = BTreeMap::new();
         let context = Context {
-            groups: &groups,
-            places: &self.places,
+            places: Some(&self.places),
             vehicles: &all,
-            class: VehicleClass::Copter,
+            ..Context::default()
         };
         let targets = match statement.targets.resolve(&all, &context) {
             Ok(targets) => targets,
@@ -193,9 +183,12 @@ impl Exercise {
                 return;
             }
         };
-        let entry = self
-            .ledger
-            .open(now, statement.line.as_str(), verb.name, &targets);
+        let given = Given {
+            line: &statement.line,
+            verb: verb.name,
+            risk: command.risk(),
+        };
+        let entry = self.ledger.open(now, given, &targets);
         for seat in &mut self.seats {
             if targets.contains(&seat.session.vehicle().id) {
                 let order = Order {
@@ -210,31 +203,6 @@ impl Exercise {
     }
 }
 
-/// The simulator's world for a mission: its vehicles on their pads.
-pub fn world_config(mission: &Mission, seed: u64) -> WorldConfig {
-    let starts = mission
-        .starts()
-        .into_iter()
-        .map(|pad| sim::Start {
-            at: pad.at,
-            altitude_amsl_m: pad.altitude_amsl_m,
-            heading_deg: pad.heading_deg,
-        })
-        .collect();
-    WorldConfig { starts, seed }
-}
-
 fn is_due(now: Duration, every: Duration) -> bool {
     now.as_millis().is_multiple_of(every.as_millis())
-}
-
-fn ground_station_heartbeat() -> Outgoing {
-    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
-        mavtype: MavType::MAV_TYPE_GCS,
-        autopilot: MavAutopilot::MAV_AUTOPILOT_INVALID,
-        base_mode: MavModeFlag::empty(),
-        system_status: MavState::MAV_STATE_ACTIVE,
-        ..HEARTBEAT_DATA::DEFAULT
-    })
-    .into()
 }

@@ -45,8 +45,9 @@ pub use wait::{Field, Relation, Situation, Until, Wait};
 pub struct Context<'a> {
     /// Named groups of vehicles, without the `@`.
     pub groups: &'a BTreeMap<String, Vec<VehicleId>>,
-    /// Named places; a name with blanks in it cannot be said.
-    pub places: &'a BTreeMap<String, LatLon>,
+    /// Named places; a name with blanks in it cannot be said. `None` when nobody knows yet, and then every name
+    /// will do: such a line is good to be checked, but a command that it builds leads nowhere.
+    pub places: Option<&'a BTreeMap<String, LatLon>>,
     /// The vehicles there are; empty when nobody knows yet, and then every number will do.
     pub vehicles: &'a [VehicleId],
     /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
@@ -61,7 +62,7 @@ impl Default for Context<'_> {
     fn default() -> Self {
         Self {
             groups: &NO_GROUPS,
-            places: &NO_PLACES,
+            places: Some(&NO_PLACES),
             vehicles: &[],
             class: VehicleClass::Copter,
         }

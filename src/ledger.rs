@@ -101,6 +101,29 @@ pub struct Row {
     pub explanation: Option<String>,
 }
 
+/// What a command sets at risk, whether or not it is accepted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Risk {
+    /// Nothing out of the ordinary.
+    #[default]
+    None,
+    /// It stops motors that may hold a vehicle in the air.
+    Unsafe,
+    /// It arms by force, or switches the checks before arming off.
+    SkipsChecks,
+}
+
+/// A command as it is given.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Given<'a> {
+    /// The whole line in the console's grammar, with its targets.
+    pub line: &'a str,
+    /// The verb alone.
+    pub verb: &'a str,
+    /// What it sets at risk.
+    pub risk: Risk,
+}
+
 /// One command as it was given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
@@ -112,6 +135,8 @@ pub struct Entry {
     pub line: String,
     /// The verb alone.
     pub verb: String,
+    /// What it sets at risk.
+    pub risk: Risk,
     /// A row per target, in the order of the targets.
     pub rows: Vec<Row>,
 }
@@ -137,13 +162,7 @@ impl Ledger {
     }
 
     /// Opens an entry with a queued row per target.
-    pub fn open(
-        &mut self,
-        at: Duration,
-        line: impl Into<String>,
-        verb: impl Into<String>,
-        targets: &[VehicleId],
-    ) -> EntryId {
+    pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
         let id = EntryId(self.next);
         self.next += 1;
         let rows = targets
@@ -160,8 +179,9 @@ impl Ledger {
         self.entries.push_back(Entry {
             id,
             at,
-            line: line.into(),
-            verb: verb.into(),
+            line: given.line.to_owned(),
+            verb: given.verb.to_owned(),
+            risk: given.risk,
             rows,
         });
         if self.entries.len() > ENTRIES_KEPT {
@@ -208,14 +228,6 @@ impl Ledger {
         self.entries.iter()
     }
 
-    /// The newest entry that concerns a vehicle, with its row there.
-    pub fn latest_for(&self, vehicle: VehicleId) -> Option<(&Entry, &Row)> {
-        self.entries.iter().rev().find_map(|entry| {
-            let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
-            Some((entry, row))
-        })
-    }
-
     fn position(&self, id: EntryId) -> Option<usize> {
         let first = self.entries.front()?.id.0;
         let at = usize::try_from(id.0.checked_sub(first)?).ok()?;
@@ -226,6 +238,14 @@ impl Ledger {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn given<'a>(line: &'a str, verb: &'a str) -> Given<'a> {
+        Given {
+            line,
+            verb,
+            ..Given::default()
+        }
+    }
 
     fn update(entry: EntryId, vehicle: VehicleId, state: RowState, at_s: u64) -> RowUpdate {
         RowUpdate {
@@ -241,7 +261,7 @@ mod tests {
     #[test]
     fn each_vehicle_has_its_own_outcome() {
         let mut ledger = Ledger::new();
-        let id = ledger.open(Duration::from_secs(10), "1-2 arm", "arm", &[1, 2]);
+        let id = ledger.open(Duration::from_secs(10), given("1-2 arm", "arm"), &[1, 2]);
         ledger.apply(&update(id, 2, RowState::Sent, 10));
         ledger.apply(&update(id, 2, RowState::Refused, 11));
         let entry = ledger.entry(id).expect("just opened");
@@ -254,11 +274,11 @@ mod tests {
     #[test]
     fn a_finished_row_never_changes_again() {
         let mut ledger = Ledger::new();
-        let id = ledger.open(Duration::ZERO, "1 arm", "arm", &[1]);
+        let id = ledger.open(Duration::ZERO, given("1 arm", "arm"), &[1]);
         ledger.apply(&update(id, 1, RowState::TimedOut, 1));
         ledger.apply(&update(id, 1, RowState::Accepted, 2));
         assert_eq!(
-            ledger.latest_for(1).map(|(_, row)| row.state),
+            ledger.entry(id).map(|entry| entry.rows[0].state),
             Some(RowState::TimedOut)
         );
     }
@@ -266,12 +286,11 @@ mod tests {
     #[test]
     fn the_oldest_entries_fall_out() {
         let mut ledger = Ledger::new();
-        let first = ledger.open(Duration::ZERO, "1 arm", "arm", &[1]);
+        let first = ledger.open(Duration::ZERO, given("1 arm", "arm"), &[1]);
         for _ in 0..ENTRIES_KEPT {
-            ledger.open(Duration::ZERO, "2 arm", "arm", &[2]);
+            ledger.open(Duration::ZERO, given("2 arm", "arm"), &[2]);
         }
         assert_eq!(ledger.entry(first), None);
         assert_eq!(ledger.entries().len(), ENTRIES_KEPT);
-        assert!(ledger.latest_for(1).is_none());
     }
 }

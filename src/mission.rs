@@ -40,6 +40,7 @@ use std::time::Duration;
 use crate::diagnostic::Diagnostic;
 use crate::geo::LatLon;
 use crate::scoring;
+use crate::sim::{Start, WorldConfig};
 
 mod craft;
 mod file;
@@ -96,17 +97,6 @@ pub struct Mission {
 
 /// Metres east and north of the origin.
 pub(crate) type Point = [f64; 2];
-
-/// Where a vehicle starts and should come back to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pad {
-    /// Where.
-    pub at: LatLon,
-    /// Height above mean sea level, in metres.
-    pub altitude_amsl_m: f64,
-    /// Which way the parked vehicle looks, degrees clockwise from north.
-    pub heading_deg: f64,
-}
 
 /// Advice that fits a phase of the flight.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -169,13 +159,21 @@ impl Mission {
     }
 
     /// Where the vehicles start, in the order of their system ids.
-    pub fn starts(&self) -> Vec<Pad> {
-        let pad = |&point: &Point| Pad {
+    pub fn starts(&self) -> Vec<Start> {
+        let pad = |&point: &Point| Start {
             at: self.origin.place(point),
             altitude_amsl_m: self.origin.altitude_amsl_m,
             heading_deg: self.origin.heading_deg,
         };
         self.pads.iter().map(pad).collect()
+    }
+
+    /// The simulator's world for it: its vehicles on their pads.
+    pub fn world(&self, seed: u64) -> WorldConfig {
+        WorldConfig {
+            starts: self.starts(),
+            seed,
+        }
     }
 
     /// Places that the grammar may name: the cells (`A1`), `pad` for the first pad and `pad1`, `pad2` for each.

@@ -44,6 +44,8 @@ use crate::geo::{LatLon, wrap_360};
 
 /// The fixed time step of [`World::step`].
 pub const STEP: Duration = Duration::from_millis(10);
+/// How far apart the vehicles of a row stand.
+const ROW_SPACING_M: f64 = 5.0;
 /// Vehicles have the system ids 1 to 254 (255 is the ground station's); further vehicles begin again at 1 and can
 /// only be told apart by their ports.
 const SYSTEMS: usize = 254;
@@ -58,11 +60,11 @@ pub struct WorldConfig {
 }
 
 impl WorldConfig {
-    /// Vehicles side by side to the east, `spacing_m` metres apart, seed 0.
-    pub fn row(vehicles: usize, first: Start, spacing_m: f64) -> Self {
+    /// Vehicles side by side to the east, 5 m apart, seed 0.
+    pub fn row(vehicles: usize, first: Start) -> Self {
         let starts = (0..vehicles)
             .map(|place| Start {
-                at: first.at.moved(0.0, spacing_m * place as f64),
+                at: first.at.moved(0.0, ROW_SPACING_M * place as f64),
                 ..first
             })
             .collect();

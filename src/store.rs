@@ -4,10 +4,15 @@
 //! folder takes the place of the embedded one, and a path on the command line is read as it is.
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use etcetera::BaseStrategy as _;
+
+use crate::diagnostic::Diagnostic;
+use crate::mission::Mission;
 
 /// Missions, by file name without its ending.
 const MISSIONS: &[(&str, &str)] = &[(
@@ -33,6 +38,14 @@ pub struct Source {
     pub text: String,
 }
 
+impl Source {
+    /// The name without folder and ending.
+    fn stem(&self) -> &str {
+        let stem = Path::new(&self.name).file_stem();
+        stem.and_then(OsStr::to_str).unwrap_or_default()
+    }
+}
+
 /// A file that could not be had.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
@@ -45,24 +58,30 @@ pub enum StoreError {
         error: io::Error,
     },
     /// It is too large to be what was asked for.
-    #[error("{path} has {bytes} bytes; a {kind} is at most {LARGEST_FILE} bytes long")]
+    #[error("{path} is too large: a {kind} is at most {LARGEST_FILE} bytes long")]
     TooLarge {
         /// The path.
         path: PathBuf,
-        /// Its size.
-        bytes: u64,
         /// What was expected.
         kind: &'static str,
     },
-    /// Neither a file nor an embedded name.
+    /// Neither a file nor a known name.
     #[error("there is no {kind} `{name}`: give a path, or one of {known}")]
     Unknown {
         /// What was expected.
         kind: &'static str,
         /// What was asked for.
         name: String,
-        /// The embedded names.
+        /// The names of those there are.
         known: String,
+    },
+    /// It was read, but makes no sense.
+    #[error("{}", lines(file, faults))]
+    Faulty {
+        /// What was read.
+        file: Source,
+        /// Every fault, with its place.
+        faults: Vec<Diagnostic>,
     },
 }
 
@@ -75,97 +94,118 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
         path: path.to_owned(),
         error,
     };
-    let bytes = fs::metadata(path).map_err(unreadable)?.len();
-    if bytes > LARGEST_FILE {
+    // A size that a file claims says nothing of what a device or a pipe gives, so what is read is limited.
+    let mut bytes = Vec::new();
+    fs::File::open(path)
+        .and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes))
+        .map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
         return Err(StoreError::TooLarge {
             path: path.to_owned(),
-            bytes,
             kind,
         });
     }
+    let text = String::from_utf8(bytes)
+        .map_err(|error| unreadable(io::Error::new(io::ErrorKind::InvalidData, error)))?;
     Ok(Source {
         name: path.display().to_string(),
-        text: fs::read_to_string(path).map_err(unreadable)?,
+        text,
     })
 }
 
-/// The mission of a path or name. `missions/01-air-sample.toml`, `01-air-sample` and `01` all do.
+/// The mission of a path, else of the id that it gives itself, else of a name or number.
+/// `missions/01-air-sample.toml`, `01-air-sample` and `01` all do.
 ///
 /// # Errors
-/// There is no such file or name, or the file cannot be read.
-pub fn mission(path_or_name: &str) -> Result<Source, StoreError> {
-    find("mission", path_or_name, ".toml", MISSIONS)
+/// There is no such mission, the file cannot be read, or what it says is faulty.
+pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
+    let source = at_path("mission", path_or_name).unwrap_or_else(|| {
+        let all = missions();
+        let has_id = |source: &&Source| {
+            Mission::parse(&source.text).is_ok_and(|mission| mission.id == path_or_name)
+        };
+        match all.iter().find(has_id) {
+            Some(source) => Ok(source.clone()),
+            None => named("mission", path_or_name, &all),
+        }
+    })?;
+    Mission::parse(&source.text).map_err(|faults| StoreError::Faulty {
+        file: source,
+        faults,
+    })
 }
 
-/// The pilot script of a path or name.
+/// The pilot script of a path, else of a name or number.
 ///
 /// # Errors
 /// There is no such file or name, or the file cannot be read.
 pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
-    find("pilot script", path_or_name, ".pilot", PILOTS)
+    at_path("pilot script", path_or_name).unwrap_or_else(|| {
+        let all = merged("pilot script", PILOTS, "missions/pilots", "pilot");
+        named("pilot script", path_or_name, &all)
+    })
 }
 
 /// All missions: the embedded ones, with those of the user's folder added or in their place, by name.
 pub fn missions() -> Vec<Source> {
-    let mut all: BTreeMap<String, Source> = MISSIONS
+    merged("mission", MISSIONS, "missions", "toml")
+}
+
+/// The file of that path, if there is one. A folder is none: it may be called like a mission.
+fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
+    let path = Path::new(path);
+    (path.exists() && !path.is_dir()).then(|| read(path, kind))
+}
+
+/// What is embedded and what the user's folder has of a kind, by name; the user's own comes before the embedded.
+fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str) -> Vec<Source> {
+    let mut all: BTreeMap<String, Source> = known
         .iter()
-        .map(|&(name, text)| (name.to_owned(), embedded(name, ".toml", text)))
+        .map(|&(name, text)| (name.to_owned(), embedded(name, ending, text)))
         .collect();
-    let folder = user_folder().map(|folder| folder.join("missions"));
+    let folder = user_folder().map(|user| user.join(folder));
     for entry in folder.iter().flat_map(fs::read_dir).flatten().flatten() {
         let path = entry.path();
         let name = path.file_stem().and_then(|stem| stem.to_str());
         if let Some(name) = name
-            && path.extension().is_some_and(|ending| ending == "toml")
+            && path.extension().is_some_and(|found| found == ending)
         {
-            match read(&path, "mission") {
+            match read(&path, kind) {
                 Ok(source) => drop(all.insert(name.to_owned(), source)),
-                Err(error) => tracing::warn!(%error, "a mission of the user's folder is left out"),
+                Err(error) => tracing::warn!(%error, "a file of the user's folder is left out"),
             }
         }
     }
     all.into_values().collect()
 }
 
-fn find(
-    kind: &'static str,
-    path_or_name: &str,
-    ending: &str,
-    known: &[(&str, &str)],
-) -> Result<Source, StoreError> {
-    let path = Path::new(path_or_name);
-    if path.exists() {
-        return read(path, kind);
-    }
-    let looks_like_a_path = path_or_name.contains('/') || path_or_name.ends_with(ending);
-    let user = user_folder().map(|folder| {
-        folder
-            .join("missions")
-            .join(format!("{path_or_name}{ending}"))
-    });
-    if let Some(user) = user.filter(|path| !looks_like_a_path && path.exists()) {
-        return read(&user, kind);
-    }
-    let by_number = format!("{path_or_name}-");
-    known
+/// The one that is called so, else the first whose number it is.
+fn named(kind: &'static str, name: &str, all: &[Source]) -> Result<Source, StoreError> {
+    let by_number = format!("{name}-");
+    let names: Vec<&str> = all.iter().map(Source::stem).collect();
+    let found = names
         .iter()
-        .filter(|_| !looks_like_a_path)
-        .find(|(name, _)| *name == path_or_name || name.starts_with(&by_number))
-        .map(|&(name, text)| embedded(name, ending, text))
-        .ok_or_else(|| StoreError::Unknown {
-            kind,
-            name: path_or_name.to_owned(),
-            known: known
-                .iter()
-                .map(|(name, _)| *name)
-                .collect::<Vec<_>>()
-                .join(", "),
-        })
+        .position(|known| *known == name)
+        .or_else(|| names.iter().position(|known| known.starts_with(&by_number)));
+    let unknown = || StoreError::Unknown {
+        kind,
+        name: name.to_owned(),
+        known: names.join(", "),
+    };
+    found.map(|at| all[at].clone()).ok_or_else(unknown)
+}
+
+/// The faults of a file, a line each.
+fn lines(source: &Source, faults: &[Diagnostic]) -> String {
+    let lines = faults
+        .iter()
+        .map(|fault| fault.one_line(&source.name, &source.text));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 fn embedded(name: &str, ending: &str, text: &str) -> Source {
     Source {
-        name: format!("{name}{ending}"),
+        name: format!("{name}.{ending}"),
         text: text.to_owned(),
     }
 }
@@ -182,8 +222,8 @@ mod tests {
 
     #[test]
     fn a_mission_is_found_by_its_number() {
-        let source = mission("01").expect("it is embedded");
-        assert_eq!(source.name, "01-air-sample.toml");
+        let found = mission("01").expect("it is embedded");
+        assert_eq!(found.id, "01-air-sample");
     }
 
     #[test]
@@ -201,5 +241,39 @@ mod tests {
             read(&path, "mission"),
             Err(StoreError::TooLarge { .. })
         ));
+    }
+
+    #[test]
+    fn a_device_without_an_end_is_refused() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("endless.toml");
+        std::os::unix::fs::symlink("/dev/zero", &path).expect("linked");
+        assert!(matches!(
+            read(&path, "mission"),
+            Err(StoreError::TooLarge { .. })
+        ));
+    }
+
+    #[test]
+    fn a_name_goes_before_a_number() {
+        let source = |name: &str| Source {
+            name: format!("folder/{name}.toml"),
+            text: String::new(),
+        };
+        let all = [source("01-b-c"), source("01-b"), source("02")];
+        for (asked, found) in [("01-b", "01-b"), ("01", "01-b-c"), ("02", "02")] {
+            let source = named("mission", asked, &all).expect("it is there");
+            assert_eq!(source.stem(), found, "{asked}");
+        }
+        assert!(named("mission", "0", &all).is_err());
+    }
+
+    #[test]
+    fn a_faulty_mission_says_where() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("wrong.toml");
+        fs::write(&path, "schema = 1\nid = 3\n").expect("written");
+        let error = mission(path.to_str().expect("plain")).expect_err("it is faulty");
+        assert!(error.to_string().contains("wrong.toml:2:"), "{error}");
     }
 }

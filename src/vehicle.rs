@@ -232,11 +232,6 @@ impl Health {
     pub fn prearm_ok(&self) -> bool {
         self.healthy & Self::PREARM != 0
     }
-
-    /// Bits of what is enabled but not healthy, the pre-arm check left out.
-    pub fn failing(&self) -> u32 {
-        self.enabled & !self.healthy & !Self::PREARM
-    }
 }
 
 /// One battery pack.

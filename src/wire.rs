@@ -4,7 +4,9 @@
 //! a console that is used to debug links has to say what it dropped and why: the crate's reader skips bad
 //! CRCs, unknown message ids and noise without a trace.
 
-use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::dialects::ardupilotmega::{
+    HEARTBEAT_DATA, MavAutopilot, MavMessage, MavModeFlag, MavState, MavType,
+};
 use mavlink::{MavlinkVersion, Message as _};
 
 mod decoder;
@@ -24,6 +26,20 @@ pub const AUTOPILOT_COMPONENT: ComponentId = 1;
 pub const GROUND_STATION_SYSTEM: SystemId = 255;
 /// The component id of a ground station's mission planner (`MAV_COMP_ID_MISSIONPLANNER`).
 pub const GROUND_STATION_COMPONENT: ComponentId = 190;
+
+/// What makes a vehicle take this program for a ground station. ArduPilot sends nothing but heartbeats
+/// until it has heard one.
+pub fn ground_station_heartbeat() -> Outgoing {
+    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        custom_mode: 0,
+        mavtype: MavType::MAV_TYPE_GCS,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_INVALID,
+        base_mode: MavModeFlag::empty(),
+        system_status: MavState::MAV_STATE_ACTIVE,
+        mavlink_version: 3,
+    })
+    .into()
+}
 
 /// One intact frame.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,7 +12,6 @@ use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::vehicle::Vehicle;
-use crate::vehicle::VehicleId;
 
 /// Something that the console reacts to.
 #[derive(Debug, Clone)]
@@ -32,8 +31,6 @@ pub enum Event {
     Started(Box<Started>),
     /// A vehicle's telemetry changed.
     Vehicle(Box<Vehicle>),
-    /// A vehicle will not come back.
-    VehicleGone(VehicleId),
     /// Something to tell.
     Notice(Notice),
     /// So many notices were dropped so far because the console was busy.
@@ -57,6 +54,4 @@ pub struct Started {
     pub activity: Activity,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
-    /// Names of vehicles, where they have one.
-    pub names: BTreeMap<VehicleId, String>,
 }

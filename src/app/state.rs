@@ -200,7 +200,7 @@ impl State {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
         work(&Context {
             groups: &self.session.groups,
-            places: &self.session.places,
+            places: Some(&self.session.places),
             vehicles: &vehicles,
             class: self.class(),
         })

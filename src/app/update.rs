@@ -27,7 +27,6 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Key(key) => return keys::press(state, key),
         Event::Paste(text) => keys::paste(state, &text),
         Event::Started(started) => telemetry::started(state, *started),
-        Event::VehicleGone(id) => telemetry::gone(state, id),
         Event::Notice(notice) => return telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => state.notices.dropped = count,
         Event::Row(row) => state.session.ledger.apply(&row),

@@ -1,6 +1,5 @@
 //! `sortie check`: faults in files, as `FILE:LINE:COLUMN`.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -10,46 +9,72 @@ use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store;
 use crate::ui::Theme;
-use crate::vehicle::VehicleClass;
+
+/// What a file is meant to be, by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Mission,
+    Theme,
+    Script,
+}
 
 /// Prints what is wrong with each file; exit code 1 when anything is.
 pub(super) fn check(files: &[PathBuf]) -> Result<ExitCode, Failure> {
     let mut faulty = false;
-    for path in files {
-        let source = store::read(path, "mission, theme or script")?;
-        let faults = faults(path, &source.text)?;
-        for fault in &faults {
-            println!("{}", fault.one_line(&source.name, &source.text));
+    // Names are the caller's to put right, so nothing is checked before all are understood.
+    let kinds: Vec<Kind> = files
+        .iter()
+        .map(|path| kind(path))
+        .collect::<Result<_, _>>()?;
+    for (path, kind) in files.iter().zip(kinds) {
+        match store::read(path, "mission, theme or script") {
+            Ok(source) => {
+                let faults = faults(kind, &source.text);
+                for fault in &faults {
+                    println!("{}", fault.one_line(&source.name, &source.text));
+                }
+                if faults.is_empty() {
+                    println!("{}: good", source.name);
+                }
+                faulty |= !faults.is_empty();
+            }
+            Err(error) => {
+                eprintln!("sortie: {error}");
+                faulty = true;
+            }
         }
-        if faults.is_empty() {
-            println!("{}: good", source.name);
-        }
-        faulty |= !faults.is_empty();
     }
     Ok(ExitCode::from(u8::from(faulty)))
 }
 
-fn faults(path: &Path, text: &str) -> Result<Vec<Diagnostic>, Failure> {
+fn kind(path: &Path) -> Result<Kind, Failure> {
     let is_theme = path
         .parent()
         .and_then(Path::file_name)
         .is_some_and(|folder| folder == "themes");
     match path.extension().and_then(|ending| ending.to_str()) {
-        Some("toml") if is_theme => Ok(Theme::parse(text).err().unwrap_or_default()),
-        Some("toml") => Ok(Mission::parse(text).err().unwrap_or_default()),
-        Some("pilot") => {
-            let (groups, places) = (BTreeMap::new(), BTreeMap::new());
-            let context = Context {
-                groups: &groups,
-                places: &places,
-                vehicles: &[],
-                class: VehicleClass::Copter,
-            };
-            Ok(Script::parse(text, &context).err().unwrap_or_default())
-        }
+        Some("toml") if is_theme => Ok(Kind::Theme),
+        Some("toml") => Ok(Kind::Mission),
+        Some("pilot") => Ok(Kind::Script),
         _ => Err(Failure::Invalid(format!(
             "sortie: cannot tell what {} is: expected a name ending in .toml or .pilot",
             path.display()
         ))),
     }
+}
+
+fn faults(kind: Kind, text: &str) -> Vec<Diagnostic> {
+    let faults = match kind {
+        Kind::Theme => Theme::parse(text).err(),
+        Kind::Mission => Mission::parse(text).err(),
+        Kind::Script => {
+            // Which mission it will fly, nobody has said: its places may have any name.
+            let context = Context {
+                places: None,
+                ..Context::default()
+            };
+            Script::parse(text, &context).err()
+        }
+    };
+    faults.unwrap_or_default()
 }

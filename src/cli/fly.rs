@@ -2,10 +2,11 @@
 
 use std::io::IsTerminal as _;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::Args;
 
-use super::{Failure, runtime, sim::parse_speedup};
+use super::{Failure, parse_speedup, runtime};
 use crate::console::{self, Opening, Options};
 use crate::diagnostic::nearest;
 use crate::link::Address;
@@ -45,8 +46,7 @@ pub(super) fn fly(options: &FlyArguments, theme: Theme) -> Result<ExitCode, Fail
         _ if !options.connect.is_empty() => Opening::Connect(options.connect.clone()),
         Some(mission) => {
             // Faults are shown here, with the lines around them, rather than inside the console.
-            super::run::load_mission(mission)?;
-            Opening::Mission(mission.clone())
+            Opening::Mission(Arc::new(super::run::load_mission(mission)?))
         }
         None => Opening::Free,
     };

@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use super::Failure;
+use super::{Failure, parse_speedup};
 use crate::debrief;
 use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::Mission;
-use crate::store::{self, Source};
-use crate::vehicle::{VehicleClass, VehicleId};
+use crate::store::{self, Source, StoreError};
+use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
@@ -29,7 +29,7 @@ pub(super) struct RunArguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Simulated seconds per second, or `max`.
-    #[arg(long, default_value = "max", value_parser = parse_speedup)]
+    #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
     /// Leave out how long it took, so that equal runs print equal bytes.
     #[arg(long)]
@@ -45,15 +45,13 @@ enum Speedup {
     Times(f64),
 }
 
-fn parse_speedup(text: &str) -> Result<Speedup, String> {
+fn speedup_or_max(text: &str) -> Result<Speedup, String> {
     if text == "max" {
         return Ok(Speedup::Max);
     }
-    text.parse()
-        .ok()
-        .filter(|times: &f64| (0.01..=1000.0).contains(times))
+    parse_speedup(text)
         .map(Speedup::Times)
-        .ok_or_else(|| "expected a number from 0.01 to 1000, or `max`".to_owned())
+        .map_err(|expected| format!("{expected}, or `max`"))
 }
 
 /// Flies and prints. The exit code tells whether the mission was passed.
@@ -101,24 +99,25 @@ fn clock(at: Duration) -> String {
 
 /// A mission by path, name or number, with its faults explained.
 pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
-    let source = store::mission(path_or_name).map_err(|error| invalid(&error))?;
-    Mission::parse(&source.text).map_err(|faults| explain(&source, &faults))
+    store::mission(path_or_name).map_err(|error| match error {
+        StoreError::Faulty { file, faults } => explain(&file, &faults),
+        error => invalid(&error),
+    })
 }
 
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
-    let (groups, places) = (std::collections::BTreeMap::new(), mission.places());
+    let places = mission.places();
     let context = Context {
-        groups: &groups,
-        places: &places,
+        places: Some(&places),
         vehicles: &vehicles,
-        class: VehicleClass::Copter,
+        ..Context::default()
     };
     Script::parse(&source.text, &context).map_err(|faults| explain(&source, &faults))
 }
 
-fn invalid(error: &store::StoreError) -> Failure {
+fn invalid(error: &StoreError) -> Failure {
     Failure::Invalid(format!("sortie: {error}"))
 }
 

@@ -6,13 +6,10 @@ use std::str::FromStr;
 use clap::Args;
 use tokio_util::sync::CancellationToken;
 
-use super::{Failure, runtime};
+use super::{Failure, parse_speedup, runtime};
 use crate::geo::LatLon;
 use crate::link::{Endpoint, Simulator};
 use crate::sim::{Start, World, WorldConfig};
-
-/// How far apart the vehicles of a row stand.
-pub(super) const SPACING_M: f64 = 5.0;
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
@@ -91,19 +88,11 @@ impl FromStr for Home {
     }
 }
 
-/// A factor that a simulation can keep up with.
-pub(super) fn parse_speedup(text: &str) -> Result<f64, String> {
-    text.parse()
-        .ok()
-        .filter(|times: &f64| (0.01..=1000.0).contains(times))
-        .ok_or_else(|| "expected a number from 0.01 to 1000".to_owned())
-}
-
 /// Serves until interrupted.
 pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     let config = WorldConfig {
         seed: options.seed,
-        ..WorldConfig::row(usize::from(options.vehicles), options.home.0, SPACING_M)
+        ..WorldConfig::row(usize::from(options.vehicles), options.home.0)
     };
     let mut endpoints = Vec::new();
     if let Some(HostPort { host, port }) = options.udp.clone() {

@@ -34,7 +34,7 @@ pub(super) mod cmd {
 }
 
 /// Makes ArduPilot disarm in flight.
-const FORCE_DISARM: f32 = 21196.0;
+pub(super) const FORCE_DISARM: f32 = 21196.0;
 /// How often a velocity is repeated; ArduCopter stops 3 s after the last one (`GUID_TIMEOUT`).
 const SETPOINT_EVERY: Duration = Duration::from_millis(200);
 

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use anyhow::Context as _;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
@@ -12,14 +11,11 @@ use crate::app::event::{Event, Started};
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
-use crate::headless;
-use crate::ledger::Ledger;
 use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
-use crate::store;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 /// Where free flight begins.
@@ -28,20 +24,18 @@ const FREE_FLIGHT_START: Start = Start {
     altitude_amsl_m: 180.0,
     heading_deg: 0.0,
 };
-/// How far apart the vehicles of free flight stand.
-const SPACING_M: f64 = 5.0;
 /// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.
 const EVENTS_PER_TICK: usize = 2000;
 
 /// What a session is to be.
 #[derive(Debug, Clone)]
 pub(super) enum Plan {
-    /// A mission, by path, name, number or id.
-    Mission(String),
+    /// A mission.
+    Mission(Arc<Mission>),
     /// Simulated vehicles without a task.
     Free,
     /// Vehicles at these addresses.
-    Connect(Vec<String>),
+    Connect(Vec<Address>),
 }
 
 /// What sessions are started with.
@@ -82,7 +76,7 @@ impl Running {
     /// Starts a session.
     ///
     /// # Errors
-    /// The mission does not exist or is faulty, or an address makes no sense.
+    /// The fleet has ended.
     pub async fn start(plan: Plan, backend: &Backend) -> anyhow::Result<(Self, Started)> {
         let cancel = CancellationToken::new();
         let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
@@ -99,32 +93,33 @@ impl Running {
             cancel,
         };
         let started = match plan {
-            Plan::Mission(name) => running.start_mission(&name, backend).await?,
+            Plan::Mission(mission) => running.start_mission(mission, backend).await?,
             Plan::Free => {
                 let config = WorldConfig {
                     seed: backend.seed,
-                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START, SPACING_M)
+                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
                 };
                 running.simulate(&config, backend.speedup).await?;
                 started(Activity::Free)
             }
             Plan::Connect(addresses) => {
-                for address in &addresses {
-                    let address: Address = address.parse()?;
+                let names = addresses.iter().map(ToString::to_string).collect();
+                for address in addresses {
                     running.fleet.connect(Transport::Address(address))?;
                 }
-                started(Activity::Connected { addresses })
+                started(Activity::Connected { addresses: names })
             }
         };
         Ok((running, started))
     }
 
-    async fn start_mission(&mut self, name: &str, backend: &Backend) -> anyhow::Result<Started> {
-        let mission = Arc::new(find_mission(name)?);
-        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
-        // From here on commands count.
-        flight.step(Duration::ZERO, &BTreeMap::new(), &Ledger::new());
-        let config = headless::world_config(&mission, backend.seed);
+    async fn start_mission(
+        &mut self,
+        mission: Arc<Mission>,
+        backend: &Backend,
+    ) -> anyhow::Result<Started> {
+        let flight = Flight::new(Arc::clone(&mission), backend.seed);
+        let config = mission.world(backend.seed);
         self.simulate(&config, backend.speedup).await?;
         self.mission = Some(MissionClock {
             flight,
@@ -311,30 +306,7 @@ fn started(activity: Activity) -> Started {
     Started {
         activity,
         places: BTreeMap::new(),
-        names: BTreeMap::new(),
     }
-}
-
-/// A mission by path, name or number, or by the id that it gives itself.
-fn find_mission(name: &str) -> anyhow::Result<Mission> {
-    let by_id = |source: store::Source| {
-        Mission::parse(&source.text)
-            .ok()
-            .filter(|mission| mission.id == name)
-    };
-    if let Some(mission) = store::missions().into_iter().find_map(by_id) {
-        return Ok(mission);
-    }
-    let source = store::mission(name)?;
-    Mission::parse(&source.text)
-        .map_err(|faults| {
-            let lines: Vec<String> = faults
-                .iter()
-                .map(|fault| fault.one_line(&source.name, &source.text))
-                .collect();
-            anyhow::anyhow!(lines.join("\n"))
-        })
-        .with_context(|| format!("the mission {} is faulty", source.name))
 }
 
 /// The shortest round trip of the vehicles that are heard by a link.

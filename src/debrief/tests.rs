@@ -8,7 +8,7 @@ fn bad_flight() -> Report {
     pilot.command("1 arm", RowState::Refused);
     pilot.tick();
     pilot.command(
-        &format!("1 {}", "very_long_word".repeat(20)),
+        &format!("1 takeoff 20.{}", "0".repeat(280)),
         RowState::Refused,
     );
     pilot.take_off(80.0);

@@ -54,11 +54,6 @@ impl Script {
             Err(faults)
         }
     }
-
-    /// Its statements, in order.
-    pub fn statements(&self) -> impl Iterator<Item = &Statement> {
-        self.steps.iter().map(|step| &step.statement)
-    }
 }
 
 fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic> {
@@ -132,18 +127,6 @@ impl Pilot {
             waiting_since: None,
             finished: false,
         }
-    }
-
-    /// Whether the script is over.
-    pub fn finished(&self) -> bool {
-        self.finished
-    }
-
-    /// The line that holds the script now, counted from 1, and what it says.
-    pub fn waiting_for(&self) -> Option<(usize, &str)> {
-        let step = self.script.steps.get(self.next)?;
-        self.waiting_since?;
-        Some((step.line, &step.statement.line))
     }
 
     /// What the script does now.

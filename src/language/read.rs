@@ -108,7 +108,8 @@ impl Kind {
                 .collect(),
             Self::Point => context
                 .places
-                .iter()
+                .into_iter()
+                .flatten()
                 .map(|(name, at)| (name.clone(), format!("{:.6} {:.6}", at.lat_deg, at.lon_deg)))
                 .collect(),
             Self::Message => MavMessage::all_messages()
@@ -232,14 +233,20 @@ fn classes(context: &Context) -> Vec<VehicleClass> {
     }
 }
 
+/// A place of which only the name is known: no vehicle could go there.
+const NOWHERE: LatLon = LatLon::new(f64::NAN, f64::NAN);
+
 fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
     let Some(first) = words.first() else {
         return Err(Misread::Incomplete);
     };
-    if let Some(&place) = context.places.get(first.text) {
+    if let Some(&place) = context.places.and_then(|places| places.get(first.text)) {
         return Ok((Value::Point(place), 1));
     }
     if number_length(first.text) == 0 || first.text.parse::<f64>().is_err() {
+        if context.places.is_none() {
+            return Ok((Value::Point(NOWHERE), 1));
+        }
         return Err(Misread::kind(format!("there is no place `{}`", first.text)));
     }
     let lat_deg = number(first.text, Unit::Degrees, -90.0, 90.0)?;

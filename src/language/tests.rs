@@ -23,10 +23,26 @@ pub(super) fn context<'a>(
 ) -> Context<'a> {
     Context {
         groups,
-        places,
+        places: Some(places),
         vehicles: &[1, 2, 3, 4, 5, 6, 7, 8],
         class: VehicleClass::Copter,
     }
+}
+
+#[test]
+fn where_places_are_unknown_every_name_is_one_but_words_stay_words() {
+    let anywhere = Context {
+        places: None,
+        ..Context::default()
+    };
+    for good in ["1 goto pad", "1 goto A1 up 20", "1 goto n 10 e 0 up 20"] {
+        assert!(parse(good, &anywhere).is_ok(), "{good}");
+    }
+    for bad in ["1 goto", "1 goto A1 B2", "1 goto A1 up high", "1 goto 50.4"] {
+        assert!(parse(bad, &anywhere).is_err(), "{bad}");
+    }
+    let known = parse("1 goto n 10 e 0", &Context::default());
+    assert_eq!(parse("1 goto n 10 e 0", &anywhere), known);
 }
 
 fn command(line: &str) -> Command {

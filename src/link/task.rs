@@ -2,9 +2,6 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{
-    HEARTBEAT_DATA, MavAutopilot, MavMessage, MavModeFlag, MavState, MavType,
-};
 use tokio::sync::mpsc;
 use tokio::time::{Instant, Interval, MissedTickBehavior};
 use tokio_util::sync::CancellationToken;
@@ -13,7 +10,7 @@ use super::meter::Meter;
 use super::{
     Address, Inbound, LinkConfig, LinkId, LinkState, Peer, To, Transport, connect, playback, stream,
 };
-use crate::wire::{Frame, Outgoing};
+use crate::wire::{Frame, Outgoing, ground_station_heartbeat};
 
 const HEARTBEAT_PERIOD: Duration = Duration::from_secs(1);
 const PUBLISH_PERIOD: Duration = Duration::from_millis(250);
@@ -208,20 +205,6 @@ async fn reconnect_for_ever(link: &mut Link, address: &Address) -> Option<String
         link.meanwhile(tokio::time::sleep(retry_in)).await?;
         retry_in = (2 * retry_in).min(LONGEST_RETRY);
     }
-}
-
-/// What makes a vehicle take this program for a ground station. ArduPilot sends nothing but heartbeats
-/// until it has heard one.
-fn ground_station_heartbeat() -> Outgoing {
-    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
-        custom_mode: 0,
-        mavtype: MavType::MAV_TYPE_GCS,
-        autopilot: MavAutopilot::MAV_AUTOPILOT_INVALID,
-        base_mode: MavModeFlag::empty(),
-        system_status: MavState::MAV_STATE_ACTIVE,
-        mavlink_version: 3,
-    })
-    .into()
 }
 
 fn interval(period: Duration) -> Interval {

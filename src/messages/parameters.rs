@@ -35,13 +35,6 @@ pub enum ParameterType {
     Real64,
 }
 
-impl ParameterType {
-    /// Whether it holds whole numbers only.
-    pub fn is_integer(self) -> bool {
-        !matches!(self, Self::Real32 | Self::Real64)
-    }
-}
-
 impl From<MavParamType> for ParameterType {
     fn from(wire: MavParamType) -> Self {
         match wire {

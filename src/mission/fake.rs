@@ -5,7 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{Flight, Mission, Report, TICK};
-use crate::ledger::{Ledger, RowState, RowUpdate};
+use crate::language::{self, Action, Context};
+use crate::ledger::{Given, Ledger, RowState, RowUpdate};
 use crate::vehicle::{
     Battery, GlobalPosition, Heartbeat, LandedState, Mode, Severity, StatusText, SystemStatus,
     Vehicle, VehicleClass,
@@ -20,6 +21,19 @@ pub(crate) const ROUTE: [(f64, f64); 6] = [
     (80.0, -35.0),
     (80.0, 35.0),
 ];
+
+/// A line as the console would give it.
+pub(crate) fn given(line: &str) -> Given<'_> {
+    let statement = language::parse(line, &Context::default()).expect("a good line");
+    let Action::Command { verb, command } = statement.action else {
+        panic!("{line} is no command");
+    };
+    Given {
+        line,
+        verb: verb.name,
+        risk: command.risk(),
+    }
+}
 
 /// A flight with one vehicle.
 pub(crate) struct Pilot {
@@ -92,8 +106,7 @@ impl Pilot {
     }
 
     pub fn command(&mut self, line: &str, state: RowState) {
-        let verb = line.split_whitespace().nth(1).unwrap_or_default();
-        let entry = self.ledger.open(self.now, line, verb, &[1]);
+        let entry = self.ledger.open(self.now, given(line), &[1]);
         self.ledger.apply(&RowUpdate {
             entry,
             vehicle: 1,

@@ -130,8 +130,7 @@ impl Flight {
     }
 
     /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
-    /// Ledger entries that are there at the first step belong to the time before the mission, so step once at 0
-    /// before the first command. After the end nothing changes any more.
+    /// Every entry of the ledger counts. After the end nothing changes any more.
     pub fn step(
         &mut self,
         now: Duration,

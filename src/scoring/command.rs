@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, btree_map};
 use std::time::Duration;
 
-use crate::ledger::{Entry, EntryId, Ledger, Row, RowState};
+use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
@@ -17,7 +17,7 @@ pub struct CommandTally {
     pub accepted: u32,
     /// Refused, or never answered by a vehicle whose link was up.
     pub rejected: u32,
-    /// Dangerous ones (kill, force).
+    /// Those that set something at risk ([`Risk`]).
     pub dangerous: u32,
     /// Given twice within 2 s.
     pub duplicates: u32,
@@ -56,8 +56,6 @@ impl CommandTally {
 /// Reads the ledger while a mission runs: puts mission times on its entries and sees who had a link.
 #[derive(Debug, Clone, Default)]
 pub struct CommandLog {
-    /// The first entry that counts; `None` before the first step.
-    first: Option<EntryId>,
     given_at: BTreeMap<EntryId, Duration>,
     /// Rows that failed; true where the vehicle could not be heard, which excuses the operator.
     excused: BTreeMap<(EntryId, VehicleId), bool>,
@@ -81,23 +79,18 @@ pub enum CommandEvent {
 }
 
 impl CommandLog {
-    /// Looks at the ledger once more; returns what happened since, oldest first. Entries from before the first
-    /// step do not count.
+    /// Looks at the ledger once more; returns what happened since, oldest first.
     pub fn step(
         &mut self,
         now: Duration,
         vehicles: &BTreeMap<VehicleId, Vehicle>,
         ledger: &Ledger,
     ) -> Vec<CommandEvent> {
-        let first = *self.first.get_or_insert_with(|| {
-            let newest = ledger.entries().next_back();
-            newest.map_or(EntryId(0), |entry| EntryId(entry.id.0 + 1))
-        });
         let mut events = Vec::new();
-        for entry in ledger.entries().filter(|entry| entry.id >= first) {
+        for entry in ledger.entries() {
             if let btree_map::Entry::Vacant(unseen) = self.given_at.entry(entry.id) {
                 unseen.insert(now);
-                if forces_arming(entry) {
+                if entry.risk == Risk::SkipsChecks {
                     let forced = |row: &Row| CommandEvent::Forced {
                         vehicle: row.vehicle,
                     };
@@ -150,19 +143,19 @@ impl CommandLog {
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
-        for (_, entry) in self.entries(ledger) {
+        for (given_at, entry) in self.entries(ledger) {
             for row in &entry.rows {
-                let before = last.insert((row.vehicle, &entry.line), (entry.at, is_rejected(row)));
+                let before = last.insert((row.vehicle, &entry.line), (given_at, is_rejected(row)));
                 // The first try after a refusal is no duplicate.
                 let duplicate = before.is_some_and(|(at, rejected)| {
-                    !rejected && entry.at.saturating_sub(at) <= DUPLICATE_WITHIN
+                    !rejected && given_at.saturating_sub(at) <= DUPLICATE_WITHIN
                 });
                 let excused = self.excused.get(&(entry.id, row.vehicle)) == Some(&true);
                 let accepted = matches!(
                     row.state,
                     RowState::Accepted | RowState::Done | RowState::InProgress(_)
                 );
-                tally.dangerous += u32::from(is_dangerous(entry));
+                tally.dangerous += u32::from(entry.risk != Risk::None);
                 tally.rejected += u32::from(is_rejected(row) && !excused);
                 tally.duplicates += u32::from(accepted && duplicate);
                 tally.accepted += u32::from(accepted && !duplicate);
@@ -174,23 +167,4 @@ impl CommandLog {
 
 fn is_rejected(row: &Row) -> bool {
     matches!(row.state, RowState::Refused | RowState::TimedOut)
-}
-
-/// Kill, and anything with the magic number that forces disarming or arming.
-fn is_dangerous(entry: &Entry) -> bool {
-    entry.verb == "kill" || entry.line.contains("21196") || forces_arming(entry)
-}
-
-/// Whether a command arms by force or switches the arming checks off.
-fn forces_arming(entry: &Entry) -> bool {
-    let words: Vec<&str> = entry.line.split_whitespace().collect();
-    let arms_by_number = words.windows(3).any(|three| {
-        (three[0] == "400" || three[0].ends_with("COMPONENT_ARM_DISARM"))
-            && three[1].parse() == Ok(1.0)
-            && matches!(three[2], "21196" | "2989")
-    });
-    let checks_off = words
-        .windows(2)
-        .any(|two| two[0].eq_ignore_ascii_case("ARMING_CHECK") && two[1].parse() == Ok(0.0));
-    arms_by_number || checks_off
 }

@@ -1,9 +1,11 @@
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use proptest::prelude::*;
 
 use super::*;
 use crate::ledger::{Ledger, RowState, RowUpdate};
+use crate::mission::fake::given;
 
 fn rules() -> Rules {
     Rules {
@@ -172,13 +174,13 @@ fn improvements_are_the_points_that_would_have_come() {
     assert_eq!(before + found[0].points, score(&rules(), &facts).points);
 }
 
-#[test]
-fn commands_are_counted_per_vehicle_and_repetitions_once() {
-    let mut ledger = Ledger::new();
-    let mut log = CommandLog::default();
-    let give = |ledger: &mut Ledger, at_ms: u64, line: &str, state| {
-        let at = Duration::from_millis(at_ms);
-        let entry = ledger.open(at, line, line.split(' ').nth(1).unwrap_or(""), &[1]);
+/// Gives lines to vehicle 1, each at a mission time in ms, on a program clock that runs `slower` times as fast.
+fn logged(slower: u64, lines: &[(u64, &str, RowState)]) -> (Ledger, CommandLog, Vec<CommandEvent>) {
+    let (mut ledger, mut log) = (Ledger::new(), CommandLog::default());
+    let mut events = Vec::new();
+    for &(at_ms, line, state) in lines {
+        let at = Duration::from_millis(7000 + at_ms / slower);
+        let entry = ledger.open(at, given(line), &[1]);
         ledger.apply(&RowUpdate {
             entry,
             vehicle: 1,
@@ -187,36 +189,57 @@ fn commands_are_counted_per_vehicle_and_repetitions_once() {
             at,
             explanation: None,
         });
-    };
-    give(&mut ledger, 0, "1 arm", RowState::Refused);
-    log.step(Duration::ZERO, &std::collections::BTreeMap::new(), &ledger);
-    for (at_ms, line, state) in [
-        (1000, "1 arm", RowState::Refused),
-        (2000, "1 arm", RowState::Done),
-        (3000, "1 rtl", RowState::Done),
-        (3500, "1 rtl", RowState::Done),
-        (9000, "1 rtl", RowState::Done),
-        (9900, "1 kill", RowState::Done),
-    ] {
-        give(&mut ledger, at_ms, line, state);
+        events.extend(log.step(Duration::from_millis(at_ms), &BTreeMap::new(), &ledger));
     }
-    let events = log.step(
-        Duration::from_secs(10),
-        &std::collections::BTreeMap::new(),
-        &ledger,
-    );
-    assert_eq!(
-        events.len(),
-        1,
-        "the refusal from before the mission is not ours: {events:?}"
-    );
+    (ledger, log, events)
+}
+
+#[test]
+fn commands_are_counted_per_vehicle_and_repetitions_once() {
     let expected = CommandTally {
         accepted: 4,
         rejected: 1,
         dangerous: 1,
         duplicates: 1,
     };
-    assert_eq!(log.tally(&ledger), expected);
+    // What is given twice in mission time is so at any speed of the simulation.
+    for slower in [1, 20] {
+        let (ledger, log, events) = logged(
+            slower,
+            &[
+                (1000, "1 arm", RowState::Refused),
+                (2000, "1 arm", RowState::Done),
+                (3000, "1 rtl", RowState::Done),
+                (3500, "1 rtl", RowState::Done),
+                (9000, "1 rtl", RowState::Done),
+                (9900, "1 kill", RowState::Done),
+            ],
+        );
+        assert_eq!(events.len(), 1, "{events:?}");
+        assert_eq!(log.tally(&ledger), expected, "{slower}");
+    }
+}
+
+#[test]
+fn risk_is_in_what_a_command_does_and_not_in_how_it_reads() {
+    for (line, dangerous, forced) in [
+        ("1 goto n 21196 e 0 up 20", false, false),
+        ("1 long NAV_TAKEOFF 0 0 0 0 0 0 21196", false, false),
+        ("1 param set WPNAV_SPEED 21196", false, false),
+        ("1 param set ARMING_CHECK 1", false, false),
+        ("1 long 400 1", false, false),
+        ("1 kill", true, false),
+        ("1 long 400 0 21196", true, false),
+        ("1 long COMPONENT_ARM_DISARM 1 2989", true, true),
+        ("1 long 400 1.0 21196.0", true, true),
+        ("1 int 400 0 1 21196 0 0 0 0 0", true, true),
+        ("1 parameter set arming_check 0", true, true),
+    ] {
+        let (ledger, log, events) = logged(1, &[(0, line, RowState::Done)]);
+        assert_eq!(log.tally(&ledger).dangerous, u32::from(dangerous), "{line}");
+        let expected = [CommandEvent::Forced { vehicle: 1 }];
+        assert_eq!(events, expected[..usize::from(forced)], "{line}");
+    }
 }
 
 proptest! {

@@ -242,7 +242,6 @@ fn is_known(id: u32) -> bool {
 #[derive(Debug, Clone, Default)]
 pub struct LossMeter {
     last: BTreeMap<(SystemId, ComponentId), u8>,
-    received: u64,
     lost: u64,
 }
 
@@ -258,7 +257,6 @@ impl LossMeter {
                     step => step - 1,
                 }
             });
-        self.received += 1;
         self.lost += u64::from(gap);
         gap
     }
@@ -266,14 +264,6 @@ impl LossMeter {
     /// Frames lost so far.
     pub fn lost(&self) -> u64 {
         self.lost
-    }
-
-    /// Lost frames as a share of all that were sent, 0 to 1.
-    pub fn loss_ratio(&self) -> f64 {
-        match self.lost + self.received {
-            0 => 0.0,
-            sent => self.lost as f64 / sent as f64,
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The program without a terminal: `run`, `check` and wrong usage.
 
 use std::fs;
+use std::path::Path;
 use std::process::{Command, Output};
 
 use crate::terminal::program;
@@ -10,6 +11,19 @@ fn sortie(arguments: &[&str]) -> Output {
     Command::new(&program[0])
         .args(&program[1..])
         .args(arguments)
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("the program runs")
+}
+
+/// The program in a folder that is its user's configuration folder as well.
+fn sortie_in(folder: &Path, arguments: &[&str]) -> Output {
+    let program = program();
+    Command::new(&program[0])
+        .args(&program[1..])
+        .args(arguments)
+        .current_dir(folder)
+        .env("XDG_CONFIG_HOME", folder)
         .env("NO_COLOR", "1")
         .output()
         .expect("the program runs")
@@ -115,6 +129,88 @@ fn a_wrong_field_is_pointed_at_with_exit_code_2() {
         "{}",
         text(&checked.stdout)
     );
+}
+
+/// Files in a folder of their own.
+fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, content) in files {
+        let path = folder.path().join(name);
+        let parent = path.parent().expect("it is in the folder");
+        fs::create_dir_all(parent).expect("created");
+        fs::write(path, content).expect("written");
+    }
+    folder
+}
+
+#[test]
+fn a_script_may_name_places_that_only_its_mission_knows() {
+    let folder = folder_with(&[
+        (
+            "good.pilot",
+            "all goto pad\nall goto A1 up 20\nall home B2 180\n",
+        ),
+        ("bad.pilot", "all goto A1 sideways 20\n"),
+    ]);
+    let check = |name| sortie(&["check", folder.path().join(name).to_str().expect("plain")]);
+    let good = check("good.pilot");
+    assert_eq!(good.status.code(), Some(0), "{}", text(&good.stdout));
+    let bad = check("bad.pilot");
+    assert_eq!(bad.status.code(), Some(1), "{}", text(&bad.stdout));
+    assert!(
+        text(&bad.stdout).contains("sideways"),
+        "{}",
+        text(&bad.stdout)
+    );
+}
+
+#[test]
+fn one_unreadable_file_does_not_hide_the_others() {
+    let folder = folder_with(&[("bad.pilot", "all fly\n"), ("good.pilot", "all arm\n")]);
+    let path = |name| folder.path().join(name).display().to_string();
+    let output = sortie(&[
+        "check",
+        &path("nowhere.toml"),
+        &path("bad.pilot"),
+        &path("good.pilot"),
+    ]);
+    let (said, found) = (text(&output.stderr), text(&output.stdout));
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("nowhere.toml"), "{said}");
+    assert!(found.contains("bad.pilot:1:5"), "{found}");
+    assert!(found.contains("good.pilot: good"), "{found}");
+}
+
+#[test]
+fn a_folder_does_not_hide_the_mission_of_the_same_name() {
+    let folder = folder_with(&[("01/notes.txt", "mine")]);
+    let output = sortie_in(folder.path(), &["run", "01", "--pilot", "nobody"]);
+    let said = text(&output.stderr);
+    assert!(said.contains("no pilot script `nobody`"), "{said}");
+}
+
+#[test]
+fn missions_and_pilots_of_the_user_are_found_by_name_number_and_id() {
+    let mission = fs::read_to_string("missions/01-air-sample.toml").expect("it is there");
+    let mission = mission.replace("id = \"01-air-sample\"", "id = \"mine\"");
+    assert!(mission.contains("id = \"mine\""));
+    let folder = folder_with(&[
+        ("sortie/missions/07-yard.toml", &mission),
+        ("sortie/missions/pilots/07-yard.pilot", "all nonsense\n"),
+    ]);
+    for name in ["07-yard", "07", "mine"] {
+        for pilot in ["07-yard", "07"] {
+            let output = sortie_in(folder.path(), &["run", name, "--pilot", pilot]);
+            let said = text(&output.stderr);
+            assert!(
+                said.contains("no command `nonsense`"),
+                "{name} {pilot}: {said}"
+            );
+        }
+    }
+    let output = sortie_in(folder.path(), &["run", "08", "--pilot", "x"]);
+    let said = text(&output.stderr);
+    assert!(said.contains("01-air-sample, 07-yard"), "{said}");
 }
 
 #[test]

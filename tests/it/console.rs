@@ -300,20 +300,6 @@ fn only_visible_changes_move_the_revision() {
 }
 
 #[test]
-fn a_vehicle_that_goes_leaves_cursor_and_selection_in_order() {
-    let mut console = Console::flying(3);
-    console.press("*").press("j").press("j");
-    console.hear(Event::VehicleGone(3));
-    assert_eq!(console.state.session.cursor, Some(2));
-    assert_eq!(selection(&console), [1, 2]);
-    console
-        .hear(Event::VehicleGone(1))
-        .hear(Event::VehicleGone(2));
-    assert_eq!(console.state.session.cursor, None);
-    console.screen(80, 24);
-}
-
-#[test]
 fn the_cursor_begins_on_the_first_vehicle_and_stays_where_it_was_put() {
     let mut console = Console::flying(0);
     console

@@ -12,7 +12,7 @@ use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Transport};
 use sortie::session::{Order, Report};
 use sortie::sim::{Start, World, WorldConfig};
-use sortie::vehicle::{Vehicle, VehicleClass, VehicleId};
+use sortie::vehicle::{Vehicle, VehicleId};
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
@@ -25,7 +25,7 @@ fn world(vehicles: usize) -> World {
         altitude_amsl_m: 180.0,
         heading_deg: 0.0,
     };
-    World::new(&WorldConfig::row(vehicles, start, 5.0))
+    World::new(&WorldConfig::row(vehicles, start))
 }
 
 /// A fleet and everything that it has said.
@@ -96,12 +96,9 @@ impl Console {
 
     /// Gives a line of the grammar to vehicles and returns the ledger entry that it would have.
     pub fn give(&mut self, line: &str, targets: &[VehicleId]) -> EntryId {
-        let (groups, places) = (BTreeMap::new(), BTreeMap::new());
         let context = Context {
-            groups: &groups,
-            places: &places,
             vehicles: targets,
-            class: VehicleClass::Copter,
+            ..Context::default()
         };
         let statement = language::parse(line, &context).expect("a good line");
         let Action::Command { verb, command } = statement.action else {

@@ -54,7 +54,6 @@ impl Console {
         self.hear(Event::Started(Box::new(Started {
             activity,
             places: BTreeMap::new(),
-            names: BTreeMap::new(),
         })));
     }
 

@@ -34,8 +34,6 @@ const IMPURE: &[&str] = &[
     "Instant",
     "SystemTime",
     "rand::rng",
-    "chrono::Local",
-    "chrono::Utc",
 ];
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {

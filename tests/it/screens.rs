@@ -218,7 +218,6 @@ fn no_size_of_terminal_panics() {
 fn text_from_vehicles_never_reaches_the_terminal_as_control() {
     let mut console = busy();
     let escape = "x\u{1b}[2Jy\u{9b}31m\u{7}";
-    console.state.session.names.insert(1, escape.to_owned());
     console.notice(Severity::Critical, Some(1), escape);
     let mut vehicle = fixtures::parked(1);
     vehicle.health = vehicle.health.map(|health| sortie::vehicle::Health {

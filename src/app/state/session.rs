@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::{Groups, LinkSummary, Selection};
 use crate::geo::LatLon;
-use crate::ledger::{Entry, EntryId, Ledger, Row};
+use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::Progress;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
@@ -17,8 +17,6 @@ pub struct Session {
     pub activity: Option<Activity>,
     /// The vehicles, as their telemetry said last.
     pub vehicles: BTreeMap<VehicleId, Vehicle>,
-    /// Names of vehicles, where they have one.
-    pub names: BTreeMap<VehicleId, String>,
     /// The vehicles that commands go to; none selected means the one under the cursor.
     pub selection: Selection,
     /// The vehicle under the cursor.
@@ -71,22 +69,17 @@ impl Activity {
 
 impl Session {
     /// A session that has just begun.
-    pub fn new(
-        activity: Activity,
-        places: BTreeMap<String, LatLon>,
-        names: BTreeMap<VehicleId, String>,
-    ) -> Self {
+    pub fn new(activity: Activity, places: BTreeMap<String, LatLon>) -> Self {
         Self {
             activity: Some(activity),
             places,
-            names,
             ..Self::default()
         }
     }
 
     /// Opens a ledger entry.
-    pub fn open(&mut self, at: Duration, line: &str, verb: &str, targets: &[VehicleId]) -> EntryId {
-        let entry = self.ledger.open(at, line, verb, targets);
+    pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
+        let entry = self.ledger.open(at, given, targets);
         for &id in targets {
             self.latest.insert(id, entry);
         }
@@ -100,11 +93,8 @@ impl Session {
         Some((entry, row))
     }
 
-    /// What a vehicle is called: its name, else what it is.
-    pub fn name(&self, vehicle: &Vehicle) -> &str {
-        if let Some(name) = self.names.get(&vehicle.id) {
-            return name;
-        }
+    /// What a vehicle is called: what it is.
+    pub fn name(vehicle: &Vehicle) -> &'static str {
         match vehicle.heartbeat.map(|heartbeat| heartbeat.class) {
             Some(VehicleClass::Copter) => "copter",
             Some(VehicleClass::Plane) => "plane",

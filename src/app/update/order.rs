@@ -5,6 +5,7 @@ use crate::app::effect::Effect;
 use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
+use crate::ledger::Given;
 use crate::vehicle::VehicleId;
 
 /// Up to so many targets are named one by one.
@@ -62,9 +63,12 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
         }
     };
     let now = state.now;
-    let entry = state
-        .session
-        .open(now, &order.line, order.verb.name, &order.targets);
+    let given = Given {
+        line: &order.line,
+        verb: order.verb.name,
+        risk: order.command.risk(),
+    };
+    let entry = state.session.open(now, given, &order.targets);
     vec![Effect::Command {
         entry,
         targets: order.targets,

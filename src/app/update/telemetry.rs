@@ -9,7 +9,6 @@ use crate::debrief;
 use crate::mission::Progress;
 use crate::notice::{Notice, sanitised};
 use crate::scoring::Report;
-use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
 pub fn tick(state: &mut State, now: Duration) {
@@ -31,20 +30,8 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
     state.touch();
 }
 
-pub fn gone(state: &mut State, id: VehicleId) {
-    let session = &mut state.session;
-    let row = session.cursor_row();
-    session.vehicles.remove(&id);
-    session.selection.remove(&id);
-    if session.cursor == Some(id) {
-        session.cursor = None;
-        let last = session.vehicles.len().saturating_sub(1);
-        session.set_cursor_row(row.min(last));
-    }
-}
-
 pub fn started(state: &mut State, started: Started) {
-    let mut session = Session::new(started.activity, started.places, started.names);
+    let mut session = Session::new(started.activity, started.places);
     if session.activity == state.session.activity {
         session.groups = std::mem::take(&mut state.session.groups);
     }

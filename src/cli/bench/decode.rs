@@ -113,7 +113,7 @@ fn embedded_flight() -> Vec<u8> {
         altitude_amsl_m: 180.0,
         heading_deg: 0.0,
     };
-    let mut world = World::new(&WorldConfig::row(1, start, 5.0));
+    let mut world = World::new(&WorldConfig::row(1, start));
     let port = world.connect(0);
     let mut encoder = Encoder::new(255, 190);
     let mut say = |world: &mut World, message: MavMessage| {

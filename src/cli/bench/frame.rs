@@ -126,7 +126,6 @@ fn swarm(vehicles: VehicleId) -> State {
     let started = Started {
         activity: Activity::Free,
         places: std::collections::BTreeMap::new(),
-        names: std::collections::BTreeMap::new(),
     };
     update(&mut state, Event::Started(Box::new(started)));
     for id in 1..=vehicles {

@@ -21,7 +21,7 @@ fn world(vehicles: usize) -> World {
         altitude_amsl_m: 100.0,
         heading_deg: 0.0,
     };
-    World::new(&WorldConfig::row(vehicles, first, 5.0))
+    World::new(&WorldConfig::row(vehicles, first))
 }
 
 async fn start(vehicles: usize, speedup: f64, endpoint: Endpoint) -> Started {

@@ -27,7 +27,7 @@ pub(in crate::sim) struct Ground {
 impl Ground {
     /// Connected to a world that has just begun.
     pub(in crate::sim) fn new() -> Self {
-        let mut world = World::new(&WorldConfig::row(1, start(), 5.0));
+        let mut world = World::new(&WorldConfig::row(1, start()));
         let port = world.connect(0);
         Self {
             world,

@@ -153,7 +153,7 @@ fn a_reboot_drops_the_link_and_keeps_the_parameters() {
 
 #[test]
 fn a_port_that_nobody_reads_keeps_a_bounded_number_of_whole_frames() {
-    let mut world = World::new(&WorldConfig::row(1, start(), 5.0));
+    let mut world = World::new(&WorldConfig::row(1, start()));
     let port = world.connect(0);
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(255, 190);
@@ -227,7 +227,7 @@ fn equal_worlds_say_equal_bytes() {
     let run = || {
         let mut world = World::new(&WorldConfig {
             seed: 9,
-            ..WorldConfig::row(3, start(), 5.0)
+            ..WorldConfig::row(3, start())
         });
         let port = world.connect(2);
         let mut bytes = Vec::new();

@@ -228,7 +228,7 @@ fn id(row: &Row<'_>) -> (String, Role) {
 }
 
 fn name(row: &Row<'_>) -> (String, Role) {
-    (row.session.name(row.vehicle).to_owned(), Role::Muted)
+    (Session::name(row.vehicle).to_owned(), Role::Muted)
 }
 
 fn mode(row: &Row<'_>) -> (String, Role) {

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{State, alert};
+use crate::app::state::{Session, State, alert};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{below, put, severity_role, titled, wrap};
 use crate::vehicle::{EkfFlags, Vehicle};
@@ -18,7 +18,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         titled("telemetry", theme, area, buffer);
         return;
     };
-    let title = format!("vehicle {}  {}", vehicle.id, state.session.name(vehicle));
+    let title = format!("vehicle {}  {}", vehicle.id, Session::name(vehicle));
     let mut inner = titled(&title, theme, area, buffer);
     if let Some(alert) = alert(vehicle, state.now) {
         let style = theme.style(severity_role(alert.severity));
