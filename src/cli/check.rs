@@ -31,10 +31,10 @@ pub(super) fn check(files: &[PathBuf]) -> Result<ExitCode, Failure> {
             Ok(source) => {
                 let faults = faults(kind, &source.text);
                 for fault in &faults {
-                    println!("{}", fault.one_line(&source.name, &source.text));
+                    say!("{}", fault.one_line(&source.name, &source.text))?;
                 }
                 if faults.is_empty() {
-                    println!("{}: good", source.name);
+                    say!("{}: good", source.name)?;
                 }
                 faulty |= !faults.is_empty();
             }
