@@ -1,0 +1,294 @@
+//! What single messages say of a vehicle.
+
+use std::time::Duration;
+
+use super::{EkfFlags, FixType, Mode, Severity, SystemStatus, VehicleClass};
+use crate::geo::LatLon;
+
+/// HEARTBEAT of the autopilot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Heartbeat {
+    /// `MAV_TYPE` as sent, known to this program or not.
+    pub mav_type: u8,
+    /// `MAV_AUTOPILOT` as sent; 3 is ArduPilot.
+    pub autopilot: u8,
+    /// Which mode table applies.
+    pub class: VehicleClass,
+    /// The flight mode.
+    pub mode: Mode,
+    /// Whether the motors are armed.
+    pub armed: bool,
+    /// The autopilot's own summary of its state.
+    pub status: SystemStatus,
+    /// When it came.
+    pub at: Duration,
+}
+
+/// ATTITUDE.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attitude {
+    /// Right wing down positive, in degrees.
+    pub roll_deg: f32,
+    /// Nose up positive, in degrees.
+    pub pitch_deg: f32,
+    /// Nose clockwise from north, 0 to 360 degrees.
+    pub yaw_deg: f32,
+    /// When it came.
+    pub at: Duration,
+}
+
+/// `GLOBAL_POSITION_INT`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GlobalPosition {
+    /// Where it is.
+    pub at_point: LatLon,
+    /// Height above mean sea level, in metres.
+    pub altitude_amsl_m: f64,
+    /// Height above home, in metres.
+    pub altitude_m: f64,
+    /// Velocity to the north, in m/s.
+    pub north_m_s: f32,
+    /// Velocity to the east, in m/s.
+    pub east_m_s: f32,
+    /// Velocity downwards, in m/s.
+    pub down_m_s: f32,
+    /// Heading, 0 to 360 degrees.
+    pub heading_deg: Option<f32>,
+    /// When it came.
+    pub at: Duration,
+}
+
+impl GlobalPosition {
+    /// Horizontal speed in m/s.
+    pub fn ground_speed_m_s(&self) -> f32 {
+        self.north_m_s.hypot(self.east_m_s)
+    }
+}
+
+/// `LOCAL_POSITION_NED`, relative to the EKF origin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LocalPosition {
+    /// North, east, down, in metres.
+    pub ned_m: [f32; 3],
+    /// North, east, down, in m/s.
+    pub velocity_m_s: [f32; 3],
+    /// When it came.
+    pub at: Duration,
+}
+
+/// A place with a height.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Where.
+    pub at_point: LatLon,
+    /// Height above mean sea level, in metres.
+    pub altitude_amsl_m: f64,
+}
+
+/// Where the autopilot is heading. Parts that its type mask ignores are `None`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// The target point.
+    pub at_point: Option<LatLon>,
+    /// Its height above home, in metres.
+    pub altitude_m: Option<f64>,
+    /// The target velocity north, east, down, in m/s.
+    pub velocity_m_s: Option<[f32; 3]>,
+    /// When it came.
+    pub at: Duration,
+}
+
+/// `GPS_RAW_INT`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gps {
+    /// Kind of fix.
+    pub fix: FixType,
+    /// Satellites in use; `None` where the receiver does not say.
+    pub satellites: Option<u8>,
+    /// Horizontal dilution of precision; `None` where the receiver does not say.
+    pub hdop: Option<f32>,
+    /// When it came.
+    pub at: Duration,
+}
+
+/// `VFR_HUD`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hud {
+    /// Indicated airspeed in m/s.
+    pub airspeed_m_s: f32,
+    /// Speed over ground in m/s.
+    pub ground_speed_m_s: f32,
+    /// Climb rate in m/s, up positive.
+    pub climb_m_s: f32,
+    /// Height above mean sea level, in metres.
+    pub altitude_amsl_m: f32,
+    /// Throttle, 0 to 100 percent.
+    pub throttle_percent: u16,
+    /// Heading, 0 to 360 degrees.
+    pub heading_deg: f32,
+    /// When it came.
+    pub at: Duration,
+}
+
+/// `SYS_STATUS`: which subsystems are present, enabled and healthy (`MAV_SYS_STATUS_SENSOR` bits).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Health {
+    /// Bits of what is fitted.
+    pub present: u32,
+    /// Bits of what is in use.
+    pub enabled: u32,
+    /// Bits of what works.
+    pub healthy: u32,
+    /// Processor load, 0 to 100 percent.
+    pub load_percent: f32,
+    /// When it came.
+    pub at: Duration,
+}
+
+impl Health {
+    /// `MAV_SYS_STATUS_PREARM_CHECK`.
+    pub const PREARM: u32 = 0x1000_0000;
+
+    /// Whether the autopilot says that all checks before arming pass. It speaks for the current mode only.
+    pub fn prearm_ok(&self) -> bool {
+        self.healthy & Self::PREARM != 0
+    }
+}
+
+/// One battery pack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Battery {
+    /// The pack's id, 0 first.
+    pub id: u8,
+    /// Pack voltage.
+    pub voltage_v: Option<f32>,
+    /// Current, discharging positive.
+    pub current_a: Option<f32>,
+    /// Charge used since power-up.
+    pub consumed_mah: Option<f32>,
+    /// Energy used since power-up.
+    pub consumed_wh: Option<f32>,
+    /// Charge left, 0 to 100 percent.
+    pub remaining_percent: Option<u8>,
+    /// When it came.
+    pub at: Duration,
+}
+
+/// `EKF_STATUS_REPORT`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ekf {
+    /// What the filter can estimate.
+    pub flags: EkfFlags,
+    /// Test ratio of the velocity innovations; 1 is the limit.
+    pub velocity_variance: f32,
+    /// Test ratio of the horizontal position innovations.
+    pub position_horizontal_variance: f32,
+    /// Test ratio of the vertical position innovations.
+    pub position_vertical_variance: f32,
+    /// Test ratio of the compass innovations.
+    pub compass_variance: f32,
+    /// When it came.
+    pub at: Duration,
+}
+
+/// VIBRATION.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vibration {
+    /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation).
+    pub level_m_s2: [f32; 3],
+    /// How often each accelerometer clipped.
+    pub clipping: [u32; 3],
+}
+
+/// Progress through the plan on board.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PlanProgress {
+    /// The item being flown; 0 is home.
+    pub current: u16,
+    /// Items after home; `None` where the autopilot does not say.
+    pub total: Option<u16>,
+    /// The last item that was reported as reached.
+    pub reached: Option<u16>,
+}
+
+/// `FENCE_STATUS`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Fence {
+    /// Whether the vehicle is outside.
+    pub breached: bool,
+    /// How often it has been outside.
+    pub breaches: u16,
+    /// `FENCE_BREACH` kind of the last breach.
+    pub breach_type: u8,
+}
+
+/// WIND.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wind {
+    /// Where it comes from, degrees clockwise from north.
+    pub from_deg: f32,
+    /// Horizontal speed in m/s.
+    pub speed_m_s: f32,
+}
+
+/// `RC_CHANNELS`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RcChannels {
+    /// Pulse widths in microseconds, channel 1 first; 0 where unused.
+    pub channels_us: [u16; 18],
+    /// Signal strength, 0 to 254; `None` where unknown.
+    pub rssi: Option<u8>,
+}
+
+/// `AUTOPILOT_VERSION`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AutopilotVersion {
+    /// Major, minor, patch.
+    pub firmware: (u8, u8, u8),
+    /// `MAV_PROTOCOL_CAPABILITY` bits.
+    pub capabilities: u64,
+    /// The board's unique id; tells two vehicles with one system id apart.
+    pub uid: u64,
+    /// The first eight bytes of the firmware's hash, as text.
+    pub hash: [u8; 8],
+}
+
+/// How well a vehicle is heard.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LinkQuality {
+    /// When anything last came from it.
+    pub last_heard: Option<Duration>,
+    /// Whether it has been silent for longer than the limit.
+    pub lost: bool,
+    /// Frames received from it.
+    pub received: u64,
+    /// Frames missing by gaps in its sequence numbers.
+    pub missing: u64,
+    /// Round trip by TIMESYNC.
+    pub round_trip: Option<Duration>,
+    /// How often it has rebooted since we know it.
+    pub reboots: u32,
+    /// The number of the link by which it is heard.
+    pub via: Option<u16>,
+}
+
+impl LinkQuality {
+    /// Received frames as a share of all that were sent, 0 to 100 percent.
+    pub fn percent(&self) -> u8 {
+        match self.received + self.missing {
+            0 => 0,
+            sent => (self.received * 100 / sent) as u8,
+        }
+    }
+}
+
+/// STATUSTEXT, chunks joined, cleaned of control characters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StatusText {
+    /// How serious.
+    pub severity: Severity,
+    /// What it said.
+    pub text: String,
+    /// When it came.
+    pub at: Duration,
+}
