@@ -9,9 +9,11 @@ use mavlink::{MavlinkVersion, Message as _};
 
 mod decoder;
 mod encoder;
+mod loss;
 
-pub use decoder::{Counters, Decoder, LossMeter};
+pub use decoder::{Counters, Decoder};
 pub use encoder::{Encoder, Outgoing};
+pub use loss::LossMeter;
 
 /// A MAVLink system id. 0 addresses everybody and is never a sender.
 pub type SystemId = u8;

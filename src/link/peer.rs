@@ -49,8 +49,8 @@ impl PeerStream {
             Ending::Open => self.decoder.next_frame(),
             Ending::Closed => self.decoder.next_frame_at_end(),
         } {
-            let gap = self.loss.note(&frame);
-            meter.lost(&frame, gap);
+            let change = self.loss.note(&frame);
+            meter.lost(&frame, change);
             self.answer_in(frame.version);
             frames.push(frame);
         }
