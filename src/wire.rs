@@ -27,7 +27,7 @@ pub const GROUND_STATION_SYSTEM: SystemId = 255;
 /// The component id of a ground station's mission planner (`MAV_COMP_ID_MISSIONPLANNER`).
 pub const GROUND_STATION_COMPONENT: ComponentId = 190;
 
-/// One intact frame.
+/// One frame: intact, unless its content is [`Content::Unknown`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     /// The sender's system id.
@@ -63,6 +63,19 @@ pub enum Content {
         /// The payload in wire order, extended with zeros to the longest that there is.
         payload: Box<[u8; 255]>,
     },
+    /// An id that the dialect lacks. Its checksum cannot be verified, so nothing may be concluded from the
+    /// frame; only its place in its sender's numbering is worth noting.
+    Unknown {
+        /// The message id.
+        id: u32,
+    },
+}
+
+impl Frame {
+    /// Whether the checksum was right, so that the sender and what it says can be relied on.
+    pub fn is_verified(&self) -> bool {
+        !matches!(self.content, Content::Unknown { .. })
+    }
 }
 
 impl Content {
@@ -70,7 +83,7 @@ impl Content {
     pub fn id(&self) -> u32 {
         match self {
             Self::Message(message) => message.message_id(),
-            Self::Undecoded { id, .. } => *id,
+            Self::Undecoded { id, .. } | Self::Unknown { id } => *id,
         }
     }
 }

@@ -126,7 +126,7 @@ impl Hub {
         };
         let is_autopilot = frames
             .iter()
-            .any(|frame| frame.component == route.component);
+            .any(|frame| frame.component == route.component && frame.is_verified());
         if (route.link, route.peer) != from && is_autopilot {
             if now.saturating_sub(route.heard_at) < LOST_AFTER {
                 return self.complain(system, from, now).await;

@@ -113,14 +113,14 @@ impl Peers {
             && let Some(remote) = self.all.get_mut(&peer)
         {
             let frames = remote.stream.receive(bytes, Ending::Closed, meter);
-            if !frames.is_empty() && remote.heard_at.replace(now).is_none() {
+            if frames.iter().any(Frame::is_verified) && remote.heard_at.replace(now).is_none() {
                 meter.set_peers(self.heard());
             }
             return Some((peer, frames));
         }
         let mut stream = PeerStream::new(&self.config);
         let frames = stream.receive(bytes, Ending::Closed, meter);
-        if frames.is_empty() || !self.has_room(now) {
+        if !frames.iter().any(Frame::is_verified) || !self.has_room(now) {
             return None;
         }
         let peer = self.admit(Remote {

@@ -51,7 +51,9 @@ impl PeerStream {
         } {
             let change = self.loss.note(&frame);
             meter.lost(&frame, change);
-            self.answer_in(frame.version);
+            if frame.is_verified() {
+                self.answer_in(frame.version);
+            }
             frames.push(frame);
         }
         meter.decoded(before, self.decoder.counters());

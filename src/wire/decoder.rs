@@ -28,7 +28,7 @@ pub struct Counters {
     pub crc_errors: u64,
     /// Bytes that belonged to no frame.
     pub skipped_bytes: u64,
-    /// Frames with a message id that the dialect lacks; their checksum cannot be verified.
+    /// Frames with a message id that the dialect lacks; their checksum cannot be verified. Not in `frames`.
     pub unknown_messages: u64,
     /// Frames whose payload holds an enum value that the dialect lacks.
     pub undecoded: u64,
@@ -88,7 +88,7 @@ impl Decoder {
         self.counters
     }
 
-    /// The next intact frame, or `None` until more bytes come.
+    /// The next frame, intact or of an unknown message, or `None` until more bytes come.
     pub fn next_frame(&mut self) -> Option<Frame> {
         loop {
             self.seek_start();
@@ -171,13 +171,13 @@ impl Decoder {
             .is_none_or(|&byte| byte == STX_V1 || byte == STX_V2);
         if !is_known(layout.id) {
             // No CRC seed, so only the surroundings tell a foreign message from noise.
-            if followed_by_start {
-                self.counters.unknown_messages += 1;
-                self.position += end;
-            } else {
+            if !followed_by_start {
                 self.skip(1);
+                return None;
             }
-            return None;
+            let frame = self.unknown(layout);
+            self.position += end;
+            return Some(frame);
         }
         let crc = calculate_crc(&bytes[1..crc_at], MavMessage::extra_crc(layout.id));
         if crc.to_le_bytes() != bytes[crc_at..crc_at + 2] {
@@ -191,10 +191,10 @@ impl Decoder {
         }
         let frame = self.parse(layout);
         self.position += end;
-        frame
+        Some(frame)
     }
 
-    fn parse(&mut self, layout: &Layout) -> Option<Frame> {
+    fn parse(&mut self, layout: &Layout) -> Frame {
         let bytes = &self.buffer[self.position..];
         let payload = &bytes[layout.header_len..layout.header_len + layout.payload_len];
         let content = match MavMessage::parse(layout.version, layout.id, payload) {
@@ -210,16 +210,25 @@ impl Decoder {
             }
             Err(_) => {
                 // Longer than the dialect's definition: a newer revision of the message.
-                self.counters.unknown_messages += 1;
-                return None;
+                return self.unknown(layout);
             }
         };
+        self.counters.frames += 1;
+        self.frame(layout, content)
+    }
+
+    fn unknown(&mut self, layout: &Layout) -> Frame {
+        self.counters.unknown_messages += 1;
+        self.frame(layout, Content::Unknown { id: layout.id })
+    }
+
+    fn frame(&self, layout: &Layout, content: Content) -> Frame {
+        let bytes = &self.buffer[self.position..];
         let sender = match layout.version {
             MavlinkVersion::V1 => &bytes[2..5],
             MavlinkVersion::V2 => &bytes[4..7],
         };
-        self.counters.frames += 1;
-        Some(Frame {
+        Frame {
             system: sender[1],
             component: sender[2],
             sequence: sender[0],
@@ -227,7 +236,7 @@ impl Decoder {
             signed: layout.signed,
             wire_len: layout.end() as u16,
             content,
-        })
+        }
     }
 }
 

@@ -56,17 +56,19 @@ impl Numbering {
 
 impl LossMeter {
     /// Takes note of a frame and returns how many more of its sender are missing now: those that a gap left
-    /// out, or -1 when one comes late that was counted as lost.
+    /// out, or -1 when one comes late that was counted as lost. A frame of an unknown message may be noise and
+    /// makes no sender known.
     pub fn note(&mut self, frame: &Frame) -> i16 {
-        let numbering = self
-            .senders
-            .entry((frame.system, frame.component))
-            .or_insert(Numbering {
-                last: frame.sequence,
-                lost: 0,
-                late: 0,
-                found: 0,
-            });
+        let sender = (frame.system, frame.component);
+        if !frame.is_verified() && !self.senders.contains_key(&sender) {
+            return 0;
+        }
+        let numbering = self.senders.entry(sender).or_insert(Numbering {
+            last: frame.sequence,
+            lost: 0,
+            late: 0,
+            found: 0,
+        });
         let change = numbering.step_to(frame.sequence);
         numbering.lost = numbering.lost.saturating_add_signed(change.into());
         self.lost = self.lost.saturating_add_signed(change.into());
@@ -141,6 +143,24 @@ mod tests {
     #[test]
     fn a_frame_from_before_the_first_one_leaves_the_count_alone() {
         assert_eq!(lost([5, 4, 6, 7]), 0);
+    }
+
+    #[test]
+    fn an_unknown_message_fills_its_place_but_makes_no_sender_known() {
+        let unknown = |component, sequence| Frame {
+            content: Content::Unknown { id: 60_000 },
+            ..frame(component, sequence)
+        };
+        let mut meter = LossMeter::default();
+        for frame in [
+            frame(1, 0),
+            unknown(1, 1),
+            frame(1, 2),
+            unknown(7, 9),
+            frame(7, 20),
+        ] {
+            assert_eq!(meter.note(&frame), 0, "{frame:?}");
+        }
     }
 
     #[test]

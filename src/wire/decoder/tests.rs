@@ -77,14 +77,22 @@ fn a_false_start_at_the_end_of_a_datagram_hides_nothing() {
 }
 
 #[test]
-fn a_foreign_message_is_counted_and_passed_over() {
-    let mut foreign = vec![STX_V2, 2, 0, 0, 0, 9, 1, 0xFF, 0xFF, 0xFE, 1, 2, 3, 4];
+fn a_foreign_message_is_delivered_unverified_and_not_counted_as_intact() {
+    let mut foreign = vec![STX_V2, 2, 0, 0, 5, 9, 1, 0xFF, 0xFF, 0xFE, 1, 2, 3, 4];
     foreign.extend(encoded(1, MavlinkVersion::V2));
     let mut decoder = Decoder::new();
     decoder.push(&foreign);
-    assert_eq!(frames(&mut decoder).len(), 1);
-    assert_eq!(decoder.counters().unknown_messages, 1);
-    assert_eq!(decoder.counters().skipped_bytes, 0);
+    let read = frames(&mut decoder);
+    assert_eq!(read.len(), 2);
+    assert_eq!(read[0].content, Content::Unknown { id: 0x00FE_FFFF });
+    assert_eq!(
+        (read[0].system, read[0].component, read[0].sequence),
+        (9, 1, 5)
+    );
+    assert!(!read[0].is_verified() && read[1].is_verified());
+    let counters = decoder.counters();
+    assert_eq!((counters.unknown_messages, counters.frames), (1, 1));
+    assert_eq!(counters.skipped_bytes, 0);
 }
 
 #[test]
@@ -117,9 +125,11 @@ proptest! {
         let mut found = 0;
         for piece in stream.chunks(chunk) {
             decoder.push(piece);
-            found += frames(&mut decoder).len();
+            found += frames(&mut decoder).iter().filter(|f| f.is_verified()).count();
         }
-        found += std::iter::from_fn(|| decoder.next_frame_at_end()).count();
+        found += std::iter::from_fn(|| decoder.next_frame_at_end())
+                .filter(Frame::is_verified)
+                .count();
         // Noise may imitate a foreign message that swallows what follows; that costs at most the frames it covers.
         let foreign = decoder.counters().unknown_messages;
         prop_assert!(found >= noise.len() || foreign > 0, "{found} of {}", noise.len());
