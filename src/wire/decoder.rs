@@ -88,6 +88,12 @@ impl Decoder {
         self.counters
     }
 
+    /// Whether something that looks like the beginning of a frame waits for its rest. Ask when
+    /// [`Self::next_frame`] has returned `None`.
+    pub fn has_tail(&self) -> bool {
+        self.position < self.buffer.len()
+    }
+
     /// The next frame, intact or of an unknown message, or `None` until more bytes come.
     pub fn next_frame(&mut self) -> Option<Frame> {
         loop {
