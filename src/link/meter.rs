@@ -129,6 +129,12 @@ impl Meter {
         sum.undecoded += after.undecoded - before.undecoded;
     }
 
+    /// Notes bytes that were passed over before any decoder saw them.
+    pub(super) fn passed_over(&mut self, bytes: u64) {
+        self.status.decoder.bytes += bytes;
+        self.status.decoder.skipped_bytes += bytes;
+    }
+
     /// Notes that so many more frames of a sender never came, or that some came late after all.
     pub(super) fn lost(&mut self, frame: &Frame, change: i16) {
         if change != 0 {
