@@ -156,6 +156,17 @@ impl Peers {
             }
             return Some((peer, frames));
         }
+        self.receive_from_stranger(from, bytes, ending, meter)
+    }
+
+    fn receive_from_stranger(
+        &mut self,
+        from: SocketAddr,
+        bytes: &[u8],
+        ending: Ending,
+        meter: &mut Meter,
+    ) -> Option<(Peer, Vec<Frame>)> {
+        let now = Instant::now();
         let known = self.strangers.remove(&from);
         let mut stream = known.unwrap_or_else(|| PeerStream::new(&self.config));
         let ending = match self.strangers.len() {
