@@ -110,7 +110,7 @@ impl Inbox {
             Content::Undecoded { id, payload } if *id == HEARTBEAT_ID => {
                 heartbeat::apply(vehicle, heartbeat::Beat::from_payload(payload), &mut report);
             }
-            Content::Undecoded { .. } => {}
+            Content::Undecoded { .. } | Content::Unknown { .. } => {}
         }
     }
 

@@ -233,6 +233,9 @@ impl Session {
 
     fn hear(&mut self, frame: &Frame, now: Duration) {
         self.loss.note(frame);
+        if !frame.is_verified() {
+            return;
+        }
         self.streams.note(frame.content.id());
         let link = &mut self.vehicle.link;
         link.received += 1;

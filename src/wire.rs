@@ -11,9 +11,11 @@ use mavlink::{MavlinkVersion, Message as _};
 
 mod decoder;
 mod encoder;
+mod loss;
 
-pub use decoder::{Counters, Decoder, LossMeter};
+pub use decoder::{Counters, Decoder};
 pub use encoder::{Encoder, Outgoing};
+pub use loss::LossMeter;
 
 /// A MAVLink system id. 0 addresses everybody and is never a sender.
 pub type SystemId = u8;
@@ -41,7 +43,7 @@ pub fn ground_station_heartbeat() -> Outgoing {
     .into()
 }
 
-/// One intact frame.
+/// One frame: intact, unless its content is [`Content::Unknown`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     /// The sender's system id.
@@ -77,6 +79,19 @@ pub enum Content {
         /// The payload in wire order, extended with zeros to the longest that there is.
         payload: Box<[u8; 255]>,
     },
+    /// An id that the dialect lacks. Its checksum cannot be verified, so nothing may be concluded from the
+    /// frame; only its place in its sender's numbering is worth noting.
+    Unknown {
+        /// The message id.
+        id: u32,
+    },
+}
+
+impl Frame {
+    /// Whether the checksum was right, so that the sender and what it says can be relied on.
+    pub fn is_verified(&self) -> bool {
+        !matches!(self.content, Content::Unknown { .. })
+    }
 }
 
 impl Content {
@@ -84,7 +99,7 @@ impl Content {
     pub fn id(&self) -> u32 {
         match self {
             Self::Message(message) => message.message_id(),
-            Self::Undecoded { id, .. } => *id,
+            Self::Undecoded { id, .. } | Self::Unknown { id } => *id,
         }
     }
 }

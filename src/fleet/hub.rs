@@ -127,7 +127,7 @@ impl Hub {
         let mut moved_from = None;
         let is_autopilot = frames
             .iter()
-            .any(|frame| frame.component == route.component);
+            .any(|frame| frame.component == route.component && frame.is_verified());
         if (route.link, route.peer) != from && is_autopilot {
             if now.saturating_sub(route.heard_at) < LOST_AFTER {
                 return self.complain(system, from, now).await;

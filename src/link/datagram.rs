@@ -6,10 +6,11 @@ use std::net::SocketAddr;
 use std::time::Duration;
 
 use tokio::net::UdpSocket;
-use tokio::time::Instant;
+use tokio::time::{Instant, sleep_until};
 
 use super::meter::Meter;
 use super::peer::{Ending, PeerStream};
+use super::stream::PAUSE;
 use super::task::{Chore, Link, Outcome};
 use super::{LinkConfig, Peer, To};
 use crate::wire::{Frame, Outgoing};
@@ -19,6 +20,8 @@ const DATAGRAM_LEN: usize = 65_536;
 /// Sender addresses can be forged, so their number must have a bound.
 const PEER_CAP: usize = 1024;
 /// A peer that was silent for so long may make room for a new one.
+/// For so many strangers half a frame is kept: a bridge may cut every one.
+const STRANGER_CAP: usize = 16;
 const STALE: Duration = Duration::from_secs(10);
 
 /// Carries data until the socket fails. What is for everyone goes to `target` if there is one, else to whoever
@@ -31,6 +34,7 @@ pub(super) async fn session(
     let mut peers = Peers::new(link.config, target);
     let mut input = vec![0; DATAGRAM_LEN];
     loop {
+        let pause = peers.next_pause();
         tokio::select! {
             biased;
             chore = link.chore(true) => match chore {
@@ -44,14 +48,31 @@ pub(super) async fn session(
             },
             received = socket.recv_from(&mut input), if link.may_read() => match received {
                 Ok((len, from)) => {
-                    if let Some((peer, frames)) = peers.receive(from, &input[..len], &mut link.meter) {
+                    let found = peers.receive(from, &input[..len], Ending::Datagram, &mut link.meter);
+                    if let Some((peer, frames)) = found {
                         link.deliver(peer, frames);
                     }
                 }
                 Err(error) if is_icmp(&error) => {}
                 Err(error) => return Outcome::Lost(format!("the UDP socket failed: {error}")),
             },
+            from = paused(pause), if link.may_read() => {
+                if let Some((peer, frames)) = peers.receive(from, &[], Ending::Closed, &mut link.meter) {
+                    link.deliver(peer, frames);
+                }
+            }
         }
+    }
+}
+
+/// Waits until a sender has paused and names it; for ever if nobody's half frame waits for its rest.
+async fn paused(pause: Option<(Instant, SocketAddr)>) -> SocketAddr {
+    match pause {
+        Some((at, from)) => {
+            sleep_until(at).await;
+            from
+        }
+        None => std::future::pending().await,
     }
 }
 
@@ -68,6 +89,10 @@ struct Peers {
     config: LinkConfig,
     by_address: BTreeMap<SocketAddr, Peer>,
     all: BTreeMap<Peer, Remote>,
+    /// Who has sent half a frame, but no intact one yet.
+    strangers: BTreeMap<SocketAddr, PeerStream>,
+    /// Whose last datagram ended inside a frame, and when it came.
+    tails: BTreeMap<SocketAddr, Instant>,
     next: u32,
     target: Option<Peer>,
     sending_fails: bool,
@@ -86,6 +111,8 @@ impl Peers {
             config,
             by_address: BTreeMap::new(),
             all: BTreeMap::new(),
+            strangers: BTreeMap::new(),
+            tails: BTreeMap::new(),
             next: 0,
             target: None,
             sending_fails: false,
@@ -100,27 +127,61 @@ impl Peers {
         peers
     }
 
-    /// Takes in a datagram. A stranger becomes a peer by an intact frame.
+    /// When the next sender will have paused, and who it is.
+    fn next_pause(&self) -> Option<(Instant, SocketAddr)> {
+        let pause = |(&from, &at): (&SocketAddr, &Instant)| (at + PAUSE, from);
+        self.tails.iter().map(pause).min()
+    }
+
+    /// Takes in a datagram, or that no more has come for a while. A stranger becomes a peer by an intact frame.
     fn receive(
         &mut self,
         from: SocketAddr,
         bytes: &[u8],
+        ending: Ending,
         meter: &mut Meter,
     ) -> Option<(Peer, Vec<Frame>)> {
         let now = Instant::now();
+        self.tails.remove(&from);
         let known = self.by_address.get(&from).copied();
         if let Some(peer) = known
             && let Some(remote) = self.all.get_mut(&peer)
         {
-            let frames = remote.stream.receive(bytes, Ending::Closed, meter);
-            if !frames.is_empty() && remote.heard_at.replace(now).is_none() {
+            let frames = remote.stream.receive(bytes, ending, meter);
+            if remote.stream.has_tail() {
+                self.tails.insert(from, now);
+            }
+            if frames.iter().any(Frame::is_verified) && remote.heard_at.replace(now).is_none() {
                 meter.set_peers(self.heard());
             }
             return Some((peer, frames));
         }
-        let mut stream = PeerStream::new(&self.config);
-        let frames = stream.receive(bytes, Ending::Closed, meter);
-        if frames.is_empty() || !self.has_room(now) {
+        self.receive_from_stranger(from, bytes, ending, meter)
+    }
+
+    fn receive_from_stranger(
+        &mut self,
+        from: SocketAddr,
+        bytes: &[u8],
+        ending: Ending,
+        meter: &mut Meter,
+    ) -> Option<(Peer, Vec<Frame>)> {
+        let now = Instant::now();
+        let known = self.strangers.remove(&from);
+        let mut stream = known.unwrap_or_else(|| PeerStream::new(&self.config));
+        let ending = match self.strangers.len() {
+            STRANGER_CAP.. => Ending::Closed,
+            _ => ending,
+        };
+        let frames = stream.receive(bytes, ending, meter);
+        let is_peer = frames.iter().any(Frame::is_verified) && self.has_room(now);
+        if stream.has_tail() {
+            self.tails.insert(from, now);
+        }
+        if !is_peer {
+            if stream.has_tail() {
+                self.strangers.insert(from, stream);
+            }
             return None;
         }
         let peer = self.admit(Remote {
@@ -160,6 +221,7 @@ impl Peers {
             Some((heard_at, peer)) if now - heard_at > STALE => {
                 if let Some(gone) = self.all.remove(&peer) {
                     self.by_address.remove(&gone.address);
+                    self.tails.remove(&gone.address);
                 }
                 true
             }
@@ -236,7 +298,7 @@ mod tests {
         let target = stranger(60_000);
         let mut peers = Peers::new(LinkConfig::default(), Some(target));
         let mut receive = |number, bytes: &[u8]| {
-            let found = peers.receive(stranger(number), bytes, &mut meter);
+            let found = peers.receive(stranger(number), bytes, Ending::Datagram, &mut meter);
             (found.map(|(peer, _)| peer), peers.all.len())
         };
         assert_eq!(receive(0, b"noise"), (None, 1), "noise makes no peer");
@@ -270,5 +332,28 @@ mod tests {
             "2 was silent for longest"
         );
         assert_eq!(peers.by_address.len(), PEER_CAP);
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn half_frames_of_forged_senders_fill_no_memory() {
+        let mut meter = meter();
+        let mut peers = Peers::new(LinkConfig::default(), None);
+        for number in 0..1000 {
+            let from = stranger(number);
+            assert_eq!(
+                peers.receive(from, &[0xFD, 9], Ending::Datagram, &mut meter),
+                None
+            );
+        }
+        assert_eq!(
+            (peers.strangers.len(), peers.tails.len()),
+            (STRANGER_CAP, STRANGER_CAP)
+        );
+        advance(PAUSE).await;
+        while let Some((at, from)) = peers.next_pause() {
+            assert!(at <= Instant::now());
+            assert_eq!(peers.receive(from, &[], Ending::Closed, &mut meter), None);
+        }
+        assert_eq!(peers.strangers.len(), 0);
     }
 }

@@ -129,13 +129,20 @@ impl Meter {
         sum.undecoded += after.undecoded - before.undecoded;
     }
 
-    /// Notes frames of a sender that never came.
-    pub(super) fn lost(&mut self, frame: &Frame, count: u8) {
-        if count > 0 {
-            *self
+    /// Notes bytes that were passed over before any decoder saw them.
+    pub(super) fn passed_over(&mut self, bytes: u64) {
+        self.status.decoder.bytes += bytes;
+        self.status.decoder.skipped_bytes += bytes;
+    }
+
+    /// Notes that so many more frames of a sender never came, or that some came late after all.
+    pub(super) fn lost(&mut self, frame: &Frame, change: i16) {
+        if change != 0 {
+            let lost = self
                 .lost
                 .entry((frame.system, frame.component))
-                .or_default() += u64::from(count);
+                .or_default();
+            *lost = lost.saturating_add_signed(change.into());
         }
     }
 

@@ -21,7 +21,10 @@ pub(super) struct PeerStream {
 pub(super) enum Ending {
     /// A stream: half a frame may be at the end.
     Open,
-    /// A datagram, or a stream that has paused.
+    /// A datagram: half a frame may be at the end, as serial-to-UDP bridges cut them, but a next datagram that
+    /// begins with a frame does not continue it.
+    Datagram,
+    /// A stream or a sender of datagrams that has paused.
     Closed,
 }
 
@@ -43,19 +46,33 @@ impl PeerStream {
         meter: &mut Meter,
     ) -> Vec<Frame> {
         let before = self.decoder.counters();
-        self.decoder.push(bytes);
         let mut frames = Vec::new();
-        while let Some(frame) = match ending {
-            Ending::Open => self.decoder.next_frame(),
-            Ending::Closed => self.decoder.next_frame_at_end(),
-        } {
-            let gap = self.loss.note(&frame);
-            meter.lost(&frame, gap);
-            self.answer_in(frame.version);
-            frames.push(frame);
+        if ending == Ending::Datagram && matches!(bytes.first(), Some(0xFD | 0xFE)) {
+            self.take_frames(Ending::Closed, meter, &mut frames);
         }
+        self.decoder.push(bytes);
+        self.take_frames(ending, meter, &mut frames);
         meter.decoded(before, self.decoder.counters());
         frames
+    }
+
+    fn take_frames(&mut self, ending: Ending, meter: &mut Meter, frames: &mut Vec<Frame>) {
+        while let Some(frame) = match ending {
+            Ending::Open | Ending::Datagram => self.decoder.next_frame(),
+            Ending::Closed => self.decoder.next_frame_at_end(),
+        } {
+            let change = self.loss.note(&frame);
+            meter.lost(&frame, change);
+            if frame.is_verified() {
+                self.answer_in(frame.version);
+            }
+            frames.push(frame);
+        }
+    }
+
+    /// Whether what came last ended inside what may be a frame.
+    pub(super) fn has_tail(&self) -> bool {
+        self.decoder.has_tail()
     }
 
     /// A peer that has only ever sent MAVLink 1 is answered in it; anybody else understands MAVLink 2.

@@ -1,7 +1,6 @@
 //! Links that play a recording.
 
 use std::fs::File;
-use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -10,7 +9,8 @@ use tokio::time::{Instant, sleep_until};
 
 use super::peer::{Ending, PeerStream};
 use super::task::Link;
-use super::{Peer, Playback, TlogReader, TlogRecord};
+use super::tlog::{Piece, Salvage};
+use super::{Peer, Playback};
 use crate::wire::Frame;
 
 const PEER: Peer = Peer(0);
@@ -20,10 +20,10 @@ const CHUNKS_AHEAD: usize = 4;
 /// No pause in a recording is kept for longer, in its own time: logs that were joined have gaps of days.
 const LONGEST_GAP: Duration = Duration::from_secs(10);
 
-type Chunk = Result<Vec<TlogRecord>, String>;
+type Chunk = Result<Vec<Piece>, String>;
 
-/// Plays a recording to its end, and returns why it ended early, if it did. Both directions of the recorded
-/// traffic are delivered.
+/// Plays a recording to its end, and returns what was wrong with it, if anything was. Both directions of the
+/// recorded traffic are delivered.
 pub(super) async fn play(link: &mut Link, path: &Path) -> Option<String> {
     let (read, mut chunks) = mpsc::channel(CHUNKS_AHEAD);
     let path = PathBuf::from(path);
@@ -31,33 +31,72 @@ pub(super) async fn play(link: &mut Link, path: &Path) -> Option<String> {
     let mut player = Player {
         stream: PeerStream::new(&link.config),
         pace: Pace::new(link.config.playback),
+        damage: Damage::default(),
+        has_records: false,
     };
     let mut is_up = false;
     while let Some(chunk) = link.meanwhile(chunks.recv()).await? {
-        let records = match chunk {
-            Ok(records) => records,
-            Err(reason) => return Some(reason),
+        let pieces = match chunk {
+            Ok(pieces) => pieces,
+            Err(reason) => return player.verdict(Some(reason)),
         };
         if !is_up {
             link.up(None);
             link.meter.set_peers(1);
             is_up = true;
         }
-        player.play(link, &records).await?;
+        player.play(link, &pieces).await?;
     }
-    None
+    player.verdict(None)
 }
 
 struct Player {
     stream: PeerStream,
     pace: Pace,
+    damage: Damage,
+    has_records: bool,
+}
+
+/// The stretches of a recording that are no records.
+#[derive(Debug, Default)]
+struct Damage {
+    first: Option<u64>,
+    stretches: u64,
+    bytes: u64,
+}
+
+impl Damage {
+    fn note(&mut self, offset: u64, len: u64) {
+        self.first.get_or_insert(offset);
+        self.stretches += 1;
+        self.bytes += len;
+    }
+
+    fn reason(&self) -> Option<String> {
+        let (first, bytes) = (self.first?, self.bytes);
+        let place = match self.stretches {
+            1 => format!("at byte {first}"),
+            count => format!("in {count} places, first at byte {first}"),
+        };
+        Some(format!(
+            "the recording is damaged {place}: {bytes} bytes were passed over"
+        ))
+    }
 }
 
 impl Player {
     /// Plays a chunk; frames that are due together are delivered together. `None` if nobody wants more.
-    async fn play(&mut self, link: &mut Link, records: &[TlogRecord]) -> Option<()> {
+    async fn play(&mut self, link: &mut Link, pieces: &[Piece]) -> Option<()> {
         let mut frames = Vec::new();
-        for record in records {
+        for piece in pieces {
+            let record = match piece {
+                Piece::Record(record) => record,
+                Piece::Damage { offset, len } => {
+                    self.pass_over(link, *offset, *len);
+                    continue;
+                }
+            };
+            self.has_records = true;
             let due = self.pace.due(record.unix_us);
             if due > Instant::now() {
                 deliver(link, std::mem::take(&mut frames)).await?;
@@ -69,6 +108,30 @@ impl Player {
             frames.extend(found);
         }
         deliver(link, frames).await
+    }
+
+    /// Counts a damaged stretch and tells of the first.
+    fn pass_over(&mut self, link: &mut Link, offset: u64, len: u64) {
+        link.meter.passed_over(len);
+        let is_first = self.damage.first.is_none();
+        self.damage.note(offset, len);
+        if is_first {
+            let reason = self.damage.reason();
+            tracing::warn!(reason);
+            link.meter.complain(reason);
+        }
+    }
+
+    /// What was wrong with the recording, now that it is over.
+    fn verdict(&self, end: Option<String>) -> Option<String> {
+        let faults: Vec<_> = self.damage.reason().into_iter().chain(end).collect();
+        match faults.join("; and ") {
+            none if none.is_empty() => None,
+            faults if self.has_records => Some(faults),
+            faults => Some(format!(
+                "{faults}; no record was found in it: is it a tlog?"
+            )),
+        }
     }
 }
 
@@ -117,16 +180,16 @@ fn read_ahead(path: &Path, chunks: &mpsc::Sender<Chunk>) {
             return;
         }
     };
-    let mut reader = TlogReader::new(BufReader::new(file));
+    let mut salvage = Salvage::new(file);
     loop {
         let mut failure = None;
-        let records: Vec<_> = reader
+        let pieces: Vec<_> = salvage
             .by_ref()
-            .map_while(|record| record.map_err(|error| failure = Some(error)).ok())
+            .map_while(|piece| piece.map_err(|error| failure = Some(error)).ok())
             .take(CHUNK_LEN)
             .collect();
-        let at_end = records.len() < CHUNK_LEN;
-        if chunks.blocking_send(Ok(records)).is_err() {
+        let at_end = pieces.len() < CHUNK_LEN;
+        if chunks.blocking_send(Ok(pieces)).is_err() {
             return;
         }
         if let Some(error) = failure {

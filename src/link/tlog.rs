@@ -3,6 +3,10 @@
 
 use std::io::{self, Read, Write};
 
+mod salvage;
+
+pub(super) use salvage::{Piece, Salvage};
+
 const STAMP_LEN: usize = 8;
 /// The longest frame: MAVLink 2 with a full payload and a signature.
 const LONGEST_FRAME: usize = 280;

@@ -94,7 +94,7 @@ impl Port {
     }
 
     fn handle(&mut self, autopilot: &mut Autopilot, frame: &Frame) -> Vec<MavMessage> {
-        self.link.heard = true;
+        self.link.heard |= frame.is_verified();
         inbound::handle(autopilot, &mut self.link, frame);
         for reply in std::mem::take(&mut self.link.replies) {
             self.answer(&reply);

@@ -1,12 +1,13 @@
 //! Bytes to frames, counting everything that is dropped on the way.
 
-use std::collections::BTreeMap;
-
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::error::ParserError;
 use mavlink::{MavlinkVersion, Message as _, calculate_crc};
 
-use super::{ComponentId, Content, Frame, SystemId};
+use super::{Content, Frame};
+
+#[cfg(test)]
+mod tests;
 
 const STX_V1: u8 = 0xFE;
 const STX_V2: u8 = 0xFD;
@@ -27,7 +28,7 @@ pub struct Counters {
     pub crc_errors: u64,
     /// Bytes that belonged to no frame.
     pub skipped_bytes: u64,
-    /// Frames with a message id that the dialect lacks; their checksum cannot be verified.
+    /// Frames with a message id that the dialect lacks; their checksum cannot be verified. Not in `frames`.
     pub unknown_messages: u64,
     /// Frames whose payload holds an enum value that the dialect lacks.
     pub undecoded: u64,
@@ -87,7 +88,13 @@ impl Decoder {
         self.counters
     }
 
-    /// The next intact frame, or `None` until more bytes come.
+    /// Whether something that looks like the beginning of a frame waits for its rest. Ask when
+    /// [`Self::next_frame`] has returned `None`.
+    pub fn has_tail(&self) -> bool {
+        self.position < self.buffer.len()
+    }
+
+    /// The next frame, intact or of an unknown message, or `None` until more bytes come.
     pub fn next_frame(&mut self) -> Option<Frame> {
         loop {
             self.seek_start();
@@ -170,13 +177,13 @@ impl Decoder {
             .is_none_or(|&byte| byte == STX_V1 || byte == STX_V2);
         if !is_known(layout.id) {
             // No CRC seed, so only the surroundings tell a foreign message from noise.
-            if followed_by_start {
-                self.counters.unknown_messages += 1;
-                self.position += end;
-            } else {
+            if !followed_by_start {
                 self.skip(1);
+                return None;
             }
-            return None;
+            let frame = self.unknown(layout);
+            self.position += end;
+            return Some(frame);
         }
         let crc = calculate_crc(&bytes[1..crc_at], MavMessage::extra_crc(layout.id));
         if crc.to_le_bytes() != bytes[crc_at..crc_at + 2] {
@@ -190,10 +197,10 @@ impl Decoder {
         }
         let frame = self.parse(layout);
         self.position += end;
-        frame
+        Some(frame)
     }
 
-    fn parse(&mut self, layout: &Layout) -> Option<Frame> {
+    fn parse(&mut self, layout: &Layout) -> Frame {
         let bytes = &self.buffer[self.position..];
         let payload = &bytes[layout.header_len..layout.header_len + layout.payload_len];
         let content = match MavMessage::parse(layout.version, layout.id, payload) {
@@ -209,16 +216,25 @@ impl Decoder {
             }
             Err(_) => {
                 // Longer than the dialect's definition: a newer revision of the message.
-                self.counters.unknown_messages += 1;
-                return None;
+                return self.unknown(layout);
             }
         };
+        self.counters.frames += 1;
+        self.frame(layout, content)
+    }
+
+    fn unknown(&mut self, layout: &Layout) -> Frame {
+        self.counters.unknown_messages += 1;
+        self.frame(layout, Content::Unknown { id: layout.id })
+    }
+
+    fn frame(&self, layout: &Layout, content: Content) -> Frame {
+        let bytes = &self.buffer[self.position..];
         let sender = match layout.version {
             MavlinkVersion::V1 => &bytes[2..5],
             MavlinkVersion::V2 => &bytes[4..7],
         };
-        self.counters.frames += 1;
-        Some(Frame {
+        Frame {
             system: sender[1],
             component: sender[2],
             sequence: sender[0],
@@ -226,7 +242,7 @@ impl Decoder {
             signed: layout.signed,
             wire_len: layout.end() as u16,
             content,
-        })
+        }
     }
 }
 
@@ -236,191 +252,4 @@ fn is_known(id: u32) -> bool {
     /// `COMPONENT_INFORMATION`.
     const SEED_IS_ZERO: u32 = 395;
     MavMessage::extra_crc(id) != 0 || id == SEED_IS_ZERO
-}
-
-/// Counts frames that never arrived, by the gaps in each sender's sequence numbers.
-#[derive(Debug, Clone, Default)]
-pub struct LossMeter {
-    last: BTreeMap<(SystemId, ComponentId), u8>,
-    lost: u64,
-}
-
-impl LossMeter {
-    /// Takes note of a frame and returns how many before it are missing.
-    pub fn note(&mut self, frame: &Frame) -> u8 {
-        let gap = self
-            .last
-            .insert((frame.system, frame.component), frame.sequence)
-            .map_or(0, |last| {
-                match frame.sequence.wrapping_sub(last) {
-                    0 => 0, // the same frame twice, as UDP may deliver it
-                    step => step - 1,
-                }
-            });
-        self.lost += u64::from(gap);
-        gap
-    }
-
-    /// Frames lost so far.
-    pub fn lost(&self) -> u64 {
-        self.lost
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::{Encoder, Outgoing};
-    use super::*;
-    use mavlink::dialects::ardupilotmega::{ATTITUDE_DATA, HEARTBEAT_DATA};
-    use proptest::prelude::*;
-
-    fn heartbeat() -> Outgoing {
-        MavMessage::HEARTBEAT(HEARTBEAT_DATA::default()).into()
-    }
-
-    fn frames(decoder: &mut Decoder) -> Vec<Frame> {
-        std::iter::from_fn(|| decoder.next_frame()).collect()
-    }
-
-    fn encoded(count: usize, version: MavlinkVersion) -> Vec<u8> {
-        let mut encoder = Encoder::new(7, 1);
-        encoder.set_version(version);
-        let mut bytes = Vec::new();
-        for _ in 0..count {
-            encoder.encode(&heartbeat(), &mut bytes);
-        }
-        bytes
-    }
-
-    #[test]
-    fn both_protocol_versions_are_read_mixed() {
-        let mut decoder = Decoder::new();
-        decoder.push(&encoded(1, MavlinkVersion::V1));
-        decoder.push(&encoded(1, MavlinkVersion::V2));
-        let read = frames(&mut decoder);
-        assert_eq!(read.len(), 2);
-        assert_eq!(read[0].version, MavlinkVersion::V1);
-        assert_eq!(read[1].version, MavlinkVersion::V2);
-        assert_eq!(read[0].content, read[1].content);
-        assert_eq!(decoder.counters().skipped_bytes, 0);
-    }
-
-    #[test]
-    fn text_between_frames_costs_only_a_counter() {
-        let text = b"Init Gyro**\n";
-        let mut decoder = Decoder::new();
-        decoder.push(text);
-        decoder.push(&encoded(1, MavlinkVersion::V2));
-        decoder.push(text);
-        decoder.push(&encoded(1, MavlinkVersion::V2));
-        assert_eq!(frames(&mut decoder).len(), 2);
-        assert_eq!(decoder.counters().skipped_bytes, 2 * text.len() as u64);
-        assert_eq!(decoder.counters().crc_errors, 0);
-    }
-
-    #[test]
-    fn a_flipped_bit_is_counted_as_one_bad_checksum() {
-        let mut bytes = encoded(3, MavlinkVersion::V2);
-        let second = bytes.len() / 3;
-        bytes[second + 12] ^= 0x10;
-        let mut decoder = Decoder::new();
-        decoder.push(&bytes);
-        assert_eq!(frames(&mut decoder).len(), 2);
-        assert_eq!(decoder.counters().crc_errors, 1);
-        assert_eq!(decoder.counters().skipped_bytes, 0);
-    }
-
-    #[test]
-    fn a_false_start_at_the_end_of_a_datagram_hides_nothing() {
-        let mut decoder = Decoder::new();
-        decoder.push(&[STX_V2, 0xFF, 0x00]);
-        decoder.push(&encoded(2, MavlinkVersion::V2));
-        assert_eq!(
-            decoder.next_frame(),
-            None,
-            "the false start claims 255 bytes"
-        );
-        let rescued = std::iter::from_fn(|| decoder.next_frame_at_end()).count();
-        assert_eq!(rescued, 2);
-        assert_eq!(decoder.counters().skipped_bytes, 3);
-    }
-
-    #[test]
-    fn a_foreign_message_is_counted_and_passed_over() {
-        let mut foreign = vec![STX_V2, 2, 0, 0, 0, 9, 1, 0xFF, 0xFF, 0xFE, 1, 2, 3, 4];
-        foreign.extend(encoded(1, MavlinkVersion::V2));
-        let mut decoder = Decoder::new();
-        decoder.push(&foreign);
-        assert_eq!(frames(&mut decoder).len(), 1);
-        assert_eq!(decoder.counters().unknown_messages, 1);
-        assert_eq!(decoder.counters().skipped_bytes, 0);
-    }
-
-    #[test]
-    fn an_unknown_vehicle_type_is_delivered_undecoded() {
-        let mut payload = vec![0; 9];
-        payload[4] = 200;
-        payload[8] = 3;
-        let mut bytes = Vec::new();
-        Encoder::new(9, 1).encode(&Outgoing::Raw { id: 0, payload }, &mut bytes);
-        let mut decoder = Decoder::new();
-        decoder.push(&bytes);
-        let frame = decoder.next_frame().expect("the frame is intact");
-        assert!(
-            matches!(frame.content, Content::Undecoded { id: 0, payload } if payload[4] == 200)
-        );
-        assert_eq!(decoder.counters().undecoded, 1);
-    }
-
-    #[test]
-    fn gaps_are_counted_per_sender() {
-        let mut meter = LossMeter::default();
-        let mut decoder = Decoder::new();
-        decoder.push(&encoded(5, MavlinkVersion::V2));
-        let mut read = frames(&mut decoder);
-        read.remove(2);
-        read.remove(2);
-        let mut other = read[0].clone();
-        other.component = 154;
-        other.sequence = 99;
-        for frame in read.iter().take(2).chain([&other]).chain(&read[2..]) {
-            meter.note(frame);
-        }
-        assert_eq!(meter.lost(), 2);
-    }
-
-    proptest! {
-        #[test]
-        fn no_intact_frame_is_lost_in_noise(
-            noise in prop::collection::vec(prop::collection::vec(any::<u8>(), 0..40), 1..12),
-            chunk in 1usize..64,
-        ) {
-            let mut encoder = Encoder::new(3, 1);
-            let mut stream = Vec::new();
-            for piece in &noise {
-                stream.extend_from_slice(piece);
-                encoder.encode(&MavMessage::ATTITUDE(ATTITUDE_DATA { roll: 0.3, ..Default::default() }).into(), &mut stream);
-            }
-            let mut decoder = Decoder::new();
-            let mut found = 0;
-            for piece in stream.chunks(chunk) {
-                decoder.push(piece);
-                found += frames(&mut decoder).len();
-            }
-            found += std::iter::from_fn(|| decoder.next_frame_at_end()).count();
-            // Noise may imitate a foreign message that swallows what follows; that costs at most the frames it covers.
-            let foreign = decoder.counters().unknown_messages;
-            prop_assert!(found >= noise.len() || foreign > 0, "{found} of {}", noise.len());
-            let c = decoder.counters();
-            prop_assert_eq!(c.bytes, stream.len() as u64);
-        }
-
-        #[test]
-        fn random_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..2000)) {
-            let mut decoder = Decoder::new();
-            decoder.push(&bytes);
-            while decoder.next_frame_at_end().is_some() {}
-            prop_assert!(decoder.counters().skipped_bytes <= bytes.len() as u64);
-        }
-    }
 }

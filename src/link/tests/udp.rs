@@ -76,6 +76,40 @@ async fn a_datagram_with_a_false_start_delays_nothing() {
 }
 
 #[tokio::test]
+async fn frames_that_a_bridge_has_cut_are_put_together() {
+    let mut rig = Rig::open("udpin:127.0.0.1:0");
+    let up = rig.until(|s| s.state == LinkState::Up).await;
+    let address = up.local.expect("a socket");
+    let bridge = socket().await;
+    let bytes: Vec<u8> = (1..=9).flat_map(heartbeat).collect();
+    for piece in bytes.chunks(8) {
+        bridge.send_to(piece, address).await.expect("sent");
+    }
+    let mut heard = Vec::new();
+    while heard.len() < 9 {
+        heard.extend(rig.next().await.frames.iter().map(|frame| frame.system));
+    }
+    assert_eq!(heard, (1..=9).collect::<Vec<_>>());
+    let status = rig.until(|s| s.decoder.frames == 9).await;
+    assert_eq!((status.peers, status.decoder.skipped_bytes), (1, 0));
+}
+
+#[tokio::test]
+async fn a_frame_behind_a_false_start_in_a_datagram_comes_after_a_pause() {
+    let mut rig = Rig::open("udpin:127.0.0.1:0");
+    let up = rig.until(|s| s.state == LinkState::Up).await;
+    let address = up.local.expect("a socket");
+    let vehicle = socket().await;
+    let datagram = [&[0xFD, 0xFF, 0x00][..], &heartbeat(9)].concat();
+    for _ in 0..2 {
+        vehicle.send_to(&datagram, address).await.expect("sent");
+        assert_eq!(rig.next().await.frames[0].system, 9);
+    }
+    let status = rig.until(|s| s.decoder.frames == 2).await;
+    assert_eq!((status.peers, status.decoder.skipped_bytes), (1, 6));
+}
+
+#[tokio::test]
 async fn the_target_hears_from_a_sending_link_before_it_has_spoken() {
     let vehicle = socket().await;
     let address = vehicle.local_addr().expect("bound");

@@ -38,7 +38,7 @@ impl Request {
                 Some(global(data))
             }
             Content::Message(MavMessage::PARAM_SET(data)) => Some(parameter(data)),
-            Content::Message(_) => None,
+            Content::Message(_) | Content::Unknown { .. } => None,
             Content::Undecoded { id, payload } => by_hand(*id, &Payload(payload)),
         }
     }

@@ -137,7 +137,7 @@ impl Ground {
             .iter()
             .filter_map(|frame| match &frame.content {
                 Content::Message(message) => Some(message.clone()),
-                Content::Undecoded { .. } => None,
+                Content::Undecoded { .. } | Content::Unknown { .. } => None,
             })
             .collect()
     }
