@@ -59,7 +59,8 @@ impl Misread {
         }
     }
 
-    fn at(self, at: usize) -> Self {
+    /// The same for a part of a value, by its place and name.
+    fn part(self, at: usize, name: &str) -> Self {
         match self {
             Self::Wrong {
                 word,
@@ -68,7 +69,7 @@ impl Misread {
             } => Self::Wrong {
                 word: word + at,
                 specific,
-                message,
+                message: format!("{name}: {message}"),
             },
             Self::Incomplete => Self::Incomplete,
         }
@@ -275,12 +276,13 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
     if number_length(first.text) == 0 || first.text.parse::<f64>().is_err() {
         return Err(Misread::kind(format!("there is no place `{}`", first.text)));
     }
-    let lat_deg = number(first.text, Unit::Degrees, -90.0, 90.0)?;
+    let lat_deg =
+        number(first.text, Unit::Degrees, -90.0, 90.0).map_err(|misread| misread.part(0, "LAT"))?;
     let Some(second) = words.get(1) else {
         return Err(Misread::Incomplete);
     };
-    let lon_deg =
-        number(second.text, Unit::Degrees, -180.0, 180.0).map_err(|misread| misread.at(1))?;
+    let lon_deg = number(second.text, Unit::Degrees, -180.0, 180.0)
+        .map_err(|misread| misread.part(1, "LON"))?;
     Ok((Value::Point(LatLon::new(lat_deg, lon_deg)), 2))
 }
 
