@@ -2,8 +2,7 @@ use super::read;
 
 #[test]
 fn the_exact_word_that_is_wrong_is_named() {
-    // The line, the word that is pointed at ("" is the end of the line), a part of the message and of the help.
-    let cases = [
+    check(&[
         ("", "", "a command is missing", "all arm"),
         ("all", "", "a command is missing", ""),
         (
@@ -49,6 +48,12 @@ fn the_exact_word_that_is_wrong_is_named() {
             "no group `@rad`",
             "did you mean `@red`?",
         ),
+    ]);
+}
+
+#[test]
+fn the_argument_that_is_wrong_or_missing_is_named() {
+    check(&[
         ("goto n 100 east 50", "east", "expected `e`, `up`", ""),
         ("goto n 100", "", "goto needs `e`", ""),
         (
@@ -133,9 +138,15 @@ fn the_exact_word_that_is_wrong_is_named() {
         ("wait all altitude 19", "19", "none of", ""),
         ("wait all speed > 5deg", "5deg", "use m/s", ""),
         ("velocity for 5", "5", "which way?", ""),
-    ];
+    ]);
+}
+
+/// The line, the word that is pointed at ("" is the end of the line), a part of the message and of the help.
+type Case = (&'static str, &'static str, &'static str, &'static str);
+
+fn check(cases: &[Case]) {
     let mut wrong = Vec::new();
-    for (line, word, message, help) in cases {
+    for &(line, word, message, help) in cases {
         let fault = read(line).expect_err(line);
         let pointed = &line[fault.span.clone()];
         let pointed = pointed.strip_prefix("for ").unwrap_or(pointed);

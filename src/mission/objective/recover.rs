@@ -8,6 +8,9 @@ use crate::mission::craft::Craft;
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::flight::World;
 
+/// The battery is named before the distance when it is less than this many percent above what is needed.
+const RUNNING_SHORT: f64 = 10.0;
+
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RecoverFile {
@@ -86,24 +89,23 @@ impl Recover {
         distance_m.filter(|&distance_m| distance_m > self.radius_m)
     }
 
-    /// What one vehicle still needs, while it flies.
+    /// What one vehicle needs next, while it flies: the battery when that grows short, else the way home. Short,
+    /// since it stands beside the title.
     fn outlook(&self, vehicles: &[Craft]) -> Option<String> {
         let [craft] = vehicles else { return None };
         if craft.lost || !craft.flown || craft.is_down() {
             return None;
         }
-        let mut needs = Vec::new();
-        if let Some(distance_m) = self.is_off(craft) {
-            needs.push(format!("{distance_m:.0} m from the pad"));
+        let least = self.battery_percent;
+        let away = self
+            .is_off(craft)
+            .map(|distance_m| format!("{distance_m:.0} m from the pad"));
+        let battery = |percent: f64| format!("needs {least:.0} %, has {:.0} %", percent.floor());
+        match (away, craft.battery_percent) {
+            (_, Some(percent)) if percent < least + RUNNING_SHORT => Some(battery(percent)),
+            (Some(away), _) => Some(away),
+            (None, percent) => percent.map(battery),
         }
-        if let Some(percent) = craft.battery_percent {
-            needs.push(format!(
-                "needs {:.0} %, has {:.0} %",
-                self.battery_percent,
-                percent.floor()
-            ));
-        }
-        Some(needs.join(", ")).filter(|needs| !needs.is_empty())
     }
 
     /// What the first vehicle that is not home did wrong: only that is worth a word.
