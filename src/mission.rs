@@ -22,7 +22,7 @@
 //! | `[fleet]` `max_vehicles`, `pads`, `sensors` | one pad per vehicle; sensors that every vehicle carries |
 //! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
 //! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
-//! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done` |
+//! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
 //! | `[scoring]` `weights`, `par = { time, energy_wh }`, `medals`, `gold_requires` | see [`crate::scoring`]; weights sum to 1 |
 //!
 //! Hazard kind `plume`: a steady Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain`
@@ -58,6 +58,9 @@ pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
+
+/// What stands in a hint for the name of the next cell to sample.
+pub(crate) const NEXT_CELL: &str = "{next_cell}";
 
 /// A mission, read and checked.
 #[derive(Debug)]
@@ -103,7 +106,7 @@ pub(crate) type Point = [f64; 2];
 pub struct Hint {
     /// When it is shown.
     pub phase: Phase,
-    /// What it says.
+    /// What it says; `{next_cell}` stands for the next cell to sample.
     pub text: String,
 }
 

@@ -107,6 +107,8 @@ pub struct Facts {
     pub objectives: Vec<ObjectiveFact>,
     /// Quality of the product (map, detections), 0 to 1, with what it came from; `None` where a mission asks for none.
     pub quality: Option<(f64, String)>,
+    /// What would make the product better, in words; may be empty.
+    pub quality_advice: String,
     /// Mission time used.
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.

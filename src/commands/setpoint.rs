@@ -4,11 +4,18 @@ use super::encode::{self, FRAME_RELATIVE, IntFields};
 use super::request::{Answer, Request, cmd};
 use super::{Destination, Heading};
 use crate::geo::LatLon;
-use crate::vehicle::{Vehicle, VehicleClass};
+use crate::vehicle::{LandedState, Vehicle, VehicleClass};
 use crate::wire::Outgoing;
 
 /// Setpoints below this height above home fly into the ground.
 const LOWEST_M: f64 = 0.5;
+/// A takeoff below this height, or with more climb than this, has its best part before it. Near its end it slows
+/// down (to some 1 m/s at nine tenths of the height), and a setpoint does no harm any more.
+const TAKEOFF_BELOW_M: f64 = 1.5;
+const TAKEOFF_CLIMB_M_S: f32 = 1.5;
+/// With more climb than this a vehicle has left the ground, whatever it still says.
+const LIFTING_M_S: f32 = 0.3;
+
 pub(super) fn goto(
     vehicle: &Vehicle,
     destination: Destination,
@@ -141,9 +148,33 @@ pub(super) fn needs_guided(verb: &str, vehicle: &Vehicle) -> Result<(), String> 
             "{verb} needs an armed vehicle: say `{id} arm` first"
         ));
     }
-    if heartbeat.class == VehicleClass::Copter && !vehicle.airborne() {
+    if heartbeat.class == VehicleClass::Copter {
+        return flies_freely(verb, vehicle);
+    }
+    Ok(())
+}
+
+/// On the ground a setpoint does nothing, and during a takeoff it breaks that off without a word.
+fn flies_freely(verb: &str, vehicle: &Vehicle) -> Result<(), String> {
+    let id = vehicle.id;
+    let climb_m_s = vehicle.global.map_or(0.0, |global| -global.down_m_s);
+    let low = vehicle
+        .altitude_m()
+        .is_some_and(|height_m| height_m < TAKEOFF_BELOW_M);
+    let taking_off = match vehicle.landed {
+        LandedState::Takeoff => low || climb_m_s > TAKEOFF_CLIMB_M_S,
+        LandedState::OnGround => climb_m_s > LIFTING_M_S,
+        _ => false,
+    };
+    if taking_off {
         return Err(format!(
-            "{verb} needs a flying vehicle: vehicle {id} is on the ground; say `{id} takeoff 10` first"
+            "{verb} would break off a takeoff: vehicle {id} is still taking off: wait"
+        ));
+    }
+    if !vehicle.airborne() {
+        return Err(format!(
+            "{verb} needs a flying vehicle: vehicle {id} is on the ground; say `{id} takeoff 10` first, \
+             and wait until it has climbed"
         ));
     }
     Ok(())

@@ -257,6 +257,57 @@ fn what_makes_no_sense_is_said_in_plain_words() {
     }
 }
 
+/// Each row: what the vehicle says of the ground, height and climb, and what a setpoint is answered with.
+#[test]
+fn a_setpoint_does_not_break_off_a_takeoff() {
+    for (landed, altitude_m, climb_m_s, refusal) in [
+        (LandedState::Takeoff, 0.0, 0.0, Some("still taking off")),
+        (LandedState::Takeoff, 8.0, 2.5, Some("still taking off")),
+        (LandedState::Takeoff, 19.1, 1.1, None),
+        (LandedState::OnGround, 0.2, 0.6, Some("still taking off")),
+        (LandedState::OnGround, 0.0, 0.0, Some("is on the ground")),
+        (LandedState::InAir, 1.0, 2.5, None),
+        (LandedState::Undefined, 8.0, 2.5, None),
+    ] {
+        let mut vehicle = flying("GUIDED");
+        vehicle.landed = landed;
+        if let Some(global) = &mut vehicle.global {
+            (global.altitude_m, global.down_m_s) = (altitude_m, -climb_m_s);
+        }
+        if let Some(local) = &mut vehicle.local {
+            local.ned_m[2] = -altitude_m as f32;
+        }
+        let ahead = Destination::Local {
+            north_m: 5.0,
+            east_m: 0.0,
+            up_m: Some(5.0),
+        };
+        let said = goto(ahead, Heading::Auto).request(&vehicle, 0).err();
+        assert_eq!(said.is_some(), refusal.is_some(), "{landed:?} {said:?}");
+        let said = said.unwrap_or_default();
+        assert!(said.contains(refusal.unwrap_or_default()), "{said}");
+    }
+}
+
+#[test]
+fn a_mode_by_number_is_sent_and_seen() {
+    for (name, number) in [("9", 9), ("99", 99)] {
+        let command = Command::SetMode {
+            name: name.to_owned(),
+        };
+        let before = flying("GUIDED");
+        let (sent, params) = long(&command, &before);
+        assert_eq!((sent, params[1]), (176, number as f32));
+        let effect = command.effect(&before);
+        assert_eq!(effect.seen(&before), Some(false));
+        let mut after = before.clone();
+        if let Some(heartbeat) = &mut after.heartbeat {
+            heartbeat.mode.number = number;
+        }
+        assert_eq!(effect.seen(&after), Some(true), "{name}");
+    }
+}
+
 #[test]
 fn numbers_without_a_name_go_out_raw_and_count_their_tries() {
     let command = Command::Long {

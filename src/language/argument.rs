@@ -84,6 +84,14 @@ impl Argument {
         }
     }
 
+    /// A fault in a number, with the argument that it belongs to: of a row of numbers nobody knows which was meant.
+    pub(super) fn about(&self, message: String) -> String {
+        match self.kind {
+            Kind::Number(..) | Kind::Whole(..) => format!("{}: {message}", self.placeholder()),
+            _ => message,
+        }
+    }
+
     /// What it means and which values it takes: "height above home, 0.5 to 1000 m".
     pub(super) fn explained(&self) -> String {
         match self.kind.limits() {

@@ -10,7 +10,7 @@ use super::argument::{Argument, Kind};
 use super::form::{Expected, Fit, fit};
 use super::lexer::{Word, comment_start, words};
 use super::parse::{Head, head};
-use super::read::mode_names;
+use super::read::{mode_names, mode_warning};
 use super::verb::{Form, Verb};
 use super::{Context, Targets, verbs};
 
@@ -28,8 +28,9 @@ pub struct Completion {
     pub replaces: Range<usize>,
 }
 
-/// The words that could stand at the cursor (in bytes of the line), best first. Matching is fuzzy: `tko` finds
-/// `takeoff`. Numbers cannot be completed; [`hint`] tells about them.
+/// The words that could stand at the cursor (in bytes of the line), best first: those that begin as written, the
+/// everyday ones of these before the others, then those of which a part does. Where there is neither, matching is
+/// fuzzy: `tko` finds `takeoff`. Numbers cannot be completed; [`hint`] tells about them.
 pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion> {
     let cursor = floor_boundary(line, cursor);
     if comment_start(line).is_some_and(|at| at < cursor) {
@@ -104,12 +105,20 @@ fn next_argument(fit: &Fit) -> Option<&'static Argument> {
 fn candidates(before: &[Word], context: &Context) -> Vec<(String, String)> {
     match before {
         [] => {
-            let mut all = verb_names(context);
-            all.extend(target_names(context));
+            // What is meant most often comes first: verbs, then `all`, then modes, then single vehicles.
+            let mut all = verb_names();
+            let mut targets = target_names(context);
+            all.extend(targets.drain(..1));
+            all.extend(modes_as_verbs(context));
+            all.extend(targets);
             all
         }
         [word] if Targets::looks_like(word) => match Targets::read(word, context) {
-            Ok(_) => verb_names(context),
+            Ok(_) => {
+                let mut all = verb_names();
+                all.extend(modes_as_verbs(context));
+                all
+            }
             Err(_) => Vec::new(),
         },
         words => match head(words, context) {
@@ -160,7 +169,7 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, String)> {
     }
 }
 
-fn verb_names(context: &Context) -> Vec<(String, String)> {
+fn verb_names() -> Vec<(String, String)> {
     let described = |verb: &Verb| {
         let usage = verb.usage();
         (
@@ -168,16 +177,24 @@ fn verb_names(context: &Context) -> Vec<(String, String)> {
             format!("{}: {}", usage.join(" | "), verb.summary),
         )
     };
-    let mut names: Vec<(String, String)> = verbs().iter().map(described).collect();
-    for mode in mode_names(context) {
-        let name = mode.to_ascii_lowercase();
-        if super::verb(&name).is_none() {
-            names.push((name, format!("change the mode to {mode}")));
-        }
-    }
-    names
+    verbs().iter().map(described).collect()
 }
 
+/// The modes whose names alone change to them, unless a verb is called so.
+fn modes_as_verbs(context: &Context) -> Vec<(String, String)> {
+    let described = |mode: &'static str| {
+        let warning = mode_warning(mode, context).map_or(String::new(), |text| format!("; {text}"));
+        let hint = format!("change the mode to {mode}{warning}");
+        (mode.to_ascii_lowercase(), hint)
+    };
+    mode_names(context)
+        .into_iter()
+        .map(described)
+        .filter(|(name, _)| super::verb(name).is_none())
+        .collect()
+}
+
+/// Every target, `all` first.
 fn target_names(context: &Context) -> Vec<(String, String)> {
     let mut names = vec![("all".to_owned(), "every vehicle".to_owned())];
     for (group, ids) in context.groups {
@@ -189,7 +206,33 @@ fn target_names(context: &Context) -> Vec<(String, String)> {
     names
 }
 
-/// Those that match what is written, best first; all in their order where nothing is written yet.
+/// How a word matches what is written, best first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Match {
+    /// It begins as written.
+    Beginning,
+    /// A part after a `_` does.
+    Part,
+    /// It has the letters, scattered.
+    Scattered,
+}
+
+impl Match {
+    fn of(text: &str, written: &str) -> Self {
+        let (text, written) = (text.to_lowercase(), written.to_lowercase());
+        if text.starts_with(&written) {
+            Self::Beginning
+        } else if text.split('_').any(|part| part.starts_with(&written)) {
+            Self::Part
+        } else {
+            Self::Scattered
+        }
+    }
+}
+
+/// Those that match what is written, best first; all in their order where nothing is written yet. Words that begin
+/// as written keep their order, too. Where there are such words, scattered letters are no match: nobody who
+/// wrote `al` meant `interval`.
 fn ranked(candidates: Vec<(String, String)>, written: &str) -> Vec<(String, String)> {
     if written.is_empty() {
         return candidates;
@@ -202,16 +245,25 @@ fn ranked(candidates: Vec<(String, String)>, written: &str) -> Vec<(String, Stri
     );
     let mut matcher = Matcher::new(Config::DEFAULT);
     let mut buffer = Vec::new();
-    let mut scored: Vec<(u32, (String, String))> = candidates
+    let mut scored: Vec<(Match, u32, (String, String))> = candidates
         .into_iter()
         .filter_map(|candidate| {
             let score = pattern.score(Utf32Str::new(&candidate.0, &mut buffer), &mut matcher)?;
-            Some((score, candidate))
+            Some((Match::of(&candidate.0, written), score, candidate))
         })
         .collect();
+    if scored.iter().any(|(how, ..)| *how == Match::Beginning) {
+        scored.retain(|(how, ..)| *how != Match::Scattered);
+    }
     // Of equally good ones the shorter is nearer to what was written.
-    scored.sort_by_key(|(score, (text, _))| (Reverse(*score), text.len()));
-    scored.into_iter().map(|(_, candidate)| candidate).collect()
+    scored.sort_by_key(|(how, score, (text, _))| match how {
+        Match::Beginning => (*how, Reverse(0), 0),
+        _ => (*how, Reverse(*score), text.len()),
+    });
+    scored
+        .into_iter()
+        .map(|(.., candidate)| candidate)
+        .collect()
 }
 
 fn floor_boundary(line: &str, at: usize) -> usize {

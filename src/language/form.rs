@@ -183,7 +183,7 @@ impl Reader<'_> {
             Err(Misread::Wrong { word, message, .. }) => Step::Misfit(Misfit {
                 word: word + 1,
                 specific: true,
-                message: Some(message),
+                message: Some(argument.about(message)),
                 expected: vec![Expected::Value(argument)],
             }),
         }
@@ -216,7 +216,7 @@ impl Reader<'_> {
                     let further = (word, specific) > (misfit.word, misfit.specific);
                     if further || misfit.message.is_none() && misfit.expected.len() == 1 {
                         (misfit.word, misfit.specific) = (word, specific);
-                        misfit.message = Some(message);
+                        misfit.message = Some(argument.about(message));
                     }
                 }
             }

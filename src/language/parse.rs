@@ -140,20 +140,32 @@ pub(super) fn understand(
 }
 
 /// The fault of the form that the line comes closest to.
-fn fault(verb: &Verb, fits: &[Fit], rest: &[Word], all: &[Word], context: &Context) -> Diagnostic {
+fn fault(
+    verb: &'static Verb,
+    fits: &[Fit],
+    rest: &[Word],
+    all: &[Word],
+    context: &Context,
+) -> Diagnostic {
     let progress = |fit: &Fit| match &fit.misfit {
         Some(misfit) => (misfit.word, misfit.specific),
         None => (rest.len(), false),
     };
     let furthest = fits.iter().map(progress).max().unwrap_or((0, false));
-    let closest: Vec<&Fit> = fits
+    let (forms, closest): (Vec<usize>, Vec<&Fit>) = fits
         .iter()
-        .filter(|fit| progress(fit) == furthest)
-        .collect();
+        .enumerate()
+        .filter(|(_, fit)| progress(fit) == furthest)
+        .unzip();
     let Some(word) = rest.get(furthest.0) else {
         let expected = closest.iter().flat_map(|fit| fit.expected.iter());
-        let missing = list(expected.copied().filter(|e| !e.argument().optional));
-        let example = verb.examples.first().unwrap_or(&verb.name);
+        // A value is missing even of an optional argument once its keyword stands there.
+        let needed = |item: &Expected| match item {
+            Expected::Keyword(argument) => !argument.optional,
+            Expected::Value(argument) => !argument.optional || !argument.keyword.is_empty(),
+        };
+        let missing = list(expected.copied().filter(needed));
+        let example = example_of(verb, &forms);
         return Diagnostic::new(end_of(all), format!("{} needs {missing}", verb.name))
             .with_help(format!("for example `{example}`"));
     };
@@ -162,6 +174,22 @@ fn fault(verb: &Verb, fits: &[Fit], rest: &[Word], all: &[Word], context: &Conte
         .filter_map(|fit| fit.misfit.as_ref())
         .collect();
     misfit_fault(verb, word, &misfits, context)
+}
+
+/// An example of one of these forms of a verb, the first if there is none.
+fn example_of(verb: &'static Verb, forms: &[usize]) -> &'static str {
+    let context = Context::default();
+    let shows = |example: &&&str| {
+        let words = words(example);
+        head(&words, &context).is_ok_and(|head| {
+            let rest = &words[head.len..];
+            let complete = |form| fit(form, rest, &context).complete;
+            let form = verb.forms.iter().position(complete);
+            form.is_some_and(|form| forms.contains(&form))
+        })
+    };
+    let example = verb.examples.iter().find(shows);
+    example.or(verb.examples.first()).unwrap_or(&verb.name)
 }
 
 fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context) -> Diagnostic {

@@ -12,6 +12,21 @@ use crate::vehicle::{Mode, VehicleClass};
 /// Message ids have 24 bits.
 const HIGHEST_MESSAGE: u32 = 0x00FF_FFFF;
 
+/// The modes of every day, the most used first.
+const EVERYDAY_MODES: [&str; 8] = [
+    "GUIDED",
+    "LOITER",
+    "RTL",
+    "LAND",
+    "BRAKE",
+    "AUTO",
+    "ALT_HOLD",
+    "STABILIZE",
+];
+/// Modes of a copter in which the throttle stick sets the climb, and those in which it sets the thrust.
+const STICK_CLIMBS: [&str; 5] = ["LOITER", "ALT_HOLD", "POSHOLD", "FLOWHOLD", "SPORT"];
+const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
+
 /// Why words are not the value that was expected.
 pub(super) enum Misread {
     /// The value has more words than there are.
@@ -44,7 +59,8 @@ impl Misread {
         }
     }
 
-    fn at(self, at: usize) -> Self {
+    /// The same for a part of a value, by its place and name.
+    fn part(self, at: usize, name: &str) -> Self {
         match self {
             Self::Wrong {
                 word,
@@ -53,7 +69,7 @@ impl Misread {
             } => Self::Wrong {
                 word: word + at,
                 specific,
-                message,
+                message: format!("{name}: {message}"),
             },
             Self::Incomplete => Self::Incomplete,
         }
@@ -104,7 +120,10 @@ impl Kind {
                 .collect(),
             Self::Mode => mode_names(context)
                 .into_iter()
-                .map(|name| (name.to_owned(), "mode".to_owned()))
+                .map(|name| {
+                    let hint = mode_warning(name, context).unwrap_or("mode");
+                    (name.to_owned(), hint.to_owned())
+                })
                 .collect(),
             Self::Point => context
                 .places
@@ -210,7 +229,20 @@ pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> 
         .find_map(|class| class.mode(text).and_then(Mode::name))
 }
 
-/// The names of all modes, each once.
+/// What a pilot without a stick in the hand should know before entering a mode.
+pub(super) fn mode_warning(name: &str, context: &Context) -> Option<&'static str> {
+    if !matches!(context.class, VehicleClass::Copter | VehicleClass::Other) {
+        None
+    } else if STICK_CLIMBS.contains(&name) {
+        Some("with the throttle stick down it sinks")
+    } else if STICK_LIFTS.contains(&name) {
+        Some("with the throttle stick down it falls")
+    } else {
+        None
+    }
+}
+
+/// The names of all modes, each once, those of every day first.
 pub(super) fn mode_names(context: &Context) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();
     for (_, name) in classes(context).iter().flat_map(|class| class.modes()) {
@@ -218,6 +250,8 @@ pub(super) fn mode_names(context: &Context) -> Vec<&'static str> {
             names.push(name);
         }
     }
+    let everyday = |name: &&str| EVERYDAY_MODES.iter().position(|mode| mode == name);
+    names.sort_by_key(|name| everyday(name).unwrap_or(EVERYDAY_MODES.len()));
     names
 }
 
@@ -249,12 +283,13 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
         }
         return Err(Misread::kind(format!("there is no place `{}`", first.text)));
     }
-    let lat_deg = number(first.text, Unit::Degrees, -90.0, 90.0)?;
+    let lat_deg =
+        number(first.text, Unit::Degrees, -90.0, 90.0).map_err(|misread| misread.part(0, "LAT"))?;
     let Some(second) = words.get(1) else {
         return Err(Misread::Incomplete);
     };
-    let lon_deg =
-        number(second.text, Unit::Degrees, -180.0, 180.0).map_err(|misread| misread.at(1))?;
+    let lon_deg = number(second.text, Unit::Degrees, -180.0, 180.0)
+        .map_err(|misread| misread.part(1, "LON"))?;
     Ok((Value::Point(LatLon::new(lat_deg, lon_deg)), 2))
 }
 

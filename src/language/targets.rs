@@ -132,6 +132,12 @@ fn unknown_group(name: &str, word: &Word, context: &Context) -> Diagnostic {
 
 /// The ids of `4` or `1-4`.
 fn range(part: &str, context: &Context) -> Result<Vec<VehicleId>, String> {
+    if part.is_empty() {
+        return Err(
+            "a vehicle is missing beside the comma: write numbers and ranges as in `1-4,7`"
+                .to_owned(),
+        );
+    }
     let (first, last) = match part.split_once('-') {
         Some((first, last)) => (id(first, part)?, id(last, part)?),
         None => (id(part, part)?, id(part, part)?),

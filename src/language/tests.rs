@@ -3,6 +3,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::commands::{Destination, Heading, SpeedAxis};
 
+mod faults;
+
 pub(super) fn places() -> BTreeMap<String, LatLon> {
     BTreeMap::from([("tower".to_owned(), LatLon::new(50.45, 30.52))])
 }
@@ -227,108 +229,6 @@ fn targets_are_read_sorted_and_written_back_short() {
             "{line}"
         );
     }
-}
-
-#[test]
-fn the_exact_word_that_is_wrong_is_named() {
-    // The line, the word that is pointed at ("" is the end of the line), a part of the message and of the help.
-    let cases = [
-        ("", "", "a command is missing", "all arm"),
-        ("all", "", "a command is missing", ""),
-        (
-            "all takeof 20",
-            "takeof",
-            "no command `takeof`",
-            "did you mean `takeoff`?",
-        ),
-        ("all guied", "guied", "no command", "did you mean `GUIDED`?"),
-        (
-            "takeoff",
-            "",
-            "takeoff needs ALTITUDE (height above home, 0.5 to 1000 m)",
-            "takeoff 20",
-        ),
-        (
-            "takeoff high",
-            "high",
-            "`high` is no number",
-            "expected ALTITUDE",
-        ),
-        ("takeoff 2000", "2000", "out of range: 0.5 to 1000 m", ""),
-        (
-            "takeoff 20ft",
-            "20ft",
-            "`ft` is no unit for this: use m, km",
-            "",
-        ),
-        ("takeoff nan", "nan", "no number", ""),
-        ("takeoff inf", "inf", "no number", ""),
-        ("takeoff 1e999", "1e999", "too large", ""),
-        ("takeoff 20 30", "30", "too much", "takeoff ALTITUDE"),
-        ("5-2 arm", "5-2", "backwards: say `2-5`", ""),
-        ("0 arm", "0", "numbered from 1 to 9999", ""),
-        ("1,300 arm", "300", "no vehicle 300, only 1-8", ""),
-        ("1-99 arm", "1-99", "no vehicle 9, only 1-8", ""),
-        ("1,,2 arm", "", "names no vehicles", ""),
-        (
-            "@rad arm",
-            "@rad",
-            "no group `@rad`",
-            "did you mean `@red`?",
-        ),
-        ("goto n 100 east 50", "east", "expected `e`, `up`", ""),
-        ("goto n 100", "", "goto needs `e`", ""),
-        (
-            "goto towr up 4",
-            "towr",
-            "`towr` does not fit here",
-            "did you mean `tower`?",
-        ),
-        ("goto 95 30", "95", "out of range: -90 to 90 deg", ""),
-        ("goto 50 200", "200", "out of range: -180 to 180 deg", ""),
-        ("goto 50", "", "goto needs", ""),
-        ("goto tower keep face 90", "face 90", "not both", ""),
-        ("goto tower up -3", "-3", "out of range", ""),
-        (
-            "mode qloiter",
-            "qloiter",
-            "there is no mode `qloiter` in a copter",
-            "did you mean `LOITER`?",
-        ),
-        ("yaw -90", "-90", "say `by`", ""),
-        ("servo 1.5 1500", "1.5", "no whole number", ""),
-        ("servo 17 1500", "17", "1 to 16", ""),
-        (
-            "relay 1 onn",
-            "onn",
-            "none of on, off",
-            "did you mean `on`?",
-        ),
-        ("request ATTITUD", "ATTITUD", "no message", "ATTITUDE"),
-        ("long NAV_TAKEOF", "NAV_TAKEOF", "no MAV_CMD", "NAV_TAKEOFF"),
-        ("long 70000", "70000", "65535", ""),
-        (
-            "param set THIS_NAME_IS_TOO_LONG 1",
-            "THIS_NAME_IS_TOO_LONG",
-            "1 to 16",
-            "",
-        ),
-        ("wait all altitude", "", "wait needs", ""),
-        ("wait all altitude 19", "19", "none of", ""),
-        ("wait all speed > 5deg", "5deg", "use m/s", ""),
-        ("velocity for 5", "5", "which way?", ""),
-    ];
-    let mut wrong = Vec::new();
-    for (line, word, message, help) in cases {
-        let fault = read(line).expect_err(line);
-        let pointed = &line[fault.span.clone()];
-        let pointed = pointed.strip_prefix("for ").unwrap_or(pointed);
-        let given = fault.help.as_deref().unwrap_or_default();
-        if pointed != word || !fault.message.contains(message) || !given.contains(help) {
-            wrong.push(format!("{line}: {fault:?}"));
-        }
-    }
-    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 #[test]

@@ -70,6 +70,10 @@ pub(crate) struct Standing {
     pub quality: Option<(f64, String)>,
     /// The result in words.
     pub result: String,
+    /// What it still needs, while it is flown for; `None` where the result says all.
+    pub outlook: Option<String>,
+    /// What would make the product better, in words; empty for kinds that make none.
+    pub quality_advice: String,
     /// The target in words.
     pub target: String,
     /// What would reach it, in words.

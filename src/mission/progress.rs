@@ -14,8 +14,8 @@ pub struct Progress {
     pub elapsed: Duration,
     /// Mission time allowed.
     pub limit: Duration,
-    /// The score if it ended now, 0 to 1000.
-    pub score_so_far: u16,
+    /// The score if it ended now, 0 to 1000; `None` before the first takeoff.
+    pub score_so_far: Option<u16>,
     /// The objectives, in the mission's order.
     pub objectives: Vec<ObjectiveProgress>,
     /// What the virtual sensors show, in order of vehicle.

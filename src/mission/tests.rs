@@ -219,10 +219,61 @@ fn landing_off_the_pad_fails_the_recovery() {
     let report = pilot.report();
     assert!(!report.objectives[2].met);
     assert!(
-        report.improvements[0].text.contains("land within 3 m"),
+        report.improvements[0].text.contains("Land within 3 m")
+            && report.improvements[0].text.contains("you were 5.0 m away"),
         "{:?}",
         report.improvements
     );
+}
+
+#[test]
+fn advice_names_what_failed_and_nothing_else() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    pilot.survey();
+    pilot.goto(0.0, 0.0, 10.0);
+    pilot.wait(320.0);
+    pilot.land();
+    let report = pilot.report();
+    let advice = report
+        .improvements
+        .iter()
+        .find(|improvement| improvement.text.contains("Come home"));
+    let advice = advice.map_or("", |improvement| improvement.text.as_str());
+    assert!(advice.contains("before 25 %: you had 0 %"), "{report:?}");
+    assert!(!advice.contains("pad"), "{advice}");
+}
+
+#[test]
+fn in_flight_the_way_home_and_the_battery_are_named() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    pilot.goto(12.0, 0.0, 5.0);
+    let home = |pilot: &Pilot| pilot.flight.progress().objectives[2].detail.clone();
+    assert_eq!(home(&pilot), "12 m from the pad");
+    pilot.goto(0.0, 0.0, 5.0);
+    assert_eq!(home(&pilot), "needs 25 %, has 96 %");
+    pilot.wait(270.0);
+    pilot.goto(50.0, 0.0, 5.0);
+    assert!(home(&pilot).starts_with("needs 25 %, has "));
+}
+
+#[test]
+fn the_score_begins_with_the_first_takeoff() {
+    let mut pilot = Pilot::new(1);
+    pilot.wait(5.0);
+    assert_eq!(pilot.flight.progress().score_so_far, None);
+    pilot.take_off(20.0);
+    assert!(pilot.flight.progress().score_so_far.is_some());
+    assert!(do_nothing().flight.progress().score_so_far.is_some());
+}
+
+#[test]
+fn a_hint_names_only_what_can_be_filled_in() {
+    let with = |text: &str| AIR_SAMPLE.replace("{next_cell}", text);
+    let faults = Mission::parse(&with("{nextcell}")).expect_err("an unknown placeholder");
+    assert!(faults[0].message.contains("`{next_cell}`"), "{faults:?}");
+    assert!(Mission::parse(&with("A1")).is_ok());
 }
 
 #[test]
@@ -245,7 +296,10 @@ fn hints_follow_the_flight() {
     pilot.tick();
     assert!(hint(&pilot).contains("arm"));
     pilot.take_off(20.0);
-    assert!(hint(&pilot).contains("slowly"));
+    assert!(hint(&pilot).contains("slowly") && hint(&pilot).contains("goto A1 up 20"));
+    pilot.goto(40.0, -20.0, 5.0);
+    pilot.wait(6.0);
+    assert!(hint(&pilot).contains("goto B1 up 20"), "{}", hint(&pilot));
     pilot.survey();
     assert!(hint(&pilot).contains("rtl"));
 }
@@ -274,7 +328,7 @@ proptest! {
             pilot.tick();
         }
         let progress = pilot.flight.progress();
-        prop_assert!(progress.score_so_far <= 1000);
+        prop_assert!(progress.score_so_far.is_none_or(|score| score <= 1000));
         prop_assert!(progress.readings.iter().all(|reading| reading.value.is_finite()));
         let report = pilot.report();
         prop_assert!(report.energy_wh.is_none_or(f64::is_finite));

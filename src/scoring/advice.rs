@@ -52,7 +52,12 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
     if let Some((quality, words)) = &facts.quality
         && *quality < GOOD_QUALITY
     {
-        let text = format!("Bring the quality from {quality:.2} to {GOOD_QUALITY:.2} ({words}).");
+        let how = match facts.quality_advice.as_str() {
+            "" => String::new(),
+            advice => format!(": {advice}"),
+        };
+        let text =
+            format!("Bring the quality from {quality:.2} to {GOOD_QUALITY:.2} ({words}){how}.");
         remedies.mend(text, |facts| {
             facts.quality = Some((GOOD_QUALITY, String::new()));
         });

@@ -41,6 +41,7 @@ fn perfect() -> Facts {
     Facts {
         objectives: vec![objective(1.0, true)],
         quality: Some((1.0, "map".to_owned())),
+        quality_advice: String::new(),
         elapsed: Duration::from_secs(200),
         energy_wh: Some(15.0),
         safety: Vec::new(),
@@ -256,6 +257,7 @@ proptest! {
         let facts = Facts {
             objectives: fractions.iter().map(|&(fraction, mandatory)| objective(fraction, mandatory)).collect(),
             quality: quality.map(|quality| (quality, "map".to_owned())),
+            quality_advice: String::new(),
             elapsed: Duration::from_secs(elapsed_s),
             energy_wh: energy,
             safety: breaches.iter().map(|&s| event(SafetyKind::Geofence, s)).collect(),

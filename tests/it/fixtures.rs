@@ -139,7 +139,7 @@ pub fn progress() -> Progress {
         title: "Air sample at the yard".to_owned(),
         elapsed: Duration::from_secs(192),
         limit: Duration::from_secs(600),
-        score_so_far: 412,
+        score_so_far: Some(412),
         objectives: vec![
             objective(
                 "Measure the air over the yard",

@@ -1,12 +1,59 @@
 use super::*;
 use crate::language::tests::{context, groups, places};
 
-fn first_completion(line: &str) -> Option<String> {
+fn completions(line: &str) -> Vec<Completion> {
     let (groups, places) = (groups(), places());
     complete(line, line.len(), &context(&groups, &places))
-        .into_iter()
-        .next()
-        .map(|completion| completion.text)
+}
+
+fn first_completion(line: &str) -> Option<String> {
+    let first = completions(line).into_iter().next();
+    first.map(|completion| completion.text)
+}
+
+#[test]
+fn words_that_begin_as_written_come_first_and_everyday_ones_before_the_rest() {
+    for (line, expected) in [
+        ("go", vec!["goto"]),
+        ("al", vec!["altitude", "all", "alt_hold"]),
+        ("all al", vec!["altitude", "alt_hold"]),
+        ("l", vec!["land", "long", "loiter"]),
+        ("hold", vec!["hold", "alt_hold"]),
+        ("mode a", vec!["AUTO", "ALT_HOLD", "ACRO"]),
+        ("a", vec!["arm", "altitude", "all", "auto", "alt_hold"]),
+        ("request att", vec!["ATTITUDE"]),
+        (
+            "mode ",
+            vec![
+                "GUIDED",
+                "LOITER",
+                "RTL",
+                "LAND",
+                "BRAKE",
+                "AUTO",
+                "ALT_HOLD",
+                "STABILIZE",
+            ],
+        ),
+        ("wait ", vec!["all"]),
+    ] {
+        let found = completions(line);
+        let found: Vec<&str> = found.iter().map(|c| c.text.as_str()).collect();
+        assert!(found.starts_with(&expected), "{line}: {found:?}");
+    }
+    assert_eq!(completions("go").len(), 1, "nothing to cycle through");
+    let scattered = completions("al").into_iter().map(|c| c.text);
+    assert!(!scattered.into_iter().any(|text| text == "interval"));
+}
+
+#[test]
+fn modes_that_listen_to_the_sticks_say_that_they_sink() {
+    let hint = |line: &str| completions(line)[0].hint.clone();
+    for line in ["loit", "all alt_h", "mode posh"] {
+        assert!(hint(line).contains("stick down it sinks"), "{line}");
+    }
+    assert!(hint("stabil").contains("falls"));
+    assert!(!hint("guided").contains("stick"));
 }
 
 #[test]

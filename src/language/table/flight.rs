@@ -47,7 +47,7 @@ pub(super) const KILL: Verb = Verb {
 pub(super) const MODE: Verb = Verb {
     name: "mode",
     aliases: &[],
-    summary: "change the flight mode; a mode's name alone does it too",
+    summary: "change the flight mode; its name alone does it too. LOITER and the like sink with the throttle stick down",
     examples: &["mode guided", "all loiter"],
     forms: &[Form {
         arguments: &[Argument::value("mode", Kind::Mode, "name or number")],

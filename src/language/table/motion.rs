@@ -216,7 +216,7 @@ fn yaw(arguments: &Arguments, relative: bool) -> Built {
 pub(super) const VELOCITY: Verb = Verb {
     name: "velocity",
     aliases: &["vel"],
-    summary: "fly with a velocity for a time in GUIDED, then stop",
+    summary: "fly with a velocity in GUIDED for so long, 0.2 to 600 s, then stop",
     examples: &["velocity n 1 e 0 d 0 for 5s", "2 velocity up 0.5m/s for 10"],
     forms: &[Form {
         arguments: &[

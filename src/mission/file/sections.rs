@@ -14,7 +14,7 @@ use super::{
 use crate::diagnostic::Diagnostic;
 use crate::mission::hazard::{self, Hazard};
 use crate::mission::objective::Objective;
-use crate::mission::{Hint, Mission, Origin, Phase, Wind};
+use crate::mission::{Hint, Mission, NEXT_CELL, Origin, Phase, Wind};
 use crate::scoring::Rules;
 
 /// The only version of the format so far.
@@ -134,12 +134,16 @@ fn content(
         declared,
         ..Draft::default()
     };
+    let hazards = hazards(sections.optional("hazards"), &draft, faults);
+    let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
     Content {
-        hazards: hazards(sections.optional("hazards"), &draft, faults),
+        hazards,
+        objectives,
+        // Hints may refer to the cells of an objective.
         hints: array(sections.optional("hints"), faults, |value, faults| {
-            faults.read_value::<HintFile>(value).map(Hint::from)
+            let hint: HintFile = faults.read_value(value)?;
+            Some(hint.checked(&draft, faults))
         }),
-        objectives: objectives(sections.needed("objectives", faults), &mut draft, faults),
         draft,
     }
 }
@@ -286,14 +290,25 @@ fn objectives(
 #[serde(deny_unknown_fields)]
 struct HintFile {
     phase: Phase,
-    text: String,
+    text: Spanned<String>,
 }
 
-impl From<HintFile> for Hint {
-    fn from(file: HintFile) -> Self {
-        Self {
-            phase: file.phase,
-            text: file.text,
+impl HintFile {
+    fn checked(self, draft: &Draft, faults: &mut Faults) -> Hint {
+        let text = self.text.get_ref();
+        let rest = text.replace(NEXT_CELL, "");
+        if rest.contains(['{', '}']) {
+            let message = format!("a hint knows one placeholder only: `{NEXT_CELL}`");
+            faults.add(self.text.span(), message);
+        }
+        let no_cells = draft.surveys.is_empty() && faults.0.is_empty();
+        if rest.len() < text.len() && no_cells {
+            let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
+            faults.add(self.text.span(), message);
+        }
+        Hint {
+            phase: self.phase,
+            text: self.text.into_inner(),
         }
     }
 }

@@ -31,6 +31,7 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
             })
             .collect(),
         quality: mean_quality(standings),
+        quality_advice: quality_advice(standings),
         elapsed: flight.elapsed,
         energy_wh: (!used.is_empty()).then(|| used.iter().sum()),
         safety: flight.safety.events().to_vec(),
@@ -48,6 +49,12 @@ fn mean_quality(standings: &[Standing]) -> Option<(f64, String)> {
     let words: Vec<&str> = all.iter().map(|(_, words)| words.as_str()).collect();
     let sum: f64 = all.iter().map(|(value, _)| value).sum();
     (!all.is_empty()).then(|| (sum / all.len() as f64, words.join(", ")))
+}
+
+fn quality_advice(standings: &[Standing]) -> String {
+    let all = standings.iter().map(|standing| &*standing.quality_advice);
+    let all: Vec<&str> = all.filter(|advice| !advice.is_empty()).collect();
+    all.join("; ")
 }
 
 /// The report.

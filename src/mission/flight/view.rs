@@ -1,8 +1,10 @@
 //! How a flight stands, for the mission panel.
 
 use super::{Craft, Flight, Probe, Standing, Survey, result};
-use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading};
-use crate::scoring::{Score, score};
+use crate::mission::{
+    Cell, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
+};
+use crate::scoring::score;
 
 impl Flight {
     /// How it stands, for the mission panel.
@@ -20,7 +22,10 @@ impl Flight {
                     (false, None) => ObjectiveState::Open,
                     (false, Some(_)) => ObjectiveState::Missed,
                 },
-                detail: standing.result.clone(),
+                detail: match (&standing.outlook, self.ended) {
+                    (Some(outlook), None) => outlook.clone(),
+                    _ => standing.result.clone(),
+                },
                 fraction: standing.fraction,
             })
             .collect();
@@ -28,7 +33,7 @@ impl Flight {
             title: self.mission.title.clone(),
             elapsed: self.elapsed,
             limit: self.mission.time_limit,
-            score_so_far: self.score_with(&standings).points,
+            score_so_far: self.score_so_far(&standings),
             objectives,
             readings: self.readings(),
             hint: self.hint(&standings),
@@ -36,8 +41,10 @@ impl Flight {
         }
     }
 
-    fn score_with(&self, standings: &[Standing]) -> Score {
-        score(&self.mission.scoring, &result::facts(self, standings))
+    /// Points for rules that nobody can break on the ground would only puzzle.
+    fn score_so_far(&self, standings: &[Standing]) -> Option<u16> {
+        let begun = self.ended.is_some() || self.crafts.iter().any(|craft| craft.flown);
+        begun.then(|| score(&self.mission.scoring, &result::facts(self, standings)).points)
     }
 
     fn readings(&self) -> Vec<Reading> {
@@ -68,7 +75,18 @@ impl Flight {
             Phase::Ground
         };
         let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
-        self.ended.is_none().then(|| found.text.clone())
+        self.ended.is_none().then(|| self.filled(&found.text))
+    }
+
+    /// A hint with the name of the first cell that is not sampled; once all are, that of the way home.
+    fn filled(&self, text: &str) -> String {
+        let next = |survey: &Survey| {
+            let cells = survey.plan.cells.iter().enumerate();
+            let mut open = cells.filter(|(index, _)| !survey.is_sampled(*index));
+            open.next().map(|(_, cell)| cell.name.clone())
+        };
+        let next = self.surveys.iter().find_map(next);
+        text.replace(NEXT_CELL, next.as_deref().unwrap_or("pad"))
     }
 
     fn cells(&self) -> Vec<Cell> {

@@ -117,6 +117,26 @@ impl MapTracker {
     }
 }
 
+impl MapTracker {
+    /// The error is made of blanks, of readings at another height or in a corner of the cell, and of a sensor that
+    /// lags behind.
+    fn quality_advice(&self, survey: Option<&Survey>) -> String {
+        let blank = survey.and_then(|survey| {
+            let cells = survey.plan.cells.iter().enumerate();
+            let mut blanks = cells.filter(|(index, _)| !survey.is_sampled(*index));
+            blanks.next().map(|(_, cell)| cell.name.as_str())
+        });
+        let height_m = self.height_m;
+        let how = format!(
+            "fly slower at {height_m:.0} m, right through the middle of each cell, and stay longer in it"
+        );
+        match blank {
+            Some(name) => format!("sample {name} too, a blank counts as clean air; {how}"),
+            None => how,
+        }
+    }
+}
+
 impl Tracker for MapTracker {
     fn standing(&self, scene: &Scene<'_>) -> Standing {
         let survey = scene.survey(&self.of);
@@ -138,6 +158,8 @@ impl Tracker for MapTracker {
                 error.map_or("no map".to_owned(), |error| format!("map error {error:.2}")),
             )),
             result,
+            outlook: None,
+            quality_advice: self.quality_advice(survey),
             target: format!("{:.2}", self.target),
             advice: format!(
                 "Map every cell at {:.0} m with readings that have settled: fly slower, turn outside.",

@@ -147,6 +147,8 @@ impl Tracker for SampleCells {
             settled: sampled >= self.target,
             landing: false,
             quality: None,
+            outlook: None,
+            quality_advice: String::new(),
             result: format!("{sampled}/{} cells", self.plan.cells.len()),
             target: format!("{} cells", self.target),
             advice: format!(

@@ -32,7 +32,9 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         "mission  {} of {}  score {}",
         clock(progress.elapsed),
         clock(progress.limit),
-        progress.score_so_far
+        progress
+            .score_so_far
+            .map_or("-".to_owned(), |score| score.to_string())
     );
     let mut rest = titled(&title, theme, area, buffer);
     let width = usize::from(rest.width);
