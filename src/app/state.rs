@@ -25,6 +25,8 @@ pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Connect, Consequence, Order, Overlay, Palette};
 pub use session::{Activity, Session};
 
+/// The smallest terminal that the console fits into: columns and rows.
+pub const SMALLEST: (u16, u16) = (80, 24);
 /// Lines of the command line's history kept.
 const HISTORY_KEPT: usize = 200;
 /// How long a message stays on the last line of the screen.
@@ -53,6 +55,8 @@ pub struct State {
     pub keymap: Keymap,
     /// Lines given before, oldest first.
     pub history: VecDeque<String>,
+    /// Columns and rows of the terminal.
+    pub size: (u16, u16),
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,
@@ -143,6 +147,7 @@ impl State {
             theme,
             keymap: Keymap::default(),
             history: VecDeque::new(),
+            size: SMALLEST,
             message: None,
             revision: 0,
         }
@@ -156,6 +161,11 @@ impl State {
     /// Marks the screen as changed.
     pub fn touch(&mut self) {
         self.revision += 1;
+    }
+
+    /// Whether the terminal is too small to show anything, so that keys would be pressed blindly.
+    pub fn is_too_small(&self) -> bool {
+        self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
     }
 
     /// What the home screen offers, from the top.

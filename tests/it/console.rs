@@ -108,21 +108,76 @@ fn a_dangerous_verb_wants_the_number_of_its_targets() {
     assert!(console.screen(80, 24).contains("KILL 3: 1 3 5 - type 3"));
     console.press("3");
     assert_eq!(console.sent_to(), [1, 3, 5]);
-    for wrong in ["5", "enter", "y", "esc", "ctrl-c"] {
+    for wrong in ["5", "enter", "y", "esc", "ctrl-c", "left"] {
         console.give("1,3,5 kill").press(wrong);
         assert!(console.effects.is_empty(), "{wrong}");
-        assert!(console.state.overlay.is_none(), "{wrong}");
         console.press("3");
-        assert!(
-            console.effects.is_empty(),
-            "the question is gone after {wrong}"
-        );
-        console.press("esc");
+        assert!(console.effects.is_empty(), "no is no after {wrong}");
+        console.press("esc").press("esc");
+        assert!(console.state.overlay.is_none(), "{wrong}");
     }
     let mut console = Console::flying(12);
     console.give("all kill").press("1");
     assert!(console.effects.is_empty());
     assert_eq!(console.press("2").sent_to().len(), 12);
+}
+
+#[test]
+fn keys_after_a_wrong_answer_reach_nothing_until_enter_or_escape() {
+    for end in ["enter", "esc"] {
+        let mut console = Console::flying(3);
+        console.give("1 kill").write("2 l3-*a1");
+        assert!(console.screen(80, 24).contains("Enter or Esc goes on"));
+        console.press(end);
+        assert!(console.effects.is_empty());
+        assert!(console.state.overlay.is_none(), "{end}");
+        assert!(selection(&console).is_empty());
+        console.write("2").press("enter");
+        assert_eq!(selection(&console), [2], "keys work again after {end}");
+    }
+}
+
+#[test]
+fn a_line_begun_over_a_question_is_taken_as_a_line() {
+    let mut console = Console::flying(3);
+    console.give("1 kill").write(":2 land");
+    assert_eq!(palette_line(&console), "2 land");
+    assert_eq!(console.press("enter").sent_to(), [2]);
+    assert!(selection(&console).is_empty());
+}
+
+#[test]
+fn a_question_of_yes_or_no_takes_n_at_once() {
+    let mut console = Console::flying(1);
+    console.vehicle(fixtures::airborne(1, 0.0, 10.0));
+    console.press("ctrl-c").press("n");
+    assert!(console.state.overlay.is_none() && console.effects.is_empty());
+}
+
+#[test]
+fn keys_that_nobody_can_see_the_effect_of_do_nothing() {
+    let small = Event::Resize {
+        columns: 79,
+        rows: 24,
+    };
+    let large = Event::Resize {
+        columns: 80,
+        rows: 24,
+    };
+    let mut console = Console::flying(3);
+    console.give("1 kill").hear(small.clone());
+    console.press("1");
+    assert!(console.effects.is_empty(), "the question is gone");
+    console.give("all arm").press("*").press("j");
+    console.hear(Event::Paste("1 arm".to_owned()));
+    assert!(console.effects.is_empty() && selection(&console).is_empty());
+    assert_eq!(console.state.session.cursor, Some(1));
+    console.hear(large).press("1");
+    assert!(console.effects.is_empty(), "it does not come back");
+    console.press("esc").press(":").write("1 arm").hear(small);
+    assert!(console.press("enter").effects.is_empty());
+    assert_eq!(palette_line(&console), "1 arm", "a line waits");
+    assert_eq!(console.press("ctrl-c").effects, [Effect::Quit]);
 }
 
 #[test]

@@ -54,7 +54,8 @@ pub struct Palette {
     pub draft: String,
 }
 
-/// A question that only its answer confirms; any other key takes the thing back.
+/// A question that only its answer confirms; any other key takes the thing back. Keys after a wrong one are
+/// swallowed until Enter or Esc, because they were not meant for the screen below either.
 #[derive(Debug, Clone)]
 pub struct Confirm {
     /// What would happen, and to whom: `KILL 3: 1 3 5`.
@@ -65,6 +66,8 @@ pub struct Confirm {
     pub answer: String,
     /// What has been typed of it.
     pub typed: String,
+    /// Whether a wrong key has taken the thing back.
+    pub cancelled: bool,
     /// What then happens.
     pub then: Consequence,
 }

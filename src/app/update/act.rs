@@ -116,6 +116,7 @@ fn ask(state: &mut State, question: &str, reason: String, effect: Effect) -> Vec
         reason,
         answer: "y".to_owned(),
         typed: String::new(),
+        cancelled: false,
         then: Consequence::Effect(effect),
     }));
     Vec::new()

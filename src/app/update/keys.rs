@@ -19,6 +19,9 @@ pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     if key.kind == KeyEventKind::Release {
         return Vec::new();
     }
+    if state.is_too_small() {
+        return unseen(state, key);
+    }
     match state.overlay.take() {
         Some(Overlay::Palette(line)) => palette::key(state, line, key),
         Some(Overlay::Confirm(question)) => confirm(state, question, key),
@@ -28,7 +31,30 @@ pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     }
 }
 
+/// The terminal has another size. A question that cannot be seen any more has been answered with no.
+pub fn resize(state: &mut State, columns: u16, rows: u16) {
+    state.size = (columns, rows);
+    if state.is_too_small()
+        && let Some(Overlay::Confirm(question)) = &state.overlay
+    {
+        let text = cancelled(question);
+        state.overlay = None;
+        state.say(Severity::Notice, text);
+    }
+}
+
+/// A key while nothing can be seen: only leaving works, and without a question.
+fn unseen(state: &State, key: KeyEvent) -> Vec<Effect> {
+    match state.keymap.resolve(key, Place::Anywhere) {
+        Some(Action::Quit) => vec![Effect::Quit],
+        _ => Vec::new(),
+    }
+}
+
 pub fn paste(state: &mut State, text: &str) {
+    if state.is_too_small() {
+        return;
+    }
     let first_line = text.lines().next().unwrap_or_default();
     let text = sanitised(first_line);
     match state.overlay.take() {
@@ -93,23 +119,42 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     }
 }
 
-/// Only the exact answer confirms; any other key means no.
+/// Only the exact answer confirms. Any other key means no: Enter, Esc and `n` at once; `:` opens the command line
+/// as everywhere; after another character the question stays, cancelled, and swallows what follows, or a line that
+/// was begun without looking would be taken as keys of the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effect> {
-    if let KeyCode::Char(c) = key.code
-        && !key.modifiers.contains(KeyModifiers::CONTROL)
-    {
-        question.typed.push(c);
-        if question.typed == question.answer {
-            return order::carry_out(state, question.then);
+    let control = key.modifiers.contains(KeyModifiers::CONTROL);
+    let opens = state.keymap.resolve(key, Place::Anywhere) == Some(Action::Palette(""));
+    match key.code {
+        _ if opens => {
+            refuse(state, &question);
+            palette::open(state, String::new());
         }
-        if question.answer.starts_with(&question.typed) {
+        KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
+        KeyCode::Char(_) if control => refuse(state, &question),
+        KeyCode::Char('n') if question.answer == "y" => refuse(state, &question),
+        KeyCode::Char(c) if !question.cancelled => {
+            question.typed.push(c);
+            if question.typed == question.answer {
+                return order::carry_out(state, question.then);
+            }
+            question.cancelled = !question.answer.starts_with(&question.typed);
             state.overlay = Some(Overlay::Confirm(question));
-            return Vec::new();
+        }
+        _ => {
+            question.cancelled = true;
+            state.overlay = Some(Overlay::Confirm(question));
         }
     }
-    let text = format!("cancelled, nothing was done: {}", question.question);
-    state.say(Severity::Notice, text);
     Vec::new()
+}
+
+fn refuse(state: &mut State, question: &Confirm) {
+    state.say(Severity::Notice, cancelled(question));
+}
+
+fn cancelled(question: &Confirm) -> String {
+    format!("cancelled, nothing was done: {}", question.question)
 }
 
 fn connect(state: &mut State, mut prompt: Connect, key: KeyEvent) -> Vec<Effect> {

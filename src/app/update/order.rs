@@ -45,6 +45,7 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
         reason: order.verb.summary.to_owned(),
         answer: count.to_string(),
         typed: String::new(),
+        cancelled: false,
         then: Consequence::Order(order),
     }));
     Vec::new()

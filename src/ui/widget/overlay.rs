@@ -44,11 +44,16 @@ fn draw_confirm(question: &Confirm, theme: &Theme, area: Rect, buffer: &mut Buff
     }
     let reason = clip(&question.reason, width);
     put(buffer, inner, row, &Line::raw(reason));
-    let typed = Line::from(vec![
-        Span::styled(": ", theme.style(Role::Key)),
-        Span::raw(format!("{}_", question.typed)),
-        Span::styled("   anything else: no", theme.style(Role::Muted)),
-    ]);
+    let typed = if question.cancelled {
+        let text = "cancelled, nothing was done   Enter or Esc goes on";
+        Line::styled(text, theme.style(Role::Warning))
+    } else {
+        Line::from(vec![
+            Span::styled(": ", theme.style(Role::Key)),
+            Span::raw(format!("{}_", question.typed)),
+            Span::styled("   anything else: no", theme.style(Role::Muted)),
+        ])
+    };
     put(buffer, inner, row + 2, &typed);
 }
 
