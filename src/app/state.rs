@@ -29,6 +29,8 @@ pub use session::{Activity, Session};
 pub const SMALLEST: (u16, u16) = (80, 24);
 /// Lines of the command line's history kept.
 const HISTORY_KEPT: usize = 200;
+/// Keys pressed so soon after the debrief has opened were meant for the flight.
+const DEBRIEF_DEAF: Duration = Duration::from_secs(1);
 /// How long a message stays on the last line of the screen.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
 
@@ -166,6 +168,14 @@ impl State {
     /// Whether the terminal is too small to show anything, so that keys would be pressed blindly.
     pub fn is_too_small(&self) -> bool {
         self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
+    }
+
+    /// Whether the debrief has opened so recently that keys were meant for the flight.
+    pub fn is_deaf(&self) -> bool {
+        match self.screen {
+            Screen::Debrief { since, .. } => self.now.saturating_sub(since) < DEBRIEF_DEAF,
+            _ => false,
+        }
     }
 
     /// What the home screen offers, from the top.

@@ -2,8 +2,8 @@
 
 use sortie::app::effect::Effect;
 use sortie::app::event::Event;
-use sortie::app::state::{Activity, Overlay, Screen};
-use sortie::ledger::RowState;
+use sortie::app::state::{Activity, LinkSummary, Overlay, Screen};
+use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::vehicle::Severity;
 
 use crate::fixtures;
@@ -77,11 +77,14 @@ fn vehicles_are_selected_by_numbers_space_star_and_exclamation_mark() {
     );
     assert_eq!(selection(console.press("*")).len(), 9);
     assert!(selection(console.press("esc")).is_empty());
-    console.write("12").press("enter");
+    console.write("2-3").press("enter");
+    console.write("17-19").press("enter");
     assert_eq!(
         console.state.message().map(|it| it.text.as_str()),
-        Some("there is no vehicle 12")
+        Some("there is no vehicle 17-19: the selection stays as it was")
     );
+    assert_eq!(selection(&console), [2, 3]);
+    assert_eq!(selection(console.write("9-11").press("enter")), [9]);
 }
 
 #[test]
@@ -327,7 +330,14 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
         .hear(Event::MissionEnded(Box::new(fixtures::report())));
     assert!(console.press("h").effects.is_empty());
     assert!(matches!(console.state.screen, Screen::Debrief { .. }));
-    console.at(102);
+    let footer = "keys work in a moment";
+    assert!(console.screen(80, 24).contains(footer));
+    let before = console.state.revision();
+    console.hear(Event::Tick {
+        now: std::time::Duration::from_millis(101_050),
+    });
+    assert!(console.state.revision() > before);
+    assert!(!console.screen(80, 24).contains(footer));
     assert_eq!(console.press("h").effects, [Effect::LeaveSession]);
 }
 
@@ -400,6 +410,114 @@ fn rows_of_a_group_command_go_their_own_ways() {
         screen.contains("vehicle 3: arm refused: PreArm: Need Position Estimate"),
         "{screen}"
     );
+}
+
+#[test]
+fn what_a_vehicle_answered_stands_beside_the_question() {
+    let mut console = Console::flying(4);
+    console.give("1 param get WPNAV_SPEED");
+    let answered = "WPNAV_SPEED = 500";
+    console
+        .row(1, RowState::Accepted, Some(answered))
+        .row(1, RowState::Done, None);
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("1 param get WPNAV_SPEED  = 500"),
+        "{screen}"
+    );
+    console.give("all param get WPNAV_SPEED");
+    for vehicle in [1, 3, 4] {
+        console.row(vehicle, RowState::Done, Some(answered));
+    }
+    let screen = console.screen(120, 40);
+    assert!(
+        screen.contains("vehicles 1,3-4: WPNAV_SPEED = 500"),
+        "while one is missing: {screen}"
+    );
+    console.row(2, RowState::Done, Some("WPNAV_SPEED = 700"));
+    let screen = console.screen(120, 40);
+    assert!(
+        screen.contains("WPNAV_SPEED  1,3-4: 500   2: 700"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn one_reason_of_many_vehicles_is_one_line() {
+    let mut console = Console::flying(3);
+    console.give("all takeoff 10");
+    for vehicle in 1..=3 {
+        let text =
+            format!("needs GUIDED: vehicle {vehicle} is in LOITER; say `{vehicle} guided` first");
+        console.row(vehicle, RowState::Refused, Some(&text));
+    }
+    let screen = console.screen(120, 40);
+    let merged = "vehicles 1-3: needs GUIDED: it is in LOITER; say `1-3 guided`";
+    assert!(screen.contains(merged), "{screen}");
+}
+
+#[test]
+fn a_session_begins_at_zero_and_without_the_notices_of_the_one_before() {
+    let mut console = Console::flying(1);
+    console.at(100).notice(Severity::Error, None, "old trouble");
+    console.hear(Event::NoticesDropped(3));
+    console.start(Activity::Free);
+    console.vehicle(fixtures::parked(1)).at(165);
+    console.give("1 arm").notice(Severity::Info, Some(1), "new");
+    let screen = console.screen(80, 24);
+    assert!(!screen.contains("old trouble") && !screen.contains("dropped"));
+    for expected in ["   01:05", "01:05 1 arm", "01:05 info  1: new"] {
+        assert!(screen.contains(expected), "{expected}: {screen}");
+    }
+}
+
+#[test]
+fn why_a_link_is_down_is_never_cut() {
+    let mut console = Console::flying(0);
+    let reason = "cannot open the recording none.tlog: there is no such file in the folder that the \
+                  console was started from; give its whole path";
+    console.hear(Event::Links(vec![LinkSummary {
+        name: "file:none.tlog".to_owned(),
+        state: "ended".to_owned(),
+        error: Some(reason.to_owned()),
+        ..LinkSummary::default()
+    }]));
+    let screen = console.screen(80, 24);
+    assert!(
+        !screen.contains('…') && screen.contains("its whole path"),
+        "{screen}"
+    );
+    let mut console = Console::flying(2);
+    console.notice(
+        Severity::Error,
+        None,
+        &format!("link file:none.tlog: {reason}"),
+    );
+    let screen = console.screen(80, 24);
+    assert!(!screen.contains('…') && screen.contains("path"), "{screen}");
+}
+
+#[test]
+fn the_table_shows_the_command_that_is_under_way() {
+    let mut console = Console::flying(1);
+    console.give("1 goto n 100 e 0");
+    console.row(1, RowState::Accepted, None);
+    console.give("1 param get WPNAV_SPEED");
+    console.row(1, RowState::Done, Some("WPNAV_SPEED = 500"));
+    assert!(console.screen(80, 24).contains("goto accepted"));
+    console.give("1 land");
+    assert!(console.screen(80, 24).contains("land queued"));
+    console.row(1, RowState::Done, None);
+    assert!(console.screen(80, 24).contains("goto accepted"));
+    console.hear(Event::Row(RowUpdate {
+        entry: EntryId(0),
+        vehicle: 1,
+        state: RowState::Done,
+        tries: 1,
+        at: std::time::Duration::ZERO,
+        explanation: None,
+    }));
+    assert!(console.screen(80, 24).contains("land done"));
 }
 
 #[test]

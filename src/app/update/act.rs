@@ -82,13 +82,21 @@ pub fn go_home(state: &mut State) {
     state.screen = Screen::Home { cursor: 0 };
 }
 
-/// Selects exactly these vehicles, as far as they are there.
+/// Selects exactly these vehicles, as far as they are there; keeps the selection if none of them is.
 pub fn select(state: &mut State, ids: &[VehicleId]) {
     let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
     let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));
     if !missing.is_empty() {
-        let text = format!("there is no vehicle {}", ranges(missing));
+        let kept = if there.is_empty() {
+            ": the selection stays as it was"
+        } else {
+            ""
+        };
+        let text = format!("there is no vehicle {}{kept}", ranges(missing));
         state.say(Severity::Warning, text);
+        if there.is_empty() {
+            return;
+        }
     }
     if let Some(&first) = there.first() {
         state.session.place_cursor(first);

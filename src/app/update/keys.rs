@@ -1,7 +1,6 @@
 //! Keys: to the overlay if there is one, else through the keymap.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use std::time::Duration;
 use tui_input::{Input, InputRequest};
 
 use super::{act, order, palette};
@@ -11,9 +10,6 @@ use crate::app::keymap::Place;
 use crate::app::state::{Confirm, Connect, Overlay, Screen, State, help_lines, link_lines};
 use crate::notice::sanitised;
 use crate::vehicle::Severity;
-
-/// Keys pressed so soon after the debrief has opened were meant for the flight.
-const DEBRIEF_DEAF: Duration = Duration::from_secs(1);
 
 pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     if key.kind == KeyEventKind::Release {
@@ -103,15 +99,13 @@ fn insert(input: &mut Input, text: &str) {
 }
 
 fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
+    if state.is_deaf() {
+        return Vec::new();
+    }
     let place = match &state.screen {
         Screen::Home { .. } => Place::Home,
         Screen::Fly { .. } => Place::Fly,
-        Screen::Debrief { since, .. } => {
-            if state.now.saturating_sub(*since) < DEBRIEF_DEAF {
-                return Vec::new();
-            }
-            Place::Debrief
-        }
+        Screen::Debrief { .. } => Place::Debrief,
     };
     match state.keymap.resolve(key, place) {
         Some(action) => act::act(state, action),

@@ -19,9 +19,9 @@ const TELEMETRY_MOST: u16 = 16;
 
 /// Draws the panes.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let vehicles = state.session.vehicles.len() as u16;
-    // A rule, the column titles and a row each; never more than half of the screen.
-    let rows = (vehicles.max(1) + 2).min(area.height / 2);
+    // Never more than half of the screen.
+    let wanted = swarm::height(&state.session, area.width);
+    let rows = wanted.min(usize::from(area.height / 2)) as u16;
     swarm::draw(state, theme, upper(area, rows), buffer);
     let rest = below(area, rows);
     let side = columns(rest, 0, SIDE_WIDTH);

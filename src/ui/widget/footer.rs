@@ -52,6 +52,9 @@ fn line<'a>(state: &'a State, theme: &Theme, width: usize) -> Line<'a> {
             ),
         ]);
     }
+    if state.is_deaf() {
+        return Line::styled(" keys work in a moment", theme.style(Role::Muted));
+    }
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);
         return Line::styled(format!(" {}", message.text), theme.style(role));

@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use crate::app::state::{Alert, LinkSummary, Session, State, alert, ranges};
 use crate::ledger::RowState;
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, clip, put, row_role, severity_role, titled};
+use crate::ui::widget::{below, clip, put, row_role, severity_role, titled, wrap};
 use crate::vehicle::{FixType, LandedState, Vehicle};
 
 /// Columns of the newest command: `takeoff timed out` fits.
@@ -66,20 +66,42 @@ const fn column(
     }
 }
 
+/// Rows that the table would like to have: a rule, the titles, and a row for each vehicle, or what there is to know
+/// while there is none.
+pub fn height(session: &Session, width: u16) -> usize {
+    let rows = match session.vehicles.len() {
+        0 => waiting_lines(&session.links, width).len(),
+        count => count,
+    };
+    rows + 2
+}
+
 /// What there is to know while nobody has been heard: how the links are doing.
-fn draw_waiting(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn waiting_lines(links: &[LinkSummary], width: u16) -> Vec<(String, Role)> {
     let waiting = "  waiting for the first vehicle ...".to_owned();
-    let lines = links.iter().map(|link| {
+    let mut lines = vec![(waiting, Role::Muted)];
+    for link in links {
         let reason = link.error.as_deref().unwrap_or(&link.state);
-        format!("  {}: {reason}", link.name)
-    });
-    for (row, text) in std::iter::once(waiting).chain(lines).enumerate() {
-        let text = clip(&text, usize::from(area.width));
+        let role = if link.error.is_some() {
+            Role::Warning
+        } else {
+            Role::Muted
+        };
+        let text = format!("{}: {reason}", link.name);
+        let wrapped = wrap(&text, usize::from(width).saturating_sub(2));
+        lines.extend(wrapped.into_iter().map(|line| (format!("  {line}"), role)));
+    }
+    lines
+}
+
+fn draw_waiting(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let lines = waiting_lines(links, area.width).into_iter();
+    for (row, (text, role)) in lines.enumerate() {
         put(
             buffer,
             area,
             row as u16,
-            &Line::styled(text, theme.style(Role::Muted)),
+            &Line::styled(text, theme.style(role)),
         );
     }
 }

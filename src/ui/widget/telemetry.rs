@@ -202,7 +202,7 @@ fn link(vehicle: &Vehicle, state: &State) -> String {
 }
 
 fn wind(vehicle: &Vehicle) -> String {
-    let wind = vehicle.wind;
+    let wind = vehicle.wind.filter(|wind| wind.speed_m_s >= 0.05);
     wind.map_or(String::new(), |wind| {
         format!("{:.1} m/s from {:.0}°", wind.speed_m_s, wind.from_deg)
     })
