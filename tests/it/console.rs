@@ -208,6 +208,75 @@ fn a_wrong_line_stays_with_the_wrong_word_marked() {
 }
 
 #[test]
+fn a_finished_word_that_is_wrong_is_marked_while_the_line_is_written() {
+    let fault = |console: &Console| match &console.state.overlay {
+        Some(Overlay::Palette(palette)) => palette
+            .fault
+            .as_ref()
+            .map(|fault| palette.input.value()[fault.span.clone()].to_owned()),
+        other => panic!("the command line is not open: {other:?}"),
+    };
+    let mut console = Console::flying(4);
+    console.press(":").write("1-2 takeof");
+    assert_eq!(fault(&console), None, "it may become `takeoff`");
+    console.write(" ");
+    assert_eq!(fault(&console).as_deref(), Some("takeof"));
+    console.press("left");
+    assert_eq!(fault(&console), None, "it is being mended");
+    console.press("ctrl-u").press("end").press("ctrl-u");
+    console.write("1 takeoff high ");
+    assert_eq!(fault(&console).as_deref(), Some("high"));
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("takeoff ALTITUDE"), "its usage: {screen}");
+}
+
+#[test]
+fn no_line_is_marked_on_the_way_to_a_right_one() {
+    for line in [
+        "1-4 goto n 100 e 50 up 30 ",
+        "1,3 goto 50.4501 30.5234 up 40 ",
+        "all takeoff 20 ",
+        "1 mode loiter ",
+        "2 param get WPNAV_SPEED ",
+        "2 param set WPNAV_SPEED 700 ",
+        "1 servo 5 1500 ",
+        "1 yaw 90 ",
+        "1 home here ",
+        "theme dark ",
+        "group red 1-3 ",
+        "select 1-3 ",
+        "all guided ",
+        "kill ",
+    ] {
+        let mut console = Console::flying(4);
+        console.press(":");
+        for c in line.chars() {
+            console.press(&c.to_string());
+            let Some(Overlay::Palette(palette)) = &console.state.overlay else {
+                panic!("the command line has closed");
+            };
+            let written = palette.input.value();
+            assert_eq!(palette.fault, None, "{written}");
+        }
+    }
+}
+
+#[test]
+fn a_complete_line_says_to_whom_it_goes() {
+    let mut console = Console::flying(4);
+    console.press(":").write("all takeoff ");
+    assert!(!console.screen(80, 24).contains("Enter sends"));
+    console.write("20");
+    assert!(console.screen(80, 24).contains("Enter sends to 1-4"));
+    console.press("ctrl-u").write("2-3 kill");
+    assert!(
+        console
+            .screen(80, 24)
+            .contains("Enter asks before it sends to 2-3")
+    );
+}
+
+#[test]
 fn waiting_is_for_pilot_scripts() {
     let mut console = Console::flying(1);
     console.give("wait all armed");

@@ -44,7 +44,9 @@ pub struct Palette {
     pub recipients: String,
     /// The usage of the verb, or what comes next.
     pub hint: Option<String>,
-    /// What was wrong when the line was given.
+    /// What Enter would do with the line as it stands; `None` while it is not complete.
+    pub outcome: Option<String>,
+    /// What is wrong with a word that has been finished, or was when the line was given.
     pub fault: Option<Diagnostic>,
     /// The line before Tab was pressed first.
     pub before_tab: String,

@@ -28,6 +28,15 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     })
 }
 
+/// What Enter does with an order.
+pub fn announced(order: &Order) -> String {
+    let targets = ranges(order.targets.iter().copied());
+    match order.verb.danger {
+        Danger::None => format!("Enter sends to {targets}"),
+        _ => format!("Enter asks before it sends to {targets}"),
+    }
+}
+
 /// Sends a command off, or asks before a dangerous one.
 pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
     if order.verb.danger == Danger::None {
