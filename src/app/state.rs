@@ -22,7 +22,7 @@ pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use ids::{parse_ranges, ranges};
 pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
 pub use notices::{NoticeLine, NoticeLog};
-pub use overlay::{Confirm, Connect, Consequence, Order, Overlay, Palette};
+pub use overlay::{Confirm, Connect, Consequence, Log, Order, Overlay, Palette};
 pub use session::{Activity, Session};
 
 /// The smallest terminal that the console fits into: columns and rows.
@@ -175,6 +175,14 @@ impl State {
         match self.screen {
             Screen::Debrief { since, .. } => self.now.saturating_sub(since) < DEBRIEF_DEAF,
             _ => false,
+        }
+    }
+
+    /// How many entries a log has.
+    pub fn log_length(&self, log: Log) -> usize {
+        match log {
+            Log::Ledger => self.session.ledger.entries().len(),
+            Log::Notices => self.notices.lines().len(),
         }
     }
 

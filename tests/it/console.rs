@@ -590,6 +590,37 @@ fn the_table_shows_the_command_that_is_under_way() {
 }
 
 #[test]
+fn the_ledger_and_the_notices_can_be_looked_back_through() {
+    let mut console = Console::flying(1);
+    for number in 0..60 {
+        console.give(&format!("1 param get P{number}_"));
+        console.row(1, RowState::Refused, Some("no such parameter"));
+        console.notice(Severity::Info, Some(1), &format!("said {number}_"));
+    }
+    for (key, word) in [("c", "get P"), ("n", "said ")] {
+        let sees = |console: &Console, number: u32| {
+            console.screen(80, 24).contains(&format!("{word}{number}_"))
+        };
+        console.press(key);
+        assert!(sees(&console, 59) && !sees(&console, 0), "{key}");
+        assert!(sees(console.press("home"), 0) && !sees(&console, 59));
+        assert!(sees(console.press("page-down").press("page-down"), 20));
+        assert!(!sees(console.press("page-up").press("page-up"), 59));
+        assert!(sees(console.press("end"), 59));
+        assert!(!sees(console.press("home").press("j"), 59));
+        console.press("esc");
+        assert!(console.state.overlay.is_none());
+    }
+    console
+        .press("n")
+        .notice(Severity::Info, Some(1), "the newest");
+    assert!(console.screen(80, 24).contains("the newest"), "it follows");
+    console.press("k").press("k");
+    let before = console.screen(80, 24);
+    assert!(before.contains("notices   59 of 61"), "{before}");
+}
+
+#[test]
 fn serious_notices_ring_the_bell() {
     let mut console = Console::flying(1);
     console.notice(Severity::Warning, Some(1), "low");
@@ -644,6 +675,8 @@ const KEYS: &[&str] = &[
     "h",
     "r",
     "b",
+    "c",
+    "n",
     "L",
     "j",
     "-",

@@ -27,8 +27,24 @@ pub enum Overlay {
         /// The first line shown.
         scroll: usize,
     },
+    /// All commands, or all notices.
+    Log {
+        /// Which of them.
+        log: Log,
+        /// The entry under the cursor; `None` is the newest, also when newer ones come.
+        cursor: Option<usize>,
+    },
     /// The mission's brief.
     Brief,
+}
+
+/// What can be looked back through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Log {
+    /// The commands.
+    Ledger,
+    /// The notices.
+    Notices,
 }
 
 /// The command line while it is being written.

@@ -180,6 +180,11 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
     match state.keymap.resolve(key, Place::Reader) {
         Some(Action::Escape) => return Vec::new(),
         Some(Action::Move(step)) => {
+            if let Overlay::Log { log, cursor } = &mut reader {
+                let count = state.log_length(*log);
+                let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
+                *cursor = Some(at).filter(|at| at + 1 < count);
+            }
             let (scroll, count) = match &mut reader {
                 Overlay::Help { scroll } => (scroll, help_lines(&state.keymap).len()),
                 Overlay::Links { scroll } => (scroll, link_lines(&state.session.links).len()),

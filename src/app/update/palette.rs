@@ -8,7 +8,7 @@ use crate::app::action::Action;
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
+use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language;
 use crate::vehicle::Severity;
@@ -223,6 +223,8 @@ fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
     match deed {
         Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
         Deed::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
+        Deed::Ledger => act::look_back(state, Log::Ledger),
+        Deed::Notices => act::look_back(state, Log::Notices),
         Deed::Brief => act::brief(state),
         Deed::Abandon => return act::abandon(state),
         Deed::Restart => return act::restart(state),

@@ -23,6 +23,7 @@ const FLY: &[(&str, &str)] = &[
     ("3-9 Enter", "list"),
     ("*", "all"),
     ("Esc", "none"),
+    ("c n", "look back"),
     ("L", "links"),
 ];
 const DEBRIEF: &[(&str, &str)] = &[

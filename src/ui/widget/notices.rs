@@ -20,7 +20,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
     for notice in state.notices.lines().rev() {
-        let mut block = lines(notice, &state.session, width, theme);
+        let mut block = lines(notice, &state.session, (width, MOST_LINES), theme);
         if used + block.len() > rows && used > 0 {
             break;
         }
@@ -33,11 +33,11 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// A notice with its time, its severity and its vehicles.
+/// A notice with its time, its severity and its vehicles, in a width and, if it is no error, at most so many lines.
 pub fn lines<'a>(
     line: &NoticeLine,
     session: &Session,
-    width: usize,
+    (width, most): (usize, usize),
     theme: &Theme,
 ) -> Vec<Line<'a>> {
     let notice = &line.notice;
@@ -52,7 +52,7 @@ pub fn lines<'a>(
     );
     let indent = " ".repeat(Span::raw(&head).width());
     let mut lines = Vec::new();
-    for text in texts(line, width.saturating_sub(indent.len())) {
+    for text in texts(line, width.saturating_sub(indent.len()), most) {
         let head = std::mem::replace(&mut head, indent.clone());
         lines.push(Line::from(vec![
             Span::styled(head, theme.style(Role::Muted)),
@@ -63,7 +63,7 @@ pub fn lines<'a>(
 }
 
 /// The text in as many lines as it may take, with how often it came.
-fn texts(line: &NoticeLine, width: usize) -> Vec<String> {
+fn texts(line: &NoticeLine, width: usize, most: usize) -> Vec<String> {
     // Once from each of the vehicles that are named needs no count.
     let once_each = line.count as usize <= line.vehicles.len().max(1);
     let count = if once_each {
@@ -74,9 +74,9 @@ fn texts(line: &NoticeLine, width: usize) -> Vec<String> {
     let text = &line.notice.text;
     let mut lines = wrap(&format!("{text}{count}"), width);
     let whole = line.notice.severity <= Severity::Error;
-    if lines.len() > MOST_LINES && !whole {
+    if lines.len() > most && !whole {
         // What is cut off must not take the count with it.
-        let rest = lines.drain(MOST_LINES - 1..).collect::<Vec<_>>().join(" ");
+        let rest = lines.drain(most - 1..).collect::<Vec<_>>().join(" ");
         let rest = rest.strip_suffix(&count).unwrap_or(&rest);
         let rest = clip(rest, width.saturating_sub(count.len()));
         lines.push(format!("{rest}{count}"));

@@ -47,8 +47,15 @@ const COLUMNS: &[Column] = &[
     column("link", 5, 9, true, link),
     column("home m", 6, 10, true, home),
     column("command", COMMAND_WIDTH, 7, false, command),
+    column("to go m", 7, 13, true, to_go),
+    column("hdg", 3, 14, true, heading),
+    column("climb", 5, 15, true, climb),
+    column("volt", 4, 16, true, voltage),
     column("alert", 14, 1, false, alert_cell),
 ];
+/// Columns from this rank on are an extra: they only come once alerts have this much more room than they need.
+const EXTRA_RANK: u8 = 13;
+const ALERT_EXTRA: u16 = 26;
 
 const fn column(
     title: &'static str,
@@ -156,7 +163,12 @@ fn fitting(width: u16) -> Vec<(&'static Column, u16)> {
     let mut left = width.saturating_sub(2);
     let mut worst = 0;
     for column in by_rank {
-        if column.width + 1 > left {
+        let spared = if column.rank >= EXTRA_RANK {
+            ALERT_EXTRA
+        } else {
+            0
+        };
+        if column.width + 1 + spared > left {
             break;
         }
         left -= column.width + 1;
@@ -335,6 +347,34 @@ fn link(row: &Row<'_>) -> (String, Role) {
 
 fn home(row: &Row<'_>) -> (String, Role) {
     number(row.vehicle.distance_home_m(), 0)
+}
+
+/// How far away the target is.
+fn to_go(row: &Row<'_>) -> (String, Role) {
+    let target = row.vehicle.target.and_then(|target| target.at_point);
+    let distance = row.vehicle.global.zip(target);
+    number(
+        distance.map(|(global, to)| global.at_point.distance_m(to)),
+        0,
+    )
+}
+
+fn heading(row: &Row<'_>) -> (String, Role) {
+    number(row.vehicle.heading_deg().map(f64::from), 0)
+}
+
+fn climb(row: &Row<'_>) -> (String, Role) {
+    // Adding zero turns a rounded -0 into +0, which does not flicker.
+    let climb = row
+        .vehicle
+        .global
+        .map(|global| (-global.down_m_s * 10.0).round() / 10.0 + 0.0);
+    number(climb.map(f64::from), 1)
+}
+
+fn voltage(row: &Row<'_>) -> (String, Role) {
+    let voltage = row.vehicle.battery().and_then(|battery| battery.voltage_v);
+    number(voltage.map(f64::from), 1)
 }
 
 fn command(row: &Row<'_>) -> (String, Role) {
