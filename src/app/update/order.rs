@@ -33,7 +33,7 @@ pub fn announced(order: &Order) -> String {
     let targets = ranges(order.targets.iter().copied());
     match order.verb.danger {
         Danger::None => format!("Enter sends to {targets}"),
-        _ => format!("Enter asks before it sends to {targets}"),
+        Danger::Confirm => format!("Enter asks before it sends to {targets}"),
     }
 }
 

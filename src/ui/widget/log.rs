@@ -59,6 +59,14 @@ pub fn draw(
         if marked.contains(&at) {
             buffer.set_style(row_of(inner, row as u16), theme.style(Role::Cursor));
         }
+        if at == marked.start {
+            // Seen without colour too, in the free column beside the frame.
+            let margin = Rect {
+                x: inner.x.saturating_sub(1),
+                ..inner
+            };
+            put(buffer, margin, row as u16, &Line::raw(">"));
+        }
     }
 }
 

@@ -23,7 +23,7 @@ pub fn draw(state: &State, overlay: &Overlay, theme: &Theme, area: Rect, buffer:
             draw_links(&state.session.links, *scroll, theme, area, buffer);
         }
         Overlay::Log { log, cursor } => {
-            super::log::draw(state, (*log, *cursor), theme, area, buffer)
+            super::log::draw(state, (*log, *cursor), theme, area, buffer);
         }
         Overlay::Brief => draw_brief(state, theme, area, buffer),
         Overlay::Palette(_) | Overlay::Connect(_) => {}

@@ -156,7 +156,9 @@ fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffe
         .collect();
     // Each in full where there is room for all, else a line for each.
     if blocks.iter().map(Vec::len).sum::<usize>() > rows {
-        blocks.iter_mut().for_each(|block| block.truncate(1));
+        for block in &mut blocks {
+            block.truncate(1);
+        }
     }
     let mut rest = area;
     for (at, block) in blocks.into_iter().enumerate() {
