@@ -72,7 +72,9 @@ fn a_kill_names_its_targets_and_wants_their_number() {
     terminal
         .command("1,3,4 kill")
         .see("KILL 3: 1 3 4")
-        .press("x");
+        .press("x")
+        .see("Enter or Esc goes on")
+        .press("\u{1b}");
     terminal.see_no_more("KILL 3: 1 3 4");
     terminal
         .command("1,3,4 kill")
