@@ -78,7 +78,7 @@ fn crash(text: &str) -> Option<String> {
     }
     let speed = text.strip_prefix("SIM Hit ground at ")?;
     let speed: f32 = speed.split_whitespace().next()?.parse().ok()?;
-    (speed > HARD_LANDING_M_S).then(|| format!("CRASHED, hit ground at {speed:.0} m/s"))
+    (speed > HARD_LANDING_M_S).then(|| format!("CRASHED at {speed:.0} m/s"))
 }
 
 fn link_lost(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
@@ -258,10 +258,7 @@ mod tests {
         assert_eq!(shown(&vehicle), None, "a landing");
         hear(&mut vehicle, "SIM Hit ground at 15.97 m/s");
         hear(&mut vehicle, "Disarming motors");
-        assert_eq!(
-            shown(&vehicle).as_deref(),
-            Some("CRASHED, hit ground at 16 m/s")
-        );
+        assert_eq!(shown(&vehicle).as_deref(), Some("CRASHED at 16 m/s"));
         hear(&mut vehicle, "Arming motors");
         assert_eq!(shown(&vehicle), None);
     }
