@@ -71,6 +71,9 @@ pub struct Options {
 pub async fn run(options: Options) -> anyhow::Result<()> {
     let mut console = Console::new(options);
     let mut screen = Screen::open()?;
+    if let Ok((columns, rows)) = crossterm::terminal::size() {
+        console.feed(Event::Resize { columns, rows }).await;
+    }
     console.draw(&mut screen)?;
     console.begin().await;
     let mut keys = EventStream::new();
@@ -118,6 +121,8 @@ pub async fn drive(
 ) -> anyhow::Result<()> {
     let mut console = Console::new(options);
     let mut screen = Screen::nowhere(size.0, size.1)?;
+    let (columns, rows) = size;
+    console.feed(Event::Resize { columns, rows }).await;
     console.begin().await;
     let mut ticks = tokio::time::interval(TICK);
     let mut lines = lines.iter().peekable();
@@ -197,7 +202,7 @@ impl Console {
         let event = match event {
             TerminalEvent::Key(key) if key.kind != KeyEventKind::Release => Event::Key(key),
             TerminalEvent::Paste(text) => Event::Paste(text),
-            TerminalEvent::Resize(..) => Event::Resize,
+            TerminalEvent::Resize(columns, rows) => Event::Resize { columns, rows },
             _ => return,
         };
         self.feed(event).await;

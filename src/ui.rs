@@ -2,15 +2,13 @@
 
 use ratatui::Frame;
 
-use crate::app::state::{Overlay, Screen, State};
+use crate::app::state::{Overlay, SMALLEST, Screen, State};
+
 mod screen;
 mod theme;
 mod widget;
 
 pub use theme::{ColourDepth, Role, Theme};
-
-/// The smallest terminal that the console fits into: columns and rows.
-pub const SMALLEST: (u16, u16) = (80, 24);
 
 /// Draws the whole console.
 pub fn draw(state: &State, theme: &Theme, frame: &mut Frame<'_>) {

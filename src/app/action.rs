@@ -9,6 +9,10 @@ pub enum Action {
     Help,
     /// Show what the links count.
     Links,
+    /// Look back through the commands.
+    Ledger,
+    /// Look back through the notices.
+    Notices,
     /// Show the mission's brief again.
     Brief,
     /// Move the cursor or scroll.

@@ -50,6 +50,10 @@ pub enum Deed {
     Help,
     /// The links' counters.
     Links,
+    /// All commands.
+    Ledger,
+    /// All notices.
+    Notices,
     /// The mission's brief.
     Brief,
     /// End the mission.
@@ -83,6 +87,18 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
         "links",
         "what the links count",
         Kind::Plain(Deed::Links),
+    ),
+    verb(
+        "ledger",
+        "ledger",
+        "all commands of the session and what became of them",
+        Kind::Plain(Deed::Ledger),
+    ),
+    verb(
+        "notices",
+        "notices",
+        "all that was said in the session",
+        Kind::Plain(Deed::Notices),
     ),
     verb(
         "brief",

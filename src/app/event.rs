@@ -20,8 +20,13 @@ pub enum Event {
     Key(KeyEvent),
     /// Text was pasted.
     Paste(String),
-    /// The terminal has another size.
-    Resize,
+    /// The terminal has this size now.
+    Resize {
+        /// Its width.
+        columns: u16,
+        /// Its height.
+        rows: u16,
+    },
     /// Time passed; nothing else moves the console's clock.
     Tick {
         /// Since the start of the program.

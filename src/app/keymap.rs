@@ -160,6 +160,18 @@ const GENERAL: &[Row] = &[
     ),
     (key('?'), Place::Anywhere, Action::Help, "this help"),
     (
+        key('c'),
+        Place::Anywhere,
+        Action::Ledger,
+        "all commands: the ledger in full",
+    ),
+    (
+        key('n'),
+        Place::Anywhere,
+        Action::Notices,
+        "all notices in full",
+    ),
+    (
         Press::Plain(KeyCode::F(1)),
         Place::Anywhere,
         Action::Help,

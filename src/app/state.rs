@@ -22,11 +22,15 @@ pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use ids::{parse_ranges, ranges};
 pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
 pub use notices::{NoticeLine, NoticeLog};
-pub use overlay::{Confirm, Connect, Consequence, Order, Overlay, Palette};
+pub use overlay::{Confirm, Connect, Consequence, Log, Order, Overlay, Palette};
 pub use session::{Activity, Session};
 
+/// The smallest terminal that the console fits into: columns and rows.
+pub const SMALLEST: (u16, u16) = (80, 24);
 /// Lines of the command line's history kept.
 const HISTORY_KEPT: usize = 200;
+/// Keys pressed so soon after the debrief has opened were meant for the flight.
+const DEBRIEF_DEAF: Duration = Duration::from_secs(1);
 /// How long a message stays on the last line of the screen.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
 
@@ -53,6 +57,8 @@ pub struct State {
     pub keymap: Keymap,
     /// Lines given before, oldest first.
     pub history: VecDeque<String>,
+    /// Columns and rows of the terminal.
+    pub size: (u16, u16),
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,
@@ -143,6 +149,7 @@ impl State {
             theme,
             keymap: Keymap::default(),
             history: VecDeque::new(),
+            size: SMALLEST,
             message: None,
             revision: 0,
         }
@@ -156,6 +163,27 @@ impl State {
     /// Marks the screen as changed.
     pub fn touch(&mut self) {
         self.revision += 1;
+    }
+
+    /// Whether the terminal is too small to show anything, so that keys would be pressed blindly.
+    pub fn is_too_small(&self) -> bool {
+        self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
+    }
+
+    /// Whether the debrief has opened so recently that keys were meant for the flight.
+    pub fn is_deaf(&self) -> bool {
+        match self.screen {
+            Screen::Debrief { since, .. } => self.now.saturating_sub(since) < DEBRIEF_DEAF,
+            _ => false,
+        }
+    }
+
+    /// How many entries a log has.
+    pub fn log_length(&self, log: Log) -> usize {
+        match log {
+            Log::Ledger => self.session.ledger.entries().len(),
+            Log::Notices => self.notices.lines().len(),
+        }
     }
 
     /// What the home screen offers, from the top.

@@ -34,7 +34,8 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Failed(text) => telemetry::failed(state, &text),
-        Event::Resize | Event::Tick { .. } | Event::Vehicle(_) => {}
+        Event::Resize { columns, rows } => keys::resize(state, columns, rows),
+        Event::Tick { .. } | Event::Vehicle(_) => {}
     }
     Vec::new()
 }

@@ -15,6 +15,7 @@ pub mod connect;
 pub mod footer;
 pub mod header;
 pub mod ledger;
+pub mod log;
 pub mod mission;
 pub mod notices;
 pub mod overlay;

@@ -3,11 +3,13 @@
 use sortie::app::effect::Effect;
 use sortie::app::event::Event;
 use sortie::app::state::{Activity, Overlay, Screen};
-use sortie::ledger::RowState;
 use sortie::vehicle::Severity;
 
 use crate::fixtures;
 use crate::harness::Console;
+
+mod command_line;
+mod panes;
 
 fn selection(console: &Console) -> Vec<u16> {
     console.state.session.selection.iter().copied().collect()
@@ -16,16 +18,6 @@ fn selection(console: &Console) -> Vec<u16> {
 fn palette_line(console: &Console) -> String {
     match &console.state.overlay {
         Some(Overlay::Palette(palette)) => palette.input.value().to_owned(),
-        other => panic!("the command line is not open: {other:?}"),
-    }
-}
-
-fn fault_word(console: &Console) -> String {
-    match &console.state.overlay {
-        Some(Overlay::Palette(palette)) => {
-            let fault = palette.fault.as_ref().expect("a fault");
-            palette.input.value()[fault.span.clone()].to_owned()
-        }
         other => panic!("the command line is not open: {other:?}"),
     }
 }
@@ -77,139 +69,40 @@ fn vehicles_are_selected_by_numbers_space_star_and_exclamation_mark() {
     );
     assert_eq!(selection(console.press("*")).len(), 9);
     assert!(selection(console.press("esc")).is_empty());
-    console.write("12").press("enter");
+    console.write("2-3").press("enter");
+    console.write("17-19").press("enter");
     assert_eq!(
         console.state.message().map(|it| it.text.as_str()),
-        Some("there is no vehicle 12")
+        Some("there is no vehicle 17-19: the selection stays as it was")
     );
+    assert_eq!(selection(&console), [2, 3]);
+    assert_eq!(selection(console.write("9-11").press("enter")), [9]);
 }
 
 #[test]
-fn quick_keys_only_write_a_line() {
-    let mut console = Console::flying(2);
-    console.press("a");
-    assert!(console.effects.is_empty());
-    assert_eq!(palette_line(&console), "arm");
-    console.press("enter");
-    assert_eq!(console.sent_to(), [1]);
-    console.write("1-2").press("t").write("20").press("enter");
-    assert_eq!(
-        console.sent_to(),
-        [1, 2],
-        "numbers typed before the key become the targets"
-    );
-}
-
-#[test]
-fn a_dangerous_verb_wants_the_number_of_its_targets() {
-    let mut console = Console::flying(5);
-    console.give("1,3,5 kill");
-    assert!(console.effects.is_empty());
-    assert!(console.screen(80, 24).contains("KILL 3: 1 3 5 - type 3"));
-    console.press("3");
-    assert_eq!(console.sent_to(), [1, 3, 5]);
-    for wrong in ["5", "enter", "y", "esc", "ctrl-c"] {
-        console.give("1,3,5 kill").press(wrong);
-        assert!(console.effects.is_empty(), "{wrong}");
-        assert!(console.state.overlay.is_none(), "{wrong}");
-        console.press("3");
-        assert!(
-            console.effects.is_empty(),
-            "the question is gone after {wrong}"
-        );
-        console.press("esc");
-    }
-    let mut console = Console::flying(12);
-    console.give("all kill").press("1");
-    assert!(console.effects.is_empty());
-    assert_eq!(console.press("2").sent_to().len(), 12);
-}
-
-#[test]
-fn a_wrong_line_stays_with_the_wrong_word_marked() {
-    let mut console = Console::flying(4);
-    for (line, word) in [
-        ("1-2 takeof 20", "takeof"),
-        ("all takeoff high", "high"),
-        ("7 arm", "7"),
-        ("@red arm", "@red"),
-        ("theme drak", "drak"),
-        ("select 1-x", "1-x"),
-    ] {
-        console.give(line);
-        assert!(console.effects.is_empty(), "{line}");
-        assert_eq!(palette_line(&console), line);
-        assert_eq!(fault_word(&console), word, "{line}");
-        console.press("esc");
-    }
-    assert!(
-        console.state.history.is_empty(),
-        "a line that did nothing is not history"
-    );
-    assert_eq!(console.state.session.ledger.entries().len(), 0);
-}
-
-#[test]
-fn waiting_is_for_pilot_scripts() {
-    let mut console = Console::flying(1);
-    console.give("wait all armed");
-    assert_eq!(fault_word(&console), "wait");
-    assert!(
-        console
-            .screen(80, 24)
-            .contains("`wait` is for pilot scripts")
-    );
-}
-
-#[test]
-fn commands_without_vehicles_are_refused_on_the_spot() {
-    let mut console = Console::new();
-    for line in ["arm", "all arm", "1 arm"] {
-        console.give(line);
-        assert!(console.effects.is_empty(), "{line}");
-        assert!(!fault_word(&console).is_empty(), "{line}");
-        console.press("esc");
-    }
-}
-
-#[test]
-fn tab_completes_and_goes_round() {
-    let mut console = Console::flying(2);
-    console.press(":").write("theme ").press("tab");
-    assert_eq!(palette_line(&console), "theme dark ");
-    console.press("tab");
-    assert_eq!(palette_line(&console), "theme light ");
-    console.press("shift-tab").press("shift-tab");
-    assert_eq!(palette_line(&console), "theme monochrome ");
-    console.press("enter");
-    assert_eq!(console.effects, [Effect::SetTheme("monochrome".to_owned())]);
-    console.press(":").write("all tko").press("tab");
-    assert!(
-        palette_line(&console).starts_with("all takeoff "),
-        "{}",
-        palette_line(&console)
-    );
-}
-
-#[test]
-fn the_arrows_bring_older_lines_back_and_return_to_the_draft() {
-    let mut console = Console::flying(2);
-    console.give("1 arm").give("2 arm");
-    console.press(":").write("1 ta").press("up");
-    assert_eq!(palette_line(&console), "2 arm");
-    console.press("up").press("up");
-    assert_eq!(palette_line(&console), "1 arm");
-    console.press("down").press("down");
-    assert_eq!(palette_line(&console), "1 ta");
-}
-
-#[test]
-fn groups_and_selections_are_made_on_the_command_line() {
-    let mut console = Console::flying(4);
-    console.give("group red 2-3").give("@red arm");
-    assert_eq!(console.sent_to(), [2, 3]);
-    assert_eq!(selection(console.give("select @red")), [2, 3]);
-    assert!(selection(console.give("select none")).is_empty());
+fn keys_that_nobody_can_see_the_effect_of_do_nothing() {
+    let small = Event::Resize {
+        columns: 79,
+        rows: 24,
+    };
+    let large = Event::Resize {
+        columns: 80,
+        rows: 24,
+    };
+    let mut console = Console::flying(3);
+    console.give("1 kill").hear(small.clone());
+    console.press("1");
+    assert!(console.effects.is_empty(), "the question is gone");
+    console.give("all arm").press("*").press("j");
+    console.hear(Event::Paste("1 arm".to_owned()));
+    assert!(console.effects.is_empty() && selection(&console).is_empty());
+    assert_eq!(console.state.session.cursor, Some(1));
+    console.hear(large).press("1");
+    assert!(console.effects.is_empty(), "it does not come back");
+    console.press("esc").press(":").write("1 arm").hear(small);
+    assert!(console.press("enter").effects.is_empty());
+    assert_eq!(palette_line(&console), "1 arm", "a line waits");
+    assert_eq!(console.press("ctrl-c").effects, [Effect::Quit]);
 }
 
 #[test]
@@ -272,7 +165,14 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
         .hear(Event::MissionEnded(Box::new(fixtures::report())));
     assert!(console.press("h").effects.is_empty());
     assert!(matches!(console.state.screen, Screen::Debrief { .. }));
-    console.at(102);
+    let footer = "keys work in a moment";
+    assert!(console.screen(80, 24).contains(footer));
+    let before = console.state.revision();
+    console.hear(Event::Tick {
+        now: std::time::Duration::from_millis(101_050),
+    });
+    assert!(console.state.revision() > before);
+    assert!(!console.screen(80, 24).contains(footer));
     assert_eq!(console.press("h").effects, [Effect::LeaveSession]);
 }
 
@@ -308,29 +208,6 @@ fn the_cursor_begins_on_the_first_vehicle_and_stays_where_it_was_put() {
     assert_eq!(console.state.session.cursor, Some(2));
     console.press("j").vehicle(fixtures::parked(1));
     assert_eq!(console.state.session.cursor, Some(4));
-}
-
-#[test]
-fn rows_of_a_group_command_go_their_own_ways() {
-    let mut console = Console::flying(3);
-    console.give("all arm");
-    console
-        .row(1, RowState::Done, None)
-        .row(2, RowState::Sent, None);
-    console.row(
-        3,
-        RowState::Refused,
-        Some("arm refused: PreArm: Need Position Estimate"),
-    );
-    let screen = console.screen(120, 40);
-    assert!(
-        screen.contains("3 vehicles: 1 effect seen, 1 sent, 1 refused"),
-        "{screen}"
-    );
-    assert!(
-        screen.contains("vehicle 3: arm refused: PreArm: Need Position Estimate"),
-        "{screen}"
-    );
 }
 
 #[test]
@@ -388,6 +265,8 @@ const KEYS: &[&str] = &[
     "h",
     "r",
     "b",
+    "c",
+    "n",
     "L",
     "j",
     "-",

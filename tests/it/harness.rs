@@ -84,6 +84,9 @@ impl Console {
             "down" => plain(KeyCode::Down),
             "left" => plain(KeyCode::Left),
             "end" => plain(KeyCode::End),
+            "home" => plain(KeyCode::Home),
+            "page-up" => plain(KeyCode::PageUp),
+            "page-down" => plain(KeyCode::PageDown),
             "backspace" => plain(KeyCode::Backspace),
             "space" => plain(KeyCode::Char(' ')),
             _ => {

@@ -72,7 +72,9 @@ fn a_kill_names_its_targets_and_wants_their_number() {
     terminal
         .command("1,3,4 kill")
         .see("KILL 3: 1 3 4")
-        .press("x");
+        .press("x")
+        .see("Enter or Esc goes on")
+        .press("\u{1b}");
     terminal.see_no_more("KILL 3: 1 3 4");
     terminal
         .command("1,3,4 kill")
@@ -132,8 +134,13 @@ fn a_terminal_that_is_too_small_is_told_so_until_it_grows() {
         .see("24")
         .see("60")
         .see("15");
+    // What is pressed blindly does nothing.
+    terminal.press("*tq:all arm\r");
     terminal.resize(120, 40).see("4 vehicles").see("ledger");
-    terminal.command("quit");
+    let screen = terminal.contents();
+    assert!(screen.contains("no command yet"), "{screen}");
+    assert!(!screen.contains("selected"), "{screen}");
+    terminal.resize(60, 15).see("60").press("\u{3}");
     assert_eq!(terminal.end(), 0);
 }
 

@@ -159,15 +159,28 @@ fn the_command_line_offers_and_marks() {
         "palette_tab_80x24",
         console.write("t").press("tab").screen(80, 24)
     );
+    console.press("esc").press(":");
+    insta::assert_snapshot!(
+        "palette_marked_80x24",
+        console.write("1 takeoff high ").screen(80, 24)
+    );
+    console.press("esc").press(":");
+    insta::assert_snapshot!(
+        "palette_ready_80x24",
+        console.write("1-2 takeoff 20").screen(80, 24)
+    );
 }
 
 #[test]
 fn questions_help_links_and_brief() {
     let mut console = busy();
     check("confirm", console.give("1-3 kill"));
+    insta::assert_snapshot!("cancelled_80x24", console.press("x").screen(80, 24));
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").press("L"));
     check("brief", console.press("esc").press("b"));
+    check("ledger", console.press("esc").press("c"));
+    check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(
         "leave_80x24",
         console.press("esc").give("leave").screen(80, 24)
@@ -194,7 +207,15 @@ fn no_size_of_terminal_panics() {
         Console::flying(250),
         busy(),
     ];
-    for keys in [[":", "t"], ["?", "j"], ["L", "j"], ["b", "j"], ["*", "j"]] {
+    for keys in [
+        [":", "t"],
+        ["?", "j"],
+        ["L", "j"],
+        ["b", "j"],
+        ["c", "k"],
+        ["n", "k"],
+        ["*", "j"],
+    ] {
         let mut console = busy();
         console.press(keys[0]).press(keys[1]);
         consoles.push(console);

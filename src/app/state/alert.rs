@@ -2,13 +2,15 @@
 
 use std::time::Duration;
 
-use crate::vehicle::{EkfFlags, FixType, Severity, SystemStatus, Vehicle};
+use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, SystemStatus, Vehicle};
 
-/// How long a text about a crash or a failsafe counts as the present state.
+/// How long a text about a failsafe counts as the present state.
 const TEXT_LIFE: Duration = Duration::from_secs(60);
 /// Battery warnings, in percent of the charge left: soon, and now.
 const BATTERY_LOW: u8 = 25;
 const BATTERY_CRITICAL: u8 = 10;
+/// Hitting the ground faster than this breaks a vehicle, in m/s.
+const HARD_LANDING_M_S: f32 = 3.0;
 /// EKF innovation test ratio above which ArduPilot's own failsafe acts (`FS_EKF_THRESH` 0.8).
 const EKF_LIMIT: f32 = 0.8;
 /// Above this vibration spoils the estimates (ArduPilot's documentation of VIBRATION), in m/s2.
@@ -25,7 +27,7 @@ pub struct Alert {
 
 /// The most serious present condition of a vehicle, if anything is wrong.
 pub fn alert(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
-    crashed(vehicle, now)
+    crashed(vehicle)
         .or_else(|| link_lost(vehicle, now))
         .or_else(|| failsafe(vehicle, now))
         .or_else(|| estimate(vehicle))
@@ -50,12 +52,33 @@ fn recent_text<'a>(vehicle: &'a Vehicle, now: Duration, words: &[&str]) -> Optio
     found.map(|line| line.text.as_str())
 }
 
-fn crashed(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
+/// That a disarmed vehicle has come down hard, or is coming down, until it is armed again.
+fn crashed(vehicle: &Vehicle) -> Option<Alert> {
     if vehicle.armed() {
         return None;
     }
-    recent_text(vehicle, now, &["Crash"])?;
-    Some(condition(Severity::Emergency, "CRASHED, disarmed"))
+    if vehicle.heartbeat.is_some() && vehicle.landed == LandedState::InAir {
+        return Some(condition(Severity::Emergency, "MOTORS STOPPED in the air"));
+    }
+    let since_armed = vehicle
+        .texts
+        .iter()
+        .rev()
+        .take_while(|line| !line.text.contains("Arming motors"));
+    let mut found = since_armed.filter_map(|line| crash(&line.text));
+    found
+        .next()
+        .map(|text| condition(Severity::Emergency, text))
+}
+
+/// What a status text says about a crash: ArduPilot's crash check, or the simulator about the ground.
+fn crash(text: &str) -> Option<String> {
+    if text.contains("Crash: Disarming") {
+        return Some("CRASHED, disarmed".to_owned());
+    }
+    let speed = text.strip_prefix("SIM Hit ground at ")?;
+    let speed: f32 = speed.split_whitespace().next()?.parse().ok()?;
+    (speed > HARD_LANDING_M_S).then(|| format!("CRASHED at {speed:.0} m/s"))
 }
 
 fn link_lost(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
@@ -217,5 +240,48 @@ mod tests {
             at: Duration::from_secs(9),
         });
         assert_eq!(text_of(&vehicle).as_deref(), Some("CRASHED, disarmed"));
+    }
+
+    #[test]
+    fn a_crash_is_shown_until_the_vehicle_is_armed_again() {
+        let hear = |vehicle: &mut Vehicle, text: &str| {
+            vehicle.texts.push(StatusText {
+                severity: Severity::Critical,
+                text: text.to_owned(),
+                at: Duration::ZERO,
+            });
+        };
+        let long_after = Duration::from_secs(1000);
+        let shown = |vehicle: &Vehicle| alert(vehicle, long_after).map(|alert| alert.text);
+        let mut vehicle = vehicle();
+        hear(&mut vehicle, "SIM Hit ground at 0.48 m/s");
+        assert_eq!(shown(&vehicle), None, "a landing");
+        hear(&mut vehicle, "SIM Hit ground at 15.97 m/s");
+        hear(&mut vehicle, "Disarming motors");
+        assert_eq!(shown(&vehicle).as_deref(), Some("CRASHED at 16 m/s"));
+        hear(&mut vehicle, "Arming motors");
+        assert_eq!(shown(&vehicle), None);
+    }
+
+    #[test]
+    fn a_vehicle_that_falls_says_so() {
+        let mut vehicle = vehicle();
+        vehicle.landed = LandedState::InAir;
+        assert_eq!(text_of(&vehicle), None, "whether it is armed is not known");
+        vehicle.heartbeat = Some(crate::vehicle::Heartbeat {
+            mav_type: 2,
+            autopilot: 3,
+            class: crate::vehicle::VehicleClass::Copter,
+            mode: crate::vehicle::VehicleClass::Copter
+                .mode("GUIDED")
+                .expect("a mode"),
+            armed: false,
+            status: SystemStatus::Active,
+            at: Duration::ZERO,
+        });
+        assert_eq!(
+            text_of(&vehicle).as_deref(),
+            Some("MOTORS STOPPED in the air")
+        );
     }
 }

@@ -1,20 +1,20 @@
-//! The notices that are shown, newest last, equal ones folded into one line.
+//! The notices that are shown, newest last, equal ones that follow each other folded into one line.
 
 use std::collections::{BTreeSet, VecDeque};
+use std::time::Duration;
 
 use crate::notice::Notice;
 use crate::vehicle::VehicleId;
 
 /// Lines kept.
 pub const LINES_KEPT: usize = 1000;
-/// How far back an equal text is looked for; farther back it becomes a line of its own again, so that
-/// the order of events stays readable.
-const FOLD_DEPTH: usize = 12;
+/// How long after its first notice a line takes in equal ones.
+const FOLD_TIME: Duration = Duration::from_secs(10);
 
 /// One line: a text, how often it came, and from whom.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NoticeLine {
-    /// The newest of the notices that the line stands for.
+    /// The first of the notices that the line stands for.
     pub notice: Notice,
     /// How many it stands for.
     pub count: u32,
@@ -31,22 +31,23 @@ pub struct NoticeLog {
 }
 
 impl NoticeLog {
-    /// Adds a notice. One with the text and severity of a recent line joins it and moves it to the end.
+    /// Adds a notice. One that says the same as the newest line, soon after it, joins that line; the line keeps its
+    /// time, so that the order of events stays readable.
     pub fn push(&mut self, notice: Notice) {
-        let recent = self.lines.len().saturating_sub(FOLD_DEPTH);
-        let same = self.lines.iter().skip(recent).position(|line| {
-            line.notice.text == notice.text && line.notice.severity == notice.severity
+        if let Some(line) = self.lines.back_mut()
+            && line.notice.text == notice.text
+            && line.notice.severity == notice.severity
+            && notice.at.saturating_sub(line.notice.at) <= FOLD_TIME
+        {
+            line.count += 1;
+            line.vehicles.extend(notice.vehicle);
+            return;
+        }
+        self.lines.push_back(NoticeLine {
+            count: 1,
+            vehicles: notice.vehicle.into_iter().collect(),
+            notice,
         });
-        let known = same.and_then(|at| self.lines.remove(recent + at));
-        let mut line = known.unwrap_or_else(|| NoticeLine {
-            notice: notice.clone(),
-            count: 0,
-            vehicles: BTreeSet::new(),
-        });
-        line.count += 1;
-        line.vehicles.extend(notice.vehicle);
-        line.notice = notice;
-        self.lines.push_back(line);
         if self.lines.len() > LINES_KEPT {
             self.lines.pop_front();
         }
@@ -62,7 +63,6 @@ impl NoticeLog {
 mod tests {
     use super::*;
     use crate::vehicle::Severity;
-    use std::time::Duration;
 
     fn notice(vehicle: VehicleId, text: &str) -> Notice {
         Notice {
@@ -74,15 +74,33 @@ mod tests {
     }
 
     #[test]
-    fn equal_texts_become_one_line() {
+    fn equal_texts_that_follow_each_other_become_one_line() {
         let mut log = NoticeLog::default();
-        for (vehicle, text) in [(1, "a"), (2, "b"), (3, "a"), (1, "a")] {
+        for (vehicle, text) in [(1, "a"), (2, "a"), (1, "a"), (2, "b"), (3, "a")] {
             log.push(notice(vehicle, text));
         }
-        let lines: Vec<_> = log.lines().collect();
-        assert_eq!(lines.len(), 2);
-        assert_eq!((lines[1].count, lines[1].vehicles.len()), (3, 2));
-        assert_eq!(lines[1].notice.text, "a");
+        let counts: Vec<_> = log
+            .lines()
+            .map(|line| (line.notice.text.as_str(), line.count, line.vehicles.len()))
+            .collect();
+        assert_eq!(counts, [("a", 3, 2), ("b", 1, 1), ("a", 1, 1)]);
+    }
+
+    #[test]
+    fn a_line_keeps_its_time_and_takes_in_nothing_that_comes_much_later() {
+        let mut log = NoticeLog::default();
+        for at_s in [0, 8, 10, 11] {
+            let at = Duration::from_secs(at_s);
+            log.push(Notice {
+                at,
+                ..notice(1, "a")
+            });
+        }
+        let lines: Vec<_> = log
+            .lines()
+            .map(|line| (line.notice.at.as_secs(), line.count))
+            .collect();
+        assert_eq!(lines, [(0, 3), (11, 1)]);
     }
 
     #[test]

@@ -27,8 +27,24 @@ pub enum Overlay {
         /// The first line shown.
         scroll: usize,
     },
+    /// All commands, or all notices.
+    Log {
+        /// Which of them.
+        log: Log,
+        /// The entry under the cursor; `None` is the newest, also when newer ones come.
+        cursor: Option<usize>,
+    },
     /// The mission's brief.
     Brief,
+}
+
+/// What can be looked back through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Log {
+    /// The commands.
+    Ledger,
+    /// The notices.
+    Notices,
 }
 
 /// The command line while it is being written.
@@ -44,7 +60,9 @@ pub struct Palette {
     pub recipients: String,
     /// The usage of the verb, or what comes next.
     pub hint: Option<String>,
-    /// What was wrong when the line was given.
+    /// What Enter would do with the line as it stands; `None` while it is not complete.
+    pub outcome: Option<String>,
+    /// What is wrong with a word that has been finished, or was when the line was given.
     pub fault: Option<Diagnostic>,
     /// The line before Tab was pressed first.
     pub before_tab: String,
@@ -54,7 +72,8 @@ pub struct Palette {
     pub draft: String,
 }
 
-/// A question that only its answer confirms; any other key takes the thing back.
+/// A question that only its answer confirms; any other key takes the thing back. Keys after a wrong one are
+/// swallowed until Enter or Esc, because they were not meant for the screen below either.
 #[derive(Debug, Clone)]
 pub struct Confirm {
     /// What would happen, and to whom: `KILL 3: 1 3 5`.
@@ -65,6 +84,8 @@ pub struct Confirm {
     pub answer: String,
     /// What has been typed of it.
     pub typed: String,
+    /// Whether a wrong key has taken the thing back.
+    pub cancelled: bool,
     /// What then happens.
     pub then: Consequence,
 }

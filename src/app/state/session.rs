@@ -15,6 +15,8 @@ use crate::vehicle::{Vehicle, VehicleClass};
 pub struct Session {
     /// What is being done; `None` between sessions.
     pub activity: Option<Activity>,
+    /// When it began, on the program's clock.
+    pub began_at: Duration,
     /// The vehicles, as their telemetry said last.
     pub vehicles: BTreeMap<VehicleId, Vehicle>,
     /// The vehicles that commands go to; none selected means the one under the cursor.
@@ -31,8 +33,8 @@ pub struct Session {
     pub groups: Groups,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
-    /// The newest entry of the ledger for each vehicle.
-    latest: BTreeMap<VehicleId, EntryId>,
+    /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
+    recent: BTreeMap<VehicleId, Vec<EntryId>>,
     /// Whether the user has put the cursor somewhere.
     cursor_placed: bool,
 }
@@ -77,20 +79,32 @@ impl Session {
         }
     }
 
+    /// A time of the program's clock on the session's, which begins at zero.
+    pub fn time(&self, at: Duration) -> Duration {
+        at.saturating_sub(self.began_at)
+    }
+
     /// Opens a ledger entry.
     pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
         let entry = self.ledger.open(at, given, targets);
         for &id in targets {
-            self.latest.insert(id, entry);
+            let under_way =
+                |&known: &EntryId| row(&self.ledger, known, id).is_some_and(|at| !is_over(at));
+            let recent = self.recent.entry(id).or_default();
+            recent.retain(under_way);
+            recent.push(entry);
         }
         entry
     }
 
-    /// The newest command to a vehicle, with how it went there.
+    /// The command that a vehicle is at, with how it goes there: the newest one under way, else the newest.
     pub fn latest(&self, vehicle: VehicleId) -> Option<(&Entry, &Row)> {
-        let entry = self.ledger.entry(*self.latest.get(&vehicle)?)?;
-        let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
-        Some((entry, row))
+        let recent = self.recent.get(&vehicle)?;
+        let found = |&id: &EntryId| row(&self.ledger, id, vehicle);
+        let mut newest_first = recent.iter().rev().filter_map(found);
+        newest_first
+            .find(|&at| !is_over(at))
+            .or_else(|| recent.last().and_then(found))
     }
 
     /// What a vehicle is called: what it is.
@@ -148,4 +162,14 @@ impl Session {
     pub fn under_cursor(&self) -> Option<&Vehicle> {
         self.vehicles.get(&self.cursor?)
     }
+}
+
+fn row(ledger: &Ledger, entry: EntryId, vehicle: VehicleId) -> Option<(&Entry, &Row)> {
+    let entry = ledger.entry(entry)?;
+    let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
+    Some((entry, row))
+}
+
+fn is_over((_, row): (&Entry, &Row)) -> bool {
+    row.state.is_final()
 }

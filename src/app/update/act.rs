@@ -4,7 +4,8 @@ use super::{order, palette};
 use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
 use crate::app::state::{
-    Confirm, Connect, Consequence, HomeItem, Overlay, Screen, Session, State, parse_ranges, ranges,
+    Confirm, Connect, Consequence, HomeItem, Log, Overlay, Screen, Session, State, parse_ranges,
+    ranges,
 };
 use crate::vehicle::Severity;
 use crate::vehicle::VehicleId;
@@ -14,6 +15,8 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Palette(words) => open_palette(state, words),
         Action::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
         Action::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
+        Action::Ledger => look_back(state, Log::Ledger),
+        Action::Notices => look_back(state, Log::Notices),
         Action::Brief => brief(state),
         Action::Move(step) => go(state, step),
         Action::Toggle | Action::SelectAll | Action::Invert => pick(state, action),
@@ -27,6 +30,11 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Complete | Action::CompleteBack | Action::Older | Action::Newer => {}
     }
     Vec::new()
+}
+
+/// Shows a log, its newest entry first of all.
+pub fn look_back(state: &mut State, log: Log) {
+    state.overlay = Some(Overlay::Log { log, cursor: None });
 }
 
 /// Shows the mission's brief, if a mission is flown.
@@ -82,13 +90,21 @@ pub fn go_home(state: &mut State) {
     state.screen = Screen::Home { cursor: 0 };
 }
 
-/// Selects exactly these vehicles, as far as they are there.
+/// Selects exactly these vehicles, as far as they are there; keeps the selection if none of them is.
 pub fn select(state: &mut State, ids: &[VehicleId]) {
     let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
     let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));
     if !missing.is_empty() {
-        let text = format!("there is no vehicle {}", ranges(missing));
+        let kept = if there.is_empty() {
+            ": the selection stays as it was"
+        } else {
+            ""
+        };
+        let text = format!("there is no vehicle {}{kept}", ranges(missing));
         state.say(Severity::Warning, text);
+        if there.is_empty() {
+            return;
+        }
     }
     if let Some(&first) = there.first() {
         state.session.place_cursor(first);
@@ -116,6 +132,7 @@ fn ask(state: &mut State, question: &str, reason: String, effect: Effect) -> Vec
         reason,
         answer: "y".to_owned(),
         typed: String::new(),
+        cancelled: false,
         then: Consequence::Effect(effect),
     }));
     Vec::new()

@@ -1,7 +1,6 @@
 //! Keys: to the overlay if there is one, else through the keymap.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use std::time::Duration;
 use tui_input::{Input, InputRequest};
 
 use super::{act, order, palette};
@@ -12,12 +11,12 @@ use crate::app::state::{Confirm, Connect, Overlay, Screen, State, help_lines, li
 use crate::notice::sanitised;
 use crate::vehicle::Severity;
 
-/// Keys pressed so soon after the debrief has opened were meant for the flight.
-const DEBRIEF_DEAF: Duration = Duration::from_secs(1);
-
 pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     if key.kind == KeyEventKind::Release {
         return Vec::new();
+    }
+    if state.is_too_small() {
+        return unseen(state, key);
     }
     match state.overlay.take() {
         Some(Overlay::Palette(line)) => palette::key(state, line, key),
@@ -28,7 +27,30 @@ pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     }
 }
 
+/// The terminal has another size. A question that cannot be seen any more has been answered with no.
+pub fn resize(state: &mut State, columns: u16, rows: u16) {
+    state.size = (columns, rows);
+    if state.is_too_small()
+        && let Some(Overlay::Confirm(question)) = &state.overlay
+    {
+        let text = cancelled(question);
+        state.overlay = None;
+        state.say(Severity::Notice, text);
+    }
+}
+
+/// A key while nothing can be seen: only leaving works, and without a question.
+fn unseen(state: &State, key: KeyEvent) -> Vec<Effect> {
+    match state.keymap.resolve(key, Place::Anywhere) {
+        Some(Action::Quit) => vec![Effect::Quit],
+        _ => Vec::new(),
+    }
+}
+
 pub fn paste(state: &mut State, text: &str) {
+    if state.is_too_small() {
+        return;
+    }
     let first_line = text.lines().next().unwrap_or_default();
     let text = sanitised(first_line);
     match state.overlay.take() {
@@ -77,15 +99,13 @@ fn insert(input: &mut Input, text: &str) {
 }
 
 fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
+    if state.is_deaf() {
+        return Vec::new();
+    }
     let place = match &state.screen {
         Screen::Home { .. } => Place::Home,
         Screen::Fly { .. } => Place::Fly,
-        Screen::Debrief { since, .. } => {
-            if state.now.saturating_sub(*since) < DEBRIEF_DEAF {
-                return Vec::new();
-            }
-            Place::Debrief
-        }
+        Screen::Debrief { .. } => Place::Debrief,
     };
     match state.keymap.resolve(key, place) {
         Some(action) => act::act(state, action),
@@ -93,23 +113,42 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     }
 }
 
-/// Only the exact answer confirms; any other key means no.
+/// Only the exact answer confirms. Any other key means no: Enter, Esc and `n` at once; `:` opens the command line
+/// as everywhere; after another character the question stays, cancelled, and swallows what follows, or a line that
+/// was begun without looking would be taken as keys of the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effect> {
-    if let KeyCode::Char(c) = key.code
-        && !key.modifiers.contains(KeyModifiers::CONTROL)
-    {
-        question.typed.push(c);
-        if question.typed == question.answer {
-            return order::carry_out(state, question.then);
+    let control = key.modifiers.contains(KeyModifiers::CONTROL);
+    let opens = state.keymap.resolve(key, Place::Anywhere) == Some(Action::Palette(""));
+    match key.code {
+        _ if opens => {
+            refuse(state, &question);
+            palette::open(state, String::new());
         }
-        if question.answer.starts_with(&question.typed) {
+        KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
+        KeyCode::Char(_) if control => refuse(state, &question),
+        KeyCode::Char('n') if question.answer == "y" => refuse(state, &question),
+        KeyCode::Char(c) if !question.cancelled => {
+            question.typed.push(c);
+            if question.typed == question.answer {
+                return order::carry_out(state, question.then);
+            }
+            question.cancelled = !question.answer.starts_with(&question.typed);
             state.overlay = Some(Overlay::Confirm(question));
-            return Vec::new();
+        }
+        _ => {
+            question.cancelled = true;
+            state.overlay = Some(Overlay::Confirm(question));
         }
     }
-    let text = format!("cancelled, nothing was done: {}", question.question);
-    state.say(Severity::Notice, text);
     Vec::new()
+}
+
+fn refuse(state: &mut State, question: &Confirm) {
+    state.say(Severity::Notice, cancelled(question));
+}
+
+fn cancelled(question: &Confirm) -> String {
+    format!("cancelled, nothing was done: {}", question.question)
 }
 
 fn connect(state: &mut State, mut prompt: Connect, key: KeyEvent) -> Vec<Effect> {
@@ -141,6 +180,11 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
     match state.keymap.resolve(key, Place::Reader) {
         Some(Action::Escape) => return Vec::new(),
         Some(Action::Move(step)) => {
+            if let Overlay::Log { log, cursor } = &mut reader {
+                let count = state.log_length(*log);
+                let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
+                *cursor = Some(at).filter(|at| at + 1 < count);
+            }
             let (scroll, count) = match &mut reader {
                 Overlay::Help { scroll } => (scroll, help_lines(&state.keymap).len()),
                 Overlay::Links { scroll } => (scroll, link_lines(&state.session.links).len()),

@@ -29,6 +29,15 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     })
 }
 
+/// What Enter does with an order.
+pub fn announced(order: &Order) -> String {
+    let targets = ranges(order.targets.iter().copied());
+    match order.verb.danger {
+        Danger::None => format!("Enter sends to {targets}"),
+        Danger::Confirm => format!("Enter asks before it sends to {targets}"),
+    }
+}
+
 /// Sends a command off, or asks before a dangerous one.
 pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
     if order.verb.danger == Danger::None {
@@ -46,6 +55,7 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
         reason: order.verb.summary.to_owned(),
         answer: count.to_string(),
         typed: String::new(),
+        cancelled: false,
         then: Consequence::Order(order),
     }));
     Vec::new()

@@ -8,7 +8,7 @@ use crate::app::action::Action;
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
+use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language;
 use crate::vehicle::Severity;
@@ -48,12 +48,8 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Vec<Effect
 pub fn edited(state: &mut State, mut palette: Palette) {
     let line = palette.input.value().to_owned();
     let cursor = byte_cursor(&palette.input);
-    palette.fault = None;
     palette.chosen = None;
-    palette.recipients = recipients(state, &line);
-    palette.hint = console::usage(&line)
-        .map(str::to_owned)
-        .or_else(|| state.with_context(|context| language::hint(&line, context)));
+    judge(state, &mut palette);
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
     found.extend(console::complete(&line, cursor, &state.themes));
     found.retain(|completion| !SCRIPT_VERBS.contains(&completion.text.as_str()));
@@ -66,6 +62,46 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     palette.completions = found;
     palette.before_tab = line;
     state.overlay = Some(Overlay::Palette(palette));
+}
+
+/// What the line means so far: to whom it goes, how its verb is written, which word is wrong, what Enter would do.
+fn judge(state: &State, palette: &mut Palette) {
+    let line = palette.input.value();
+    palette.recipients = recipients(state, line);
+    palette.hint = console::usage(line)
+        .map(str::to_owned)
+        .or_else(|| state.with_context(|context| language::hint(line, context)))
+        .or_else(|| usage(line));
+    let checked = match console::parse(line, &state.themes) {
+        Some(own) => own.map(|_| None),
+        None => order::prepare(state, line).map(|order| Some(order::announced(&order))),
+    };
+    palette.fault = None;
+    palette.outcome = None;
+    match checked {
+        Ok(outcome) => palette.outcome = outcome,
+        Err(fault) => {
+            let being_written = byte_cursor(&palette.input);
+            palette.fault = Some(fault).filter(|fault| is_finished(line, fault, being_written));
+        }
+    }
+}
+
+/// How the verb of a line is written, also where its arguments are wrong.
+fn usage(line: &str) -> Option<String> {
+    // A target may stand before it.
+    let verb = line.split_whitespace().take(2).find_map(language::verb)?;
+    Some(verb.usage().join(" | "))
+}
+
+/// Whether a fault is in words that are written to their end: the one at the cursor may still become right, and
+/// what is missing may still come.
+fn is_finished(line: &str, fault: &Diagnostic, cursor: usize) -> bool {
+    let span = &fault.span;
+    let goes_on = line
+        .get(span.end..)
+        .is_some_and(|rest| rest.starts_with(char::is_whitespace));
+    !span.is_empty() && goes_on && !(span.start..=span.end).contains(&cursor)
 }
 
 fn byte_cursor(input: &Input) -> usize {
@@ -94,10 +130,10 @@ fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let start = format!("{head}{}{gap}", completion.text);
     let cursor = start.chars().count();
     palette.input = Input::new(format!("{start}{tail}")).with_cursor(cursor);
-    palette.fault = None;
     if count == 1 {
         edited(state, palette);
     } else {
+        judge(state, &mut palette);
         palette.chosen = Some(next);
         state.overlay = Some(Overlay::Palette(palette));
     }
@@ -185,6 +221,8 @@ fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
     match deed {
         Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
         Deed::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
+        Deed::Ledger => act::look_back(state, Log::Ledger),
+        Deed::Notices => act::look_back(state, Log::Notices),
         Deed::Brief => act::brief(state),
         Deed::Abandon => return act::abandon(state),
         Deed::Restart => return act::restart(state),

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::app::effect::Effect;
 use crate::app::event::Started;
-use crate::app::state::{Overlay, Screen, Session, State};
+use crate::app::state::{NoticeLog, Overlay, Screen, Session, State};
 use crate::debrief;
 use crate::mission::Progress;
 use crate::notice::{Notice, sanitised};
@@ -12,10 +12,11 @@ use crate::scoring::Report;
 use crate::vehicle::{Severity, Vehicle};
 
 pub fn tick(state: &mut State, now: Duration) {
-    // The clock shows seconds, and messages live for whole seconds: nothing else on the screen depends on time.
-    let visible = now.as_secs() != state.now.as_secs();
+    // The clock shows seconds, messages live for whole seconds, and the debrief says when it hears keys: nothing
+    // else on the screen depends on time.
+    let before = (state.now.as_secs(), state.is_deaf());
     state.now = now;
-    if visible {
+    if before != (now.as_secs(), state.is_deaf()) {
         state.touch();
     }
 }
@@ -32,6 +33,9 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
 
 pub fn started(state: &mut State, started: Started) {
     let mut session = Session::new(started.activity, started.places);
+    session.began_at = state.now;
+    // What was said and dropped before belongs to the session before.
+    state.notices = NoticeLog::default();
     if session.activity == state.session.activity {
         session.groups = std::mem::take(&mut state.session.groups);
     }

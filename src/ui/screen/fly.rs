@@ -13,37 +13,71 @@ const THREE_COLUMNS: u16 = 160;
 const SIDE_WIDTH: u16 = 40;
 /// Columns of the mission where it stands alone.
 const MISSION_WIDTH: u16 = 56;
-/// Rows of the telemetry pane above a mission: what it needs, and what it can fill.
+/// Rows that the telemetry pane needs above a mission.
 const TELEMETRY_LEAST: u16 = 5;
-const TELEMETRY_MOST: u16 = 16;
+/// Rows from which on the notices have a pane over the whole width.
+const NOTICES_LEAST: u16 = 6;
 
 /// Draws the panes.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let vehicles = state.session.vehicles.len() as u16;
-    // A rule, the column titles and a row each; never more than half of the screen.
-    let rows = (vehicles.max(1) + 2).min(area.height / 2);
+    // Never more than half of the screen.
+    let wanted = swarm::height(&state.session, area.width);
+    let rows = wanted.min(usize::from(area.height / 2)) as u16;
     swarm::draw(state, theme, upper(area, rows), buffer);
-    let rest = below(area, rows);
-    let side = columns(rest, 0, SIDE_WIDTH);
-    let mut log = columns(rest, SIDE_WIDTH + 1, rest.width);
-    if let Some(progress) = &state.session.mission {
-        let middle = columns(log, 0, MISSION_WIDTH);
-        if area.width >= THREE_COLUMNS {
-            log = columns(log, MISSION_WIDTH + 1, log.width);
-            telemetry::draw(state, theme, side, buffer);
-            mission::draw(state, theme, middle, buffer);
-        } else {
-            let left = side
-                .height
-                .saturating_sub(mission::height(progress, side.width));
-            let rows = left.clamp(TELEMETRY_LEAST, TELEMETRY_MOST);
-            telemetry::draw(state, theme, upper(side, rows), buffer);
-            mission::draw(state, theme, below(side, rows), buffer);
-        }
+    draw_panes(state, theme, below(area, rows), buffer);
+}
+
+/// Draws what is below the table: where telemetry and mission leave rows free, the notices take them.
+fn draw_panes(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let middle = side_height(state, area.width).max(area.height / 2);
+    let bottom = area.height.saturating_sub(middle);
+    let panes = if bottom < NOTICES_LEAST {
+        area
     } else {
-        telemetry::draw(state, theme, side, buffer);
+        notices::draw(state, theme, below(area, middle), buffer);
+        upper(area, middle)
+    };
+    let log = draw_side(state, theme, panes, buffer);
+    if bottom < NOTICES_LEAST {
+        let rows = log.height / 2;
+        ledger::draw(state, theme, upper(log, rows), buffer);
+        notices::draw(state, theme, below(log, rows), buffer);
+    } else {
+        ledger::draw(state, theme, log, buffer);
     }
-    let rows = log.height / 2;
-    ledger::draw(state, theme, upper(log, rows), buffer);
-    notices::draw(state, theme, below(log, rows), buffer);
+}
+
+/// Rows that telemetry and mission need.
+fn side_height(state: &State, width: u16) -> u16 {
+    let telemetry = telemetry::height(state, SIDE_WIDTH).max(TELEMETRY_LEAST);
+    match &state.session.mission {
+        Some(progress) if width >= THREE_COLUMNS => {
+            telemetry.max(mission::height(progress, MISSION_WIDTH))
+        }
+        Some(progress) => telemetry + mission::height(progress, SIDE_WIDTH),
+        None => telemetry,
+    }
+}
+
+/// Draws telemetry and mission and returns what is left beside them.
+fn draw_side(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+    let side = columns(area, 0, SIDE_WIDTH);
+    let log = columns(area, SIDE_WIDTH + 1, area.width);
+    let Some(progress) = &state.session.mission else {
+        telemetry::draw(state, theme, side, buffer);
+        return log;
+    };
+    if area.width >= THREE_COLUMNS {
+        telemetry::draw(state, theme, side, buffer);
+        mission::draw(state, theme, columns(log, 0, MISSION_WIDTH), buffer);
+        return columns(log, MISSION_WIDTH + 1, log.width);
+    }
+    let left = side
+        .height
+        .saturating_sub(mission::height(progress, side.width));
+    let most = telemetry::height(state, side.width).max(TELEMETRY_LEAST);
+    let rows = left.clamp(TELEMETRY_LEAST, most);
+    telemetry::draw(state, theme, upper(side, rows), buffer);
+    mission::draw(state, theme, below(side, rows), buffer);
+    log
 }

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use crate::ui::SMALLEST;
+use crate::app::state::SMALLEST;
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{centred, put, wrap};
 
@@ -14,7 +14,8 @@ pub fn draw(theme: &Theme, area: Rect, buffer: &mut Buffer) {
         "sortie needs {}x{}, this terminal is {}x{}",
         SMALLEST.0, SMALLEST.1, area.width, area.height
     );
-    let lines = wrap(&text, usize::from(area.width));
+    let keys = "Until it is larger only Ctrl-C works: it leaves the program.";
+    let lines = wrap(&format!("{text}\n{keys}"), usize::from(area.width));
     let middle = centred(area.width, lines.len() as u16, area);
     for (row, line) in lines.into_iter().enumerate() {
         let line = Line::styled(line, theme.style(Role::Warning)).centered();

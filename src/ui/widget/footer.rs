@@ -23,6 +23,7 @@ const FLY: &[(&str, &str)] = &[
     ("3-9 Enter", "list"),
     ("*", "all"),
     ("Esc", "none"),
+    ("c n", "look back"),
     ("L", "links"),
 ];
 const DEBRIEF: &[(&str, &str)] = &[
@@ -51,6 +52,9 @@ fn line<'a>(state: &'a State, theme: &Theme, width: usize) -> Line<'a> {
                 theme.style(Role::Muted),
             ),
         ]);
+    }
+    if state.is_deaf() {
+        return Line::styled(" keys work in a moment", theme.style(Role::Muted));
     }
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);

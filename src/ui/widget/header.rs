@@ -58,7 +58,7 @@ fn right_part(state: &State, width: u16) -> Line<'static> {
         parts.push(format!("{count}, {} armed", state.session.armed()));
         parts.push(links(state));
     }
-    parts.push(clock(state.now));
+    parts.push(clock(state.session.time(state.now)));
     Line::raw(parts.join("   "))
 }
 

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{State, ranges};
+use crate::app::state::{Session, State, ranges};
 use crate::ledger::{Entry, Row, RowState};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{clip, clock, put, row_role, titled, wrap};
@@ -27,7 +27,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         if used >= rows {
             break;
         }
-        let mut block = entry_lines(entry, width, theme);
+        let mut block = entry_lines(entry, &state.session, width, theme);
         block.truncate(rows - used);
         used += block.len();
         blocks.push(block);
@@ -46,10 +46,19 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn entry_lines<'a>(entry: &Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
+/// A command, what became of it, and why.
+pub fn entry_lines<'a>(
+    entry: &Entry,
+    session: &Session,
+    width: usize,
+    theme: &Theme,
+) -> Vec<Line<'a>> {
     let style = theme.style(entry_role(entry));
-    let mut lines = head_lines(entry, width, theme);
-    for (text, vehicles) in explanations(entry) {
+    let mut lines = head_lines(entry, session, width, theme);
+    // Where all rows ended with a remark, it stands in the place of their states.
+    let told = outcome(entry).is_some();
+    let left = explanations(entry);
+    for (text, vehicles) in left.into_iter().filter(|_| !told) {
         let plural = if vehicles.len() == 1 { "" } else { "s" };
         let text = format!("vehicle{plural} {}: {text}", ranges(vehicles));
         let wrapped = wrap(&text, width.saturating_sub(INDENT));
@@ -59,13 +68,16 @@ fn entry_lines<'a>(entry: &Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> 
 }
 
 /// The command and what became of it: on one line where it fits, else below each other.
-fn head_lines<'a>(entry: &Entry, width: usize, theme: &Theme) -> Vec<Line<'a>> {
+fn head_lines<'a>(entry: &Entry, session: &Session, width: usize, theme: &Theme) -> Vec<Line<'a>> {
     let style = theme.style(entry_role(entry));
-    let time = Span::styled(format!("{} ", clock(entry.at)), theme.style(Role::Muted));
+    let time = format!("{} ", clock(session.time(entry.at)));
+    let time = Span::styled(time, theme.style(Role::Muted));
     let room = width.saturating_sub(time.width());
     let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
-    let short = summary(entry, false);
-    let mut fitting = [summary(entry, true), short.clone()].into_iter();
+    let outcome = outcome(entry);
+    let short = outcome.clone().unwrap_or_else(|| summary(entry, false));
+    let long = outcome.unwrap_or_else(|| summary(entry, true));
+    let mut fitting = [long, short.clone()].into_iter();
     if let Some(text) = fitting.find(|text| text.chars().count() <= free) {
         let line = Span::raw(format!("{}  ", entry.line));
         return vec![Line::from(vec![time, line, Span::styled(text, style)])];
@@ -147,18 +159,57 @@ fn entry_role(entry: &Entry) -> Role {
     worst.map_or(Role::Muted, row_role)
 }
 
-/// The explanations of rows, equal ones together, in the order of their first vehicle.
-fn explanations(entry: &Entry) -> Vec<(&str, Vec<VehicleId>)> {
-    let mut found: Vec<(&str, Vec<VehicleId>)> = Vec::new();
-    let explained = |row: &Row| row.state.is_failure() || !row.state.is_final();
-    for row in entry.rows.iter().filter(|row| explained(row)) {
+/// What was asked for, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` where they differ.
+fn outcome(entry: &Entry) -> Option<String> {
+    let told = |row: &Row| row.state == RowState::Done && row.explanation.is_some();
+    if !entry.rows.iter().all(told) {
+        return None;
+    }
+    // The line has named already what the value belongs to.
+    let asked = entry.line.split_whitespace().next_back()?;
+    let short = |text: &str| match text.split_once(' ') {
+        Some((name, value)) if name.eq_ignore_ascii_case(asked) => value.to_owned(),
+        _ => text.to_owned(),
+    };
+    let remarks = explanations(entry);
+    if let [(text, _)] = remarks.as_slice() {
+        return Some(short(text));
+    }
+    let parts = remarks.into_iter().map(|(text, vehicles)| {
+        let text = short(&text);
+        format!("{}: {}", ranges(vehicles), text.trim_start_matches("= "))
+    });
+    Some(parts.collect::<Vec<_>>().join("   "))
+}
+
+/// The explanations of rows, those that differ only in their vehicle together, in the order of their first one.
+fn explanations(entry: &Entry) -> Vec<(String, Vec<VehicleId>)> {
+    let mut found: Vec<(String, Vec<VehicleId>)> = Vec::new();
+    let explained = |row: &&Row| row.state != RowState::Superseded;
+    for row in entry.rows.iter().filter(explained) {
         let Some(text) = row.explanation.as_deref() else {
             continue;
         };
+        let text = impersonal(text, row.vehicle);
         match found.iter_mut().find(|(known, _)| *known == text) {
             Some((_, vehicles)) => vehicles.push(row.vehicle),
             None => found.push((text, vec![row.vehicle])),
         }
     }
+    for (text, vehicles) in &mut found {
+        let all = format!("`{} ", ranges(vehicles.iter().copied()));
+        *text = text.replace(ANY_VEHICLE, &all);
+    }
     found
+}
+
+/// Stands for the vehicles of a line that an explanation advises, such as `3 guided`.
+const ANY_VEHICLE: &str = "`\u{0} ";
+
+/// A text without the vehicle that it is about: the line that shows it names the vehicles itself.
+fn impersonal(text: &str, vehicle: VehicleId) -> String {
+    let name = format!("vehicle {vehicle}");
+    let text = text.strip_prefix(&format!("{name}: ")).unwrap_or(text);
+    let text = text.replace(&format!("{name} "), "it ");
+    text.replace(&format!("`{vehicle} "), ANY_VEHICLE)
 }

@@ -4,12 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{NoticeLine, State, ranges};
+use crate::app::state::{NoticeLine, Session, State, ranges};
 use crate::ui::theme::{Role, Theme};
 use crate::ui::widget::{clip, clock, put, severity_role, titled, wrap};
 use crate::vehicle::Severity;
 
-/// Lines that one notice may take.
+/// Lines that a notice may take that is no error.
 const MOST_LINES: usize = 2;
 
 /// Draws the newest notices that fit.
@@ -20,10 +20,11 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
     for notice in state.notices.lines().rev() {
-        let block = lines(notice, width, theme);
-        if used + block.len() > rows {
+        let mut block = lines(notice, &state.session, (width, MOST_LINES), theme);
+        if used + block.len() > rows && used > 0 {
             break;
         }
+        block.truncate(rows);
         used += block.len();
         blocks.push(block);
     }
@@ -32,7 +33,13 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn lines<'a>(line: &NoticeLine, width: usize, theme: &Theme) -> Vec<Line<'a>> {
+/// A notice with its time, its severity and its vehicles, in a width and, if it is no error, at most so many lines.
+pub fn lines<'a>(
+    line: &NoticeLine,
+    session: &Session,
+    (width, most): (usize, usize),
+    theme: &Theme,
+) -> Vec<Line<'a>> {
     let notice = &line.notice;
     let vehicles = match ranges(line.vehicles.iter().copied()) {
         none if none.is_empty() => none,
@@ -40,12 +47,12 @@ fn lines<'a>(line: &NoticeLine, width: usize, theme: &Theme) -> Vec<Line<'a>> {
     };
     let mut head = format!(
         "{} {:5} {vehicles}",
-        clock(notice.at),
+        clock(session.time(notice.at)),
         word(notice.severity)
     );
     let indent = " ".repeat(Span::raw(&head).width());
     let mut lines = Vec::new();
-    for text in texts(line, width.saturating_sub(indent.len())) {
+    for text in texts(line, width.saturating_sub(indent.len()), most) {
         let head = std::mem::replace(&mut head, indent.clone());
         lines.push(Line::from(vec![
             Span::styled(head, theme.style(Role::Muted)),
@@ -56,7 +63,7 @@ fn lines<'a>(line: &NoticeLine, width: usize, theme: &Theme) -> Vec<Line<'a>> {
 }
 
 /// The text in as many lines as it may take, with how often it came.
-fn texts(line: &NoticeLine, width: usize) -> Vec<String> {
+fn texts(line: &NoticeLine, width: usize, most: usize) -> Vec<String> {
     // Once from each of the vehicles that are named needs no count.
     let once_each = line.count as usize <= line.vehicles.len().max(1);
     let count = if once_each {
@@ -66,9 +73,10 @@ fn texts(line: &NoticeLine, width: usize) -> Vec<String> {
     };
     let text = &line.notice.text;
     let mut lines = wrap(&format!("{text}{count}"), width);
-    if lines.len() > MOST_LINES {
+    let whole = line.notice.severity <= Severity::Error;
+    if lines.len() > most && !whole {
         // What is cut off must not take the count with it.
-        let rest = lines.drain(MOST_LINES - 1..).collect::<Vec<_>>().join(" ");
+        let rest = lines.drain(most - 1..).collect::<Vec<_>>().join(" ");
         let rest = rest.strip_suffix(&count).unwrap_or(&rest);
         let rest = clip(rest, width.saturating_sub(count.len()));
         lines.push(format!("{rest}{count}"));

@@ -22,6 +22,9 @@ pub fn draw(state: &State, overlay: &Overlay, theme: &Theme, area: Rect, buffer:
         Overlay::Links { scroll } => {
             draw_links(&state.session.links, *scroll, theme, area, buffer);
         }
+        Overlay::Log { log, cursor } => {
+            super::log::draw(state, (*log, *cursor), theme, area, buffer);
+        }
         Overlay::Brief => draw_brief(state, theme, area, buffer),
         Overlay::Palette(_) | Overlay::Connect(_) => {}
     }
@@ -44,11 +47,16 @@ fn draw_confirm(question: &Confirm, theme: &Theme, area: Rect, buffer: &mut Buff
     }
     let reason = clip(&question.reason, width);
     put(buffer, inner, row, &Line::raw(reason));
-    let typed = Line::from(vec![
-        Span::styled(": ", theme.style(Role::Key)),
-        Span::raw(format!("{}_", question.typed)),
-        Span::styled("   anything else: no", theme.style(Role::Muted)),
-    ]);
+    let typed = if question.cancelled {
+        let text = "cancelled, nothing was done   Enter or Esc goes on";
+        Line::styled(text, theme.style(Role::Warning))
+    } else {
+        Line::from(vec![
+            Span::styled(": ", theme.style(Role::Key)),
+            Span::raw(format!("{}_", question.typed)),
+            Span::styled("   anything else: no", theme.style(Role::Muted)),
+        ])
+    };
     put(buffer, inner, row + 2, &typed);
 }
 

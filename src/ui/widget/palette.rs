@@ -14,8 +14,9 @@ use crate::ui::widget::{below, boxed, clip, put, row_of, wrap};
 
 /// Rows of the box: frame, line, mark, message, choices.
 const HEIGHT: u16 = 13;
-/// Rows of the hint, or of the mark under a wrong word and what is wrong with it.
-const HINT_ROWS: usize = 2;
+/// Rows of what is wrong with a word, and of how the verb is written.
+const FAULT_ROWS: usize = 4;
+const HINT_ROWS: usize = 3;
 /// What is told while there is no verb yet.
 const GRAMMAR: &str = "[targets] verb [arguments]: Tab completes, Up brings back older lines";
 /// Columns before the line.
@@ -32,23 +33,40 @@ pub fn draw(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) -
     let inner = boxed(title.trim_end(), Role::Accent, theme, place, buffer);
     let fault = palette.fault.as_ref();
     let (cursor, scroll) = draw_line(&palette.input, fault, theme, inner, buffer);
+    let mut rest = below(inner, 1);
     if let Some(fault) = fault {
-        draw_fault(palette.input.value(), fault, scroll, (theme, inner), buffer);
-    } else {
-        let hint = palette.hint.as_deref().unwrap_or(GRAMMAR);
-        let place = below(indented(inner), 1);
-        let lines = wrap(hint, usize::from(place.width));
-        for (row, line) in lines.into_iter().take(HINT_ROWS).enumerate() {
-            put(
-                buffer,
-                place,
-                row as u16,
-                &Line::styled(line, theme.style(Role::Muted)),
-            );
-        }
+        draw_carets(palette.input.value(), fault, scroll, (theme, rest), buffer);
+        rest = below(rest, 1);
     }
-    draw_choices(palette, theme, below(inner, 3), buffer);
+    for line in explanation(palette, usize::from(indented(rest).width), theme) {
+        put(buffer, indented(rest), 0, &line);
+        rest = below(rest, 1);
+    }
+    draw_choices(palette, theme, below(rest, 1), buffer);
     cursor
+}
+
+/// What is wrong, how the verb is written, and what Enter would do.
+fn explanation(palette: &Palette, width: usize, theme: &Theme) -> Vec<Line<'static>> {
+    let fault = palette.fault.as_ref().map(|fault| match &fault.help {
+        Some(help) => format!("{} - {help}", fault.message),
+        None => fault.message.clone(),
+    });
+    let hint = palette.hint.as_deref();
+    // A wrong line without a verb is not helped by the grammar.
+    let hint = hint.or(fault.is_none().then_some(GRAMMAR));
+    let parts = [
+        (fault.as_deref(), FAULT_ROWS, Role::Danger),
+        (hint, HINT_ROWS, Role::Muted),
+        (palette.outcome.as_deref(), 1, Role::Ok),
+    ];
+    let mut lines = Vec::new();
+    for (text, rows, role) in parts {
+        let wrapped = wrap(text.unwrap_or_default(), width).into_iter();
+        let shown = wrapped.filter(|line| !line.is_empty()).take(rows);
+        lines.extend(shown.map(|line| Line::styled(line, theme.style(role))));
+    }
+    lines
 }
 
 /// Draws a prompt and its text, scrolled so that the cursor is seen; returns the cursor's place and the scroll.
@@ -95,8 +113,8 @@ fn parts<'a>(line: &'a str, fault: Option<&Diagnostic>) -> (&'a str, &'a str, &'
     }
 }
 
-/// Carets under the wrong word, so that it is marked without colour too, and what is wrong.
-fn draw_fault(
+/// Carets under the wrong word, so that it is marked without colour too.
+fn draw_carets(
     line: &str,
     fault: &Diagnostic,
     scroll: usize,
@@ -105,29 +123,18 @@ fn draw_fault(
 ) {
     let (before, wrong, _) = parts(line, Some(fault));
     let start = Span::raw(before).width().saturating_sub(scroll);
-    let carets = "^".repeat(Span::raw(wrong).width().max(1));
-    let style = theme.style(Role::Danger);
-    let text = Rect {
-        height: area.height,
-        ..indented(area)
-    };
-    put(
-        buffer,
-        text,
-        1,
-        &Line::styled(format!("{}{carets}", " ".repeat(start)), style),
+    let carets = format!(
+        "{}{}",
+        " ".repeat(start),
+        "^".repeat(Span::raw(wrong).width().max(1))
     );
-    let help = fault
-        .help
-        .as_ref()
-        .map_or(String::new(), |help| format!(" - {help}"));
-    let message = clip(&format!("{}{help}", fault.message), usize::from(text.width));
-    put(buffer, text, 2, &Line::styled(message, style));
+    let line = Line::styled(carets, theme.style(Role::Danger));
+    put(buffer, indented(area), 0, &line);
 }
 
 fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let choices = &palette.completions;
-    let rows = usize::from(area.height);
+    let (rows, width) = (usize::from(area.height), usize::from(area.width));
     // The chosen one is the last row once the list has to scroll.
     let first = palette
         .chosen
@@ -137,32 +144,58 @@ fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffe
         .map(|choice| choice.text.chars().count())
         .max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
-    for (row, choice) in choices.iter().skip(first).take(rows).enumerate() {
-        let is_chosen = palette.chosen == Some(first + row);
-        let line = choice_line(choice, is_chosen, name_width, theme);
-        put(buffer, area, row as u16, &line);
-        if is_chosen {
-            buffer.set_style(row_of(area, row as u16), theme.style(Role::Cursor));
+    let mut blocks: Vec<Vec<Line<'_>>> = choices
+        .iter()
+        .enumerate()
+        .skip(first)
+        .take(rows)
+        .map(|(at, choice)| {
+            let is_chosen = palette.chosen == Some(at);
+            choice_lines(choice, is_chosen, (name_width, width), theme)
+        })
+        .collect();
+    // Each in full where there is room for all, else a line for each.
+    if blocks.iter().map(Vec::len).sum::<usize>() > rows {
+        for block in &mut blocks {
+            block.truncate(1);
+        }
+    }
+    let mut rest = area;
+    for (at, block) in blocks.into_iter().enumerate() {
+        let is_chosen = palette.chosen == Some(first + at);
+        for line in block {
+            put(buffer, rest, 0, &line);
+            if is_chosen {
+                buffer.set_style(row_of(rest, 0), theme.style(Role::Cursor));
+            }
+            rest = below(rest, 1);
         }
     }
 }
 
-fn choice_line<'a>(
+/// A choice and what it means, in as many lines as that takes.
+fn choice_lines<'a>(
     choice: &'a Completion,
     is_chosen: bool,
-    name_width: usize,
+    (name_width, width): (usize, usize),
     theme: &Theme,
-) -> Line<'a> {
-    let mark = if is_chosen { "> " } else { "  " };
-    let name = clip(&choice.text, name_width);
+) -> Vec<Line<'a>> {
+    let mut mark = if is_chosen { "> " } else { "  " };
+    let mut name = clip(&choice.text, name_width);
     // A verb without arguments has its name for a usage: once is enough.
     let said = format!("{}: ", choice.text);
     let hint = choice.hint.strip_prefix(&said).unwrap_or(&choice.hint);
-    Line::from(vec![
-        Span::raw(mark),
-        Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
-        Span::styled(hint, theme.style(Role::Muted)),
-    ])
+    let room = width.saturating_sub(name_width + 4);
+    let mut lines = Vec::new();
+    for text in wrap(hint, room) {
+        let name = std::mem::take(&mut name);
+        lines.push(Line::from(vec![
+            Span::raw(std::mem::replace(&mut mark, "  ")),
+            Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
+            Span::styled(text, theme.style(Role::Muted)),
+        ]));
+    }
+    lines
 }
 
 fn indented(area: Rect) -> Rect {

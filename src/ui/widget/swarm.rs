@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use crate::app::state::{Alert, LinkSummary, Session, State, alert, ranges};
 use crate::ledger::RowState;
 use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{below, clip, put, row_role, severity_role, titled};
+use crate::ui::widget::{below, clip, put, row_role, severity_role, titled, wrap};
 use crate::vehicle::{FixType, LandedState, Vehicle};
 
 /// Columns of the newest command: `takeoff timed out` fits.
@@ -47,8 +47,15 @@ const COLUMNS: &[Column] = &[
     column("link", 5, 9, true, link),
     column("home m", 6, 10, true, home),
     column("command", COMMAND_WIDTH, 7, false, command),
+    column("to go m", 7, 13, true, to_go),
+    column("hdg", 3, 14, true, heading),
+    column("climb", 5, 15, true, climb),
+    column("volt", 4, 16, true, voltage),
     column("alert", 14, 1, false, alert_cell),
 ];
+/// Columns from this rank on are an extra: they only come once alerts have this much more room than they need.
+const EXTRA_RANK: u8 = 13;
+const ALERT_EXTRA: u16 = 26;
 
 const fn column(
     title: &'static str,
@@ -66,20 +73,42 @@ const fn column(
     }
 }
 
+/// Rows that the table would like to have: a rule, the titles, and a row for each vehicle, or what there is to know
+/// while there is none.
+pub fn height(session: &Session, width: u16) -> usize {
+    let rows = match session.vehicles.len() {
+        0 => waiting_lines(&session.links, width).len(),
+        count => count,
+    };
+    rows + 2
+}
+
 /// What there is to know while nobody has been heard: how the links are doing.
-fn draw_waiting(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn waiting_lines(links: &[LinkSummary], width: u16) -> Vec<(String, Role)> {
     let waiting = "  waiting for the first vehicle ...".to_owned();
-    let lines = links.iter().map(|link| {
+    let mut lines = vec![(waiting, Role::Muted)];
+    for link in links {
         let reason = link.error.as_deref().unwrap_or(&link.state);
-        format!("  {}: {reason}", link.name)
-    });
-    for (row, text) in std::iter::once(waiting).chain(lines).enumerate() {
-        let text = clip(&text, usize::from(area.width));
+        let role = if link.error.is_some() {
+            Role::Warning
+        } else {
+            Role::Muted
+        };
+        let text = format!("{}: {reason}", link.name);
+        let wrapped = wrap(&text, usize::from(width).saturating_sub(2));
+        lines.extend(wrapped.into_iter().map(|line| (format!("  {line}"), role)));
+    }
+    lines
+}
+
+fn draw_waiting(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let lines = waiting_lines(links, area.width).into_iter();
+    for (row, (text, role)) in lines.enumerate() {
         put(
             buffer,
             area,
             row as u16,
-            &Line::styled(text, theme.style(Role::Muted)),
+            &Line::styled(text, theme.style(role)),
         );
     }
 }
@@ -134,7 +163,12 @@ fn fitting(width: u16) -> Vec<(&'static Column, u16)> {
     let mut left = width.saturating_sub(2);
     let mut worst = 0;
     for column in by_rank {
-        if column.width + 1 > left {
+        let spared = if column.rank >= EXTRA_RANK {
+            ALERT_EXTRA
+        } else {
+            0
+        };
+        if column.width + 1 + spared > left {
             break;
         }
         left -= column.width + 1;
@@ -313,6 +347,34 @@ fn link(row: &Row<'_>) -> (String, Role) {
 
 fn home(row: &Row<'_>) -> (String, Role) {
     number(row.vehicle.distance_home_m(), 0)
+}
+
+/// How far away the target is.
+fn to_go(row: &Row<'_>) -> (String, Role) {
+    let target = row.vehicle.target.and_then(|target| target.at_point);
+    let distance = row.vehicle.global.zip(target);
+    number(
+        distance.map(|(global, to)| global.at_point.distance_m(to)),
+        0,
+    )
+}
+
+fn heading(row: &Row<'_>) -> (String, Role) {
+    number(row.vehicle.heading_deg().map(f64::from), 0)
+}
+
+fn climb(row: &Row<'_>) -> (String, Role) {
+    // Adding zero turns a rounded -0 into +0, which does not flicker.
+    let climb = row
+        .vehicle
+        .global
+        .map(|global| (-global.down_m_s * 10.0).round() / 10.0 + 0.0);
+    number(climb.map(f64::from), 1)
+}
+
+fn voltage(row: &Row<'_>) -> (String, Role) {
+    let voltage = row.vehicle.battery().and_then(|battery| battery.voltage_v);
+    number(voltage.map(f64::from), 1)
 }
 
 fn command(row: &Row<'_>) -> (String, Role) {

@@ -12,6 +12,18 @@ use crate::vehicle::{EkfFlags, Vehicle};
 /// Columns of the labels.
 const LABEL_WIDTH: usize = 9;
 
+/// Rows that the pane would like to have.
+pub fn height(state: &State, width: u16) -> u16 {
+    let Some(vehicle) = state.session.under_cursor() else {
+        return 1;
+    };
+    let alert = alert(vehicle, state.now);
+    let alert = alert.map_or(0, |alert| wrap(&alert.text, usize::from(width)).len());
+    let lines = lines(vehicle, state).into_iter();
+    let lines = lines.filter(|(_, text)| !text.is_empty()).count();
+    (1 + alert + lines) as u16
+}
+
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
 pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let Some(vehicle) = state.session.under_cursor() else {
@@ -40,7 +52,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
 fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, String)> {
     vec![
         ("mode", mode(vehicle)),
-        ("height", height(vehicle)),
+        ("height", altitude(vehicle)),
         ("speed", speed(vehicle)),
         ("battery", battery(vehicle)),
         ("home", home(vehicle)),
@@ -74,7 +86,7 @@ fn mode(vehicle: &Vehicle) -> String {
     format!("{}  {armed}  {}", heartbeat.mode, vehicle.landed)
 }
 
-fn height(vehicle: &Vehicle) -> String {
+fn altitude(vehicle: &Vehicle) -> String {
     let Some(global) = vehicle.global else {
         return String::new();
     };
@@ -202,7 +214,7 @@ fn link(vehicle: &Vehicle, state: &State) -> String {
 }
 
 fn wind(vehicle: &Vehicle) -> String {
-    let wind = vehicle.wind;
+    let wind = vehicle.wind.filter(|wind| wind.speed_m_s >= 0.05);
     wind.map_or(String::new(), |wind| {
         format!("{:.1} m/s from {:.0}°", wind.speed_m_s, wind.from_deg)
     })

@@ -1,0 +1,96 @@
+//! The ledger and the notices over the whole screen, to look back.
+
+use std::ops::Range;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+
+use super::{ledger, notices};
+use crate::app::state::{Log, State};
+use crate::ui::theme::{Role, Theme};
+use crate::ui::widget::{boxed, put, row_of};
+
+/// Draws one of the two, with the entry under the cursor marked and in sight.
+pub fn draw(
+    state: &State,
+    (log, cursor): (Log, Option<usize>),
+    theme: &Theme,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let count = state.log_length(log);
+    let cursor = cursor.unwrap_or(count).min(count.saturating_sub(1));
+    let name = match log {
+        Log::Ledger => "ledger",
+        Log::Notices => "notices",
+    };
+    let place = if count == 0 {
+        String::new()
+    } else {
+        format!("{} of {count}   ", cursor + 1)
+    };
+    let title = format!("{name}   {place}j k scroll   Esc closes");
+    let inner = boxed(&title, Role::Accent, theme, area, buffer);
+    let rows = usize::from(inner.height);
+    // Every entry has a line at least: more of them than rows on either side cannot be seen.
+    let near = cursor.saturating_sub(rows)..(cursor + rows + 1).min(count);
+    let before = cursor - near.start;
+    let blocks = blocks(state, log, near, usize::from(inner.width), theme);
+    if blocks.is_empty() {
+        let text = "nothing yet";
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled(text, theme.style(Role::Muted)),
+        );
+    }
+    let above: usize = blocks.iter().take(before).map(Vec::len).sum();
+    let marked = above..above + blocks.get(before).map_or(0, Vec::len);
+    let lines: Vec<Line<'_>> = blocks.into_iter().flatten().collect();
+    // The entry under the cursor stays in the middle while the list scrolls under it.
+    let first = marked
+        .start
+        .saturating_sub(rows / 2)
+        .min(lines.len().saturating_sub(rows));
+    for (row, (at, line)) in lines.iter().enumerate().skip(first).take(rows).enumerate() {
+        put(buffer, inner, row as u16, line);
+        if marked.contains(&at) {
+            buffer.set_style(row_of(inner, row as u16), theme.style(Role::Cursor));
+        }
+        if at == marked.start {
+            // Seen without colour too, in the free column beside the frame.
+            let margin = Rect {
+                x: inner.x.saturating_sub(1),
+                ..inner
+            };
+            put(buffer, margin, row as u16, &Line::raw(">"));
+        }
+    }
+}
+
+fn blocks<'a>(
+    state: &State,
+    log: Log,
+    which: Range<usize>,
+    width: usize,
+    theme: &Theme,
+) -> Vec<Vec<Line<'a>>> {
+    let session = &state.session;
+    let count = which.len();
+    match log {
+        Log::Ledger => {
+            let entries = session.ledger.entries().skip(which.start).take(count);
+            entries
+                .map(|entry| ledger::entry_lines(entry, session, width, theme))
+                .collect()
+        }
+        Log::Notices => {
+            let notices = state.notices.lines().skip(which.start).take(count);
+            notices
+                .map(|notice| notices::lines(notice, session, (width, usize::MAX), theme))
+                .collect()
+        }
+    }
+}

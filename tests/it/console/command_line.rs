@@ -1,0 +1,244 @@
+//! The command line and the questions that it leads to.
+
+use sortie::app::effect::Effect;
+use sortie::app::state::Overlay;
+
+use super::{palette_line, selection};
+use crate::fixtures;
+use crate::harness::Console;
+
+fn fault_word(console: &Console) -> String {
+    match &console.state.overlay {
+        Some(Overlay::Palette(palette)) => {
+            let fault = palette.fault.as_ref().expect("a fault");
+            palette.input.value()[fault.span.clone()].to_owned()
+        }
+        other => panic!("the command line is not open: {other:?}"),
+    }
+}
+
+#[test]
+fn quick_keys_only_write_a_line() {
+    let mut console = Console::flying(2);
+    console.press("a");
+    assert!(console.effects.is_empty());
+    assert_eq!(palette_line(&console), "arm");
+    console.press("enter");
+    assert_eq!(console.sent_to(), [1]);
+    console.write("1-2").press("t").write("20").press("enter");
+    assert_eq!(
+        console.sent_to(),
+        [1, 2],
+        "numbers typed before the key become the targets"
+    );
+}
+
+#[test]
+fn a_dangerous_verb_wants_the_number_of_its_targets() {
+    let mut console = Console::flying(5);
+    console.give("1,3,5 kill");
+    assert!(console.effects.is_empty());
+    assert!(console.screen(80, 24).contains("KILL 3: 1 3 5 - type 3"));
+    console.press("3");
+    assert_eq!(console.sent_to(), [1, 3, 5]);
+    for wrong in ["5", "enter", "y", "esc", "ctrl-c", "left"] {
+        console.give("1,3,5 kill").press(wrong);
+        assert!(console.effects.is_empty(), "{wrong}");
+        console.press("3");
+        assert!(console.effects.is_empty(), "no is no after {wrong}");
+        console.press("esc").press("esc");
+        assert!(console.state.overlay.is_none(), "{wrong}");
+    }
+    let mut console = Console::flying(12);
+    console.give("all kill").press("1");
+    assert!(console.effects.is_empty());
+    assert_eq!(console.press("2").sent_to().len(), 12);
+}
+
+#[test]
+fn keys_after_a_wrong_answer_reach_nothing_until_enter_or_escape() {
+    for end in ["enter", "esc"] {
+        let mut console = Console::flying(3);
+        console.give("1 kill").write("2 l3-*a1");
+        assert!(console.screen(80, 24).contains("Enter or Esc goes on"));
+        console.press(end);
+        assert!(console.effects.is_empty());
+        assert!(console.state.overlay.is_none(), "{end}");
+        assert!(selection(&console).is_empty());
+        console.write("2").press("enter");
+        assert_eq!(selection(&console), [2], "keys work again after {end}");
+    }
+}
+
+#[test]
+fn a_line_begun_over_a_question_is_taken_as_a_line() {
+    let mut console = Console::flying(3);
+    console.give("1 kill").write(":2 land");
+    assert_eq!(palette_line(&console), "2 land");
+    assert_eq!(console.press("enter").sent_to(), [2]);
+    assert!(selection(&console).is_empty());
+}
+
+#[test]
+fn a_question_of_yes_or_no_takes_n_at_once() {
+    let mut console = Console::flying(1);
+    console.vehicle(fixtures::airborne(1, 0.0, 10.0));
+    console.press("ctrl-c").press("n");
+    assert!(console.state.overlay.is_none() && console.effects.is_empty());
+}
+
+#[test]
+fn a_wrong_line_stays_with_the_wrong_word_marked() {
+    let mut console = Console::flying(4);
+    for (line, word) in [
+        ("1-2 takeof 20", "takeof"),
+        ("all takeoff high", "high"),
+        ("7 arm", "7"),
+        ("@red arm", "@red"),
+        ("theme drak", "drak"),
+        ("select 1-x", "1-x"),
+    ] {
+        console.give(line);
+        assert!(console.effects.is_empty(), "{line}");
+        assert_eq!(palette_line(&console), line);
+        assert_eq!(fault_word(&console), word, "{line}");
+        console.press("esc");
+    }
+    assert!(
+        console.state.history.is_empty(),
+        "a line that did nothing is not history"
+    );
+    assert_eq!(console.state.session.ledger.entries().len(), 0);
+}
+
+#[test]
+fn a_finished_word_that_is_wrong_is_marked_while_the_line_is_written() {
+    let fault = |console: &Console| match &console.state.overlay {
+        Some(Overlay::Palette(palette)) => palette
+            .fault
+            .as_ref()
+            .map(|fault| palette.input.value()[fault.span.clone()].to_owned()),
+        other => panic!("the command line is not open: {other:?}"),
+    };
+    let mut console = Console::flying(4);
+    console.press(":").write("1-2 takeof");
+    assert_eq!(fault(&console), None, "it may become `takeoff`");
+    console.write(" ");
+    assert_eq!(fault(&console).as_deref(), Some("takeof"));
+    console.press("left");
+    assert_eq!(fault(&console), None, "it is being mended");
+    console.press("ctrl-u").press("end").press("ctrl-u");
+    console.write("1 takeoff high ");
+    assert_eq!(fault(&console).as_deref(), Some("high"));
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("takeoff ALTITUDE"), "its usage: {screen}");
+}
+
+#[test]
+fn no_line_is_marked_on_the_way_to_a_right_one() {
+    for line in [
+        "1-4 goto n 100 e 50 up 30 ",
+        "1,3 goto 50.4501 30.5234 up 40 ",
+        "all takeoff 20 ",
+        "1 mode loiter ",
+        "2 param get WPNAV_SPEED ",
+        "2 param set WPNAV_SPEED 700 ",
+        "1 servo 5 1500 ",
+        "1 yaw 90 ",
+        "1 home here ",
+        "theme dark ",
+        "group red 1-3 ",
+        "select 1-3 ",
+        "all guided ",
+        "kill ",
+    ] {
+        let mut console = Console::flying(4);
+        console.press(":");
+        for c in line.chars() {
+            console.press(&c.to_string());
+            let Some(Overlay::Palette(palette)) = &console.state.overlay else {
+                panic!("the command line has closed");
+            };
+            let written = palette.input.value();
+            assert_eq!(palette.fault, None, "{written}");
+        }
+    }
+}
+
+#[test]
+fn a_complete_line_says_to_whom_it_goes() {
+    let mut console = Console::flying(4);
+    console.press(":").write("all takeoff ");
+    assert!(!console.screen(80, 24).contains("Enter sends"));
+    console.write("20");
+    assert!(console.screen(80, 24).contains("Enter sends to 1-4"));
+    console.press("ctrl-u").write("2-3 kill");
+    assert!(
+        console
+            .screen(80, 24)
+            .contains("Enter asks before it sends to 2-3")
+    );
+}
+
+#[test]
+fn waiting_is_for_pilot_scripts() {
+    let mut console = Console::flying(1);
+    console.give("wait all armed");
+    assert_eq!(fault_word(&console), "wait");
+    assert!(
+        console
+            .screen(80, 24)
+            .contains("`wait` is for pilot scripts")
+    );
+}
+
+#[test]
+fn commands_without_vehicles_are_refused_on_the_spot() {
+    let mut console = Console::new();
+    for line in ["arm", "all arm", "1 arm"] {
+        console.give(line);
+        assert!(console.effects.is_empty(), "{line}");
+        assert!(!fault_word(&console).is_empty(), "{line}");
+        console.press("esc");
+    }
+}
+
+#[test]
+fn tab_completes_and_goes_round() {
+    let mut console = Console::flying(2);
+    console.press(":").write("theme ").press("tab");
+    assert_eq!(palette_line(&console), "theme dark ");
+    console.press("tab");
+    assert_eq!(palette_line(&console), "theme light ");
+    console.press("shift-tab").press("shift-tab");
+    assert_eq!(palette_line(&console), "theme monochrome ");
+    console.press("enter");
+    assert_eq!(console.effects, [Effect::SetTheme("monochrome".to_owned())]);
+    console.press(":").write("all tko").press("tab");
+    assert!(
+        palette_line(&console).starts_with("all takeoff "),
+        "{}",
+        palette_line(&console)
+    );
+}
+
+#[test]
+fn the_arrows_bring_older_lines_back_and_return_to_the_draft() {
+    let mut console = Console::flying(2);
+    console.give("1 arm").give("2 arm");
+    console.press(":").write("1 ta").press("up");
+    assert_eq!(palette_line(&console), "2 arm");
+    console.press("up").press("up");
+    assert_eq!(palette_line(&console), "1 arm");
+    console.press("down").press("down");
+    assert_eq!(palette_line(&console), "1 ta");
+}
+
+#[test]
+fn groups_and_selections_are_made_on_the_command_line() {
+    let mut console = Console::flying(4);
+    console.give("group red 2-3").give("@red arm");
+    assert_eq!(console.sent_to(), [2, 3]);
+    assert_eq!(selection(console.give("select @red")), [2, 3]);
+    assert!(selection(console.give("select none")).is_empty());
+}
