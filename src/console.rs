@@ -234,61 +234,41 @@ impl Console {
     }
 
     async fn carry_out(&mut self, effect: Effect) {
-        let outcome = match effect {
-            Effect::Quit => {
-                self.over = true;
-                Ok(())
-            }
+        let plan = match effect {
+            Effect::Quit => return self.over = true,
+            Effect::Bell => return self.bell = true,
+            Effect::LeaveSession => return self.running = None,
+            Effect::SetTheme(name) => return self.set_theme(&name),
+            Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),
             Effect::Command {
                 entry,
                 targets,
                 verb,
                 command,
-            } => {
-                let order = Order {
-                    entry,
-                    verb: verb.name,
-                    retry: verb.retry,
-                    command,
-                };
-                self.command(&targets, &order);
-                Ok(())
-            }
-            Effect::StartMission(id) => match store::mission(&id) {
-                Ok(mission) => self.start(Plan::Mission(Arc::new(mission))).await,
-                Err(error) => Err(error.into()),
+            } => return self.command(&targets, &Order::new(entry, verb, command)),
+            Effect::StartMission(id) => store::mission(&id)
+                .map(|mission| Plan::Mission(Arc::new(mission)))
+                .map_err(Into::into),
+            Effect::StartFree => Ok(Plan::Free),
+            Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect).map_err(Into::into),
+            Effect::RestartMission => match &self.running {
+                Some(running) => Ok(running.plan()),
+                None => return,
             },
-            Effect::StartFree => self.start(Plan::Free).await,
-            Effect::Connect(addresses) => match parse(&addresses) {
-                Ok(addresses) => self.start(Plan::Connect(addresses)).await,
-                Err(error) => Err(error.into()),
-            },
-            Effect::AbandonMission => {
-                self.running.iter_mut().for_each(Running::abandon);
-                Ok(())
-            }
-            Effect::RestartMission => match self.running.as_ref().map(Running::plan) {
-                Some(plan) => self.start(plan).await,
-                None => Ok(()),
-            },
-            Effect::LeaveSession => {
-                self.running = None;
-                Ok(())
-            }
-            Effect::SetTheme(name) => {
-                if let Some(theme) = Theme::named(&name) {
-                    self.theme = theme.for_colours(crate::terminal::colour_depth());
-                }
-                Ok(())
-            }
-            Effect::Bell => {
-                self.bell = true;
-                Ok(())
-            }
+        };
+        let outcome = match plan {
+            Ok(plan) => self.start(plan).await,
+            Err(error) => Err(error),
         };
         if let Err(error) = outcome {
             // Nothing that a failure causes is an effect.
             update(&mut self.state, Event::Failed(format!("{error:#}")));
+        }
+    }
+
+    fn set_theme(&mut self, name: &str) {
+        if let Some(theme) = Theme::named(name) {
+            self.theme = theme.for_colours(crate::terminal::colour_depth());
         }
     }
 

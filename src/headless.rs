@@ -191,12 +191,7 @@ impl Exercise {
         let entry = self.ledger.open(now, given, &targets);
         for seat in &mut self.seats {
             if targets.contains(&seat.session.vehicle().id) {
-                let order = Order {
-                    entry,
-                    verb: verb.name,
-                    retry: verb.retry,
-                    command: command.clone(),
-                };
+                let order = Order::new(entry, verb, command.clone());
                 seat.session.order(order, now);
             }
         }

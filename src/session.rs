@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use crate::commands::Command;
-use crate::language::Retry;
+use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::messages::{Inbox, Parameters};
 use crate::notice::Notice;
@@ -64,6 +64,16 @@ pub enum Report {
 }
 
 impl Order {
+    /// An order as the verb table has it.
+    pub fn new(entry: EntryId, verb: &'static Verb, command: Command) -> Self {
+        Self {
+            entry,
+            verb: verb.name,
+            retry: verb.retry,
+            command,
+        }
+    }
+
     /// The last word on an order that was never sent.
     pub fn unsent(
         &self,

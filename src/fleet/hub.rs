@@ -124,42 +124,58 @@ impl Hub {
         let Some(route) = self.routes.get_mut(&system) else {
             return;
         };
-        let mut moved_from = None;
         let is_autopilot = frames
             .iter()
             .any(|frame| frame.component == route.component && frame.is_verified());
-        if (route.link, route.peer) != from && is_autopilot {
-            if now.saturating_sub(route.heard_at) < LOST_AFTER {
-                return self.complain(system, from, now).await;
-            }
-            let Some(link) = self.links.get(usize::from(from.0.0)) else {
-                return;
-            };
-            // The vehicle has come back another way: a new connection, or another port of a lab network.
-            let news = ToVehicle::Route(link.clone(), from.1);
-            if route.inbox.try_send(news).is_ok() {
-                let before = std::mem::replace(&mut route.link, from.0);
-                route.peer = from.1;
-                moved_from = Some(before);
-            }
-        }
         if is_autopilot {
-            route.heard_at = now;
+            if (route.link, route.peer) != from && !self.reroute(system, from, now).await {
+                return;
+            }
+            if let Some(route) = self.routes.get_mut(&system) {
+                route.heard_at = now;
+            }
         }
-        if route.inbox.try_send(ToVehicle::Frames(frames)).is_err() {
+        self.hand_over(system, frames);
+    }
+
+    fn hand_over(&self, system: SystemId, frames: Vec<Frame>) {
+        if let Some(route) = self.routes.get(&system)
+            && route.inbox.try_send(ToVehicle::Frames(frames)).is_err()
+        {
             tracing::warn!(
                 system,
                 "the vehicle's task does not keep up: telemetry was dropped"
             );
         }
-        if let Some(before) = moved_from {
-            let text = format!(
-                "is heard by {} now, no longer by {}",
-                self.name_of(from.0),
-                self.name_of(before)
-            );
-            self.warn(system, text, now).await;
+    }
+
+    /// The autopilot is heard by another way. Once the way used so far has been silent for long enough it is
+    /// the same vehicle with a new connection, or another port of a lab network; before that it is a second one,
+    /// whose frames are not to be taken. Returns whether they are.
+    async fn reroute(&mut self, system: SystemId, from: (LinkId, Peer), now: Duration) -> bool {
+        let (Some(route), Some(link)) = (
+            self.routes.get_mut(&system),
+            self.links.get(usize::from(from.0.0)),
+        ) else {
+            return false;
+        };
+        if now.saturating_sub(route.heard_at) < LOST_AFTER {
+            self.complain(system, from, now).await;
+            return false;
         }
+        let news = ToVehicle::Route(link.clone(), from.1);
+        if route.inbox.try_send(news).is_err() {
+            return false;
+        }
+        let before = std::mem::replace(&mut route.link, from.0);
+        route.peer = from.1;
+        let text = format!(
+            "is heard by {} now, no longer by {}",
+            self.name_of(from.0),
+            self.name_of(before)
+        );
+        self.warn(system, text, now).await;
+        true
     }
 
     async fn appear(

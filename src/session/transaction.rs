@@ -92,19 +92,7 @@ impl Transaction {
         output: &mut Output,
     ) -> Option<Self> {
         let deadline = given + order.retry.deadline;
-        let request = if now >= deadline {
-            Err((
-                RowState::TimedOut,
-                format!(
-                    "not sent: its {:.1} s were over before the line was free",
-                    order.retry.deadline.as_secs_f64()
-                ),
-            ))
-        } else {
-            let request = order.command.request(vehicle, 0);
-            request.map_err(|reason| (RowState::Refused, reason))
-        };
-        let request = match request {
+        let request = match prepare(&order, deadline, vehicle, now) {
             Ok(request) => request,
             Err((state, reason)) => {
                 output.row(order.unsent(vehicle.id, state, reason, now));
@@ -429,4 +417,22 @@ impl Transaction {
             explanation,
         });
     }
+}
+
+/// The request of an order whose turn has come, or how it ends unsent.
+fn prepare(
+    order: &Order,
+    deadline: Duration,
+    vehicle: &Vehicle,
+    now: Duration,
+) -> Result<Request, (RowState, String)> {
+    if now >= deadline {
+        let allowed_s = order.retry.deadline.as_secs_f64();
+        let reason = format!("not sent: its {allowed_s:.1} s were over before the line was free");
+        return Err((RowState::TimedOut, reason));
+    }
+    order
+        .command
+        .request(vehicle, 0)
+        .map_err(|reason| (RowState::Refused, reason))
 }

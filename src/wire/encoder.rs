@@ -92,36 +92,29 @@ impl Encoder {
             }
         };
         let start = bytes.len();
-        match version {
-            MavlinkVersion::V1 => bytes.extend_from_slice(&[
-                0xFE,
-                len as u8,
-                self.sequence,
-                self.system,
-                self.component,
-                id as u8,
-            ]),
-            MavlinkVersion::V2 => {
-                let [id0, id1, id2, _] = id.to_le_bytes();
-                bytes.extend_from_slice(&[
-                    0xFD,
-                    len as u8,
-                    0,
-                    0,
-                    self.sequence,
-                    self.system,
-                    self.component,
-                    id0,
-                    id1,
-                    id2,
-                ]);
-            }
-        }
+        self.head(version, id, len as u8, bytes);
         bytes.extend_from_slice(&payload[..len]);
         let crc = calculate_crc(&bytes[start + 1..], MavMessage::extra_crc(id));
         bytes.extend_from_slice(&crc.to_le_bytes());
         self.sequence = self.sequence.wrapping_add(1);
         bytes.len() - start
+    }
+
+    fn head(&self, version: MavlinkVersion, id: u32, len: u8, bytes: &mut Vec<u8>) {
+        let sender = [self.sequence, self.system, self.component];
+        let [id0, id1, id2, _] = id.to_le_bytes();
+        match version {
+            MavlinkVersion::V1 => {
+                bytes.extend_from_slice(&[0xFE, len]);
+                bytes.extend_from_slice(&sender);
+                bytes.push(id0);
+            }
+            MavlinkVersion::V2 => {
+                bytes.extend_from_slice(&[0xFD, len, 0, 0]);
+                bytes.extend_from_slice(&sender);
+                bytes.extend_from_slice(&[id0, id1, id2]);
+            }
+        }
     }
 }
 

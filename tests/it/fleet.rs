@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
+use futures_util::FutureExt as _;
+use futures_util::future::{pending, select_all};
 use sortie::commands::Command;
 use sortie::fleet::{Clock, Fleet, FleetEvent};
 use sortie::geo::LatLon;
@@ -26,6 +28,13 @@ fn world(vehicles: usize) -> World {
         heading_deg: 0.0,
     };
     World::new(&WorldConfig::row(vehicles, start))
+}
+
+/// Waits for a change of what is watched; for ever where there will be none.
+async fn changed<T>(state: &mut watch::Receiver<T>) {
+    if state.changed().await.is_err() {
+        pending::<()>().await;
+    }
 }
 
 /// A fleet and everything that it has said.
@@ -64,19 +73,17 @@ impl Console {
     pub async fn until(&mut self, what: &str, mut is_true: impl FnMut(&Self) -> bool) {
         let waiting = async {
             while !is_true(self) {
-                tokio::select! {
-                    Some(event) = self.events.recv() => match event {
-                        FleetEvent::Appeared(vehicle) => {
-                            let id = vehicle.borrow().id;
-                            self.vehicles.insert(id, vehicle);
-                        }
-                        FleetEvent::Linked(link) => self.links.push(link),
-                        FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
-                        FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
-                        FleetEvent::Report(Report::Notice(notice)) => self.notices.push(notice.text),
-                    },
-                    () = tokio::time::sleep(Duration::from_millis(20)) => {}
-                }
+                let vehicles = self
+                    .vehicles
+                    .values_mut()
+                    .map(|state| changed(state).boxed());
+                let links = self.links.iter_mut().map(|state| changed(state).boxed());
+                let changes = select_all(vehicles.chain(links).chain([pending().boxed()]));
+                let event = tokio::select! {
+                    Some(event) = self.events.recv() => event,
+                    _ = changes => continue,
+                };
+                self.hear(event);
             }
         };
         let outcome = tokio::time::timeout(PATIENCE, waiting).await;
@@ -86,6 +93,19 @@ impl Console {
             self.rows,
             self.notices
         );
+    }
+
+    fn hear(&mut self, event: FleetEvent) {
+        match event {
+            FleetEvent::Appeared(vehicle) => {
+                let id = vehicle.borrow().id;
+                self.vehicles.insert(id, vehicle);
+            }
+            FleetEvent::Linked(link) => self.links.push(link),
+            FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
+            FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
+            FleetEvent::Report(Report::Notice(notice)) => self.notices.push(notice.text),
+        }
     }
 
     pub fn vehicle(&self, id: VehicleId) -> Option<Arc<Vehicle>> {
@@ -107,12 +127,7 @@ impl Console {
         let entry = EntryId(self.entries);
         self.entries += 1;
         for &target in targets {
-            let order = Order {
-                entry,
-                verb: verb.name,
-                retry: verb.retry,
-                command: Command::clone(&command),
-            };
+            let order = Order::new(entry, verb, Command::clone(&command));
             self.fleet.order(target, order).expect("the fleet runs");
         }
         entry

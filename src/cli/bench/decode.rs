@@ -8,20 +8,21 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use mavlink::MavlinkReader;
-use mavlink::dialects::ardupilotmega::{
-    COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, PositionTargetTypemask,
-    SET_POSITION_TARGET_LOCAL_NED_DATA,
-};
+use mavlink::dialects::ardupilotmega::MavMessage;
 use serde::Serialize;
 
 use super::super::Failure;
 use crate::geo::LatLon;
+use crate::language::{self, Action, Context};
+use crate::ledger::EntryId;
 use crate::link::TlogReader;
 use crate::messages::Inbox;
-use crate::session::WANTED_STREAMS;
+use crate::session::{Order, Session};
 use crate::sim::{Start, World, WorldConfig};
 use crate::vehicle::Vehicle;
-use crate::wire::{Decoder, Encoder};
+use crate::wire::{
+    AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
+};
 
 /// Time per message in Table 2 of the paper that this program follows.
 const PAPER_NS_PER_MESSAGE: f64 = 24_500.0;
@@ -115,72 +116,50 @@ fn embedded_flight() -> Vec<u8> {
     };
     let mut world = World::new(&WorldConfig::row(1, start));
     let port = world.connect(0);
-    let mut encoder = Encoder::new(255, 190);
-    let mut say = |world: &mut World, message: MavMessage| {
-        let mut bytes = Vec::new();
-        encoder.encode(&message.into(), &mut bytes);
-        world.receive(port, &bytes);
-    };
-    let long = |command, params: [f32; 7]| {
-        MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
-            command,
-            target_system: 1,
-            param1: params[0],
-            param2: params[1],
-            param7: params[6],
-            ..COMMAND_LONG_DATA::DEFAULT
-        })
-    };
-    for stream in WANTED_STREAMS {
-        let params = [
-            stream.message as f32,
-            (1e6 / stream.rate_hz) as f32,
-            0.,
-            0.,
-            0.,
-            0.,
-            0.,
-        ];
-        say(
-            &mut world,
-            long(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, params),
-        );
-    }
-    let mut bytes = Vec::new();
-    for step in 0..12_000 {
-        match step {
-            300 => say(
-                &mut world,
-                long(MavCmd::MAV_CMD_DO_SET_MODE, [1., 4., 0., 0., 0., 0., 0.]),
-            ),
-            310 => say(
-                &mut world,
-                long(
-                    MavCmd::MAV_CMD_COMPONENT_ARM_DISARM,
-                    [1., 0., 0., 0., 0., 0., 0.],
-                ),
-            ),
-            400 => say(
-                &mut world,
-                long(MavCmd::MAV_CMD_NAV_TAKEOFF, [0., 0., 0., 0., 0., 0., 20.]),
-            ),
-            2000 => say(
-                &mut world,
-                MavMessage::SET_POSITION_TARGET_LOCAL_NED(SET_POSITION_TARGET_LOCAL_NED_DATA {
-                    x: 500.0,
-                    z: -30.0,
-                    target_system: 1,
-                    coordinate_frame: MavFrame::MAV_FRAME_LOCAL_NED,
-                    type_mask: PositionTargetTypemask::from_bits_retain(0x0DF8),
-                    ..SET_POSITION_TARGET_LOCAL_NED_DATA::DEFAULT
-                }),
-            ),
-            _ => {}
-        }
+    let mut session = Session::new(1, AUTOPILOT_COMPONENT, Duration::ZERO);
+    let mut encoder = Encoder::new(GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT);
+    let mut decoder = Decoder::new();
+    let mut recorded = Vec::new();
+    let mut lines = FLIGHT.iter().peekable();
+    while world.now() < FLIGHT_LASTS {
         world.step();
-        world.take_output(port, &mut bytes);
+        let now = world.now();
+        let mut heard = Vec::new();
+        world.take_output(port, &mut heard);
+        decoder.push(&heard);
+        recorded.append(&mut heard);
+        while let Some(frame) = decoder.next_frame() {
+            session.receive(&frame, now);
+        }
+        while let Some((_, line)) = lines.next_if(|(at_s, _)| Duration::from_secs(*at_s) <= now) {
+            give(&mut session, line, now);
+        }
+        session.poll(now);
+        let mut said = Vec::new();
+        for message in session.take_outgoing() {
+            encoder.encode(&message, &mut said);
+        }
+        world.receive(port, &said);
     }
-    bytes
+    recorded
+}
+
+/// Lines of the embedded flight and the seconds after which they are given.
+const FLIGHT: [(u64, &str); 4] = [
+    (3, "guided"),
+    (4, "arm"),
+    (6, "takeoff 20"),
+    (20, "goto n 500 e 0 up 30"),
+];
+/// How long it lasts.
+const FLIGHT_LASTS: Duration = Duration::from_secs(120);
+
+fn give(session: &mut Session, line: &str, now: Duration) {
+    if let Ok(statement) = language::parse(line, &Context::default())
+        && let Action::Command { verb, command } = statement.action
+    {
+        session.order(Order::new(EntryId(0), verb, command), now);
+    }
 }
 
 /// The floor: the mavlink crate's reader finds frames and checks their checksums, and nothing is decoded.
