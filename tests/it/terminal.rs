@@ -179,8 +179,16 @@ impl Terminal {
 
     /// Waits for the end of the program and returns its exit code.
     pub fn end(&mut self) -> u32 {
-        while let Ok(bytes) = self.output.recv_timeout(PATIENCE) {
-            self.take(&bytes);
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            let left = deadline.saturating_duration_since(Instant::now());
+            match self.output.recv_timeout(left) {
+                Ok(bytes) => self.take(&bytes),
+                Err(RecvTimeoutError::Disconnected) => break,
+                Err(RecvTimeoutError::Timeout) => {
+                    panic!("waited in vain for the end on:\n{}", self.contents())
+                }
+            }
         }
         self.child.wait().expect("it was started").exit_code()
     }
