@@ -11,7 +11,7 @@ use std::time::Duration;
 use crossterm::event::{
     Event as TerminalEvent, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers,
 };
-use futures_util::StreamExt as _;
+use futures_util::{FutureExt as _, StreamExt as _};
 use tokio::signal::unix::{SignalKind, signal};
 use tokio::time::MissedTickBehavior;
 
@@ -35,6 +35,9 @@ use session::{Backend, Plan, Running};
 
 /// The time between two ticks: ten frames a second.
 const TICK: Duration = Duration::from_millis(100);
+
+/// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
+const KEYS_PER_FRAME: usize = 64;
 
 /// What the console begins with.
 #[derive(Debug, Clone)]
@@ -91,18 +94,25 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
             _ = hung_up.recv() => break,
             _ = interrupted.recv() => break,
             _ = quit.recv() => break,
+            _ = ticks.tick() => {
+                console.tick().await;
+                console.draw(&mut screen)?;
+            }
             event = keys.next() => match event {
                 Some(Ok(event)) => {
                     console.hear(event).await;
+                    // What was typed meanwhile is one frame with it.
+                    for _ in 0..KEYS_PER_FRAME {
+                        let Some(Some(Ok(event))) = keys.next().now_or_never() else {
+                            break;
+                        };
+                        console.hear(event).await;
+                    }
                     // A key is answered at once, not at the next tick.
                     console.draw(&mut screen)?;
                 }
                 Some(Err(_)) | None => break,
             },
-            _ = ticks.tick() => {
-                console.tick().await;
-                console.draw(&mut screen)?;
-            }
         }
     }
     Ok(())

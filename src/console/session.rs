@@ -270,6 +270,8 @@ enum LinkNews {
     Up,
     /// It does not, for this reason.
     Down(String),
+    /// Closed for good, as a recording that has been played to its end.
+    Ended,
 }
 
 impl LinkNews {
@@ -277,7 +279,7 @@ impl LinkNews {
         match (status.state, &status.last_error) {
             (LinkState::Up, _) => Self::Up,
             (_, Some(error)) => Self::Down(error.clone()),
-            (LinkState::Ended, None) => Self::Down("ended".to_owned()),
+            (LinkState::Ended, None) => Self::Ended,
             _ => Self::Silent,
         }
     }
@@ -285,6 +287,7 @@ impl LinkNews {
     fn notice(&self, name: &str, now: Duration) -> Notice {
         let (severity, text) = match self {
             Self::Silent | Self::Up => (Severity::Info, format!("link {name} is up")),
+            Self::Ended => (Severity::Notice, format!("{name} has ended")),
             Self::Down(reason) => (Severity::Error, format!("link {name}: {reason}")),
         };
         Notice {

@@ -95,6 +95,10 @@ impl Meter {
         }
         self.status.peers = 0;
         self.status.local = None;
+        if state == LinkState::Ended {
+            // Nothing will be sampled any more, and the last rates would stand for ever.
+            self.window.clear();
+        }
         self.state(state);
     }
 

@@ -66,6 +66,9 @@ pub fn paste(state: &mut State, text: &str) {
     }
 }
 
+/// Bytes after which a line takes no more. It is read anew after every key, and no command comes near it.
+const LONGEST_LINE: usize = 400;
+
 /// Applies a key to a line of text; false if it is no editing key.
 pub fn edit(input: &mut Input, key: KeyEvent) -> bool {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
@@ -88,12 +91,16 @@ pub fn edit(input: &mut Input, key: KeyEvent) -> bool {
         KeyCode::End => InputRequest::GoToEnd,
         _ => return false,
     };
-    input.handle(request);
+    let is_full = input.value().len() >= LONGEST_LINE;
+    if !(is_full && matches!(request, InputRequest::InsertChar(_))) {
+        input.handle(request);
+    }
     true
 }
 
 fn insert(input: &mut Input, text: &str) {
-    for c in text.chars() {
+    let room = LONGEST_LINE.saturating_sub(input.value().len());
+    for c in text.chars().take(room) {
         input.handle(InputRequest::InsertChar(c));
     }
 }

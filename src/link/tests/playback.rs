@@ -52,6 +52,7 @@ async fn a_recording_is_played_at_the_speed_asked_for() {
         let took = (last - first).as_secs_f64();
         assert!((took - seconds).abs() < 0.05, "{took} s at speed {speed}");
         let status = rig.until(|s| s.state == LinkState::Ended).await;
+        assert_eq!(status.rates, Rates::default(), "nothing flows any more");
         assert_eq!(status.last_error, None);
         assert_eq!(status.sent_messages, 0, "a recording hears no heartbeat");
     }

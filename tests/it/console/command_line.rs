@@ -242,3 +242,15 @@ fn groups_and_selections_are_made_on_the_command_line() {
     assert_eq!(selection(console.give("select @red")), [2, 3]);
     assert!(selection(console.give("select none")).is_empty());
 }
+
+#[test]
+fn a_line_takes_no_more_than_anybody_could_mean() {
+    let mut console = Console::flying(2);
+    console.press(":").write(&"a".repeat(3000));
+    assert_eq!(palette_line(&console).len(), 400);
+    console.press("backspace").write("bc");
+    assert!(
+        palette_line(&console).ends_with("ab"),
+        "there was room for one"
+    );
+}
