@@ -357,7 +357,7 @@ impl Session {
         let reason = format!("{verb} took its place");
         let output = &mut self.output;
         self.watched.retain(|transaction| {
-            let superseded = transaction.moves_the_vehicle();
+            let superseded = transaction.gives_way_to_movement();
             if superseded {
                 transaction.supersede(&reason, now, output);
             }

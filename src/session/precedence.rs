@@ -51,6 +51,12 @@ pub(super) fn moves_the_vehicle(command: &Command) -> bool {
     )
 }
 
+/// Whether a newer movement takes the place of what was awaited of the command. A turn is no movement and ends
+/// none, but every movement turns the nose its own way.
+pub(super) fn gives_way_to_movement(command: &Command) -> bool {
+    moves_the_vehicle(command) || matches!(command, Command::Yaw { .. })
+}
+
 /// Whether later commands are judged by its effect, so that they wait for it to show: a takeoff that is
 /// looked at before the heartbeat says "armed" would be refused for nothing.
 pub(super) fn later_ones_depend_on_it(command: &Command) -> bool {

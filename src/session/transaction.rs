@@ -140,6 +140,11 @@ impl Transaction {
         self.is_accepted && precedence::moves_the_vehicle(&self.order.command)
     }
 
+    /// Whether a newer movement ends what is awaited of it.
+    pub fn gives_way_to_movement(&self) -> bool {
+        precedence::gives_way_to_movement(&self.order.command)
+    }
+
     /// The command whose acknowledgements may still come although nobody waits for them, and how many.
     pub fn owed_acks(&self) -> Option<(u16, u8)> {
         match (&self.request.answer, self.phase) {

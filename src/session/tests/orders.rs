@@ -271,3 +271,32 @@ fn a_reboot_ends_what_was_meant_for_the_vehicle_before() {
     scene.pass(ms(5000));
     assert_eq!(scene.longs(MavCmd::MAV_CMD_NAV_LAND).len(), sent);
 }
+
+#[test]
+fn a_turn_gives_way_to_a_movement_and_ends_none() {
+    let mut scene = Scene::new();
+    scene.heartbeat(GUIDED, true);
+    scene.hear(MavMessage::ATTITUDE(
+        mavlink::dialects::ardupilotmega::ATTITUDE_DATA::default(),
+    ));
+    let yaw = Command::Yaw {
+        angle_deg: 90.0,
+        relative: false,
+        rate_deg_s: None,
+    };
+    scene.order(1, "yaw", yaw.clone());
+    scene.ack(
+        MavCmd::MAV_CMD_CONDITION_YAW,
+        MavResult::MAV_RESULT_ACCEPTED,
+    );
+    scene.order(2, "takeoff", Command::Takeoff { altitude_m: 20.0 });
+    scene.ack(MavCmd::MAV_CMD_NAV_TAKEOFF, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
+    scene.order(3, "yaw", yaw);
+    scene.ack(
+        MavCmd::MAV_CMD_CONDITION_YAW,
+        MavResult::MAV_RESULT_ACCEPTED,
+    );
+    scene.pass(ms(500));
+    assert_eq!(scene.states(2).last(), Some(&RowState::Accepted));
+}
