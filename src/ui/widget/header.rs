@@ -66,9 +66,11 @@ fn links(state: &State) -> String {
     let links = &state.session.links;
     match links.as_slice() {
         [] => "no link".to_owned(),
-        [link] => clip(
-            &format!("{} {}", link.name, if link.up { "up" } else { "down" }),
-            30,
+        // A long address is cut rather than the word that matters.
+        [link] => format!(
+            "{} {}",
+            clip(&link.name, 24),
+            if link.up { "up" } else { "down" }
         ),
         links => {
             let up = links.iter().filter(|link| link.up).count();

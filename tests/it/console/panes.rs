@@ -169,3 +169,15 @@ fn the_ledger_and_the_notices_can_be_looked_back_through() {
     let before = console.screen(80, 24);
     assert!(before.contains("notices   59 of 61"), "{before}");
 }
+
+#[test]
+fn a_long_address_does_not_push_out_whether_the_link_is_up() {
+    let mut console = Console::flying(1);
+    console.hear(Event::Links(vec![LinkSummary {
+        name: "serial:/dev/serial/by-id/usb-autopilot-if00:115200".to_owned(),
+        ..LinkSummary::default()
+    }]));
+    let screen = console.screen(120, 40);
+    let header = screen.lines().next().expect("a first line");
+    assert!(header.contains(" down"), "{header}");
+}
