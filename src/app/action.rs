@@ -47,6 +47,30 @@ pub enum Action {
     Newer,
     /// Show only what contains some letters.
     Filter,
+    /// Come closer to what is under the cursor.
+    ZoomIn,
+    /// Go away from it.
+    ZoomOut,
+    /// Show everything.
+    Fit,
+    /// Let the view follow the vehicle under the cursor, or stop that.
+    Follow,
+    /// Put what is under the cursor into the middle.
+    Centre,
+    /// Measure from here, or stop measuring.
+    Ruler,
+    /// Write a command that sends vehicles to the place under the cursor.
+    GotoHere,
+    /// The next vehicle by number.
+    NextVehicle,
+    /// The vehicle before.
+    PreviousVehicle,
+    /// Show or hide where the vehicles have been.
+    Trails,
+    /// Show or hide what the signs mean.
+    Legend,
+    /// Show what the next sensor has found.
+    NextSensor,
     /// Leave the program.
     Quit,
 }
@@ -58,6 +82,10 @@ pub enum Step {
     Up,
     /// One line down.
     Down,
+    /// One column to the left.
+    Left,
+    /// One column to the right.
+    Right,
     /// Ten lines up.
     PageUp,
     /// Ten lines down.
@@ -89,6 +117,8 @@ impl Action {
         ("brief", Self::Brief),
         ("up", Self::Move(Step::Up)),
         ("down", Self::Move(Step::Down)),
+        ("left", Self::Move(Step::Left)),
+        ("right", Self::Move(Step::Right)),
         ("page-up", Self::Move(Step::PageUp)),
         ("page-down", Self::Move(Step::PageDown)),
         ("first", Self::Move(Step::First)),
@@ -106,6 +136,18 @@ impl Action {
         ("older", Self::Older),
         ("newer", Self::Newer),
         ("filter", Self::Filter),
+        ("zoom-in", Self::ZoomIn),
+        ("zoom-out", Self::ZoomOut),
+        ("fit", Self::Fit),
+        ("follow", Self::Follow),
+        ("centre", Self::Centre),
+        ("ruler", Self::Ruler),
+        ("goto-here", Self::GotoHere),
+        ("next-vehicle", Self::NextVehicle),
+        ("previous-vehicle", Self::PreviousVehicle),
+        ("trails", Self::Trails),
+        ("legend", Self::Legend),
+        ("next-sensor", Self::NextSensor),
         ("quit", Self::Quit),
     ];
 
@@ -131,6 +173,7 @@ impl Step {
         match self {
             Self::Up => at.saturating_sub(1),
             Self::Down => at.saturating_add(1).min(last),
+            Self::Left | Self::Right => at.min(last),
             Self::PageUp => at.saturating_sub(10),
             Self::PageDown => at.saturating_add(10).min(last),
             Self::First => 0,

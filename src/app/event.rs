@@ -8,7 +8,7 @@ use crossterm::event::KeyEvent;
 use super::state::{Activity, LinkSummary};
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
-use crate::mission::Progress;
+use crate::mission::{Area, Progress};
 use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::text::Text;
@@ -60,4 +60,6 @@ pub struct Started {
     pub activity: Activity,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
+    /// The areas of the mission that are known from the start.
+    pub areas: Vec<Area>,
 }

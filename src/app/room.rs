@@ -129,6 +129,7 @@ impl Rooms {
     pub fn forget_session(&mut self) {
         *self = Self {
             home: std::mem::take(&mut self.home),
+            map: self.map.for_next_session(),
             ..Self::default()
         };
     }

@@ -130,6 +130,7 @@ impl Running {
         });
         Ok(Started {
             places: mission.places(),
+            areas: mission.areas(),
             ..started(Activity::Mission {
                 id: mission.id.clone(),
                 title: mission.title.clone(),
@@ -309,6 +310,7 @@ fn started(activity: Activity) -> Started {
     Started {
         activity,
         places: BTreeMap::new(),
+        areas: Vec::new(),
     }
 }
 

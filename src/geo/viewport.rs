@@ -197,6 +197,13 @@ impl Extent {
         [0, 1].map(|axis| self.high_m[axis] - self.low_m[axis])
     }
 
+    /// Its corners, the south-west one first, counter-clockwise.
+    pub fn corners(&self) -> [LatLon; 4] {
+        let ([west, south], [east, north]) = (self.low_m, self.high_m);
+        [(south, west), (south, east), (north, east), (north, west)]
+            .map(|(north_m, east_m)| self.origin.moved(north_m, east_m))
+    }
+
     /// The place in its middle.
     pub fn centre(&self) -> LatLon {
         let [east_m, north_m] = [0, 1].map(|axis| self.low_m[axis].midpoint(self.high_m[axis]));

@@ -16,6 +16,7 @@ macro_rules! catalogue {
 catalogue! {
     "common",
     "console",
+    "map",
     "rooms",
 }
 

@@ -16,6 +16,7 @@ pub mod footer;
 pub mod header;
 pub mod ledger;
 pub mod log;
+pub mod map;
 pub mod mission;
 pub mod notices;
 pub mod overlay;

@@ -55,6 +55,7 @@ impl Console {
         self.hear(Event::Started(Box::new(Started {
             activity,
             places: BTreeMap::new(),
+            areas: Vec::new(),
         })));
     }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::{Groups, LinkSummary, Selection};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
-use crate::mission::Progress;
+use crate::mission::{Area, Progress};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
 
@@ -35,6 +35,8 @@ pub struct Session {
     pub groups: Groups,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
+    /// The areas of the mission that are known from the start.
+    pub areas: Vec<Area>,
     /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
     /// Whether the user has put the cursor somewhere.

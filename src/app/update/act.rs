@@ -32,11 +32,8 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Again => return restart(state),
         Action::Leave => return leave(state),
         Action::Quit => return quit(state),
-        Action::Complete
-        | Action::CompleteBack
-        | Action::Older
-        | Action::Newer
-        | Action::Filter => {}
+        // Only prompts and single rooms know the others.
+        _ => {}
     }
     Vec::new()
 }

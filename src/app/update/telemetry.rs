@@ -6,6 +6,7 @@ use crate::app::effect::Effect;
 use crate::app::event::Started;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
+use crate::app::room::map;
 use crate::app::state::{NoticeLog, Overlay, Session, State};
 use crate::debrief;
 use crate::mission::Progress;
@@ -19,6 +20,7 @@ pub fn tick(state: &mut State, now: Duration) {
     // else on the screen depends on time.
     let before = (state.now.as_secs(), state.is_deaf());
     state.now = now;
+    map::tick(state);
     if before != (now.as_secs(), state.is_deaf()) {
         state.touch();
     }
@@ -30,13 +32,16 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
     if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&vehicle) {
         return;
     }
+    let id = vehicle.id;
     session.insert(vehicle);
+    map::heard(state, id);
     state.touch();
 }
 
 pub fn started(state: &mut State, started: Started) {
     let mut session = Session::new(started.activity, started.places);
     session.began_at = state.now;
+    session.areas = started.areas;
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
     if session.activity == state.session.activity {
@@ -44,6 +49,7 @@ pub fn started(state: &mut State, started: Started) {
     }
     state.session = session;
     state.rooms.forget_session();
+    map::began(state);
     state.typed.clear();
     state.room = Room::Fly;
     state.overlay = None;
@@ -62,6 +68,7 @@ pub fn notice(state: &mut State, notice: &Notice) -> Vec<Effect> {
 
 pub fn progress(state: &mut State, progress: Progress) {
     if state.session.activity.is_some() {
+        map::measured(state, &progress);
         state.session.mission = Some(progress);
     }
 }

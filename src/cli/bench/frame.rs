@@ -126,6 +126,7 @@ fn swarm(vehicles: VehicleId) -> State {
     let started = Started {
         activity: Activity::Free,
         places: std::collections::BTreeMap::new(),
+        areas: Vec::new(),
     };
     update(&mut state, Event::Started(Box::new(started)));
     for id in 1..=vehicles {

@@ -27,6 +27,19 @@ const FLY: &[(&str, &str)] = &[
     ("c n", "look back"),
     ("L", "links"),
 ];
+const MAP: &[(&str, &str)] = &[
+    (":", "command"),
+    ("?", "help"),
+    ("hjkl", "cursor"),
+    ("+ -", "zoom"),
+    ("z", "all"),
+    ("f", "follow"),
+    ("g", "goto"),
+    ("u", "ruler"),
+    ("Tab", "vehicle"),
+    ("i", "signs"),
+    ("w", "trails"),
+];
 const DEBRIEF: &[(&str, &str)] = &[
     ("j k", "scroll"),
     ("r", "fly again"),
@@ -62,6 +75,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     let hints = match state.room {
         Room::Home => HOME,
         Room::Debrief => DEBRIEF,
+        Room::Map => MAP,
         _ => FLY,
     };
     let mut spans = vec![Span::raw(" ")];

@@ -1,0 +1,47 @@
+# Мапа.
+
+map-title = мапа
+map-all = видно все
+map-follows = слідкує за { $vehicle }
+map-outside = { $count ->
+    [one] { $count } апарат поза мапою
+    [few] { $count } апарати поза мапою
+   *[many] { $count } апаратів поза мапою
+}
+map-nowhere = Жодної позиції ще не відомо.
+map-from-home = від дому
+map-from-vehicle = від
+map-ruler = лінійка
+map-no-vehicle = під курсором немає апарата з відомою позицією
+map-no-samples = жоден датчик ще нічого не показав
+map-shows-sensor = виміри { $sensor }
+
+map-legend = позначки
+map-legend-armed = двигуни активовано, курс
+map-legend-disarmed = двигуни деактивовано
+map-legend-lost = зв'язок втрачено
+map-legend-cursor = апарат під курсором
+map-legend-selected = вибрано
+map-legend-alert = тривога
+map-legend-several = кілька в одному місці
+map-legend-home = дім
+map-legend-trail = пройдений шлях
+map-legend-target = до цілі (x)
+map-legend-task = район завдання
+map-legend-fence = межа польотів
+map-legend-ruler = лінійка
+
+action-left = ліворуч
+action-right = праворуч
+action-zoom-in = наблизити
+action-zoom-out = віддалити
+action-fit = показати все
+action-follow = слідкувати за апаратом під курсором або припинити
+action-centre = центрувати на курсорі
+action-ruler = міряти звідси або припинити
+action-goto-here = написати `goto` з точкою під курсором
+action-next-vehicle = наступний апарат
+action-previous-vehicle = попередній апарат
+action-trails = показати або сховати пройдені шляхи
+action-legend = показати або сховати пояснення позначок
+action-next-sensor = виміри наступного датчика
