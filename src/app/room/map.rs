@@ -132,9 +132,16 @@ impl Map {
             .cursor
             .filter(|&cursor| view.cell(cursor).is_some())
             .unwrap_or(view.centre);
-        let share = zoom.metres_per_column() / view.zoom.metres_per_column();
-        let (north_m, east_m) = fixed.offset_to(view.centre);
-        self.aim = Aim::Place(fixed.moved(north_m * share, east_m * share), zoom);
+        let (x, y) = view.dot(fixed);
+        let (across, down) = view.dots();
+        let mut centre = view.centre;
+        // The scale of a view is that of its middle, which moves: the second try is exact to a fraction of a dot.
+        for _ in 0..2 {
+            let next = Viewport::new(centre, zoom, size);
+            let (then_x, then_y) = next.dot(fixed);
+            centre = next.place((across / 2.0 + then_x - x, down / 2.0 + then_y - y));
+        }
+        self.aim = Aim::Place(centre, zoom);
     }
 
     /// Puts a place into the middle of the view and under the cursor.

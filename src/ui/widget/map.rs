@@ -10,7 +10,7 @@ use crate::geo::Viewport;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{centred, put, row_of, titled, wrap};
+use crate::ui::widget::{below, centred, put, row_of, titled, wrap};
 
 mod canvas;
 mod ground;
@@ -22,22 +22,29 @@ pub use legend::{draw as draw_legend, length};
 
 /// Draws the map as a pane with a title.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&look.say("map-title"), look, area, buffer);
+    let inner = below(area, 1);
     let Some(view) = state.rooms.map.view((inner.width, inner.height)) else {
+        titled(&look.say("map-title"), look, area, buffer);
         return draw_nowhere(look, inner, buffer);
     };
     let outside = draw_view(state, look, &view, inner, buffer);
+    titled(&title(state, look, outside), look, area, buffer);
+}
+
+fn title(state: &State, look: &Look, outside: usize) -> String {
+    let aim = state.rooms.map.aim;
     let mut title = vec![look.say("map-title")];
-    if let (Aim::Vehicle(..), Some(id)) = (state.rooms.map.aim, state.session.cursor) {
-        title.push(look.text(&text!("map-follows", vehicle = id)));
-    }
-    if state.rooms.map.aim == Aim::All {
-        title.push(look.say("map-all"));
+    match (aim, state.session.cursor) {
+        (Aim::All, _) => title.push(look.say("map-all")),
+        (Aim::Vehicle(..), Some(id)) => {
+            title.push(look.text(&text!("map-follows", vehicle = id)));
+        }
+        _ => {}
     }
     if outside > 0 {
         title.push(look.text(&text!("map-outside", count = outside)));
     }
-    titled(&title.join("  "), look, area, buffer);
+    title.join("  ")
 }
 
 /// Draws what a view shows, with its scale; returns how many vehicles are out of sight.

@@ -7,8 +7,12 @@ use crate::geo::{Extent, LatLon};
 
 /// What is added on each side when something leaves the frame, as a share of its size.
 const GROWTH: f64 = 0.15;
-/// Metres that are added at least: a single vehicle on its pad has some land around it.
-const LEAST_MARGIN_M: f64 = 20.0;
+/// Metres that are added then at least.
+const LEAST_MARGIN_M: f64 = 10.0;
+/// What is left free around everything, as a share of its size.
+const EDGE: f64 = 0.03;
+/// The longer side of the frame is at least so long.
+const LEAST_SIZE_M: f64 = 50.0;
 /// The frame becomes smaller when everything fits into this share of it.
 const LOOSE: f64 = 0.5;
 /// How often that is looked at.
@@ -32,7 +36,7 @@ impl Overview {
     /// Something is at this place: the frame grows if it has to.
     pub fn see(&mut self, place: LatLon) {
         match &mut self.frame {
-            None => self.frame = Some(Extent::at(place).with_margin(GROWTH, LEAST_MARGIN_M)),
+            None => self.frame = Some(framed(Extent::at(place))),
             Some(frame) if frame.contains(place) => {}
             Some(frame) if frame.centre().distance_m(place) > FARTHEST_M => {}
             Some(frame) => {
@@ -70,7 +74,7 @@ impl Overview {
         let Some(needed) = Extent::around(places.filter(near)) else {
             return false;
         };
-        let tight = needed.with_margin(GROWTH, LEAST_MARGIN_M);
+        let tight = framed(needed);
         let (now_m, then_m) = (frame.size_m(), tight.size_m());
         let loose = (0..2).all(|axis| then_m[axis] < now_m[axis] * LOOSE);
         if loose {
@@ -88,8 +92,15 @@ impl Overview {
         let near = places
             .into_iter()
             .filter(|place| first.distance_m(*place) <= FARTHEST_M);
-        self.frame = Extent::around(near).map(|all| all.with_margin(GROWTH / 2.0, LEAST_MARGIN_M));
+        self.frame = Extent::around(near).map(framed);
     }
+}
+
+/// The frame around everything: a narrow edge, and some land around a single vehicle on its pad.
+fn framed(all: Extent) -> Extent {
+    let [east_m, north_m] = all.size_m();
+    let missing_m = LEAST_SIZE_M - east_m.max(north_m);
+    all.with_margin(EDGE, missing_m.max(0.0) / 2.0)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::geo::LatLon;
 
 /// Sides of the squares at first, in metres.
-const SIDE_M: f64 = 5.0;
+const SIDE_M: f64 = 10.0;
 /// Squares kept of a sensor; when there are more, four become one.
 const MOST_SQUARES: usize = 2048;
 
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn readings_in_one_square_are_averaged() {
         let mut samples = Samples::default();
-        for (value, north_m) in [(2.0, 0.0), (4.0, 2.0), (9.0, 6.0)] {
+        for (value, north_m) in [(2.0, 0.0), (4.0, 4.0), (9.0, 6.0)] {
             samples.add("VOC", "ppm", HOME.moved(north_m, 0.0), value);
         }
         samples.add("VOC", "ppm", HOME, f64::NAN);
@@ -138,7 +138,7 @@ mod tests {
         let mut samples = Samples::default();
         for north in 0..100 {
             for east in 0..100 {
-                let place = HOME.moved(5.0 * f64::from(north), 5.0 * f64::from(east));
+                let place = HOME.moved(10.0 * f64::from(north), 10.0 * f64::from(east));
                 samples.add("VOC", "ppm", place, f64::from(north));
             }
         }
@@ -146,7 +146,7 @@ mod tests {
         assert!(field.squares().count() <= MOST_SQUARES);
         for (middle, mean) in field.squares() {
             let (north_m, _) = HOME.offset_to(middle);
-            let off_m = (north_m / 5.0 - mean).abs() * 5.0;
+            let off_m = (north_m / 10.0 - mean).abs() * 10.0;
             assert!(off_m <= field.side_m() / 2.0 + 0.01, "{off_m} m off");
         }
     }
