@@ -1,12 +1,12 @@
-# Мапа.
+# Карта.
 
-map-title = мапа
+map-title = карта
 map-all = видно все
-map-follows = слідкує за { $vehicle }
+map-follows = стежить за { $vehicle }
 map-outside = { $count ->
-    [one] { $count } апарат поза мапою
-    [few] { $count } апарати поза мапою
-   *[many] { $count } апаратів поза мапою
+    [one] { $count } апарат поза картою
+    [few] { $count } апарати поза картою
+   *[many] { $count } апаратів поза картою
 }
 map-nowhere = Жодної позиції ще не відомо.
 map-from-home = від дому
@@ -14,7 +14,7 @@ map-from-vehicle = від
 map-ruler = лінійка
 map-no-vehicle = під курсором немає апарата з відомою позицією
 map-no-samples = жоден датчик ще нічого не показав
-map-shows-sensor = виміри { $sensor }
+map-shows-sensor = виміри датчика { $sensor }
 
 map-legend = позначки
 map-legend-armed = двигуни активовано, курс
@@ -36,7 +36,7 @@ action-right = праворуч
 action-zoom-in = наблизити
 action-zoom-out = віддалити
 action-fit = показати все
-action-follow = слідкувати за апаратом під курсором або припинити
+action-follow = стежити за апаратом під курсором або припинити
 action-centre = центрувати на курсорі
 action-ruler = міряти звідси або припинити
 action-goto-here = написати `goto` з точкою під курсором

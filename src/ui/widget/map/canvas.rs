@@ -21,6 +21,9 @@ const BRAILLE: u32 = 0x2800;
 pub struct Canvas {
     columns: u16,
     rows: u16,
+    /// Dots that are one where they are shown, along a line.
+    dots_seen: u32,
+    symbols: Symbols,
     cells: Vec<(u8, Role)>,
 }
 
@@ -54,8 +57,8 @@ impl Stroke {
     /// A few cells of such a line, for the legend.
     pub fn sample(self, symbols: Symbols) -> String {
         let row = i32::from(DOTS_DOWN / 2);
-        let mut canvas = Canvas::new(3, 1);
-        canvas.line((0.5, f64::from(row)), (5.5, f64::from(row)), self);
+        let mut canvas = Canvas::new((5, 1), symbols);
+        canvas.line((0.5, f64::from(row)), (9.5, f64::from(row)), self);
         let shown = |&(mask, _): &(u8, Role)| glyph(mask, symbols);
         canvas.cells.iter().map(shown).collect()
     }
@@ -63,11 +66,13 @@ impl Stroke {
 
 impl Canvas {
     /// An empty one.
-    pub fn new(columns: u16, rows: u16) -> Self {
+    pub fn new((columns, rows): (u16, u16), symbols: Symbols) -> Self {
         let count = usize::from(columns) * usize::from(rows);
         Self {
             columns,
             rows,
+            dots_seen: if symbols == Symbols::Braille { 1 } else { 2 },
+            symbols,
             cells: vec![(0, Role::Text); count],
         }
     }
@@ -81,7 +86,7 @@ impl Canvas {
         let steps = way.0.abs().max(way.1.abs()).ceil().max(1.0);
         let mut at = 0;
         while f64::from(at) <= steps {
-            if at % stroke.of < stroke.on {
+            if at / self.dots_seen % stroke.of < stroke.on {
                 let share = f64::from(at) / steps;
                 self.dot(
                     (from.0 + way.0 * share, from.1 + way.1 * share),
@@ -115,7 +120,7 @@ impl Canvas {
             for (column, &(mask, role)) in (area.x..area.right()).zip(cells) {
                 if mask != 0 {
                     let cell = &mut buffer[(column, row)];
-                    cell.set_char(glyph(mask, look.symbols));
+                    cell.set_char(glyph(mask, self.symbols));
                     cell.set_style(look.style(role));
                 }
             }
@@ -173,11 +178,10 @@ mod tests {
 
     use super::*;
 
-    fn shown(canvas: &Canvas, symbols: Symbols) -> String {
-        let look = Look {
-            symbols,
-            ..Look::default()
-        };
+    fn shown(symbols: Symbols, line: [(f64, f64); 2]) -> String {
+        let mut canvas = Canvas::new((4, 2), symbols);
+        canvas.line(line[0], line[1], Stroke::solid(Role::Text));
+        let look = Look::default();
         let area = Rect::new(0, 0, canvas.columns, canvas.rows);
         let mut buffer = Buffer::empty(area);
         canvas.draw(&look, area, &mut buffer);
@@ -188,11 +192,10 @@ mod tests {
 
     #[test]
     fn a_diagonal_shows_in_every_kind_of_symbols() {
-        let mut canvas = Canvas::new(4, 2);
-        canvas.line((0.0, 0.0), (7.0, 7.0), Stroke::solid(Role::Text));
-        assert_eq!(shown(&canvas, Symbols::Braille), "⠑⢄  \n  ⠑⢄");
-        assert_eq!(shown(&canvas, Symbols::Block), "▀▄  \n  ▀▄");
-        assert_eq!(shown(&canvas, Symbols::Ascii), "'.  \n  '.");
+        let line = [(0.0, 0.0), (7.0, 7.0)];
+        assert_eq!(shown(Symbols::Braille, line), "⠑⢄  \n  ⠑⢄");
+        assert_eq!(shown(Symbols::Block, line), "▀▄  \n  ▀▄");
+        assert_eq!(shown(Symbols::Ascii, line), "'.  \n  '.");
     }
 
     #[test]
@@ -202,8 +205,10 @@ mod tests {
             Stroke::dashed(Role::Text),
             Stroke::dotted(Role::Text),
         ];
-        let samples = strokes.map(|stroke| stroke.sample(Symbols::Braille));
-        assert_eq!(samples, ["⠤⠤⠤", "⠤⠄ ", "⠄⠠ "]);
+        let samples = |symbols| strokes.map(|stroke| stroke.sample(symbols));
+        assert_eq!(samples(Symbols::Braille), ["⠤⠤⠤⠤⠤", "⠤⠄ ⠤⠄", "⠄⠠ ⠄⠠"]);
+        assert_eq!(samples(Symbols::Block), ["▄▄▄▄▄", "▄▄▄  ", "▄  ▄ "]);
+        assert_eq!(samples(Symbols::Ascii), [".....", "...  ", ".  . "]);
     }
 
     proptest! {
@@ -211,7 +216,7 @@ mod tests {
         fn lines_from_anywhere_to_anywhere_are_clipped(
             from in (-1e9..1e9f64, -1e9..1e9f64), to in (-1e9..1e9f64, -1e9..1e9f64),
         ) {
-            let mut canvas = Canvas::new(20, 10);
+            let mut canvas = Canvas::new((20, 10), Symbols::Braille);
             canvas.line(from, to, Stroke::solid(Role::Text));
             canvas.line(from, (f64::NAN, f64::INFINITY), Stroke::solid(Role::Text));
         }
@@ -220,7 +225,7 @@ mod tests {
         fn a_line_inside_reaches_both_its_ends(
             x in 0.0..40.0f64, y in 0.0..40.0f64, to_x in 0.0..40.0f64, to_y in 0.0..40.0f64,
         ) {
-            let mut canvas = Canvas::new(20, 10);
+            let mut canvas = Canvas::new((20, 10), Symbols::Braille);
             canvas.line((x, y), (to_x, to_y), Stroke::solid(Role::Text));
             for (x, y) in [(x, y), (to_x.min(39.98), to_y.min(39.98))] {
                 let cell = canvas.cells[(y as usize / 4) * 20 + x as usize / 2];

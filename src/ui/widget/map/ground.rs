@@ -40,7 +40,7 @@ struct Label {
 
 /// Draws all lines, and the words that belong to them.
 pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
-    let mut canvas = Canvas::new(view.columns, view.rows);
+    let mut canvas = Canvas::new((view.columns, view.rows), look.symbols);
     let mut labels = Vec::new();
     draw_cells(state, view, &mut canvas, &mut labels);
     for sketch in sketches(state) {

@@ -11,7 +11,7 @@ use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{boxed, put, upper};
+use crate::ui::widget::{below, boxed, put, upper};
 
 /// Columns of the scale bar at most.
 const LONGEST_BAR: u16 = 24;
@@ -60,9 +60,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let widest = lines.iter().map(Line::width).max().unwrap_or(0) as u16;
     let width = (widest + 4).min(area.width);
     let place = Rect {
-        x: area.right().saturating_sub(width + 4).max(area.x),
+        x: area.right() - width,
         width,
-        ..upper(area, lines.len() as u16 + 2)
+        // North stands above it.
+        ..upper(below(area, 1), lines.len() as u16 + 2)
     };
     let inner = boxed(&look.say("map-legend"), Role::Border, look, place, buffer);
     for (row, line) in lines.iter().enumerate() {
@@ -96,7 +97,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         row(true, armed, Role::Text, "map-legend-armed"),
         row(true, "o".to_owned(), Role::Muted, "map-legend-disarmed"),
         row(true, "?".to_owned(), Role::Danger, "map-legend-lost"),
-        row(true, ">".to_owned(), Role::Cursor, "map-legend-cursor"),
+        row(true, "[3]".to_owned(), Role::Cursor, "map-legend-cursor"),
         row(true, "3*".to_owned(), Role::Selected, "map-legend-selected"),
         row(true, "3!".to_owned(), Role::Warning, "map-legend-alert"),
         row(true, "(4)".to_owned(), Role::Text, "map-legend-several"),

@@ -1,5 +1,7 @@
 //! The vehicles on the map: a sign, a number beside it where there is room, one count where many are in one cell.
 
+use std::ops::Range;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -46,15 +48,20 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     }
     let cursor = state.session.cursor;
     let under_cursor = markers.iter().position(|it| Some(it.id) == cursor);
-    let under_cursor = under_cursor.map(|at| markers.swap_remove(at));
+    let chosen = under_cursor.map(|at| Chosen::new(markers.swap_remove(at), &mut markers));
     markers.sort_by_key(|it| (it.row, it.column, it.id));
     let mut board = Board::new(area, buffer);
-    if let Some(marker) = &under_cursor {
-        board.put_chosen(marker, look);
+    if let Some(chosen) = &chosen {
+        board.put_chosen(chosen, look);
     }
     let mut singles: Vec<&Marker> = Vec::new();
     for row in markers.chunk_by(|a, b| a.row == b.row) {
-        gather(row, &mut singles, &mut board, look);
+        // The vehicle under the cursor parts its row.
+        let parts = chosen.iter().find(|it| it.marker.row == row[0].row);
+        let (from, to) = parts.map_or((0, 0), |it| (it.from, it.end()));
+        let (left, right) = row.split_at(row.partition_point(|it| it.column < from));
+        gather(left, 0..from, &mut singles, &mut board, look);
+        gather(right, to..area.width, &mut singles, &mut board, look);
     }
     for marker in &singles {
         board.put(
@@ -68,10 +75,48 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     for marker in singles {
         board.name(marker, look);
     }
-    if let Some(marker) = under_cursor {
-        board.put_chosen(&marker, look);
-    }
     outside
+}
+
+/// The vehicle under the cursor: always with its number, and with how many others it hides.
+struct Chosen {
+    marker: Marker,
+    from: u16,
+    text: String,
+}
+
+impl Chosen {
+    /// Takes those that it hides out of the others.
+    fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
+        // At the left edge the sign itself must stay in its place.
+        let bracket = if marker.column == 0 { "" } else { "[" };
+        let bare = format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks);
+        let mut chosen = Self {
+            from: marker.column.saturating_sub(1),
+            text: format!("{bare}]"),
+            marker,
+        };
+        let mut hidden = 0;
+        loop {
+            let before = hidden;
+            let (row, columns) = (chosen.marker.row, chosen.from..chosen.end());
+            others.retain(|it| {
+                let is_hidden = it.row == row && columns.contains(&it.column);
+                hidden += usize::from(is_hidden);
+                !is_hidden
+            });
+            if hidden == before {
+                return chosen;
+            }
+            // The longer text may hide more of them.
+            chosen.text = format!("{bare}+{hidden}]");
+        }
+    }
+
+    /// The column after it.
+    fn end(&self) -> u16 {
+        self.from + self.text.chars().count() as u16
+    }
 }
 
 fn marker(vehicle: &Vehicle, (column, row): (u16, u16), state: &State, look: &Look) -> Marker {
@@ -131,12 +176,13 @@ pub fn arrow(heading_deg: f32, symbols: Symbols) -> char {
 /// with them. The others are left to be drawn one by one.
 fn gather<'a>(
     row: &'a [Marker],
+    columns: Range<u16>,
     singles: &mut Vec<&'a Marker>,
     board: &mut Board<'_>,
     look: &Look,
 ) {
     let mut rest = row;
-    let mut free_from = 0;
+    let mut free_from = columns.start;
     while let Some(first) = rest.first() {
         let in_cell = rest.iter().take_while(|it| it.column == first.column);
         let mut count = in_cell.count();
@@ -155,6 +201,7 @@ fn gather<'a>(
             count += 1;
         }
         let (these, others) = rest.split_at(count);
+        let from = from.min(columns.end.saturating_sub(ends(count) - from));
         board.put_count(these, from, look);
         free_from = ends(count);
         rest = others;
@@ -196,9 +243,15 @@ impl<'a> Board<'a> {
         fits && !self.taken[from..from + usize::from(width)].contains(&true)
     }
 
-    /// Writes a vehicle's number beside its sign if there is room.
+    /// Writes a vehicle's number beside its sign if there is room, else at least that it is selected or alerts.
     fn name(&mut self, marker: &Marker, look: &Look) {
-        let text = format!("{}{}", marker.id, marker.marks);
+        let whole = format!("{}{}", marker.id, marker.marks);
+        if !self.write_beside(marker, &whole, look) && !marker.marks.is_empty() {
+            self.write_beside(marker, &marker.marks, look);
+        }
+    }
+
+    fn write_beside(&mut self, marker: &Marker, text: &str, look: &Look) -> bool {
         let width = text.len() as u16;
         let right = marker.column + 1;
         let left = marker.column.checked_sub(width);
@@ -207,23 +260,28 @@ impl<'a> Board<'a> {
         } else if let Some(left) = left.filter(|&left| self.is_free(left, marker.row, width)) {
             left
         } else {
-            return;
+            return false;
         };
-        self.put(at, marker.row, &text, look.style(marker.role));
+        self.put(at, marker.row, text, look.style(marker.role));
+        self.part(at + width, marker.row);
+        true
     }
 
-    /// Draws the vehicle under the cursor: always with its number, over whatever is there.
-    fn put_chosen(&mut self, marker: &Marker, look: &Look) {
-        let text = format!(">{}{}{}", marker.sign, marker.id, marker.marks);
+    /// A figure of the ground right after a number would read as a part of it.
+    fn part(&mut self, column: u16, row: u16) {
+        let free = self.is_free(column, row, 1);
+        let place = (self.area.x + column, self.area.y + row);
+        if let Some(cell) = self.buffer.cell_mut(place).filter(|_| free) {
+            if cell.symbol().starts_with(char::is_alphanumeric) {
+                cell.set_char(' ');
+            }
+        }
+    }
+
+    fn put_chosen(&mut self, chosen: &Chosen, look: &Look) {
+        let marker = &chosen.marker;
         let style = look.style(marker.role).patch(look.style(Role::Cursor));
-        let from = marker.column.saturating_sub(1);
-        // At the left edge the sign itself must stay in its place.
-        let text = if marker.column == 0 {
-            &text[1..]
-        } else {
-            &text
-        };
-        self.put(from, marker.row, text, style);
+        self.put(chosen.from, marker.row, &chosen.text, style);
     }
 
     fn put_count(&mut self, those: &[Marker], from: u16, look: &Look) {
@@ -231,7 +289,6 @@ impl<'a> Board<'a> {
         let role = worst.map_or(Role::Text, |it| it.role);
         let mark = |wanted: char| those.iter().any(|it| it.marks.contains(wanted));
         let mut text = format!("({})", those.len());
-        let width = text.len() as u16;
         for wanted in ['*', '!'] {
             if mark(wanted) {
                 text.push(wanted);
@@ -240,7 +297,6 @@ impl<'a> Board<'a> {
         let Some(row) = those.first().map(|it| it.row) else {
             return;
         };
-        let from = from.min(self.area.width.saturating_sub(width));
         self.put(from, row, &text, look.style(role));
     }
 }
