@@ -127,7 +127,8 @@ impl Viewport {
         let (x, y) = self.dot(place);
         let (across, down) = self.dots();
         let inside = (0.0..across).contains(&x) && (0.0..down).contains(&y);
-        inside.then(|| (x as u16 / DOTS_ACROSS, y as u16 / DOTS_DOWN))
+        let cell = (x as u16 / DOTS_ACROSS, y as u16 / DOTS_DOWN);
+        inside.then_some(cell)
     }
 
     /// The place in the middle of a cell, which may lie outside the view.
@@ -169,11 +170,10 @@ impl Extent {
 
     /// Grows just enough to contain a place.
     pub fn include(&mut self, place: LatLon) {
-        let at = self.offset(place);
-        for axis in 0..2 {
-            self.low_m[axis] = self.low_m[axis].min(at[axis]);
-            self.high_m[axis] = self.high_m[axis].max(at[axis]);
-        }
+        let [east_m, north_m] = self.offset(place);
+        let ([west, south], [east, north]) = (self.low_m, self.high_m);
+        self.low_m = [west.min(east_m), south.min(north_m)];
+        self.high_m = [east.max(east_m), north.max(north_m)];
     }
 
     /// Whether a place lies inside or on the edge.

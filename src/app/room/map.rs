@@ -17,13 +17,19 @@ pub use overview::Overview;
 pub use samples::{SampleField, Samples};
 pub use scene::{Sketch, SketchKind, sketches};
 pub use trail::Trail;
-pub use watch::{began, heard, measured, refit, tick};
+pub use watch::{began, heard, leg, measured, refit, tick};
 
 /// Columns and rows by which a followed vehicle may leave the middle before the map moves after it.
 const LEASH: (f64, f64) = (12.0, 4.0);
+/// How far ahead of it, as a share of that, the map then stands.
+const AHEAD: f64 = 0.7;
 
 /// A screen of at least this size has room for the legend.
-const LEGEND_LEAST: Size = (110, 34);
+const LEGEND_LEAST: Size = (110, 30);
+/// Columns of the legend, beside the canvas.
+pub const LEGEND_WIDTH: u16 = 34;
+/// Rows of the screen that are not the canvas: the header, the title, the line about the cursor, the footer.
+const OTHER_ROWS: u16 = 4;
 
 /// The map's own state.
 #[derive(Debug, Clone, Default)]
@@ -159,16 +165,21 @@ impl Map {
         }
     }
 
-    /// The followed vehicle is here now. The view moves only when it has gone some cells.
+    /// The followed vehicle is here now. The view moves only when it has gone some cells, and then ahead of it.
     pub fn followed(&mut self, place: LatLon) {
-        if let Aim::Vehicle(stand, zoom) = self.aim {
-            let (north_m, east_m) = stand.offset_to(place);
-            let column_m = zoom.metres_per_column();
-            let beyond =
-                east_m.abs() > LEASH.0 * column_m || north_m.abs() > LEASH.1 * 2.0 * column_m;
-            if beyond {
-                self.aim = Aim::Vehicle(place, zoom);
-            }
+        let Aim::Vehicle(stand, zoom) = self.aim else {
+            return;
+        };
+        let (north_m, east_m) = stand.offset_to(place);
+        let column_m = zoom.metres_per_column();
+        let (across_m, down_m) = (LEASH.0 * column_m, LEASH.1 * 2.0 * column_m);
+        if east_m.abs() > across_m || north_m.abs() > down_m {
+            let ahead = |way_m: f64, most_m: f64| (way_m * AHEAD).clamp(-most_m, most_m);
+            let stand = place.moved(
+                ahead(north_m, down_m * AHEAD),
+                ahead(east_m, across_m * AHEAD),
+            );
+            self.aim = Aim::Vehicle(stand, zoom);
         }
     }
 
@@ -176,6 +187,19 @@ impl Map {
     pub fn shows_legend(&self, screen: Size) -> bool {
         let has_room = screen.0 >= LEGEND_LEAST.0 && screen.1 >= LEGEND_LEAST.1;
         self.legend.unwrap_or(has_room)
+    }
+
+    /// The canvas of the room on a screen of some size.
+    pub fn canvas(&self, screen: Size) -> Size {
+        let legend = if self.shows_legend(screen) {
+            LEGEND_WIDTH
+        } else {
+            0
+        };
+        (
+            screen.0.saturating_sub(legend),
+            screen.1.saturating_sub(OTHER_ROWS),
+        )
     }
 
     /// The sensor that is drawn, by its name, and what it has shown.

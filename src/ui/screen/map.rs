@@ -4,22 +4,29 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::room::map::LEGEND_WIDTH;
 use crate::app::state::State;
 use crate::geo::{LatLon, Viewport};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
-use crate::ui::widget::{below, put, row_of, upper};
+use crate::ui::widget::{below, columns, put, row_of, upper};
 
 /// Draws it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let pane = upper(area, area.height.saturating_sub(1));
-    let canvas = below(pane, 1);
-    draw_map(state, look, pane, buffer);
     let map = &state.rooms.map;
-    if map.shows_legend(state.size) {
-        draw_legend(state, look, canvas, buffer);
+    let pane = upper(area, area.height.saturating_sub(1));
+    let (pane, legend) = if map.shows_legend(state.size) {
+        let width = area.width.saturating_sub(LEGEND_WIDTH);
+        (columns(pane, 0, width), columns(pane, width, LEGEND_WIDTH))
+    } else {
+        (pane, columns(pane, 0, 0))
+    };
+    draw_map(state, look, pane, buffer);
+    if legend.width > 0 {
+        draw_legend(state, look, legend, buffer);
     }
+    let canvas = below(pane, 1);
     if let Some(view) = map.view((canvas.width, canvas.height)) {
         let cursor = map.pointed(&view);
         draw_cursor(&view, cursor, look, canvas, buffer);

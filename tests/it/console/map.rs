@@ -22,7 +22,7 @@ fn on_the_map() -> Console {
 
 fn pointed(console: &Console) -> LatLon {
     let map = &console.state.rooms.map;
-    let view = map.view((120, 36)).expect("a view");
+    let view = map.view(map.canvas((120, 40))).expect("a view");
     map.pointed(&view)
 }
 
@@ -111,10 +111,10 @@ fn a_followed_vehicle_stays_in_view_until_the_cursor_leads_away() {
     }
     let map = &console.state.rooms.map;
     assert!(matches!(map.aim, Aim::Vehicle(..)));
-    let view = map.view((120, 36)).expect("a view");
+    let view = map.view(map.canvas((120, 40))).expect("a view");
     let place = fixtures::HOME.moved(299.0, 5.0);
     let (column, row) = view.cell(place).expect("in view");
-    assert!((40..80).contains(&column) && (12..24).contains(&row));
+    assert!((28..58).contains(&column) && (12..24).contains(&row));
     assert!(console.screen(120, 40).contains("follows 1"));
     console.press("f");
     assert!(matches!(console.state.rooms.map.aim, Aim::Place(..)));

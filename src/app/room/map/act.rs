@@ -12,8 +12,6 @@ use crate::geo::LatLon;
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// Rows of the screen that are not the canvas: the header, the title, the line about the cursor, the footer.
-const OTHER_ROWS: u16 = 4;
 /// Cells that the cursor goes with Page Up and Page Down.
 const PAGE: i32 = 10;
 
@@ -40,8 +38,8 @@ pub const KEYS: &[Row] = &[
 
 /// What its actions do.
 pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let size = canvas(state.size);
     let map = &mut state.rooms.map;
+    let size = map.canvas(state.size);
     match action {
         Action::Move(step) => go(state, size, step),
         // The key of the vehicle list `3-9`, while such a list is being typed.
@@ -71,11 +69,6 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         _ => return None,
     }
     Some(Vec::new())
-}
-
-/// The canvas of the room on a terminal of some size.
-fn canvas((columns, rows): (u16, u16)) -> Size {
-    (columns, rows.saturating_sub(OTHER_ROWS))
 }
 
 fn go(state: &mut State, size: Size, step: Step) {

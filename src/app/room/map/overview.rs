@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::geo::{Extent, LatLon};
 
 /// What is added on each side when something leaves the frame, as a share of its size.
-const GROWTH: f64 = 0.15;
+const GROWTH: f64 = 0.4;
 /// Metres that are added then at least.
 const LEAST_MARGIN_M: f64 = 10.0;
 /// What is left free around everything, as a share of its size.

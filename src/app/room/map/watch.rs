@@ -4,7 +4,7 @@ use super::Aim;
 use crate::app::state::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::Progress;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Vehicle, VehicleId};
 
 /// A session has begun: its areas are known.
 pub fn began(state: &mut State) {
@@ -24,12 +24,22 @@ pub fn heard(state: &mut State, id: VehicleId) {
         return;
     };
     map.overview.see(global.at_point);
+    if let Some((_, target)) = leg(vehicle) {
+        map.overview.see(target);
+    }
     if vehicle.armed() {
         map.trails.entry(id).or_default().add(global.at_point);
     }
     if state.session.cursor == Some(id) {
         map.followed(global.at_point);
     }
+}
+
+/// From where to where a vehicle is under way.
+pub fn leg(vehicle: &Vehicle) -> Option<(LatLon, LatLon)> {
+    let here = vehicle.global?.at_point;
+    let target = vehicle.target?.at_point?;
+    vehicle.armed().then_some((here, target))
 }
 
 /// The sensors show something.
@@ -83,7 +93,8 @@ fn places(state: &State) -> Vec<LatLon> {
     let vehicles = session.vehicles.values().flat_map(|vehicle| {
         let home = vehicle.home.map(|home| home.at_point);
         let here = vehicle.global.map(|global| global.at_point);
-        home.into_iter().chain(here)
+        let target = leg(vehicle).map(|(_, target)| target);
+        home.into_iter().chain(here).chain(target)
     });
     let areas = session.areas.iter();
     let areas = areas.flat_map(|area| area.outline.corners());

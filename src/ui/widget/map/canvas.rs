@@ -186,7 +186,8 @@ mod tests {
         let mut buffer = Buffer::empty(area);
         canvas.draw(&look, area, &mut buffer);
         let rows = buffer.content.chunks(usize::from(canvas.columns));
-        let line = |row: &[ratatui::buffer::Cell]| row.iter().map(|cell| cell.symbol()).collect();
+        let line =
+            |row: &[ratatui::buffer::Cell]| row.iter().map(ratatui::buffer::Cell::symbol).collect();
         rows.map(line).collect::<Vec<String>>().join("\n")
     }
 

@@ -4,12 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::canvas::{Canvas, Stroke};
-use crate::app::room::map::{Sketch, SketchKind, sketches};
+use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
 use crate::app::state::State;
 use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::VehicleId;
 
 /// Larger swarms show the trails and targets only of the vehicles that commands go to.
 const MANY: usize = 64;
@@ -151,13 +151,6 @@ fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut V
             }));
         }
     }
-}
-
-/// From where to where a vehicle is under way.
-fn leg(vehicle: &Vehicle) -> Option<(LatLon, LatLon)> {
-    let here = vehicle.global?.at_point;
-    let target = vehicle.target?.at_point?;
-    vehicle.armed().then_some((here, target))
 }
 
 /// Homes and named places; of several in one cell only the first.

@@ -11,7 +11,7 @@ use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, boxed, put, upper};
+use crate::ui::widget::{boxed, put, upper};
 
 /// Columns of the scale bar at most.
 const LONGEST_BAR: u16 = 24;
@@ -57,15 +57,13 @@ pub fn length(metres: f64) -> String {
 /// Explains the signs, those that are on the map.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let lines = lines(state, look);
-    let widest = lines.iter().map(Line::width).max().unwrap_or(0) as u16;
-    let width = (widest + 4).min(area.width);
-    let place = Rect {
-        x: area.right() - width,
-        width,
-        // North stands above it.
-        ..upper(below(area, 1), lines.len() as u16 + 2)
-    };
-    let inner = boxed(&look.say("map-legend"), Role::Border, look, place, buffer);
+    let inner = boxed(
+        &look.say("map-legend"),
+        Role::Border,
+        look,
+        upper(area, lines.len() as u16 + 2),
+        buffer,
+    );
     for (row, line) in lines.iter().enumerate() {
         put(buffer, inner, row as u16, line);
     }

@@ -271,10 +271,11 @@ impl<'a> Board<'a> {
     fn part(&mut self, column: u16, row: u16) {
         let free = self.is_free(column, row, 1);
         let place = (self.area.x + column, self.area.y + row);
-        if let Some(cell) = self.buffer.cell_mut(place).filter(|_| free) {
-            if cell.symbol().starts_with(char::is_alphanumeric) {
-                cell.set_char(' ');
-            }
+        if let Some(cell) = self.buffer.cell_mut(place)
+            && free
+            && cell.symbol().starts_with(char::is_alphanumeric)
+        {
+            cell.set_char(' ');
         }
     }
 
