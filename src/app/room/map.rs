@@ -26,8 +26,8 @@ const AHEAD: f64 = 0.7;
 
 /// A screen of at least this size has room for the legend.
 const LEGEND_LEAST: Size = (110, 30);
-/// Columns of the legend, beside the canvas.
-pub const LEGEND_WIDTH: u16 = 34;
+/// Columns of the legend, beside the canvas, with a gap.
+pub const LEGEND_WIDTH: u16 = 35;
 /// Rows of the screen that are not the canvas: the header, the title, the line about the cursor, the footer.
 const OTHER_ROWS: u16 = 4;
 

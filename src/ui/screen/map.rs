@@ -18,7 +18,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let pane = upper(area, area.height.saturating_sub(1));
     let (pane, legend) = if map.shows_legend(state.size) {
         let width = area.width.saturating_sub(LEGEND_WIDTH);
-        (columns(pane, 0, width), columns(pane, width, LEGEND_WIDTH))
+        (
+            columns(pane, 0, width),
+            columns(pane, width + 1, LEGEND_WIDTH),
+        )
     } else {
         (pane, columns(pane, 0, 0))
     };

@@ -6,6 +6,9 @@ use crate::geo::{LatLon, Outline};
 use crate::mission::Progress;
 use crate::vehicle::{Vehicle, VehicleId};
 
+/// Of the points of a trail, one in so many decides how large the view of everything is.
+const TRAIL_STEP: usize = 4;
+
 /// A session has begun: its areas are known.
 pub fn began(state: &mut State) {
     refit(state);
@@ -100,5 +103,8 @@ fn places(state: &State) -> Vec<LatLon> {
     let areas = areas.flat_map(|area| area.outline.corners());
     let cells = session.mission.iter().flat_map(|progress| &progress.cells);
     let cells = cells.flat_map(|cell| Outline::square(cell.centre, cell.side_m).corners());
-    vehicles.chain(areas).chain(cells).collect()
+    let map = &state.rooms.map;
+    let trails = map.trails.values().filter(|_| !map.trails_hidden);
+    let trails = trails.flat_map(|trail| trail.points().iter().step_by(TRAIL_STEP).copied());
+    vehicles.chain(areas).chain(cells).chain(trails).collect()
 }
