@@ -8,7 +8,7 @@ use sortie::app::event::{Event, Started};
 use sortie::app::state::{Activity, Room};
 use sortie::config::Symbols;
 use sortie::geo::Outline;
-use sortie::mission::{Area, AreaKind};
+use sortie::mission::{Area, AreaKind, Mission};
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
 use sortie::vehicle::{Target, Vehicle};
@@ -185,4 +185,28 @@ fn no_size_and_no_zoom_panics() {
             }
         }
     }
+}
+
+/// The truth of a hazard has to be found by sensors: nothing of it is told to the map.
+#[test]
+fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
+    let source = include_str!("../../../missions/01-air-sample.toml");
+    let mission = Mission::parse(source).expect("a mission");
+    let areas = mission.areas();
+    let told: Vec<_> = areas.iter().map(|it| (it.name.as_str(), it.kind)).collect();
+    assert_eq!(
+        told,
+        [("yard", AreaKind::Task), ("fence", AreaKind::Geofence)]
+    );
+}
+
+#[test]
+fn sensors_on_the_ground_leave_no_samples() {
+    let mut console = Console::flying(1);
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    assert_eq!(console.state.rooms.map.samples.fields().len(), 0);
+    console.vehicle(fixtures::airborne(1, 0.0, 20.0));
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    let map = &console.state.rooms.map;
+    assert_eq!(map.field().map(|(name, _)| name), Some("co"));
 }

@@ -116,3 +116,63 @@ fn covered(dot: f64, half: f64, dots: f64, count: i64) -> std::ops::Range<i64> {
     let within = |at: f64| at.clamp(0.0, count as f64) as i64;
     within(from)..within(to)
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::app::room::map::Samples;
+    use crate::geo::{LatLon, Zoom};
+
+    const HOME: LatLon = LatLon::new(50.45, 30.52);
+
+    fn field(readings: &[(f64, f64, f64)]) -> Samples {
+        let mut samples = Samples::default();
+        for &(north_m, east_m, value) in readings {
+            samples.add("gas", "ppm", HOME.moved(north_m, east_m), value);
+        }
+        samples
+    }
+
+    proptest! {
+        #[test]
+        fn whatever_was_measured_in_view_is_shaded_where_it_was(
+            north in -60.0..60.0f64, east in -100.0..100.0f64, column_m in 0.5..200.0f64,
+        ) {
+            let samples = field(&[(north, east, 3.0)]);
+            let (_, field) = samples.fields().next().expect("a field");
+            let view = Viewport::new(HOME, Zoom::fitting(column_m), (60, 30));
+            let means = means(field, &view);
+            if let Some((column, row)) = view.cell(HOME.moved(north, east)) {
+                let cell = means[usize::from(row) * 60 + usize::from(column)];
+                prop_assert_eq!(cell, Some(3.0));
+            }
+            // As many cells as a square of that size covers, and no more.
+            let across = field.side_m() / view.zoom.metres_per_column() + 1.0;
+            let most = across * (across / 2.0 + 1.0);
+            let shaded = means.iter().flatten().count();
+            prop_assert!(shaded as f64 <= most, "{shaded} of {most}");
+        }
+    }
+
+    #[test]
+    fn more_is_darker_and_digits_do_it_in_ascii() {
+        let samples = field(&[(0.0, -20.0, 1.0), (0.0, 0.0, 5.0), (0.0, 20.0, 10.0)]);
+        let (_, field) = samples.fields().next().expect("a field");
+        let view = Viewport::new(HOME, Zoom::fitting(10.0), (7, 1));
+        let shown = |symbols| {
+            let area = Rect::new(0, 0, 7, 1);
+            let mut buffer = Buffer::empty(area);
+            let look = Look {
+                symbols,
+                ..Look::default()
+            };
+            draw(field, &look, &view, area, &mut buffer);
+            let cells = buffer.content.iter();
+            cells.map(ratatui::buffer::Cell::symbol).collect::<String>()
+        };
+        assert_eq!(shown(Symbols::Braille), " ░ ▒ █ ");
+        assert_eq!(shown(Symbols::Ascii), " 1 5 9 ");
+    }
+}
