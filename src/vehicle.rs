@@ -7,10 +7,15 @@
 use crate::wire::{ComponentId, SystemId};
 
 mod mode;
+mod plan;
 mod readings;
 mod status;
 
 pub use mode::{Mode, VehicleClass};
+pub use plan::{
+    FenceArea, FencePlan, FenceShape, HeightFrame, Plan, PlanItem, PlanKind, Plans, RallyPlan,
+    RallyPoint, Stored, Transfer,
+};
 pub use readings::{
     Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, Health, Heartbeat, Hud,
     LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText, Target, Vibration,
@@ -62,6 +67,8 @@ pub struct Vehicle {
     pub landed: LandedState,
     /// `MISSION_CURRENT` and `MISSION_ITEM_REACHED`.
     pub plan: PlanProgress,
+    /// The plan, the fence and the rally points on board, as far as they have been read.
+    pub plans: Plans,
     /// `FENCE_STATUS`; `None` while no fence is enabled.
     pub fence: Option<Fence>,
     /// RANGEFINDER or `DISTANCE_SENSOR` facing down: metres to the ground.
@@ -108,6 +115,7 @@ impl Vehicle {
             vibration: None,
             landed: LandedState::Undefined,
             plan: PlanProgress::default(),
+            plans: Plans::default(),
             fence: None,
             rangefinder_m: None,
             wind: None,
