@@ -314,7 +314,7 @@ mod tests {
             matches!(&fence.areas[0].shape, FenceShape::Polygon(corners) if corners.len() == 3)
         );
         assert!(
-            matches!(fence.areas[1].shape, FenceShape::Circle { radius_m, .. } if radius_m == 25.0)
+            matches!(fence.areas[1].shape, FenceShape::Circle { radius_m, .. } if (radius_m - 25.0).abs() < 1e-6)
         );
         assert_eq!(fence.return_point, items[5].at_point);
     }
