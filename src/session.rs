@@ -374,6 +374,8 @@ impl Session {
             }
             if active.moves_the_vehicle() {
                 self.supersede_movements(active.verb(), now);
+                // Where it was heading says nothing any more; the next message of it does.
+                self.vehicle.target = None;
             }
             if progress == Progress::Watching {
                 self.watched.push(active);

@@ -6,20 +6,22 @@
 
 use crate::wire::{ComponentId, SystemId};
 
+mod limits;
 mod mode;
 mod plan;
 mod readings;
 mod status;
 
+pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
     FenceArea, FencePlan, FenceShape, HeightFrame, Plan, PlanItem, PlanKind, Plans, RallyPlan,
     RallyPoint, Stored, Transfer,
 };
 pub use readings::{
-    Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, Health, Heartbeat, Hud,
-    LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText, Target, Vibration,
-    Wind,
+    Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,
+    Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText,
+    Target, Vibration, Wind,
 };
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 
@@ -53,6 +55,8 @@ pub struct Vehicle {
     pub target: Option<Target>,
     /// `GPS_RAW_INT`.
     pub gps: Option<Gps>,
+    /// `GPS_RAW_INT`, where the receiver knows its own errors.
+    pub gps_accuracy: Option<GpsAccuracy>,
     /// `VFR_HUD`.
     pub hud: Option<Hud>,
     /// `SYS_STATUS`.
@@ -108,6 +112,7 @@ impl Vehicle {
             home: None,
             target: None,
             gps: None,
+            gps_accuracy: None,
             hud: None,
             health: None,
             batteries: Vec::new(),

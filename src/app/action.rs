@@ -47,6 +47,10 @@ pub enum Action {
     Newer,
     /// Show only what contains some letters.
     Filter,
+    /// Look further back in time.
+    Window,
+    /// Show what the screen has no room for at the same time.
+    NextPage,
     /// Leave the program.
     Quit,
 }
@@ -106,6 +110,8 @@ impl Action {
         ("older", Self::Older),
         ("newer", Self::Newer),
         ("filter", Self::Filter),
+        ("window", Self::Window),
+        ("next-page", Self::NextPage),
         ("quit", Self::Quit),
     ];
 

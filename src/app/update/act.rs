@@ -36,7 +36,9 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         | Action::CompleteBack
         | Action::Older
         | Action::Newer
-        | Action::Filter => {}
+        | Action::Filter
+        | Action::Window
+        | Action::NextPage => {}
     }
     Vec::new()
 }

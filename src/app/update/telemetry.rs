@@ -19,6 +19,10 @@ pub fn tick(state: &mut State, now: Duration) {
     // else on the screen depends on time.
     let before = (state.now.as_secs(), state.is_deaf());
     state.now = now;
+    let session = &mut state.session;
+    if session.histories.sample(&session.vehicles, now) && state.room == Room::Vehicle {
+        state.touch();
+    }
     if before != (now.as_secs(), state.is_deaf()) {
         state.touch();
     }
