@@ -54,4 +54,6 @@ action-complete-back = the choice before
 action-older = older line
 action-newer = newer line
 action-filter = show only what contains some letters
+action-window = further back in time: 30 s, 2 min, 10 min
+action-next-page = the next page
 action-quit = leave the program

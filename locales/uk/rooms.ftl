@@ -54,4 +54,6 @@ action-complete-back = попередній варіант
 action-older = давніший рядок
 action-newer = новіший рядок
 action-filter = показати лише те, що містить літери
+action-window = довший відрізок часу: 30 с, 2 хв, 10 хв
+action-next-page = наступна сторінка
 action-quit = вийти з програми

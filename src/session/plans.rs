@@ -3,7 +3,8 @@
 //!
 //! One list at a time, one question at a time. A list has changed when `MISSION_CURRENT` gives another count or
 //! id, when the vehicle has accepted somebody else's upload, or, as `ArduPilot` gives no ids, when it says so in
-//! a text or by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. A list that the vehicle does not offer is not
+//! a text or by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of as many items over another link shows
+//! in none of these, so a list without an id is read again now and then. A list that the vehicle does not offer is not
 //! asked for; one that does not come is asked for again, ever more seldom, and then left alone.
 
 use std::sync::Arc;
@@ -33,6 +34,10 @@ const CAPABILITIES_WITHIN: Duration = Duration::from_secs(10);
 const SETTLED_AFTER: Duration = Duration::from_millis(1500);
 /// The same list is not read again sooner after it was read.
 const NOT_AGAIN_WITHIN: Duration = Duration::from_secs(3);
+/// A list without an id is read again after so long, and so much longer for each of its items: on average that is
+/// less than one small message a second.
+const AGAIN_AFTER: Duration = Duration::from_secs(120);
+const AGAIN_PER_ITEM: Duration = Duration::from_secs(1);
 /// How long to wait after the first, the second... failure; after the last, nothing is asked any more.
 const AFTER_FAILURE: [Duration; 3] = [
     Duration::from_secs(20),
@@ -210,6 +215,11 @@ impl PlanReader {
             Step::Done(items) => {
                 self.read_at[list] = Some(now);
                 self.failures[list] = 0;
+                if !self.has_id(kind) {
+                    // Lengths fit: no list has more than some thousand items.
+                    let length = items.len() as u32;
+                    self.due[list] = Some(now + AGAIN_AFTER + AGAIN_PER_ITEM * length);
+                }
                 store(vehicle, kind, items);
                 Transfer::Done
             }
@@ -247,6 +257,12 @@ impl PlanReader {
             }
             _ => {}
         }
+    }
+
+    /// Whether `MISSION_CURRENT` gives the list an id, which tells every change.
+    fn has_id(&self, kind: PlanKind) -> bool {
+        let id = self.announced.map(|announced| announced[1 + kind as usize]);
+        id.is_some_and(|id| id != 0)
     }
 
     /// The first announcement is about what is being read anyway; later ones are compared with it.

@@ -17,6 +17,7 @@ catalogue! {
     "common",
     "console",
     "rooms",
+    "vehicle",
 }
 
 /// The message files of a language: subject and contents.

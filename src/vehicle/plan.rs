@@ -141,6 +141,11 @@ impl PlanItem {
         self.at_point.is_some() && self.command <= LAST_FLOWN && self.command != 80
     }
 
+    /// Whether it is a takeoff, which has a height even where it has no place.
+    pub fn is_takeoff(&self) -> bool {
+        matches!(self.command, 22 | 84)
+    }
+
     /// Whether commands of that number have a place.
     pub fn has_place(command: u16) -> bool {
         let fence_or_rally = command::FENCE_RETURN_POINT..=command::RALLY_POINT;

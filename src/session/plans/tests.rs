@@ -218,12 +218,26 @@ fn a_vehicle_that_is_ready_gives_its_lists_once() {
     let mut scene = Scene::new(Manner::Modern, 12);
     scene.pass(ms(2900));
     assert_eq!(scene.asked.len(), 0, "too early");
-    scene.pass(Duration::from_secs(600));
+    scene.pass(Duration::from_secs(60));
     assert_eq!(scene.plan().map(|plan| plan.items.len()), Some(12));
     assert_eq!(scene.vehicle.plans.fence.transfer, Transfer::Done);
     assert_eq!(scene.vehicle.plans.rally.transfer, Transfer::Done);
     // Three counts, twelve items, three acknowledgements.
     assert_eq!(scene.asked.len(), 18);
+}
+
+#[test]
+fn a_list_without_an_id_is_read_again_now_and_then_and_one_with_an_id_is_not() {
+    for (mission_id, rounds) in [(0, 5), (7, 1)] {
+        let mut scene = Scene::new(Manner::Modern, 12);
+        scene.announce(11, mission_id);
+        scene.pass(Duration::from_secs(600));
+        let of_the_plan = |asked: &MavMessage| {
+            matches!(asked, MavMessage::MISSION_REQUEST_LIST(data)
+                if data.mission_type == MavMissionType::MAV_MISSION_TYPE_MISSION)
+        };
+        assert_eq!(scene.asked_for(of_the_plan), rounds);
+    }
 }
 
 #[test]
