@@ -63,7 +63,7 @@ vehicle-ekf-vertical = height
 vehicle-ekf-compass = compass
 vehicle-vibration = vibration { $axis }
 vehicle-clipping = clipping
-vehicle-limits = limits: EKF 0.6/0.8, vibration 30/60 m/s²
+vehicle-limits = limits EKF 0.6/0.8, vibration 30/60 m/s²
 vehicle-grade-good = ok
 vehicle-grade-poor = poor
 vehicle-grade-bad = BAD
@@ -79,7 +79,7 @@ vehicle-rally = rally
 vehicle-fence-breached = BREACHED
 
 vehicle-outputs = outputs
-vehicle-rc-rssi = RC, signal { $rssi }
+vehicle-rc-rssi = RC signal { $rssi }
 vehicle-texts = what it says
 
 vehicle-sensors = sensors and functions

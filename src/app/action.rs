@@ -47,6 +47,10 @@ pub enum Action {
     Newer,
     /// Show only what contains some letters.
     Filter,
+    /// Go to the next vehicle.
+    NextVehicle,
+    /// Go to the vehicle before.
+    PreviousVehicle,
     /// Look further back in time.
     Window,
     /// Show what the screen has no room for at the same time.
@@ -110,6 +114,8 @@ impl Action {
         ("older", Self::Older),
         ("newer", Self::Newer),
         ("filter", Self::Filter),
+        ("next-vehicle", Self::NextVehicle),
+        ("previous-vehicle", Self::PreviousVehicle),
         ("window", Self::Window),
         ("next-page", Self::NextPage),
         ("quit", Self::Quit),

@@ -18,8 +18,8 @@ pub struct Vehicle {
 
 /// Its keys.
 pub const KEYS: &[Row] = &[
-    does(key('['), Action::Move(Step::Up)),
-    does(key(']'), Action::Move(Step::Down)),
+    does(key('['), Action::PreviousVehicle),
+    does(key(']'), Action::NextVehicle),
     does(key('w'), Action::Window),
     does(Press::Plain(KeyCode::Tab), Action::NextPage),
 ];
@@ -28,9 +28,17 @@ pub const KEYS: &[Row] = &[
 pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
     let room = &mut state.rooms.vehicle;
     match action {
+        Action::NextVehicle => go(state, Step::Down),
+        Action::PreviousVehicle => go(state, Step::Up),
         Action::Window => room.window = room.window.next(),
         Action::NextPage => room.page = room.page.wrapping_add(1),
         _ => return None,
     }
     Some(Vec::new())
+}
+
+fn go(state: &mut State, step: Step) {
+    let session = &mut state.session;
+    let row = step.apply(session.cursor_row(), session.vehicles.len());
+    session.set_cursor_row(row);
 }

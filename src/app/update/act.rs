@@ -37,6 +37,8 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         | Action::Older
         | Action::Newer
         | Action::Filter
+        | Action::NextVehicle
+        | Action::PreviousVehicle
         | Action::Window
         | Action::NextPage => {}
     }

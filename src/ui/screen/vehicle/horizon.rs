@@ -8,10 +8,10 @@ use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::vehicle::Attitude;
 
-/// Degrees of pitch from the middle of the indicator to its upper edge.
-const HALF_VIEW_DEG: f64 = 25.0;
+/// Degrees of pitch from the middle of the indicator to its upper edge: more than a copter leans by itself (30).
+const HALF_VIEW_DEG: f64 = 40.0;
 /// The ladder of pitch: a rung every so many degrees, each so wide to either side, as a share of the half height.
-const RUNG_EVERY_DEG: f64 = 10.0;
+const RUNG_EVERY_DEG: f64 = 20.0;
 const RUNG_HALF_WIDTH: f64 = 0.35;
 /// Bits of the dots of a braille pattern, column by column from the top.
 const BRAILLE_DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
@@ -198,14 +198,14 @@ mod tests {
             ((0.0, 0.0), (3.0, 0.7), Seen::Sky),
             ((0.0, 0.0), (3.0, 0.0), Seen::Horizon),
             // Nose up: the horizon sinks.
-            ((0.0, 7.5), (4.0, -1.5), Seen::Horizon),
-            ((0.0, -7.5), (4.0, 1.5), Seen::Horizon),
+            ((0.0, 12.0), (4.0, -1.5), Seen::Horizon),
+            ((0.0, -12.0), (4.0, 1.5), Seen::Horizon),
             // Right wing down: the ground is on the right.
             ((30.0, 0.0), (4.0, 0.0), Seen::Ground),
             ((30.0, 0.0), (-4.0, 0.0), Seen::Sky),
             // On its back: the ground is above.
             ((180.0, 0.0), (3.0, 1.0), Seen::Ground),
-            ((0.0, 0.0), (0.0, 2.0), Seen::Rung),
+            ((0.0, 0.0), (0.0, 2.5), Seen::Rung),
         ] {
             let seen = view(roll, pitch).at(right, up, 0.25);
             assert_eq!(seen, expected, "{roll} {pitch} {right} {up}");

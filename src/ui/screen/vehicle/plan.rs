@@ -170,5 +170,5 @@ fn way_m(vehicle: &Vehicle, items: &[PlanItem], at: usize, is_current: bool) -> 
         let mut before = items[..at].iter().rev().filter(|item| item.is_waypoint());
         before.find_map(|item| item.at_point)?
     };
-    Some(from.distance_m(to))
+    Some(from.distance_m(to)).filter(|way_m| way_m.is_finite())
 }

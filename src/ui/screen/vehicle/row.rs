@@ -83,9 +83,9 @@ pub fn grade_word(look: &Look, grade: Grade) -> Span<'static> {
 }
 
 /// An arrow into one of eight directions, straight ahead being up.
-pub fn arrow(direction_deg: f64, symbols: Symbols) -> char {
-    const ARROWS: [char; 8] = ['↑', '↗', '→', '↘', '↓', '↙', '←', '↖'];
-    const LETTERS: [char; 8] = ['^', '/', '>', '\\', 'v', '/', '<', '\\'];
+pub fn arrow(direction_deg: f64, symbols: Symbols) -> &'static str {
+    const ARROWS: [&str; 8] = ["↑", "↗", "→", "↘", "↓", "↙", "←", "↖"];
+    const LETTERS: [&str; 8] = ["^", "^>", ">", "v>", "v", "<v", "<", "<^"];
     let eighth = ((wrap_360(direction_deg) + 22.5) / 45.0) as usize % 8;
     if symbols == Symbols::Ascii {
         LETTERS[eighth]
@@ -118,11 +118,11 @@ mod tests {
     #[test]
     fn arrows_point_where_they_should() {
         for (direction, expected) in [
-            (0.0, '↑'),
-            (-10.0, '↑'),
-            (44.0, '↗'),
-            (270.0, '←'),
-            (338.0, '↑'),
+            (0.0, "↑"),
+            (-10.0, "↑"),
+            (44.0, "↗"),
+            (270.0, "←"),
+            (338.0, "↑"),
         ] {
             assert_eq!(arrow(direction, Symbols::Block), expected, "{direction}");
         }

@@ -87,7 +87,7 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
         LandedState::Takeoff => look.say("vehicle-taking-off"),
         LandedState::Landing => look.say("vehicle-landing"),
     };
-    let value = format!("{}  {armed}  {landed}", heartbeat.mode);
+    let value = format!("{} {armed} {landed}", heartbeat.mode);
     ("vehicle-mode", value, Role::Accent)
 }
 
@@ -148,9 +148,10 @@ fn pack(pack: &Battery) -> String {
             .map(|volts| format!("{} V", number(Some(volts), 1))),
         pack.current_a
             .map(|amps| format!("{} A", number(Some(amps), 1))),
-        pack.consumed_mah.map(|mah| format!("{mah:.0} mAh")),
+        pack.consumed_mah
+            .map(|mah| format!("{} mAh", number(Some(mah), 0))),
     ];
-    parts.into_iter().flatten().collect::<Vec<_>>().join("  ")
+    parts.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
 /// Distance and bearing to a point, with an arrow as seen from the vehicle.
@@ -222,6 +223,9 @@ fn link(subject: &Subject<'_>) -> Entry {
             .saturating_sub(link.last_heard.unwrap_or_default());
         let text = text!("vehicle-link-lost", seconds = silent.as_secs());
         return (ID, look.text(&text), Role::Danger);
+    }
+    if link.received == 0 {
+        return (ID, UNKNOWN.to_owned(), Role::Muted);
     }
     let trip = link.round_trip;
     let trip = trip.map_or(UNKNOWN.to_owned(), |trip| trip.as_millis().to_string());
