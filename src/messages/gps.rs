@@ -15,7 +15,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut
         at: report.now,
     };
     // 0 is what senders without the extension fields say.
-    vehicle.gps_accuracy = (data.h_acc != 0 && data.v_acc != 0).then(|| GpsAccuracy {
+    vehicle.gps_accuracy = (data.h_acc != 0 && data.v_acc != 0).then_some(GpsAccuracy {
         horizontal_m: data.h_acc as f32 * 1e-3,
         vertical_m: data.v_acc as f32 * 1e-3,
     });

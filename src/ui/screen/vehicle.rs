@@ -172,7 +172,7 @@ fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     };
     // An odd number of rows, so that the horizon can lie in the row of the vehicle itself.
     let rows = inner.height.saturating_sub(TAPE_ROWS + 1);
-    let view = upper(inner, rows - u16::from(rows > 0 && rows % 2 == 0));
+    let view = upper(inner, rows - u16::from(rows > 0 && rows.is_multiple_of(2)));
     horizon::draw(attitude, look, view, buffer);
     // Adding zero turns a rounded -0 into +0, which does not flicker.
     let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);

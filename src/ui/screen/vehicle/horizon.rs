@@ -126,7 +126,7 @@ fn cell(view: &View, symbols: Symbols, (x, y): (u16, u16), area: Rect) -> (char,
         Role::Muted
     };
     let symbol = match symbols {
-        Symbols::Braille => braille(&seen),
+        Symbols::Braille => braille(seen),
         Symbols::Block => block(seen[0][0], seen[0][1]),
         Symbols::Ascii => ascii(seen[0][0]),
     };
@@ -134,7 +134,7 @@ fn cell(view: &View, symbols: Symbols, (x, y): (u16, u16), area: Rect) -> (char,
 }
 
 /// Lines in full; the ground as every fourth dot, so that it is told from the sky without colour.
-fn braille(seen: &[[Seen; 4]; 2]) -> char {
+fn braille(seen: [[Seen; 4]; 2]) -> char {
     let mut bits = 0;
     for (column, dots) in seen.iter().enumerate() {
         for (row, dot) in dots.iter().enumerate() {

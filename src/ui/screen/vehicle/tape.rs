@@ -63,13 +63,13 @@ fn strip(heading_deg: f32, width: usize, symbols: Symbols) -> (String, String) {
     let middle = (width / 2) as i32;
     let mut numbers = vec![' '; width];
     let mut strokes = vec![' '; width];
-    for column in 0..width {
+    for (column, place) in strokes.iter_mut().enumerate() {
         let from_middle = column as i32 - middle;
         // The last multiple that this column has reached, so that each falls into exactly one column.
         let degrees = heading + from_middle * STEP_DEG;
         let lands = |every: i32| degrees.rem_euclid(every) < STEP_DEG;
         if lands(STROKE_EVERY_DEG) {
-            strokes[column] = stroke;
+            *place = stroke;
         }
         if lands(NUMBER_EVERY_DEG) {
             let number = (degrees - degrees.rem_euclid(NUMBER_EVERY_DEG)).rem_euclid(360);
