@@ -121,7 +121,7 @@ impl Inbox {
     }
 
     /// Does what only time can tell: gives out chunked texts whose rest never came (after 1 s), with `...`
-    /// in place of what is missing. Call it a few times a second.
+    /// in place of what is missing, and forgets a target that is not sent any more. Call it a few times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = Report {
             vehicle: vehicle.id,
@@ -131,6 +131,7 @@ impl Inbox {
         for text in self.texts.expire(now) {
             self.take_text(vehicle, &text, &mut report);
         }
+        target::expire(vehicle, now);
     }
 
     /// One handler per kind of message.

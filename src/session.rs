@@ -9,6 +9,8 @@ use crate::text::Text;
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use mavlink::dialects::ardupilotmega::MavMessage;
+
 use crate::commands::Command;
 use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -18,6 +20,7 @@ use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
 mod acknowledgement;
+mod plans;
 mod precedence;
 mod streams;
 #[cfg(test)]
@@ -26,6 +29,7 @@ mod timesync;
 mod transaction;
 
 use acknowledgement::{Acknowledgement, OwedAcks};
+use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
 use transaction::{Progress, Transaction};
@@ -115,6 +119,7 @@ pub struct Session {
     loss: LossMeter,
     streams: Streams,
     timesync: Timesync,
+    plans: PlanReader,
     /// Orders that wait for the line to be free, with the time they were given.
     queue: VecDeque<(Order, Duration)>,
     /// The one whose answer is awaited.
@@ -135,6 +140,7 @@ impl Session {
             loss: LossMeter::default(),
             streams: Streams::new(now),
             timesync: Timesync::default(),
+            plans: PlanReader::default(),
             queue: VecDeque::new(),
             active: None,
             watched: Vec::new(),
@@ -158,6 +164,7 @@ impl Session {
     pub fn heard_via(&mut self, link: u16, now: Duration) {
         self.vehicle.link.via = Some(link);
         self.streams.forget(now);
+        self.plans.forget();
     }
 
     /// Takes in one frame from this vehicle's system. Only its autopilot counts as being heard: a companion
@@ -183,6 +190,7 @@ impl Session {
         self.advance(now);
         if self.vehicle.link.reboots > reboots {
             self.streams.forget(now);
+            self.plans.forget();
             // What was meant for the vehicle before must not reach the one that has just booted.
             self.clear_the_line("the reboot", now);
             self.supersede_movements("the reboot", now);
@@ -219,13 +227,14 @@ impl Session {
                 self.output.messages.push(message);
                 self.owed.add(command, 1, now);
             }
+            self.read_plans(now);
         }
         self.advance(now);
     }
 
     /// How long the session may be left alone if nothing arrives.
     pub fn patience(&self) -> Duration {
-        if self.active.is_some() || !self.watched.is_empty() {
+        if self.active.is_some() || !self.watched.is_empty() || self.plans.is_busy() {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -272,6 +281,10 @@ impl Session {
                 self.vehicle.link.round_trip = round_trip;
             }
         }
+        let mut messages = Vec::new();
+        self.plans
+            .receive(&mut self.vehicle, frame, now, &mut messages);
+        self.send(messages);
         let ack = Acknowledgement::from_frame(frame);
         if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
             return;
@@ -279,6 +292,20 @@ impl Session {
         if let Some(active) = &mut self.active {
             active.receive(frame, now, &mut self.output);
         }
+    }
+
+    /// A command that waits for its answer goes before a list that nobody waits for.
+    fn read_plans(&mut self, now: Duration) {
+        if self.active.is_none() || self.plans.is_busy() {
+            let mut messages = Vec::new();
+            self.plans.poll(&mut self.vehicle, now, &mut messages);
+            self.send(messages);
+        }
+    }
+
+    fn send(&mut self, messages: Vec<MavMessage>) {
+        let messages = messages.into_iter().map(Outgoing::from);
+        self.output.messages.extend(messages);
     }
 
     fn watch_silence(&mut self, now: Duration) {
@@ -347,6 +374,8 @@ impl Session {
             }
             if active.moves_the_vehicle() {
                 self.supersede_movements(active.verb(), now);
+                // Where it was heading says nothing any more; the next message of it does.
+                self.vehicle.target = None;
             }
             if progress == Progress::Watching {
                 self.watched.push(active);

@@ -71,6 +71,10 @@ pub enum Action {
     Legend,
     /// Show what the next sensor has found.
     NextSensor,
+    /// Look further back in time.
+    Window,
+    /// Show what the screen has no room for at the same time.
+    NextPage,
     /// Leave the program.
     Quit,
 }
@@ -148,6 +152,8 @@ impl Action {
         ("trails", Self::Trails),
         ("legend", Self::Legend),
         ("next-sensor", Self::NextSensor),
+        ("window", Self::Window),
+        ("next-page", Self::NextPage),
         ("quit", Self::Quit),
     ];
 

@@ -11,6 +11,7 @@ use crate::vehicle::{Severity, VehicleClass};
 
 mod alert;
 mod help;
+mod history;
 mod ids;
 mod links;
 mod notices;
@@ -21,6 +22,7 @@ pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
 pub use alert::{Alert, alert};
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
+pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
 pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
 pub use notices::{NoticeLine, NoticeLog};

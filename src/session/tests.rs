@@ -12,6 +12,7 @@ use crate::commands::{Destination, Heading};
 
 mod hearing;
 mod orders;
+mod targets;
 
 const GUIDED: u32 = 4;
 const STABILIZE: u32 = 0;

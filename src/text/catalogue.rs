@@ -18,6 +18,7 @@ catalogue! {
     "console",
     "map",
     "rooms",
+    "vehicle",
 }
 
 /// The message files of a language: subject and contents.

@@ -111,6 +111,15 @@ pub struct Gps {
     pub at: Duration,
 }
 
+/// What a GPS receiver thinks of its own errors: `GPS_RAW_INT`'s extension.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GpsAccuracy {
+    /// Horizontal error, in metres.
+    pub horizontal_m: f32,
+    /// Vertical error, in metres.
+    pub vertical_m: f32,
+}
+
 /// `VFR_HUD`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hud {

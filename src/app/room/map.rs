@@ -15,7 +15,7 @@ mod watch;
 pub use act::{KEYS, act};
 pub use overview::Overview;
 pub use samples::{SampleField, Samples};
-pub use scene::{Sketch, SketchKind, sketches};
+pub use scene::{Sketch, SketchKind, planned, sketches};
 pub use trail::Trail;
 pub use watch::{began, heard, leg, measured, refit, tick};
 

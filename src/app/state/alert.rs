@@ -129,6 +129,9 @@ fn estimate(vehicle: &Vehicle) -> Option<Alert> {
     if worst < EKF_LIMIT {
         return None;
     }
+    if !worst.is_finite() {
+        return Some(condition(Severity::Error, format!("EKF {part} -")));
+    }
     Some(condition(Severity::Error, format!("EKF {part} {worst:.1}")))
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Groups, LinkSummary, Selection};
+use super::{Groups, Histories, LinkSummary, Selection};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::{Area, Progress};
@@ -19,6 +19,8 @@ pub struct Session {
     pub began_at: Duration,
     /// The vehicles, as their telemetry said last.
     pub vehicles: BTreeMap<VehicleId, Vehicle>,
+    /// What their readings were.
+    pub histories: Histories,
     /// The vehicles that commands go to; none selected means the one under the cursor.
     pub selection: Selection,
     /// The vehicle under the cursor.

@@ -21,6 +21,10 @@ pub fn tick(state: &mut State, now: Duration) {
     let before = (state.now.as_secs(), state.is_deaf());
     state.now = now;
     map::tick(state);
+    let session = &mut state.session;
+    if session.histories.sample(&session.vehicles, now) && state.room == Room::Vehicle {
+        state.touch();
+    }
     if before != (now.as_secs(), state.is_deaf()) {
         state.touch();
     }

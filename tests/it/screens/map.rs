@@ -1,17 +1,22 @@
 //! The map as text: in the room and as a pane, in every kind of symbols, for one vehicle and for many.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use sortie::app::event::{Event, Started};
+use sortie::app::room::map::{SketchKind, sketches};
 use sortie::app::state::{Activity, Room};
 use sortie::config::Symbols;
 use sortie::geo::Outline;
 use sortie::mission::{Area, AreaKind, Mission};
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
-use sortie::vehicle::{Target, Vehicle};
+use sortie::vehicle::{
+    FenceArea, FencePlan, FenceShape, HeightFrame, Plan, PlanItem, RallyPlan, RallyPoint, Target,
+    Vehicle,
+};
 
 use crate::fixtures;
 use crate::harness::Console;
@@ -71,7 +76,7 @@ pub fn surveyed() -> Console {
 fn drawn(console: &Console, symbols: Symbols, language: Language, size: (u16, u16)) -> String {
     let look = Look {
         symbols,
-        locale: std::sync::Arc::new(Locale::new(language)),
+        locale: Arc::new(Locale::new(language)),
         ..Look::default()
     };
     let backend = TestBackend::new(size.0, size.1);
@@ -185,6 +190,61 @@ fn no_size_and_no_zoom_panics() {
             }
         }
     }
+}
+
+/// A vehicle with a plan of three points, a fence with a hole in it, and a rally point.
+fn planned(id: u16) -> Vehicle {
+    let mut vehicle = fixtures::airborne(id, 0.0, 20.0);
+    let place = |north_m, east_m| fixtures::HOME.moved(north_m, east_m);
+    let item = |seq, at_point| PlanItem {
+        seq,
+        command: 16,
+        frame: HeightFrame::Home,
+        params: [0.0; 4],
+        at_point: Some(at_point),
+        altitude_m: Some(20.0),
+    };
+    let points = [(0.0, 0.0), (60.0, -30.0), (60.0, 50.0), (10.0, 70.0)];
+    let items = (0..)
+        .zip(points)
+        .map(|(seq, (n, e))| item(seq, place(n, e)));
+    vehicle.plans.plan.content = Some(Arc::new(Plan {
+        items: items.collect(),
+        home_first: true,
+    }));
+    let circle = |radius_m, inclusion| FenceArea {
+        shape: FenceShape::Circle {
+            center: place(30.0, 20.0),
+            radius_m,
+        },
+        inclusion,
+    };
+    vehicle.plans.fence.content = Some(Arc::new(FencePlan {
+        areas: vec![circle(75.0, true), circle(12.0, false)],
+        return_point: None,
+    }));
+    vehicle.plans.rally.content = Some(Arc::new(RallyPlan {
+        points: vec![RallyPoint {
+            at_point: place(-20.0, 40.0),
+            altitude_m: Some(15.0),
+            frame: HeightFrame::Home,
+        }],
+    }));
+    vehicle
+}
+
+#[test]
+fn what_the_cursors_vehicle_has_on_board() {
+    let mut console = Console::flying(0);
+    console.vehicle(planned(1)).vehicle(planned(2)).press("M");
+    let console = resized(console, (120, 40));
+    let mut console = console_on(&console, Room::Map);
+    console.press("z");
+    let text = drawn(&console, Symbols::Braille, Language::English, (120, 40));
+    insta::assert_snapshot!("map_plan_120x40", text);
+    let fences = sketches(&console.press("*").state);
+    let borders = fences.iter().filter(|it| it.kind == SketchKind::Fence);
+    assert_eq!(borders.count(), 1, "two vehicles share it");
 }
 
 /// The truth of a hazard has to be found by sensors: nothing of it is told to the map.

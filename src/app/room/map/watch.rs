@@ -1,6 +1,6 @@
 //! What the map takes in while things happen, also when nobody looks at it.
 
-use super::Aim;
+use super::{Aim, planned};
 use crate::app::state::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::Progress;
@@ -77,7 +77,12 @@ pub fn measured(state: &mut State, progress: &Progress) {
 pub fn tick(state: &mut State) {
     if state.rooms.map.overview.is_due(state.now) {
         let places = places(state);
-        if state.rooms.map.overview.settle(places.into_iter()) && state.rooms.map.aim == Aim::All {
+        let map = &mut state.rooms.map;
+        let before = map.overview.frame().copied();
+        // Plans come at any time.
+        places.iter().for_each(|&place| map.overview.see(place));
+        map.overview.settle(places.into_iter());
+        if map.overview.frame().copied() != before && map.aim == Aim::All {
             state.touch();
         }
     }
@@ -106,5 +111,6 @@ fn places(state: &State) -> Vec<LatLon> {
     let map = &state.rooms.map;
     let trails = map.trails.values().filter(|_| !map.trails_hidden);
     let trails = trails.flat_map(|trail| trail.points().iter().step_by(TRAIL_STEP).copied());
-    vehicles.chain(areas).chain(cells).chain(trails).collect()
+    let known = vehicles.chain(areas).chain(cells).chain(trails);
+    known.chain(planned(state)).collect()
 }

@@ -49,6 +49,11 @@ impl Stroke {
         Self { role, on: 3, of: 6 }
     }
 
+    /// A line of dots close together.
+    pub const fn dense(role: Role) -> Self {
+        Self { role, on: 1, of: 2 }
+    }
+
     /// A line of dots.
     pub const fn dotted(role: Role) -> Self {
         Self { role, on: 1, of: 3 }
@@ -205,11 +210,21 @@ mod tests {
             Stroke::solid(Role::Text),
             Stroke::dashed(Role::Text),
             Stroke::dotted(Role::Text),
+            Stroke::dense(Role::Text),
         ];
         let samples = |symbols| strokes.map(|stroke| stroke.sample(symbols));
-        assert_eq!(samples(Symbols::Braille), ["⠤⠤⠤⠤⠤", "⠤⠄ ⠤⠄", "⠄⠠ ⠄⠠"]);
-        assert_eq!(samples(Symbols::Block), ["▄▄▄▄▄", "▄▄▄  ", "▄  ▄ "]);
-        assert_eq!(samples(Symbols::Ascii), [".....", "...  ", ".  . "]);
+        assert_eq!(
+            samples(Symbols::Braille),
+            ["⠤⠤⠤⠤⠤", "⠤⠄ ⠤⠄", "⠄⠠ ⠄⠠", "⠄⠄⠄⠄⠄"]
+        );
+        assert_eq!(
+            samples(Symbols::Block),
+            ["▄▄▄▄▄", "▄▄▄  ", "▄  ▄ ", "▄ ▄ ▄"]
+        );
+        assert_eq!(
+            samples(Symbols::Ascii),
+            [".....", "...  ", ".  . ", ". . ."]
+        );
     }
 
     proptest! {

@@ -28,6 +28,9 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
     match kind {
         SketchKind::Task => Stroke::dotted(Role::Info),
         SketchKind::Fence => Stroke::dashed(Role::Warning),
+        SketchKind::KeepOut => Stroke::dotted(Role::Danger),
+        SketchKind::Plan => Stroke::dense(Role::Info),
+        SketchKind::Rally => Stroke::dotted(Role::Title),
     }
 }
 
@@ -107,7 +110,7 @@ fn draw_sketch(sketch: &Sketch, view: &Viewport, canvas: &mut Canvas, labels: &m
     let corner = points.iter().filter_map(|&point| view.cell(point));
     if let Some((column, row)) = corner.min_by_key(|&(column, row)| (row, column)) {
         labels.push(Label {
-            cell: (column + 1, row),
+            cell: (column + u16::from(points.len() > 1), row),
             text: sketch.label.clone(),
             role: stroke.role,
         });

@@ -6,7 +6,8 @@ use ratatui::text::{Line, Span};
 
 use super::ground::{RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
-use crate::app::room::map::SketchKind;
+use crate::app::room::map::SketchKind::{Fence, KeepOut, Plan, Rally, Task};
+use crate::app::room::map::sketches;
 use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
@@ -72,9 +73,8 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
     let session = &state.session;
     let symbols = look.symbols;
-    let has_area = |kind| state.session.areas.iter().any(|area| area.kind == kind);
-    let task = has_area(crate::mission::AreaKind::Task);
-    let fence = has_area(crate::mission::AreaKind::Geofence);
+    let sketches = sketches(state);
+    let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
     let trails = !state.rooms.map.trails_hidden && !state.rooms.map.trails.is_empty();
     let targets = session.vehicles.values().any(|it| it.target.is_some());
     let row = |shown: bool, sign: String, role, id: &str| {
@@ -102,8 +102,11 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         row(true, "H".to_owned(), Role::Title, "map-legend-home"),
         line(trails, TRAIL, "map-legend-trail"),
         line(targets, TARGET, "map-legend-target"),
-        line(task, stroke(SketchKind::Task), "map-legend-task"),
-        line(fence, stroke(SketchKind::Fence), "map-legend-fence"),
+        line(has(Task), stroke(Task), "map-legend-task"),
+        line(has(Fence), stroke(Fence), "map-legend-fence"),
+        line(has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
+        line(has(Plan), stroke(Plan), "map-legend-plan"),
+        row(has(Rally), "R1".to_owned(), Role::Title, "map-legend-rally"),
         line(state.rooms.map.mark.is_some(), RULER, "map-legend-ruler"),
     ]
     .into_iter()
