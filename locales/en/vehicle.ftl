@@ -128,3 +128,12 @@ vehicle-rally-points = { $count ->
     [one] { $count } point
    *[other] { $count } points
 }
+
+vehicle-severity-emergency = emergency
+vehicle-severity-alert = alert
+vehicle-severity-critical = critical
+vehicle-severity-error = error
+vehicle-severity-warning = warning
+vehicle-severity-notice = notice
+vehicle-severity-info = info
+vehicle-severity-debug = debug

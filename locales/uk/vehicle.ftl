@@ -75,7 +75,7 @@ vehicle-plan-coming = читаю { $received } з { $total }
 vehicle-plan-unsupported = апарат цього не має
 vehicle-plan-failed = не прочитано: немає відповіді
 vehicle-fence = огорожа
-vehicle-rally = збір
+vehicle-rally = точки збору
 vehicle-fence-breached = ПОРУШЕНО
 
 vehicle-outputs = виходи
@@ -130,3 +130,12 @@ vehicle-rally-points = { $count ->
     [few] { $count } точки
    *[many] { $count } точок
 }
+
+vehicle-severity-emergency = аварія
+vehicle-severity-alert = тривога
+vehicle-severity-critical = критично
+vehicle-severity-error = помилка
+vehicle-severity-warning = попередження
+vehicle-severity-notice = зауваження
+vehicle-severity-info = інформація
+vehicle-severity-debug = діагностика

@@ -104,29 +104,20 @@ fn draw_curve(
     put(buffer, area, 0, &line);
     let range = history.and_then(|history| history.range(curve.channel, window));
     let left = (LABEL + NUMBER + 1 + UNIT) as u16;
-    let width = usize::from(area.width).saturating_sub(usize::from(left) + 2 * (NUMBER + 1));
+    let figures = 2 * (NUMBER as u16 + 1);
+    let width = area.width.saturating_sub(left + figures);
     if let (Some(history), Some((low, high))) = (history, range) {
         let readings: Vec<_> = history.readings(curve.channel, window).collect();
         let shown = (low, high.max(low + curve.least_span));
-        let size = (width, usize::from(area.height));
+        let size = (usize::from(width), usize::from(area.height));
         let rows = spark::rows(&readings, window.samples(), shown, size, look.symbols);
         for (row, text) in rows.into_iter().enumerate() {
-            let strip = columns(area, left, width as u16);
-            put(
-                buffer,
-                strip,
-                row as u16,
-                &Line::styled(text, look.style(Role::Accent)),
-            );
+            let line = Line::styled(text, look.style(Role::Accent));
+            put(buffer, columns(area, left, width), row as u16, &line);
         }
     }
-    let least = number(range.map(|(low, _)| low), curve.decimals);
-    let most = number(range.map(|(_, high)| high), curve.decimals);
-    let line = format!(" {least:>NUMBER$} {most:>NUMBER$}");
-    put(
-        buffer,
-        columns(area, left + width as u16, area.width),
-        0,
-        &Line::raw(line),
-    );
+    let [least, most] = [range.map(|(low, _)| low), range.map(|(_, high)| high)]
+        .map(|value| number(value, curve.decimals));
+    let line = Line::raw(format!(" {least:>NUMBER$} {most:>NUMBER$}"));
+    put(buffer, columns(area, left + width, area.width), 0, &line);
 }

@@ -49,21 +49,20 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
             );
         }
     }
-    let others = below(inner, items.height);
-    for (row, (label, text)) in [
+    draw_others(subject, below(inner, items.height), buffer);
+}
+
+/// Fence and rally points in a row each.
+fn draw_others(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let (vehicle, look) = (subject.vehicle, subject.look);
+    let rows = [
         ("vehicle-fence", fence(vehicle)),
         ("vehicle-rally", rally(vehicle)),
-    ]
-    .into_iter()
-    .enumerate()
-    {
+    ];
+    for (row, (label, text)) in rows.into_iter().enumerate() {
         let value = vec![Span::raw(look.text(&text))];
-        put(
-            buffer,
-            others,
-            row as u16,
-            &labelled(look, &look.say(label), value),
-        );
+        let line = labelled(look, &look.say(label), value);
+        put(buffer, area, row as u16, &line);
     }
 }
 

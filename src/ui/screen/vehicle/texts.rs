@@ -8,6 +8,7 @@ use super::Subject;
 use crate::notice::sanitised;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clock, put, severity_role, titled, wrap};
+use crate::vehicle::Severity;
 
 /// Columns of the time before a text.
 const TIME: usize = 6;
@@ -21,7 +22,11 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     for text in &subject.vehicle.texts {
         let time = clock(state.session.time(text.at));
         let style = look.style(severity_role(text.severity));
-        let said = format!("{} ({})", sanitised(&text.text), text.severity);
+        let said = format!(
+            "{} ({})",
+            sanitised(&text.text),
+            look.say(severity(text.severity))
+        );
         for (row, part) in wrap(&said, width).into_iter().enumerate() {
             let time = if row == 0 { time.as_str() } else { "" };
             lines.push(Line::from(vec![
@@ -42,5 +47,19 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
             0,
             &Line::styled("-", look.style(Role::Muted)),
         );
+    }
+}
+
+/// The id of a severity's name.
+fn severity(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Emergency => "vehicle-severity-emergency",
+        Severity::Alert => "vehicle-severity-alert",
+        Severity::Critical => "vehicle-severity-critical",
+        Severity::Error => "vehicle-severity-error",
+        Severity::Warning => "vehicle-severity-warning",
+        Severity::Notice => "vehicle-severity-notice",
+        Severity::Info => "vehicle-severity-info",
+        Severity::Debug => "vehicle-severity-debug",
     }
 }
