@@ -30,7 +30,7 @@ map-legend-task = task area
 map-legend-fence = fence
 map-legend-keep-out = keep out
 map-legend-plan = plan, waypoint w3
-map-legend-rally = rally point
+map-legend-rally = rally point (R1)
 map-legend-ruler = ruler
 
 action-left = left

@@ -31,7 +31,7 @@ map-legend-task = район завдання
 map-legend-fence = межа польотів
 map-legend-keep-out = заборонена зона
 map-legend-plan = маршрут, точка w3
-map-legend-rally = запасна точка (rally)
+map-legend-rally = запасна точка (R1)
 map-legend-ruler = лінійка
 
 action-left = ліворуч

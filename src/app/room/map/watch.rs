@@ -80,7 +80,9 @@ pub fn tick(state: &mut State) {
         let map = &mut state.rooms.map;
         let before = map.overview.frame().copied();
         // Plans come at any time.
-        places.iter().for_each(|&place| map.overview.see(place));
+        for &place in &places {
+            map.overview.see(place);
+        }
         map.overview.settle(places.into_iter());
         if map.overview.frame().copied() != before && map.aim == Aim::All {
             state.touch();

@@ -4,10 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use super::canvas::Stroke;
 use super::ground::{RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
 use crate::app::room::map::SketchKind::{Fence, KeepOut, Plan, Rally, Task};
-use crate::app::room::map::sketches;
+use crate::app::room::map::{leg, sketches};
 use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
@@ -71,45 +72,47 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
-    let session = &state.session;
-    let symbols = look.symbols;
+    let row = |(sign, role, id): (String, Role, &str)| {
+        Line::from(vec![
+            Span::styled(format!("{sign:SIGN_WIDTH$} "), look.style(role)),
+            Span::raw(look.say(id)),
+        ])
+    };
+    let signs = [
+        (
+            arrow(45.0, look.symbols).into(),
+            Role::Text,
+            "map-legend-armed",
+        ),
+        ("o".to_owned(), Role::Muted, "map-legend-disarmed"),
+        ("?".to_owned(), Role::Danger, "map-legend-lost"),
+        ("[3]".to_owned(), Role::Cursor, "map-legend-cursor"),
+        ("3*".to_owned(), Role::Selected, "map-legend-selected"),
+        ("3!".to_owned(), Role::Warning, "map-legend-alert"),
+        ("(4)".to_owned(), Role::Text, "map-legend-several"),
+        ("H".to_owned(), Role::Title, "map-legend-home"),
+    ];
+    let strokes = strokes(state).into_iter().filter(|(shown, ..)| *shown);
+    let strokes = strokes.map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
+    signs.into_iter().chain(strokes).map(row).collect()
+}
+
+/// The kinds of lines, and whether there are any on the map.
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 8] {
+    let map = &state.rooms.map;
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
-    let trails = !state.rooms.map.trails_hidden && !state.rooms.map.trails.is_empty();
-    let targets = session.vehicles.values().any(|it| it.target.is_some());
-    let row = |shown: bool, sign: String, role, id: &str| {
-        shown.then(|| {
-            Line::from(vec![
-                Span::styled(format!("{sign:SIGN_WIDTH$} "), look.style(role)),
-                Span::raw(look.say(id)),
-            ])
-        })
-    };
-    let sample = |stroke: super::canvas::Stroke| (stroke.sample(symbols), stroke.role);
-    let line = |shown, stroke, id| {
-        let (sign, role) = sample(stroke);
-        row(shown, sign, role, id)
-    };
-    let armed = arrow(45.0, symbols).to_string();
+    let trails = !map.trails_hidden && !map.trails.is_empty();
+    let mut vehicles = state.session.vehicles.values();
+    let targets = vehicles.any(|vehicle| leg(vehicle).is_some());
     [
-        row(true, armed, Role::Text, "map-legend-armed"),
-        row(true, "o".to_owned(), Role::Muted, "map-legend-disarmed"),
-        row(true, "?".to_owned(), Role::Danger, "map-legend-lost"),
-        row(true, "[3]".to_owned(), Role::Cursor, "map-legend-cursor"),
-        row(true, "3*".to_owned(), Role::Selected, "map-legend-selected"),
-        row(true, "3!".to_owned(), Role::Warning, "map-legend-alert"),
-        row(true, "(4)".to_owned(), Role::Text, "map-legend-several"),
-        row(true, "H".to_owned(), Role::Title, "map-legend-home"),
-        line(trails, TRAIL, "map-legend-trail"),
-        line(targets, TARGET, "map-legend-target"),
-        line(has(Task), stroke(Task), "map-legend-task"),
-        line(has(Fence), stroke(Fence), "map-legend-fence"),
-        line(has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
-        line(has(Plan), stroke(Plan), "map-legend-plan"),
-        row(has(Rally), "R1".to_owned(), Role::Title, "map-legend-rally"),
-        line(state.rooms.map.mark.is_some(), RULER, "map-legend-ruler"),
+        (trails, TRAIL, "map-legend-trail"),
+        (targets, TARGET, "map-legend-target"),
+        (has(Task), stroke(Task), "map-legend-task"),
+        (has(Fence), stroke(Fence), "map-legend-fence"),
+        (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
+        (has(Plan), stroke(Plan), "map-legend-plan"),
+        (has(Rally), stroke(Rally), "map-legend-rally"),
+        (map.mark.is_some(), RULER, "map-legend-ruler"),
     ]
-    .into_iter()
-    .flatten()
-    .collect()
 }

@@ -35,17 +35,7 @@ struct Marker {
 
 /// Draws the vehicles that are in view; returns how many others have a place.
 pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) -> usize {
-    let mut markers = Vec::new();
-    let mut outside = 0;
-    for vehicle in state.session.vehicles.values() {
-        let Some(global) = vehicle.global else {
-            continue;
-        };
-        match view.cell(global.at_point) {
-            Some(cell) => markers.push(marker(vehicle, cell, state, look)),
-            None => outside += 1,
-        }
-    }
+    let (mut markers, outside) = markers(state, look, view);
     let cursor = state.session.cursor;
     let under_cursor = markers.iter().position(|it| Some(it.id) == cursor);
     let chosen = under_cursor.map(|at| Chosen::new(markers.swap_remove(at), &mut markers));
@@ -63,19 +53,31 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
         gather(left, 0..from, &mut singles, &mut board, look);
         gather(right, to..area.width, &mut singles, &mut board, look);
     }
-    for marker in &singles {
-        board.put(
-            marker.column,
-            marker.row,
-            &marker.sign.to_string(),
-            look.style(marker.role),
-        );
+    for it in &singles {
+        let sign = it.sign.to_string();
+        board.put(it.column, it.row, &sign, look.style(it.role));
     }
     singles.sort_by_key(|it| (it.rank, it.id));
     for marker in singles {
         board.name(marker, look);
     }
     outside
+}
+
+/// The vehicles in view, and how many are not.
+fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) {
+    let mut markers = Vec::new();
+    let mut outside = 0;
+    for vehicle in state.session.vehicles.values() {
+        let Some(global) = vehicle.global else {
+            continue;
+        };
+        match view.cell(global.at_point) {
+            Some(cell) => markers.push(marker(vehicle, cell, state, look)),
+            None => outside += 1,
+        }
+    }
+    (markers, outside)
 }
 
 /// The vehicle under the cursor: always with its number, and with how many others it hides.
