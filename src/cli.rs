@@ -1,7 +1,4 @@
-//! The command line: what scripts rely on.
-//!
-//! Exit codes: 0 done (for `run`: mission passed), 1 the thing asked for failed (for `run`: mission not
-//! passed), 2 wrong usage or an invalid file. Errors go to standard error.
+//! The command line: what scripts rely on. Errors go to standard error.
 
 use std::fs::File;
 use std::io;
@@ -24,17 +21,29 @@ macro_rules! say {
 mod bench;
 mod check;
 mod fly;
+mod manual;
 mod run;
 mod sim;
+
+/// What the exit codes mean.
+const EXIT_CODES: &str = "\
+0  done; for run: the mission is passed; for check: every file is good
+1  the thing asked for failed; for run: the mission is not passed; for check: a file is faulty
+2  wrong usage or an invalid file
+";
 
 /// A terminal ground-control and training console for drone swarms.
 #[derive(Debug, Parser)]
 #[command(
     name = "sortie",
-    version,
-    after_help = "Without a command: the console's home screen, on the embedded simulator.\n\n\
-                  Examples:\n  sortie\n  sortie fly 01\n  sortie connect tcp:127.0.0.1:5760\n  \
-                  sortie run 01 --pilot 01-air-sample --json"
+    version = env!("SORTIE_VERSION"),
+    long_about = "A terminal ground-control and training console for drone swarms.\n\n\
+                  Without a command: the console's home screen, on the embedded simulator.",
+    after_help = "Examples:\n  \
+                  sortie                                     the home screen\n  \
+                  sortie fly 01                              the first mission\n  \
+                  sortie connect tcp:127.0.0.1:5760          vehicles that are there\n  \
+                  sortie run 01 --pilot 01-air-sample --json without a console"
 )]
 pub struct Arguments {
     #[command(subcommand)]
@@ -46,9 +55,12 @@ pub struct Arguments {
 /// Options of every command.
 #[derive(Debug, Args)]
 struct Common {
-    /// Write a log to FILE (levels by `SORTIE_LOG`, such as `info` or `sortie::link=debug`).
+    /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE")]
     log: Option<PathBuf>,
+    /// What goes into the log: error, warn, info, debug or trace, also of single parts: warn,sortie::link=debug.
+    #[arg(long, global = true, value_name = "LEVELS")]
+    log_level: Option<String>,
     /// The console's theme: dark, light, high-contrast, monochrome.
     #[arg(long, global = true, value_name = "NAME")]
     theme: Option<String>,
@@ -59,6 +71,11 @@ enum Command {
     /// Straight into a mission, or into free flight without one.
     Fly(fly::FlyArguments),
     /// The console on vehicles that are already there.
+    #[command(after_help = "Examples:\n  \
+                            sortie connect tcp:127.0.0.1:5760 tcp:127.0.0.1:5770\n  \
+                            sortie connect udpin:0.0.0.0:14550\n  \
+                            sortie connect serial:/dev/ttyACM0:115200\n  \
+                            sortie connect flight.tlog")]
     Connect {
         /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
@@ -68,15 +85,33 @@ enum Command {
     Run(run::RunArguments),
     /// The embedded simulator as a server for any ground station.
     Sim(sim::SimArguments),
-    /// Checks missions and pilot scripts; faults are printed with their line and column.
+    /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
+    /// column.
+    #[command(after_help = "Examples:\n  \
+                            sortie check missions/*.toml missions/pilots/*.pilot\n  \
+                            sortie check ~/.config/sortie/*.toml")]
     Check {
-        /// Files ending in .toml (missions, themes) or .pilot.
+        /// Files ending in .toml, whose content tells what they are, or .pilot.
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
     /// Measurements.
     #[command(subcommand)]
     Bench(bench::Bench),
+    /// Prints what completes this command line in a shell.
+    #[command(after_help = "Examples:\n  \
+                            sortie completions bash > ~/.local/share/bash-completion/completions/sortie\n  \
+                            sortie completions zsh > ~/.zfunc/_sortie\n  \
+                            sortie completions fish > ~/.config/fish/completions/sortie.fish")]
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Prints the manual page: this command line, and the language of commands.
+    #[command(after_help = "Examples:\n  \
+                            sortie man | man -l -\n  \
+                            sortie man > ~/.local/share/man/man1/sortie.1")]
+    Man,
 }
 
 /// Why a command did not do what it was asked.
@@ -128,6 +163,8 @@ fn dispatch(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Sim(options)) => sim::serve(&options),
         Some(Command::Check { files }) => check::check(&files),
         Some(Command::Bench(bench)) => bench::bench(&bench),
+        Some(Command::Completions { shell }) => manual::completions(shell),
+        Some(Command::Man) => manual::man(),
     }
 }
 

@@ -8,7 +8,7 @@ mod screen;
 mod theme;
 mod widget;
 
-pub use theme::{ColourDepth, Role, Theme};
+pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
 
 /// Draws the whole console.
 pub fn draw(state: &State, theme: &Theme, frame: &mut Frame<'_>) {

@@ -8,16 +8,20 @@ use clap::Args;
 
 use super::{Failure, parse_speedup, runtime};
 use crate::console::{self, Opening, Options};
-use crate::diagnostic::nearest;
 use crate::link::Address;
+use crate::store::{self, Source};
 use crate::terminal;
-use crate::ui::Theme;
+use crate::ui::{Theme, ThemeFile, Themes};
 
 /// Simulated vehicles in free flight, unless told otherwise.
 const VEHICLES: u8 = 4;
 
 /// Options of `sortie fly`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie fly 01\n  \
+    sortie fly --vehicles 8 --speedup 4\n  \
+    sortie fly missions/my-mission.toml --seed 7")]
 pub(super) struct FlyArguments {
     /// A mission file, or the name or number of an embedded mission; free flight without one.
     mission: Option<String>,
@@ -64,20 +68,28 @@ pub(super) fn connect(addresses: Vec<Address>, theme: Theme) -> Result<ExitCode,
     open(Opening::Connect(addresses), theme, VEHICLES, 1, 1.0)
 }
 
+/// The themes on offer: the embedded ones and the user's.
+pub(super) fn themes() -> Themes {
+    let mut themes = Themes::default();
+    add_themes(&mut themes, store::themes());
+    themes
+}
+
+/// Adds files to the themes on offer.
+pub(super) fn add_themes(themes: &mut Themes, files: Vec<Source>) {
+    for file in files {
+        let name = file.stem().to_owned();
+        let path = file.name;
+        let text = file.text;
+        themes.add(name, ThemeFile { path, text });
+    }
+}
+
 /// The theme of that name, in the colours that the terminal has.
 pub(super) fn theme(name: Option<&str>) -> Result<Theme, Failure> {
-    let theme = match name {
-        None => Theme::default(),
-        Some(name) => Theme::named(name).ok_or_else(|| {
-            let names: Vec<&str> = Theme::names().collect();
-            let guess = nearest(name, names.iter().copied())
-                .map_or(String::new(), |guess| format!("; did you mean `{guess}`?"));
-            Failure::Invalid(format!(
-                "sortie: there is no theme `{name}`: choose one of {}{guess}",
-                names.join(", ")
-            ))
-        })?,
-    };
+    let theme = themes()
+        .named(name.unwrap_or("dark"))
+        .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
     Ok(theme.for_colours(terminal::colour_depth()))
 }
 

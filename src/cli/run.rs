@@ -16,6 +16,10 @@ use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie run 01 --pilot 01-air-sample\n  \
+    sortie run my.toml --pilot my.pilot --json --no-timing\n  \
+    sortie run 01 --pilot my.pilot --seed 3 --speedup 10")]
 pub(super) struct RunArguments {
     /// A mission file, or the name or number of an embedded mission.
     mission: String,

@@ -19,6 +19,8 @@ const SIZE: (u16, u16) = (120, 40);
 
 /// Options of `sortie bench load`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie bench load --vehicles 32 --seconds 20")]
 pub(in crate::cli) struct LoadArguments {
     /// How many vehicles fly.
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u8).range(1..=250))]

@@ -7,12 +7,14 @@ use ratatui::style::{Color, Modifier, Style};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{EMBEDDED, Role};
+use super::{Role, Theme, Themes};
 use crate::diagnostic::Diagnostic;
+
+type Styles = BTreeMap<Role, Style>;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ThemeFile {
+struct Document {
     inherits: Option<Spanned<String>>,
     #[serde(default)]
     roles: BTreeMap<Spanned<String>, StyleEntry>,
@@ -34,14 +36,69 @@ struct StyleEntry {
     reverse: bool,
 }
 
+/// The themes that are being read, each inherited by the one before it.
+pub struct Lineage<'a> {
+    themes: &'a Themes,
+    names: Vec<String>,
+}
+
+impl<'a> Lineage<'a> {
+    pub fn new(themes: &'a Themes, name: &str) -> Self {
+        let names = vec![name.to_owned()];
+        Self { themes, names }
+    }
+
+    /// The styles that the last theme inherits from `parent`, or why there are none.
+    fn inherited(&self, parent: &Spanned<String>) -> Result<Styles, Diagnostic> {
+        let name = parent.get_ref();
+        let is_itself = self.names.last() == Some(name);
+        // A user's `dark` that inherits `dark` means the embedded one.
+        let own = self.themes.own(name).filter(|_| !is_itself);
+        if own.is_some() && self.names.contains(name) {
+            let circle = [&self.names[..], &[name.clone()]].concat().join(" -> ");
+            return Err(Diagnostic::new(
+                parent.span(),
+                format!("themes inherit each other in a circle: {circle}"),
+            ));
+        }
+        if let Some(file) = own {
+            let further = Self {
+                themes: self.themes,
+                names: [&self.names[..], &[name.clone()]].concat(),
+            };
+            return read(&file.text, &further).map_err(|faults| {
+                let first = faults.first();
+                let first = first.map(|fault| fault.one_line(&file.path, &file.text));
+                let text = format!("the theme `{name}` is faulty itself");
+                Diagnostic::new(parent.span(), text).with_help(first.unwrap_or_default())
+            });
+        }
+        // An embedded theme knows only embedded ones.
+        let embedded = Theme::named(name).map(|theme| theme.styles);
+        embedded.ok_or_else(|| {
+            let text = if is_itself {
+                format!("the theme `{name}` inherits itself")
+            } else {
+                format!("no theme is named `{name}`")
+            };
+            let known = self.themes.names();
+            let others = known.filter(|known| !self.names.iter().any(|name| name == known));
+            Diagnostic::new(parent.span(), text).with_nearest(name, others)
+        })
+    }
+}
+
 /// The styles of a theme file, with the inherited ones.
-pub fn read(source: &str) -> Result<BTreeMap<Role, Style>, Vec<Diagnostic>> {
-    let file: ThemeFile =
+pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnostic>> {
+    let file: Document =
         toml::from_str(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
     let mut faults = Vec::new();
     let mut styles = match &file.inherits {
-        Some(parent) => inherited(parent, &mut faults),
-        None => BTreeMap::new(),
+        Some(parent) => lineage.inherited(parent).unwrap_or_else(|fault| {
+            faults.push(fault);
+            Styles::new()
+        }),
+        None => Styles::new(),
     };
     for (name, entry) in &file.roles {
         let known = Role::ALL.iter().find(|(known, _)| *known == name.get_ref());
@@ -68,20 +125,6 @@ pub fn read(source: &str) -> Result<BTreeMap<Role, Style>, Vec<Diagnostic>> {
     } else {
         Err(faults)
     }
-}
-
-fn inherited(parent: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> BTreeMap<Role, Style> {
-    let name = parent.get_ref();
-    let source = EMBEDDED.iter().find(|(known, _)| known == name);
-    let styles = source.and_then(|(_, source)| read(source).ok());
-    styles.unwrap_or_else(|| {
-        let names = EMBEDDED.iter().map(|&(name, _)| name);
-        faults.push(
-            Diagnostic::new(parent.span(), format!("no theme is named `{name}`"))
-                .with_nearest(name, names),
-        );
-        BTreeMap::new()
-    })
 }
 
 fn style(entry: &StyleEntry, faults: &mut Vec<Diagnostic>) -> Style {
