@@ -58,7 +58,7 @@ struct Common {
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE")]
     log: Option<PathBuf>,
-    /// What goes into the log: error, warn, info, debug or trace, also of single parts: warn,sortie::link=debug.
+    /// What goes into the log: error, warn, info, debug or trace, also of single parts: `warn,sortie::link=debug`.
     #[arg(long, global = true, value_name = "LEVELS")]
     log_level: Option<String>,
     /// The console's theme: dark, light, high-contrast, monochrome.

@@ -55,7 +55,7 @@ impl<'a> Lineage<'a> {
         // A user's `dark` that inherits `dark` means the embedded one.
         let own = self.themes.own(name).filter(|_| !is_itself);
         if own.is_some() && self.names.contains(name) {
-            let circle = [&self.names[..], &[name.clone()]].concat().join(" -> ");
+            let circle = [&self.names[..], std::slice::from_ref(name)].concat().join(" -> ");
             return Err(Diagnostic::new(
                 parent.span(),
                 format!("themes inherit each other in a circle: {circle}"),
@@ -64,7 +64,7 @@ impl<'a> Lineage<'a> {
         if let Some(file) = own {
             let further = Self {
                 themes: self.themes,
-                names: [&self.names[..], &[name.clone()]].concat(),
+                names: [&self.names[..], std::slice::from_ref(name)].concat(),
             };
             return read(&file.text, &further).map_err(|faults| {
                 let first = faults.first();
