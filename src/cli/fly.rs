@@ -11,7 +11,7 @@ use crate::console::{self, Opening, Options};
 use crate::link::Address;
 use crate::store::{self, Source};
 use crate::terminal;
-use crate::ui::{Theme, ThemeFile, Themes};
+use crate::ui::{Look, Theme, ThemeFile, Themes};
 
 /// Simulated vehicles in free flight, unless told otherwise.
 const VEHICLES: u8 = 4;
@@ -128,7 +128,10 @@ fn open(
         vehicles,
         seed,
         speedup,
-        theme,
+        look: Look {
+            theme,
+            ..Look::default()
+        },
     };
     let runtime = runtime()?;
     let outcome = runtime.block_on(console::run(options));

@@ -294,7 +294,7 @@ impl LinkNews {
             at: now,
             vehicle: None,
             severity,
-            text,
+            text: text.into(),
         }
     }
 }
