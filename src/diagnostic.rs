@@ -42,6 +42,19 @@ impl Diagnostic {
         }
     }
 
+    /// The same fault of a line that stands as a string of `length` bytes at `quoted` of a file.
+    #[must_use]
+    pub fn in_string(mut self, quoted: Range<usize>, length: usize) -> Self {
+        // Escapes and triple quotes move what follows them: then the whole string is meant.
+        self.span = if quoted.len() == length + 2 {
+            let start = quoted.start + 1;
+            start + self.span.start..start + self.span.end
+        } else {
+            quoted
+        };
+        self
+    }
+
     /// A fault that the TOML reader found.
     pub fn from_toml(error: &toml::de::Error) -> Self {
         Self::new(error.span().unwrap_or(0..0), error.message())

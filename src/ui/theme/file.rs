@@ -55,7 +55,9 @@ impl<'a> Lineage<'a> {
         // A user's `dark` that inherits `dark` means the embedded one.
         let own = self.themes.own(name).filter(|_| !is_itself);
         if own.is_some() && self.names.contains(name) {
-            let circle = [&self.names[..], std::slice::from_ref(name)].concat().join(" -> ");
+            let circle = [&self.names[..], std::slice::from_ref(name)]
+                .concat()
+                .join(" -> ");
             return Err(Diagnostic::new(
                 parent.span(),
                 format!("themes inherit each other in a circle: {circle}"),
