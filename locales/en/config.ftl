@@ -10,3 +10,15 @@ config-expected-number = a whole number from { $least } to { $most }
 config-expected-flag = true or false
 config-expected-words = a list of words, such as ["one", "two"]
 config-expected-lines = a line of the command language in quotes, or a list of them
+
+keymap-no-key = there is no key `{ $key }`
+keymap-same-key = a terminal sends the same for `{ $key }` and for { $other }
+keymap-no-context = there is no context `{ $name }`
+keymap-context = `{ $name }` is a context: write [{ $name }] on a line of its own and its keys below
+keymap-twice = `{ $key }` has a meaning in this context already, in line { $line }
+keymap-shadows = `{ $key }` has another meaning anywhere, in line { $line }
+keymap-shadows-advice = give one of them another key
+keymap-meaning = expected the name of an action or a line of the command language in quotes, or false
+keymap-no-action = neither an action nor a command is called `{ $name }`
+keymap-only-actions = only actions can be given to the keys of `{ $name }`
+keymap-is-text = `{ $key }` is a letter of the line there

@@ -10,3 +10,15 @@ config-expected-number = ціле число від { $least } до { $most }
 config-expected-flag = true або false
 config-expected-words = список слів, наприклад ["one", "two"]
 config-expected-lines = рядок мови команд у лапках або список таких рядків
+
+keymap-no-key = немає клавіші `{ $key }`
+keymap-same-key = термінал надсилає те саме для `{ $key }` і для { $other }
+keymap-no-context = немає контексту `{ $name }`
+keymap-context = `{ $name }` — це контекст: напишіть [{ $name }] окремим рядком, а його клавіші нижче
+keymap-twice = `{ $key }` уже має значення в цьому контексті, у рядку { $line }
+keymap-shadows = `{ $key }` має інше значення для всіх екранів, у рядку { $line }
+keymap-shadows-advice = оберіть для одного з них іншу клавішу
+keymap-meaning = потрібна назва дії або рядок мови команд у лапках, або false
+keymap-no-action = немає ні дії, ні команди `{ $name }`
+keymap-only-actions = клавішам контексту `{ $name }` можна надати лише дії
+keymap-is-text = `{ $key }` там — літера самого рядка
