@@ -159,7 +159,7 @@ impl From<&str> for Text {
 
 impl PartialEq<str> for Text {
     fn eq(&self, words: &str) -> bool {
-        self.to_string() == words
+        self.to_string().as_str() == words
     }
 }
 

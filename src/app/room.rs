@@ -170,7 +170,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 ///
 /// # Errors
 /// What is wrong with it; the prompt stays open and says so.
-pub fn prompted(state: &mut State, purpose: Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
+pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
     }

@@ -105,7 +105,7 @@ impl Console {
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
             FleetEvent::Report(Report::Notice(notice)) => {
-                self.notices.push(notice.text.to_string())
+                self.notices.push(notice.text.to_string());
             }
         }
     }

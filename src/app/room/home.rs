@@ -57,6 +57,9 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 
 /// Takes the addresses that were entered. The prompt stays until the session has started, or says there why
 /// it could not.
+///
+/// # Errors
+/// There is no address.
 pub fn connect(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
     let addresses: Vec<String> = entered.split_whitespace().map(str::to_owned).collect();
     if addresses.is_empty() {

@@ -182,7 +182,7 @@ fn prompt_key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Vec<Effec
     prompt.fault = None;
     let outcome = if submitted || prompt.purpose.is_live() {
         let entered = prompt.input.value().to_owned();
-        room::prompted(state, prompt.purpose.clone(), &entered)
+        room::prompted(state, &prompt.purpose, &entered)
     } else {
         Ok(Vec::new())
     };
