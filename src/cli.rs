@@ -1,14 +1,15 @@
 //! The command line: what scripts rely on. Errors go to standard error.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 
 use crate::link::Address;
+use settings::{Common, Settings};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
 macro_rules! say {
@@ -20,9 +21,11 @@ macro_rules! say {
 
 mod bench;
 mod check;
+mod config;
 mod fly;
 mod manual;
 mod run;
+mod settings;
 mod sim;
 
 /// What the exit codes mean.
@@ -50,20 +53,6 @@ pub struct Arguments {
     command: Option<Command>,
     #[command(flatten)]
     common: Common,
-}
-
-/// Options of every command.
-#[derive(Debug, Args)]
-struct Common {
-    /// Write a log to FILE.
-    #[arg(long, global = true, value_name = "FILE")]
-    log: Option<PathBuf>,
-    /// What goes into the log: error, warn, info, debug or trace, also of single parts: `warn,sortie::link=debug`.
-    #[arg(long, global = true, value_name = "LEVELS")]
-    log_level: Option<String>,
-    /// The console's theme: dark, light, high-contrast, monochrome.
-    #[arg(long, global = true, value_name = "NAME")]
-    theme: Option<String>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -95,6 +84,8 @@ enum Command {
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
+    /// Prints what is set and who has set it: flag, environment, file or nobody.
+    Config(config::ConfigArguments),
     /// Measurements.
     #[command(subcommand)]
     Bench(bench::Bench),
@@ -131,7 +122,10 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 
 /// Runs the program and returns its exit code.
 pub fn main(arguments: Arguments) -> ExitCode {
-    let outcome = start_log(&arguments.common).and_then(|()| dispatch(arguments));
+    let outcome = settings::gather(&arguments.common).and_then(|settings| {
+        start_log(&settings)?;
+        dispatch(arguments.command, settings)
+    });
     match outcome {
         Ok(code) => code,
         // Whoever reads our output has had enough of it: nothing to complain about.
@@ -153,37 +147,48 @@ fn is_closed_pipe(error: &anyhow::Error) -> bool {
         .is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
-fn dispatch(arguments: Arguments) -> Result<ExitCode, Failure> {
-    let theme = fly::theme(arguments.common.theme.as_deref())?;
-    match arguments.command {
-        None => fly::home(theme),
-        Some(Command::Fly(options)) => fly::fly(&options, theme),
-        Some(Command::Connect { addresses }) => fly::connect(addresses, theme),
-        Some(Command::Run(options)) => run::run(&options),
-        Some(Command::Sim(options)) => sim::serve(&options),
+fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Failure> {
+    match command {
+        None => fly::home(settings),
+        Some(Command::Fly(options)) => fly::fly(&options, settings),
+        Some(Command::Connect { addresses }) => fly::connect(addresses, settings),
+        Some(Command::Run(options)) => {
+            settings.complain();
+            run::run(&options)
+        }
+        Some(Command::Sim(options)) => {
+            settings.complain();
+            sim::serve(&options)
+        }
         Some(Command::Check { files }) => check::check(&files),
+        Some(Command::Config(options)) => config::config(&options, &settings),
         Some(Command::Bench(bench)) => bench::bench(&bench),
         Some(Command::Completions { shell }) => manual::completions(shell),
         Some(Command::Man) => manual::man(),
     }
 }
 
-fn start_log(common: &Common) -> Result<(), Failure> {
-    let Some(path) = &common.log else {
+fn start_log(settings: &Settings) -> Result<(), Failure> {
+    let log = &settings.config.log;
+    let Some(path) = &log.file else {
         return Ok(());
     };
-    let file = File::create(path).map_err(|error| {
-        Failure::Invalid(format!(
-            "sortie: cannot write the log {}: {error}",
-            path.display()
-        ))
+    // The folder of the state may not be there yet.
+    let state = settings
+        .folders
+        .as_ref()
+        .map(|folders| folders.state.as_path());
+    let made = match Path::new(path).parent() {
+        Some(folder) if Some(folder) == state => fs::create_dir_all(folder),
+        _ => Ok(()),
+    };
+    let file = made.and_then(|()| File::create(path)).map_err(|error| {
+        Failure::Invalid(format!("sortie: cannot write the log {path}: {error}"))
     })?;
-    let levels = tracing_subscriber::EnvFilter::try_from_env("SORTIE_LOG")
-        .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new("info"));
     tracing_subscriber::fmt()
         .with_writer(Mutex::new(file))
         .with_ansi(false)
-        .with_env_filter(levels)
+        .with_env_filter(tracing_subscriber::EnvFilter::new(&log.level))
         .init();
     Ok(())
 }

@@ -84,6 +84,18 @@ impl Diagnostic {
         format!("{file}:{line}:{column}: {}{help}", self.message)
     }
 
+    /// The same for people, in their language.
+    pub fn text(&self, file: &str, source: &str) -> Text {
+        let (line, column) = self.line_column(source);
+        let place = Text::verbatim(format!("{file}:{line}:{column}:"));
+        let mut parts = vec![place, self.message.clone()];
+        if let Some(help) = &self.help {
+            let help = vec![Text::verbatim("("), help.clone(), Text::verbatim(")")];
+            parts.push(Text::joined("", help));
+        }
+        Text::joined(" ", parts)
+    }
+
     /// The fault with the lines around it, for people to read.
     pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
         let start = self.span.start.min(source.len());

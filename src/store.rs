@@ -16,7 +16,7 @@ mod folders;
 mod history;
 
 pub use folders::Folders;
-pub use history::{HISTORY_KEPT, History};
+pub use history::History;
 
 /// Missions, by file name without its ending.
 const MISSIONS: &[(&str, &str)] = &[(
@@ -137,6 +137,14 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
         file: source,
         faults,
     })
+}
+
+/// The names of the missions that give themselves an id, apart from those that lie elsewhere. The first is the one
+/// that the id finds.
+pub fn missions_with_id(id: &str) -> Vec<String> {
+    let all = missions().into_iter();
+    let same = all.filter(|it| Mission::parse(&it.text).is_ok_and(|mission| mission.id == id));
+    same.map(|source| source.name).collect()
 }
 
 /// The pilot script of a path, else of a name or number.

@@ -11,6 +11,8 @@ config-expected-flag = true or false
 config-expected-words = a list of words, such as ["one", "two"]
 config-expected-lines = a line of the command language in quotes, or a list of them
 
+config-faulty = left out: { $fault }
+
 keymap-no-key = there is no key `{ $key }`
 keymap-same-key = a terminal sends the same for `{ $key }` and for { $other }
 keymap-no-context = there is no context `{ $name }`
@@ -22,3 +24,6 @@ keymap-meaning = expected the name of an action or a line of the command languag
 keymap-no-action = neither an action nor a command is called `{ $name }`
 keymap-only-actions = only actions can be given to the keys of `{ $name }`
 keymap-is-text = `{ $key }` is a letter of the line there
+
+history-unreadable = the history of the command line cannot be read from { $path }: { $error }
+mission-twice = two missions have the id `{ $id }`: { $flown } is flown, { $other } is left out

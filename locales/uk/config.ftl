@@ -11,6 +11,8 @@ config-expected-flag = true або false
 config-expected-words = список слів, наприклад ["one", "two"]
 config-expected-lines = рядок мови команд у лапках або список таких рядків
 
+config-faulty = пропущено: { $fault }
+
 keymap-no-key = немає клавіші `{ $key }`
 keymap-same-key = термінал надсилає те саме для `{ $key }` і для { $other }
 keymap-no-context = немає контексту `{ $name }`
@@ -22,3 +24,6 @@ keymap-meaning = потрібна назва дії або рядок мови �
 keymap-no-action = немає ні дії, ні команди `{ $name }`
 keymap-only-actions = клавішам контексту `{ $name }` можна надати лише дії
 keymap-is-text = `{ $key }` там — літера самого рядка
+
+history-unreadable = не вдалося прочитати історію команд із { $path }: { $error }
+mission-twice = два завдання мають id `{ $id }`: виконується { $flown }, пропущено { $other }

@@ -98,12 +98,12 @@ fn faults(kind: Kind, path: &Path, source: &Source) -> Vec<Diagnostic> {
     let text = &source.text;
     let faults = match kind {
         Kind::Theme => {
-            let mut themes = super::fly::themes();
+            let mut themes = super::settings::themes();
             let folder = path
                 .parent()
                 .filter(|folder| !folder.as_os_str().is_empty());
             // It may inherit from those beside it, wherever they lie.
-            super::fly::add_themes(
+            super::settings::add_themes(
                 &mut themes,
                 store::files(folder.unwrap_or(Path::new(".")), "theme", "toml"),
             );

@@ -25,10 +25,10 @@ pub enum Origin {
     File {
         /// Its name.
         name: String,
-        /// Where in it, from 1.
+        /// The line in it, from 1.
         line: usize,
-        /// Where in the line, from 1.
-        column: usize,
+        /// Where in it the value stands, in bytes.
+        span: Range<usize>,
     },
     /// An environment variable.
     Environment(&'static str),
@@ -237,7 +237,7 @@ impl Reading<'_> {
             // A name with a dot in quotes is none of ours.
             let setting = Setting::named(&name).filter(|it| it.key() == key.get_ref());
             if section == "macros" {
-                self.lines(&name, key.span(), value);
+                self.lines(&name, value);
             } else if is_section {
                 let span = value.span();
                 match value.into_inner() {
@@ -245,7 +245,7 @@ impl Reading<'_> {
                     _ => self.fault(span, text!("config-section", name = name)),
                 }
             } else if let Some(setting) = setting {
-                self.setting(setting, key.span(), value);
+                self.setting(setting, value);
             } else {
                 let siblings = SETTINGS.iter().filter_map(|setting| match section {
                     "" if setting.section().is_empty() => Some(setting.name),
@@ -259,19 +259,19 @@ impl Reading<'_> {
         }
     }
 
-    fn setting(&mut self, setting: &Setting, key: Range<usize>, value: Spanned<DeValue<'_>>) {
+    fn setting(&mut self, setting: &Setting, value: Spanned<DeValue<'_>>) {
         let span = value.span();
         let Some(value) = plain(value) else {
             return;
         };
         match setting.kind.check(&value) {
-            Ok(()) => self.set(setting.name, key, value),
+            Ok(()) => self.set(setting.name, span, value),
             Err(fault) => self.wrong(setting.name, span, fault),
         }
     }
 
     /// A macro: its lines are checked, and one is as good as a list of one.
-    fn lines(&mut self, name: &str, key: Range<usize>, value: Spanned<DeValue<'_>>) {
+    fn lines(&mut self, name: &str, value: Spanned<DeValue<'_>>) {
         let span = value.span();
         let strings: Vec<Spanned<String>> = match value.get_ref() {
             DeValue::String(line) => vec![Spanned::new(span.clone(), line.to_string())],
@@ -302,15 +302,16 @@ impl Reading<'_> {
         let lines = strings
             .into_iter()
             .map(|line| Value::String(line.into_inner()));
-        self.set(name, key, Value::Array(lines.collect()));
+        self.set(name, span, Value::Array(lines.collect()));
     }
 
-    fn set(&mut self, name: &str, key: Range<usize>, value: Value) {
-        let (line, column) = Diagnostic::new(key, "").line_column(self.source);
+    fn set(&mut self, name: &str, span: Range<usize>, value: Value) {
+        let (line, _) = Diagnostic::new(span.clone(), "").line_column(self.source);
+        let name_of_file = self.name.to_owned();
         let origin = Origin::File {
-            name: self.name.to_owned(),
+            name: name_of_file,
             line,
-            column,
+            span,
         };
         self.layers.set(name, value, origin);
     }

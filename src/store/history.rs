@@ -6,7 +6,7 @@ use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 
 /// Lines that are kept.
-pub const HISTORY_KEPT: usize = 200;
+const HISTORY_KEPT: usize = 200;
 /// A file longer than this is no history of ours; it is left alone.
 const LONGEST: u64 = 1024 * 1024;
 
@@ -22,6 +22,11 @@ impl History {
         Self {
             path: state.join("history"),
         }
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// The lines of earlier sessions, oldest first, each once; shortens the file where it has become long.

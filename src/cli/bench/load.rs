@@ -9,7 +9,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::super::{Failure, runtime};
-use crate::console::{self, Opening, Options};
+use crate::console::{self, Opening, Options, Preferences};
 use crate::ui::Look;
 
 /// The vehicles are on their way by now.
@@ -57,6 +57,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         seed: 1,
         speedup: 1.0,
         look: Look::default(),
+        preferences: Preferences::default(),
     };
     let seconds = |seconds| Duration::from_secs(seconds);
     // A kilometre at 10 m/s lasts longer than the measurement.
