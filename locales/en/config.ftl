@@ -27,3 +27,13 @@ keymap-is-text = `{ $key }` is a letter of the line there
 
 history-unreadable = the history of the command line cannot be read from { $path }: { $error }
 mission-twice = two missions have the id `{ $id }`: { $flown } is flown, { $other } is left out
+
+theme-unknown = no theme is named `{ $name }`
+theme-inherits-itself = the theme `{ $name }` inherits itself
+theme-circle = themes inherit each other in a circle: { $circle }
+theme-faulty-parent = the theme `{ $name }` is faulty itself
+theme-unknown-role = unknown role `{ $name }`
+theme-no-style = the role `{ $name }` has no style
+theme-no-style-advice = give it one under [roles], or inherit it: inherits = "dark"
+theme-no-colour = `{ $word }` is no colour
+theme-no-colour-advice = write "#rrggbb", a name such as "light-red", or 0 to 255 as text

@@ -27,3 +27,13 @@ keymap-is-text = `{ $key }` там — літера самого рядка
 
 history-unreadable = не вдалося прочитати історію команд із { $path }: { $error }
 mission-twice = два завдання мають id `{ $id }`: виконується { $flown }, пропущено { $other }
+
+theme-unknown = немає теми `{ $name }`
+theme-inherits-itself = тема `{ $name }` успадковує саму себе
+theme-circle = теми успадковують одна одну по колу: { $circle }
+theme-faulty-parent = у самій темі `{ $name }` є помилка
+theme-unknown-role = немає ролі `{ $name }`
+theme-no-style = для ролі `{ $name }` не задано вигляду
+theme-no-style-advice = задайте його в розділі [roles] або успадкуйте: inherits = "dark"
+theme-no-colour = `{ $word }` — не колір
+theme-no-colour-advice = напишіть "#rrggbb", назву на зразок "light-red" або число від 0 до 255 у лапках

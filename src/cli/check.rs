@@ -5,8 +5,10 @@ use std::process::ExitCode;
 
 use toml::de::DeTable;
 
-use super::Failure;
-use crate::diagnostic::Diagnostic;
+use super::{Failure, settings};
+use crate::app::keymap::{Keymap, Place};
+use crate::config::SETTINGS;
+use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source};
@@ -16,6 +18,8 @@ use crate::store::{self, Source};
 enum Kind {
     Mission,
     Theme,
+    Keymap,
+    Configuration,
     Script,
 }
 
@@ -80,14 +84,27 @@ fn kind(path: &Path, text: &str) -> Kind {
         .map(|key| key.get_ref().as_ref())
         .collect();
     let folder = path.parent().and_then(Path::file_name);
-    let kinds: [(Kind, &str, &[&str]); 2] = [
+    let settings: Vec<&str> = SETTINGS
+        .iter()
+        .map(|it| it.name.split('.').next().unwrap_or_default())
+        .collect();
+    let contexts: Vec<&str> = Place::all().map(Place::name).collect();
+    let kinds: [(Kind, &str, &[&str]); 4] = [
         (Kind::Mission, "missions", MISSION_KEYS),
         (Kind::Theme, "themes", &["inherits", "roles"]),
+        (Kind::Keymap, "keymap", &contexts),
+        (Kind::Configuration, "config", &settings),
     ];
     let likeness = |&(_, place, known): &(Kind, &str, &[&str])| {
-        let count = keys.iter().filter(|key| known.contains(key)).count();
-        let hint = folder.is_some_and(|folder| folder == place)
-            || path.file_stem().is_some_and(|stem| stem == place);
+        // A slip of the finger still tells more than nothing.
+        let weight = |key: &&str| match nearest(key, known.iter().copied()) {
+            Some(name) if name == *key => 2,
+            Some(_) => 1,
+            None => 0,
+        };
+        let count: usize = keys.iter().map(weight).sum();
+        let is_folder = folder.is_some_and(|folder| folder == place);
+        let hint = is_folder || path.file_stem().is_some_and(|stem| stem == place);
         (count, hint)
     };
     let best = kinds.iter().rev().max_by_key(|kind| likeness(kind));
@@ -98,17 +115,22 @@ fn faults(kind: Kind, path: &Path, source: &Source) -> Vec<Diagnostic> {
     let text = &source.text;
     let faults = match kind {
         Kind::Theme => {
-            let mut themes = super::settings::themes();
+            let mut themes = settings::themes();
             let folder = path
                 .parent()
                 .filter(|folder| !folder.as_os_str().is_empty());
             // It may inherit from those beside it, wherever they lie.
-            super::settings::add_themes(
+            settings::add_themes(
                 &mut themes,
                 store::files(folder.unwrap_or(Path::new(".")), "theme", "toml"),
             );
             themes.read(source.stem(), text).err()
         }
+        Kind::Keymap => {
+            let themes = settings::theme_names(&settings::themes());
+            Keymap::default().overlay(text, &themes).err()
+        }
+        Kind::Configuration => Some(settings::faults_in(source, &settings::themes())),
         Kind::Mission => Mission::parse(text).err(),
         Kind::Script => {
             // Which mission it will fly, nobody has said: its places may have any name.

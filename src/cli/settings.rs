@@ -243,8 +243,7 @@ impl Settings {
     }
 
     fn check_log(&mut self) -> Result<(), Failure> {
-        if let Err(error) = EnvFilter::try_new(&self.config.log.level) {
-            let text = format!("the levels of the log are not understood: {error}");
+        if let Some(text) = level_fault(&self.config.log.level) {
             self.wrong("log.level", &text)?;
             self.config.log.level = Config::default().log.level;
         }
@@ -345,6 +344,32 @@ impl Settings {
             .map(|fault| text!("config-faulty", fault = fault.text()))
             .collect()
     }
+}
+
+/// What is wrong with a configuration file, also with what its values name.
+pub(super) fn faults_in(source: &Source, themes: &Themes) -> Vec<Diagnostic> {
+    let mut layers = Layers::default();
+    let names = theme_names(themes);
+    let is_line = |line: &str| lines::check(line, &names);
+    let read = layers.file(&source.name, &source.text, &is_line);
+    let mut faults = read.err().unwrap_or_default();
+    let config = layers.config();
+    let unknown = themes.named(&config.theme).err();
+    let named = [
+        ("theme", unknown.map(|error| error.to_string())),
+        ("log.level", level_fault(&config.log.level)),
+    ];
+    for (setting, fault) in named {
+        if let (Some(text), Origin::File { span, .. }) = (fault, layers.origin(setting)) {
+            faults.push(Diagnostic::new(span.clone(), text));
+        }
+    }
+    faults
+}
+
+fn level_fault(level: &str) -> Option<String> {
+    let error = EnvFilter::try_new(level).err()?;
+    Some(format!("the levels of the log are not understood: {error}"))
 }
 
 fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<Fault> {

@@ -93,6 +93,7 @@ impl Layers {
             faults,
         };
         reading.table("", table.into_inner());
+        reading.faults.sort_by_key(|fault| fault.span.start);
         if reading.faults.is_empty() {
             Ok(())
         } else {
@@ -245,7 +246,7 @@ impl Reading<'_> {
                     _ => self.fault(span, text!("config-section", name = name)),
                 }
             } else if let Some(setting) = setting {
-                self.setting(setting, value);
+                self.setting(setting, key.span(), value);
             } else {
                 let siblings = SETTINGS.iter().filter_map(|setting| match section {
                     "" if setting.section().is_empty() => Some(setting.name),
@@ -259,8 +260,11 @@ impl Reading<'_> {
         }
     }
 
-    fn setting(&mut self, setting: &Setting, value: Spanned<DeValue<'_>>) {
-        let span = value.span();
+    fn setting(&mut self, setting: &Setting, key: Range<usize>, value: Spanned<DeValue<'_>>) {
+        let span = match value.get_ref() {
+            DeValue::Table(_) => key,
+            _ => value.span(),
+        };
         let Some(value) = plain(value) else {
             return;
         };

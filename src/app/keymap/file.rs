@@ -58,7 +58,10 @@ impl Keymap {
         reading.faults.extend(first);
         reading.contexts(table.into_inner());
         reading.shadows();
-        let Reading { rows, faults, .. } = reading;
+        let Reading {
+            rows, mut faults, ..
+        } = reading;
+        faults.sort_by_key(|fault| fault.span.start);
         self.lay(rows);
         if faults.is_empty() {
             Ok(())
@@ -98,7 +101,7 @@ impl Keymap {
 }
 
 /// The names of the contexts, in the order of the help.
-pub fn contexts() -> impl Iterator<Item = &'static str> {
+pub(super) fn contexts() -> impl Iterator<Item = &'static str> {
     Place::all().map(Place::name)
 }
 
@@ -162,6 +165,9 @@ impl Reading<'_> {
             return Err(fault(text!("keymap-twice", key = name, line = line)));
         }
         let span = value.span();
+        if matches!(value.get_ref(), DeValue::Table(_)) {
+            return Err(fault(text!("keymap-meaning")));
+        }
         let meaning = meaning(value, self.themes)?;
         let is_room = matches!(place, Place::Anywhere | Place::In(_));
         if let (Some(Meaning::Give(_) | Meaning::Write(_)), false) = (&meaning, is_room) {

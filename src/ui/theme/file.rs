@@ -7,8 +7,9 @@ use ratatui::style::{Color, Modifier, Style};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Role, Theme, Themes};
+use super::{Role, Theme, ThemeFile, Themes};
 use crate::diagnostic::Diagnostic;
+use crate::text;
 
 type Styles = BTreeMap<Role, Style>;
 
@@ -51,27 +52,20 @@ impl<'a> Lineage<'a> {
     /// The styles that the last theme inherits from `parent`, or why there are none.
     fn inherited(&self, parent: &Spanned<String>) -> Result<Styles, Diagnostic> {
         let name = parent.get_ref();
-        let is_itself = self.names.last() == Some(name);
-        // A user's `dark` that inherits `dark` means the embedded one.
-        let own = self.themes.own(name).filter(|_| !is_itself);
-        if own.is_some() && self.names.contains(name) {
-            let circle = [&self.names[..], std::slice::from_ref(name)]
-                .concat()
-                .join(" -> ");
-            return Err(Diagnostic::new(
-                parent.span(),
-                format!("themes inherit each other in a circle: {circle}"),
-            ));
+        if let Some(circle) = self.circle(name) {
+            let text = text!("theme-circle", circle = circle);
+            return Err(Diagnostic::new(parent.span(), text));
         }
-        if let Some(file) = own {
+        let is_itself = self.names.last() == Some(name);
+        if let Some(file) = self.own(name) {
             let further = Self {
                 themes: self.themes,
                 names: [&self.names[..], std::slice::from_ref(name)].concat(),
             };
             return read(&file.text, &further).map_err(|faults| {
                 let first = faults.first();
-                let first = first.map(|fault| fault.one_line(&file.path, &file.text));
-                let text = format!("the theme `{name}` is faulty itself");
+                let first = first.map(|fault| fault.text(&file.path, &file.text));
+                let text = text!("theme-faulty-parent", name = name);
                 Diagnostic::new(parent.span(), text).with_help(first.unwrap_or_default())
             });
         }
@@ -79,14 +73,41 @@ impl<'a> Lineage<'a> {
         let embedded = Theme::named(name).map(|theme| theme.styles);
         embedded.ok_or_else(|| {
             let text = if is_itself {
-                format!("the theme `{name}` inherits itself")
+                text!("theme-inherits-itself", name = name)
             } else {
-                format!("no theme is named `{name}`")
+                text!("theme-unknown", name = name)
             };
             let known = self.themes.names();
             let others = known.filter(|known| !self.names.iter().any(|name| name == known));
             Diagnostic::new(parent.span(), text).with_nearest(name, others)
         })
+    }
+
+    /// The user's file that the last theme means by `name`. A user's `dark` that inherits `dark` means the embedded one.
+    fn own(&self, name: &str) -> Option<&'a ThemeFile> {
+        let is_itself = self.names.last().is_some_and(|last| last == name);
+        self.themes.own(name).filter(|_| !is_itself)
+    }
+
+    /// The themes that lead from the last one by way of `parent` to one that has been passed already.
+    fn circle(&self, parent: &str) -> Option<String> {
+        let mut names = self.names.clone();
+        let mut next = parent.to_owned();
+        loop {
+            let here = Self {
+                themes: self.themes,
+                names,
+            };
+            let file = here.own(&next)?;
+            names = here.names;
+            let is_passed = names.contains(&next);
+            names.push(next);
+            if is_passed {
+                return Some(names.join(" -> "));
+            }
+            let document: Document = toml::from_str(&file.text).ok()?;
+            next = document.inherits?.into_inner();
+        }
     }
 }
 
@@ -107,8 +128,11 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
         let Some(&(_, role)) = known else {
             let names = Role::ALL.iter().map(|&(name, _)| name);
             faults.push(
-                Diagnostic::new(name.span(), format!("unknown role `{}`", name.get_ref()))
-                    .with_nearest(name.get_ref(), names),
+                Diagnostic::new(
+                    name.span(),
+                    text!("theme-unknown-role", name = name.get_ref()),
+                )
+                .with_nearest(name.get_ref(), names),
             );
             continue;
         };
@@ -117,8 +141,8 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
     for (name, role) in Role::ALL {
         if faults.is_empty() && !styles.contains_key(&role) {
             faults.push(
-                Diagnostic::new(0..0, format!("the role `{name}` has no style"))
-                    .with_help("give it one under [roles], or inherit it: inherits = \"dark\""),
+                Diagnostic::new(0..0, text!("theme-no-style", name = name))
+                    .with_help(text!("theme-no-style-advice")),
             );
         }
     }
@@ -148,12 +172,15 @@ fn style(entry: &StyleEntry, faults: &mut Vec<Diagnostic>) -> Style {
     style
 }
 
-fn colour(text: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<Color> {
-    let parsed = Color::from_str(text.get_ref()).ok();
+fn colour(written: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<Color> {
+    let parsed = Color::from_str(written.get_ref()).ok();
     if parsed.is_none() {
         faults.push(
-            Diagnostic::new(text.span(), format!("`{}` is no colour", text.get_ref()))
-                .with_help("write \"#rrggbb\", a name such as \"light-red\", or 0 to 255 as text"),
+            Diagnostic::new(
+                written.span(),
+                text!("theme-no-colour", word = written.get_ref()),
+            )
+            .with_help(text!("theme-no-colour-advice")),
         );
     }
     parsed

@@ -1,0 +1,418 @@
+//! Configuration, keymaps and themes, as the program's user meets them.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use crate::terminal::{Terminal, home_variables, program};
+
+/// A home folder with these files in its configuration folder.
+fn home(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    for (name, content) in files {
+        let path = file(home.path(), name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("created");
+        fs::write(path, content).expect("written");
+    }
+    home
+}
+
+fn file(home: &Path, name: &str) -> PathBuf {
+    home.join("config/sortie").join(name)
+}
+
+fn sortie(home: &Path, variables: &[(&str, &str)], arguments: &[&str]) -> Output {
+    let program = program();
+    Command::new(&program[0])
+        .args(&program[1..])
+        .args(arguments)
+        .envs(home_variables(home))
+        .env("NO_COLOR", "1")
+        .envs(variables.iter().copied())
+        .output()
+        .expect("the program runs")
+}
+
+fn console(home: &Path, variables: &[(&str, &str)], arguments: &[&str]) -> Terminal {
+    let own = home_variables(home);
+    let own = own
+        .iter()
+        .map(|(name, path)| (*name, path.to_str().expect("plain")));
+    let all: Vec<(&str, &str)> = own.chain(variables.iter().copied()).collect();
+    Terminal::start_with(arguments, 120, 40, &all)
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// What `sortie config` prints for a setting: its line.
+fn line_of<'a>(printed: &'a str, key: &str) -> &'a str {
+    let mut lines = printed.lines();
+    lines
+        .find(|line| line.starts_with(&format!("{key} = ")))
+        .unwrap_or_else(|| panic!("no {key} in\n{printed}"))
+}
+
+/// What each file of the folders of bad files is refused with: one fault each.
+const REFUSALS: &[&str] = &[
+    "bad_configs/flag.toml:1:9: `mouse` must be true or false",
+    "bad_configs/log-level.toml:2:9: the levels of the log are not understood: ",
+    "bad_configs/macro-kind.toml:2:6: `macros.up` must be a line of the command language in quotes, or a list of them",
+    "bad_configs/macro-line.toml:2:26: there is no command `takeof` (did you mean `takeoff`?)",
+    "bad_configs/no-section.toml:2:10: `alerts` is a section: write [alerts] on a line of its own and its settings below",
+    "bad_configs/number-as-section.toml:1:2: `fps` must be a whole number from 1 to 60",
+    "bad_configs/number.toml:1:7: `fps` must be a whole number from 1 to 60",
+    "bad_configs/syntax.toml:1:9: string values must be quoted",
+    "bad_configs/text.toml:1:9: `theme` must be a text in quotes",
+    "bad_configs/theme.toml:1:9: there is no theme `drak`: choose one of dark, ",
+    "bad_configs/twice.toml:2:1: duplicate key",
+    "bad_configs/unknown-in-section.toml:2:1: unknown setting `alerts.bel` (did you mean `bell`?)",
+    "bad_configs/unknown-section.toml:1:2: unknown setting `alert` (did you mean `alerts`?)",
+    "bad_configs/unknown-setting.toml:2:1: unknown setting `them` (did you mean `theme`?)",
+    "bad_configs/word.toml:1:8: `lang` must be one of en, uk (did you mean `uk`?)",
+    "bad_configs/words.toml:1:17: `table.columns` must be a list of words, such as [\"one\", \"two\"]",
+    "bad_keymaps/action.toml:2:5: neither an action nor a command is called `inver` (did you mean `invert`?)",
+    "bad_keymaps/context.toml:1:2: there is no context `fyl` (did you mean `fly`?)",
+    "bad_keymaps/key.toml:2:1: there is no key `f55`",
+    "bad_keymaps/line.toml:2:10: there is no command `takeof` (did you mean `takeoff`?)",
+    "bad_keymaps/meaning.toml:2:5: expected the name of an action or a line of the command language in quotes, or false",
+    "bad_keymaps/no-context.toml:1:6: expected the name of an action or a line of the command language in quotes, or false",
+    "bad_keymaps/open-line.toml:2:10: there is no command `takeof` (did you mean `takeoff`?)",
+    "bad_keymaps/prompt-letter.toml:2:1: `x` is a letter of the line there",
+    "bad_keymaps/prompt-line.toml:2:10: only actions can be given to the keys of `prompt`",
+    "bad_keymaps/same-key.toml:2:1: a terminal sends the same for `ctrl-m` and for enter",
+    "bad_keymaps/shadow.toml:5:1: `x` has another meaning anywhere, in line 2 (give one of them another key)",
+    "bad_keymaps/syntax.toml:2:5: string values must be quoted",
+    "bad_keymaps/twice.toml:3:1: `Ctrl-A` has a meaning in this context already, in line 2",
+    "bad_themes/circle-a.toml:1:12: themes inherit each other in a circle: circle-a -> circle-b -> circle-a",
+    "bad_themes/circle-b.toml:1:12: themes inherit each other in a circle: circle-b -> circle-a -> circle-b",
+    "bad_themes/colour.toml:3:13: `grin` is no colour (write \"#rrggbb\", ",
+    "bad_themes/faulty-parent.toml:1:12: the theme `role` is faulty itself (tests/data/bad_themes/role.toml:3:1: ",
+    "bad_themes/incomplete.toml:1:1: the role `text` has no style (give it one under [roles], or inherit it: ",
+    "bad_themes/no-parent.toml:1:12: no theme is named `drak` (did you mean `dark`?)",
+    "bad_themes/role.toml:3:1: unknown role `warnin` (did you mean `warning`?)",
+    "bad_themes/style.toml:3:8: unknown field `blink`, expected one of ",
+];
+
+#[test]
+fn bad_files_are_refused_with_the_place_and_the_reason() {
+    let mut files: Vec<String> = Vec::new();
+    for folder in ["bad_configs", "bad_keymaps", "bad_themes"] {
+        let folder = Path::new("tests/data").join(folder);
+        for entry in fs::read_dir(folder).expect("it is there").flatten() {
+            files.push(entry.path().to_str().expect("plain").to_owned());
+        }
+    }
+    files.sort();
+    let arguments: Vec<&str> = std::iter::once("check")
+        .chain(files.iter().map(String::as_str))
+        .collect();
+    let home = home(&[]);
+    let output = sortie(home.path(), &[], &arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let printed = text(&output.stdout);
+    let found: Vec<&str> = printed.lines().collect();
+    for (found, expected) in found.iter().zip(REFUSALS) {
+        let found = found.strip_prefix("tests/data/").expect("its path");
+        assert!(
+            found.starts_with(expected),
+            "{found}\nrather than\n{expected}"
+        );
+    }
+    assert_eq!(found.len(), REFUSALS.len(), "{printed}");
+}
+
+#[test]
+fn a_value_comes_from_the_flag_then_the_environment_then_the_file() {
+    let home = home(&[
+        (
+            "config.toml",
+            "theme = \"light\"\nfps = 20\n\n[alerts]\nbell = false\n",
+        ),
+        ("themes/mine.toml", "inherits = \"dark\"\n"),
+    ]);
+    let variables = [
+        ("SORTIE_FPS", "5"),
+        ("SORTIE_THEME", "monochrome"),
+        ("LANG", "uk_UA.UTF-8"),
+    ];
+    let output = sortie(home.path(), &variables, &["config", "--theme", "mine"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    let path = file(home.path(), "config.toml");
+    let path = path.display();
+    let expected = [
+        ("theme", "theme = \"mine\" # flag --theme".to_owned()),
+        ("fps", "fps = 5 # environment SORTIE_FPS".to_owned()),
+        ("lang", "lang = \"uk\" # environment LANG".to_owned()),
+        ("bell", format!("bell = false # {path}:5")),
+        ("mouse", "mouse = false # default".to_owned()),
+    ];
+    for (key, line) in expected {
+        assert_eq!(line_of(&printed, key), line);
+    }
+}
+
+#[test]
+fn what_is_printed_is_a_configuration_that_says_the_same() {
+    let home = home(&[(
+        "config.toml",
+        "symbols = \"ascii\"\n[table]\ncolumns = [\"id\"]\n[macros]\nup = [\"all guided\", \"all takeoff 20\"]\n",
+    )]);
+    let printed = sortie(home.path(), &[], &["config"]).stdout;
+    let copy = file(home.path(), "copy.toml");
+    fs::write(&copy, &printed).expect("written");
+    let copy = copy.to_str().expect("plain");
+    let checked = sortie(home.path(), &[], &["check", copy]);
+    assert_eq!(text(&checked.stdout), format!("{copy}: good\n"));
+    let again = sortie(home.path(), &[], &["config", "--config", copy]).stdout;
+    let values =
+        |bytes: &[u8]| -> toml::Table { toml::from_str(&text(bytes)).expect("it is TOML") };
+    assert_eq!(values(&again), values(&printed));
+}
+
+#[test]
+fn a_faulty_file_is_told_and_the_rest_of_it_counts() {
+    let home = home(&[
+        ("config.toml", "fps = 20\nthem = \"light\"\n"),
+        ("keymap.toml", "[fyl]\nx = \"invert\"\n"),
+    ]);
+    let output = sortie(home.path(), &[], &["config"]);
+    assert_eq!(output.status.code(), Some(2));
+    let (printed, said) = (text(&output.stdout), text(&output.stderr));
+    assert!(
+        line_of(&printed, "fps").starts_with("fps = 20 # "),
+        "{printed}"
+    );
+    assert!(said.contains("config.toml:2:1"), "{said}");
+    assert!(said.contains("keymap.toml:1:2"), "{said}");
+    let mut terminal = console(home.path(), &[], &["fly"]);
+    terminal
+        .see("config.toml:2:1: unknown setting")
+        .command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn what_is_named_has_to_be_there_and_right() {
+    let home = home(&[("wrong.toml", "fps = 0\n")]);
+    let wrong = file(home.path(), "wrong.toml");
+    let wrong = wrong.to_str().expect("plain");
+    let cases: &[(&[(&str, &str)], &[&str], &str)] = &[
+        (&[], &["--config", wrong], "wrong.toml:1:7"),
+        (&[("SORTIE_CONFIG", wrong)], &[], "wrong.toml:1:7"),
+        (&[], &["--config", "nowhere.toml"], "nowhere.toml"),
+        (&[("SORTIE_KEYMAP", "nowhere.toml")], &[], "nowhere.toml"),
+        (
+            &[("SORTIE_FPS", "many")],
+            &[],
+            "SORTIE_FPS must be a whole number",
+        ),
+        (
+            &[],
+            &["--fps", "0"],
+            "--fps must be a whole number from 1 to 60, not `0`",
+        ),
+        (&[], &["--theme", "drak"], "did you mean `dark`?"),
+        (
+            &[],
+            &["--lang", "de"],
+            "--lang must be one of en, uk, not `de`",
+        ),
+        (&[], &["--log-level", "sortie=loud"], "levels of the log"),
+    ];
+    for (variables, flags, expected) in cases {
+        let arguments = [flags, &["run", "01", "--pilot", "01-air-sample"][..]].concat();
+        let output = sortie(home.path(), variables, &arguments);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(expected), "{said}");
+        assert!(output.stdout.is_empty(), "nothing was flown");
+    }
+}
+
+#[test]
+fn the_log_has_the_levels_that_were_asked_for() {
+    let home = home(&[(
+        "config.toml",
+        "[log]\nfile = \"sortie.log\"\nlevel = \"off\"\n",
+    )]);
+    let log = home.path().join("state/sortie/sortie.log");
+    let run = ["run", "01", "--pilot", "missions/pilots/01-arm-only.pilot"];
+    sortie(home.path(), &[], &run);
+    assert_eq!(
+        fs::read_to_string(&log).expect("it is in the folder of the state"),
+        ""
+    );
+    sortie(home.path(), &[("SORTIE_LOG", "info")], &run);
+    assert!(fs::read_to_string(&log).expect("there").contains("INFO"));
+}
+
+#[test]
+fn paths_are_those_of_the_variables() {
+    let home = home(&[]);
+    let printed = text(&sortie(home.path(), &[], &["config", "--paths"]).stdout);
+    let paths: toml::Table = toml::from_str(&printed).expect("it is TOML");
+    let base = home.path().to_str().expect("plain");
+    let expected = [
+        ("config_file", "config/sortie/config.toml"),
+        ("data", "data/sortie"),
+        ("history", "state/sortie/history"),
+    ];
+    for (name, path) in expected {
+        assert_eq!(
+            paths[name].as_str(),
+            Some(format!("{base}/{path}").as_str())
+        );
+    }
+}
+
+#[test]
+fn a_shell_is_given_completions_and_a_manual_page() {
+    let home = home(&[]);
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = text(&sortie(home.path(), &[], &["completions", shell]).stdout);
+        assert!(
+            script.contains("log-level") && script.contains("connect"),
+            "{shell}"
+        );
+    }
+    let page = text(&sortie(home.path(), &[], &["man"]).stdout);
+    assert!(
+        page.starts_with(".ie") || page.starts_with(".TH") || page.contains("\n.TH"),
+        "{page}"
+    );
+    assert!(
+        page.contains("takeoff") && page.contains("\\-\\-theme"),
+        "{page}"
+    );
+    let version = text(&sortie(home.path(), &[], &["--version"]).stdout);
+    let words: Vec<&str> = version.split_whitespace().collect();
+    assert_eq!(words[..2], ["sortie", env!("CARGO_PKG_VERSION")]);
+    if let [commit, date] = words[2..] {
+        let is_hexadecimal = |c: char| c.is_ascii_hexdigit();
+        let commit = commit.strip_prefix('(').expect("a bracket");
+        assert!(
+            commit.len() >= 7 && commit.chars().all(is_hexadecimal),
+            "{version}"
+        );
+        assert_eq!(date.len(), "2026-11-21)".len(), "{version}");
+    }
+}
+
+#[test]
+fn two_missions_with_one_id_are_told() {
+    let mission = fs::read_to_string("missions/01-air-sample.toml").expect("it is there");
+    let home = home(&[("missions/99-copy.toml", &mission)]);
+    let output = sortie(
+        home.path(),
+        &[],
+        &[
+            "run",
+            "01-air-sample",
+            "--pilot",
+            "missions/pilots/01-arm-only.pilot",
+        ],
+    );
+    let said = text(&output.stderr);
+    let expected = "two missions have the id `01-air-sample`: 01-air-sample.toml is flown, ";
+    assert!(
+        said.contains(expected) && said.contains("99-copy.toml is left out"),
+        "{said}"
+    );
+    let mut terminal = console(home.path(), &[], &[]);
+    terminal.see("two missions have the id").press("q");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn keys_of_ones_own_give_lines_and_are_in_the_help() {
+    let home = home(&[(
+        "keymap.toml",
+        "[anywhere]\nf5 = \"all guided\"\nctrl-t = \"all takeoff ...\"\nf6 = \"all kill\"\n\
+         [fly]\na = \"select-all\"\n",
+    )]);
+    let mut terminal = console(home.path(), &[], &["fly", "--speedup", "5"]);
+    terminal.see("4 vehicles");
+    terminal
+        .press("\u{1b}[15~")
+        .see("all guided  4 vehicles: 4 effect seen");
+    terminal.press("\u{14}").see("all takeoff").press("\u{1b}");
+    terminal.see_no_more("all takeoff");
+    // A dangerous line asks, whoever gives it.
+    terminal
+        .press("\u{1b}[17~")
+        .see("KILL")
+        .press("n")
+        .see("cancelled");
+    terminal.press("a").see("4 selected");
+    terminal
+        .press("?")
+        .see("F5")
+        .press("\u{1b}")
+        .see_no_more("F5");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn a_theme_of_ones_own_colours_the_console() {
+    let home = home(&[
+        ("config.toml", "theme = \"mine\"\n"),
+        ("themes/mine.toml", "inherits = \"base\"\n"),
+        (
+            "themes/base.toml",
+            "inherits = \"dark\"\n[roles]\ntext = { fg = \"#0b1c2d\", bg = \"#fedcba\" }\n",
+        ),
+        (
+            "themes/other.toml",
+            "inherits = \"dark\"\n[roles]\ntext = { fg = \"#0b1c2d\", bg = \"#abcdef\" }\n",
+        ),
+    ]);
+    let mut terminal = console(home.path(), &[("COLORTERM", "truecolor")], &["fly"]);
+    terminal.see("4 vehicles");
+    assert!(terminal.raw().contains("48;2;254;220;186"));
+    assert!(!terminal.raw().contains("48;2;171;205;239"));
+    terminal.command("theme other").see_no_more("theme other");
+    terminal.command("quit");
+    assert_eq!(terminal.end(), 0);
+    assert!(terminal.raw().contains("48;2;171;205;239"));
+}
+
+#[test]
+fn lines_come_back_in_the_next_session() {
+    let home = home(&[]);
+    let mut first = console(home.path(), &[], &["fly"]);
+    first
+        .see("4 vehicles")
+        .command("select 2-3")
+        .see("2 selected")
+        .command("quit");
+    assert_eq!(first.end(), 0);
+    let history = home.path().join("state/sortie/history");
+    let mode = fs::metadata(&history)
+        .expect("it is kept")
+        .permissions()
+        .mode();
+    assert_eq!(mode & 0o777, 0o600);
+    let mut second = console(home.path(), &[], &["fly"]);
+    second.see("4 vehicles").press(":").see("command");
+    // The newest is the one that ended the session.
+    second.press("\u{1b}[A\u{1b}[A").see("select 2-3");
+    second.press("\r").see("2 selected").command("quit");
+    assert_eq!(second.end(), 0);
+}
+
+#[test]
+fn the_language_is_that_of_the_shell_unless_a_flag_says_otherwise() {
+    let home = home(&[]);
+    let ukrainian = [("LANG", "uk_UA.UTF-8")];
+    let mut terminal = console(home.path(), &ukrainian, &[]);
+    terminal.see("ДІМ").press("q");
+    assert_eq!(terminal.end(), 0);
+    let mut terminal = console(home.path(), &ukrainian, &["--lang", "en"]);
+    terminal.see("HOME").press("q");
+    assert_eq!(terminal.end(), 0);
+}
