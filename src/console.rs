@@ -18,7 +18,7 @@ use tokio::time::MissedTickBehavior;
 use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::keymap::Keymap;
-use crate::app::state::{MissionListing, State};
+use crate::app::state::State;
 use crate::app::update;
 use crate::config::Config;
 use crate::fleet::{Clock, Unreachable};
@@ -33,8 +33,10 @@ use crate::text::Text;
 use crate::ui::{self, Look, Themes};
 use crate::vehicle::VehicleId;
 
+mod missions;
 mod session;
 
+use missions::listings;
 use session::{Backend, Plan, Running};
 
 /// The time between two ticks: ten frames a second.
@@ -399,44 +401,4 @@ impl Console {
 
 fn parse(addresses: &[String]) -> Result<Vec<Address>, AddressError> {
     addresses.iter().map(|address| address.parse()).collect()
-}
-
-/// The missions that can be flown, and what is wrong with the others.
-fn listings() -> (Vec<MissionListing>, Vec<Text>) {
-    let mut listings: Vec<MissionListing> = Vec::new();
-    let mut names: Vec<String> = Vec::new();
-    let mut warnings = Vec::new();
-    for source in store::missions() {
-        match Mission::parse(&source.text) {
-            Ok(mission) => {
-                let first = listings.iter().position(|known| known.id == mission.id);
-                if let Some(first) = first {
-                    let (id, flown) = (&mission.id, &names[first]);
-                    let other = &source.name;
-                    warnings.push(text!(
-                        "mission-twice",
-                        id = id,
-                        flown = flown,
-                        other = other
-                    ));
-                    continue;
-                }
-                listings.push(MissionListing {
-                    id: mission.id,
-                    title: mission.title,
-                    brief: mission.brief,
-                });
-                names.push(source.name);
-            }
-            Err(faults) => {
-                let first = faults.first();
-                let fault = first.map(|fault| fault.text(&source.name, &source.text));
-                warnings.extend(fault.map(|fault| text!("config-faulty", fault = fault)));
-                for fault in faults {
-                    tracing::warn!("{}", fault.one_line(&source.name, &source.text));
-                }
-            }
-        }
-    }
-    (listings, warnings)
 }

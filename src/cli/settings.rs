@@ -233,7 +233,7 @@ impl Settings {
                 if self.is_of_file("theme") {
                     self.all_told(&source, faults)?;
                 } else {
-                    return Err(explained(faults_of(&source, faults)));
+                    return Err(explained(&faults_of(&source, faults)));
                 }
             }
             Err(error) => self.wrong("theme", &error.to_string())?,
@@ -280,7 +280,7 @@ impl Settings {
             self.faults.extend(faults);
             return Ok(());
         }
-        Err(explained(faults))
+        Err(explained(&faults))
     }
 
     /// The keymap file, whether it is there or not. One that the configuration names lies beside it.
@@ -316,7 +316,7 @@ impl Settings {
     fn all_told(&mut self, source: &Source, faults: Vec<Diagnostic>) -> Result<(), Failure> {
         let faults = faults_of(source, faults);
         if self.is_named && !faults.is_empty() {
-            return Err(explained(faults));
+            return Err(explained(&faults));
         }
         self.faults.extend(faults);
         Ok(())
@@ -379,7 +379,7 @@ fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<Fault> {
         .collect()
 }
 
-fn explained(faults: Vec<Fault>) -> Failure {
+fn explained(faults: &[Fault]) -> Failure {
     let texts: Vec<String> = faults.iter().map(Fault::explained).collect();
     Failure::Invalid(texts.join("\n\n"))
 }

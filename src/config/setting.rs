@@ -174,10 +174,9 @@ impl Kind {
                 }
                 known
             }
-            (Self::Text, Value::String(_)) | (Self::Flag, Value::Boolean(_)) => true,
+            (Self::Text | Self::Lines, Value::String(_)) | (Self::Flag, Value::Boolean(_)) => true,
             (Self::Whole(least, most), Value::Integer(number)) => (least..=most).contains(number),
             (Self::Words, Value::Array(words)) => words.iter().all(Value::is_str),
-            (Self::Lines, Value::String(_)) => true,
             (Self::Lines, Value::Array(lines)) => {
                 !lines.is_empty() && lines.iter().all(Value::is_str)
             }

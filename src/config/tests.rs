@@ -2,23 +2,22 @@ use super::*;
 use crate::diagnostic::Diagnostic;
 use crate::text::Language;
 
-fn any_line(_: &str) -> Result<(), Diagnostic> {
-    Ok(())
+fn is_line(line: &str) -> Result<(), Diagnostic> {
+    match line.find("wrong") {
+        Some(at) => Err(Diagnostic::new(at..at + 5, "no verb")),
+        None => Ok(()),
+    }
 }
 
 fn of_file(source: &str) -> Layers {
     let mut layers = Layers::default();
     layers
-        .file("config.toml", source, &any_line)
+        .file("config.toml", source, &is_line)
         .expect("it is right");
     layers
 }
 
 fn faults_of(source: &str) -> Vec<String> {
-    let is_line = |line: &str| match line.find("wrong") {
-        Some(at) => Err(Diagnostic::new(at..at + 5, "no verb")),
-        None => Ok(()),
-    };
     let faults = Layers::default()
         .file("c.toml", source, &is_line)
         .expect_err(source);
@@ -50,7 +49,7 @@ fn every_setting_of_the_table_is_one_of_the_configuration() {
         let configs = [value.clone(), "false".to_owned()].map(|value| {
             let mut layers = Layers::default();
             let line = format!("{}{tail} = {value}", setting.name);
-            drop(layers.file("c", &line, &any_line));
+            drop(layers.file("c", &line, &is_line));
             layers.config()
         });
         let differs = configs.iter().any(|config| *config != Config::default());
@@ -168,7 +167,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         assert!(faults[0].starts_with(expected), "{source}: {faults:?}");
     }
     let mut layers = Layers::default();
-    let faults = layers.file("c", "fps = 0\nmouse = true\n", &any_line);
+    let faults = layers.file("c", "fps = 0\nmouse = true\n", &is_line);
     assert_eq!(faults.expect_err("0 is too little").len(), 1);
     assert!(layers.config().mouse);
 }

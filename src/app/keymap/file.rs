@@ -125,12 +125,11 @@ impl Reading<'_> {
                 continue;
             };
             let span = value.span();
-            match value.into_inner() {
-                DeValue::Table(keys) => self.keys(place, keys),
-                _ => {
-                    let text = text!("keymap-context", name = place.name());
-                    self.faults.push(Diagnostic::new(span, text));
-                }
+            if let DeValue::Table(keys) = value.into_inner() {
+                self.keys(place, keys);
+            } else {
+                let text = text!("keymap-context", name = place.name());
+                self.faults.push(Diagnostic::new(span, text));
             }
         }
     }
@@ -143,7 +142,7 @@ impl Reading<'_> {
             .collect();
         for (key, value) in keys.into_values() {
             let key = Spanned::new(key.span(), key.get_ref().to_string());
-            match self.row(place, key, value) {
+            match self.row(place, key, &value) {
                 Ok(row) => self.rows.push(row),
                 Err(fault) => self.faults.push(fault),
             }
@@ -154,7 +153,7 @@ impl Reading<'_> {
         &self,
         place: Place,
         key: Spanned<String>,
-        value: Spanned<DeValue<'_>>,
+        value: &Spanned<DeValue<'_>>,
     ) -> Result<Row, Diagnostic> {
         let fault = |text| Diagnostic::new(key.span(), text);
         let press = Press::read(key.get_ref()).map_err(fault)?;
@@ -211,7 +210,7 @@ impl Reading<'_> {
 }
 
 /// What a value means.
-fn meaning(value: Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Meaning>, Diagnostic> {
+fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Meaning>, Diagnostic> {
     let span = value.span();
     let line = match value.get_ref() {
         DeValue::Boolean(false) => return Ok(None),
