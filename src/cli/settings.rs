@@ -106,10 +106,14 @@ pub(super) enum Fault {
 }
 
 impl Fault {
-    /// In one line.
+    /// In one line, which has no room for the folder.
     pub fn text(&self) -> Text {
         match self {
-            Self::Inside(source, fault) => fault.text(&source.name, &source.text),
+            Self::Inside(source, fault) => {
+                let path = Path::new(&source.name);
+                let name = path.file_name().unwrap_or(path.as_os_str());
+                fault.text(&name.to_string_lossy(), &source.text)
+            }
             Self::Whole(text) => text.clone(),
         }
     }
