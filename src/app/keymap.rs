@@ -11,6 +11,7 @@ use crate::text::Text;
 
 mod file;
 mod press;
+mod show;
 
 pub use press::Press;
 

@@ -8,6 +8,7 @@ use clap::Args;
 use super::Failure;
 use super::settings::Settings;
 use crate::store::{Folders, History};
+use crate::text::Locale;
 
 /// Options of `sortie config`.
 #[derive(Debug, Args)]
@@ -15,11 +16,15 @@ use crate::store::{Folders, History};
     sortie config                                   what is set, and who has set it\n  \
     sortie config > ~/.config/sortie/config.toml    a file to begin with\n  \
     sortie config --theme light --fps 5             what these flags would change\n  \
+    sortie config --keys                            the keys, and every action that a key could have\n  \
     sortie config --paths                           the files and folders")]
 pub(super) struct ConfigArguments {
     /// The files and folders instead of the values.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "keys")]
     paths: bool,
+    /// What the keys mean, as a keymap file, instead of the values.
+    #[arg(long)]
+    keys: bool,
 }
 
 /// Prints the configuration as a configuration file; exit code 2 if a file is faulty.
@@ -30,6 +35,9 @@ pub(super) fn config(options: &ConfigArguments, settings: &Settings) -> Result<E
             let value = toml::Value::String(path.display().to_string());
             say!("{name} = {value}")?;
         }
+    } else if options.keys {
+        let locale = Locale::new(settings.config.lang.unwrap_or_default());
+        say!("{}", settings.keymap.show(&locale).trim_end())?;
     } else {
         say!("# A value comes from the first that has it: flag, environment, file, default.")?;
         for (name, path) in paths(settings) {

@@ -107,6 +107,25 @@ fn what_is_printed_is_a_configuration_that_says_the_same() {
 }
 
 #[test]
+fn the_keys_that_are_printed_are_a_keymap_that_says_the_same() {
+    let home = home(&[("keymap.toml", "[anywhere]\nf5 = \"all rtl\"\n")]);
+    let printed = text(&sortie(home.path(), &[], &["config", "--keys"]).stdout);
+    let copy = file(home.path(), "copy.toml");
+    fs::write(&copy, &printed).expect("written");
+    let copy = copy.to_str().expect("plain");
+    let checked = sortie(home.path(), &[], &["check", copy]);
+    assert_eq!(text(&checked.stdout), format!("{copy}: good\n"));
+    let again = sortie(
+        home.path(),
+        &[("SORTIE_KEYMAP", copy)],
+        &["config", "--keys"],
+    );
+    assert_eq!(text(&again.stdout), printed);
+    let rows = printed.lines().filter(|line| line.starts_with('"'));
+    assert_eq!(rows.count(), 1, "{printed}");
+}
+
+#[test]
 fn a_faulty_file_is_told_and_the_rest_of_it_counts() {
     let home = home(&[
         ("config.toml", "fps = 20\nthem = \"light\"\n"),

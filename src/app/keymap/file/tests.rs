@@ -2,6 +2,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::*;
 use crate::app::room::Room;
+use crate::text::Locale;
 
 const FLY: Place = Place::In(Room::Fly);
 
@@ -128,4 +129,34 @@ fn a_key_may_be_switched_off_in_a_room_and_bound_anywhere() {
     let keymap = keymap("[anywhere]\nx = \"help\"\n[fly]\nx = false\n");
     assert_eq!(press(&keymap, "x", FLY), None);
     assert!(press(&keymap, "x", Place::In(Room::Map)).is_some());
+}
+
+#[test]
+fn what_is_shown_reads_back_as_the_same() {
+    let source = "[anywhere]\nf5 = \"all rtl\"\n[fly]\na = false\nn = \"@red takeoff ...\"\n\
+                  '\\' = \"invert\"\n[reader]\n\"ctrl-left\" = \"first\"\n";
+    let own = keymap(source);
+    let shown = own.show(&Locale::default());
+    assert_eq!(keymap(&shown), own, "{shown}");
+    assert!(shown.contains("\"F5\" = \"all rtl\" # "), "{shown}");
+    assert!(
+        shown.contains("# \"?\" = \"help\" # this help\n"),
+        "{shown}"
+    );
+    // Without the comments nothing of the default is left.
+    let rows = shown.lines().filter(|line| line.starts_with(['"', '\'']));
+    assert_eq!(rows.count(), 5, "{shown}");
+    // And what stands in the comments is what the default says.
+    let uncommented = Keymap::default().show(&Locale::default());
+    let default: Vec<&str> = uncommented
+        .lines()
+        .filter(|line| !line.starts_with("# without"))
+        .map(|line| line.strip_prefix("# ").unwrap_or(line))
+        .collect();
+    for place in default.join("\n").split("\n\n") {
+        assert_eq!(
+            keymap(place).bindings.len(),
+            Keymap::default().bindings.len()
+        );
+    }
 }
