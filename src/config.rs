@@ -16,7 +16,7 @@ mod show;
 #[cfg(test)]
 mod tests;
 
-pub use layers::{Layers, LineCheck, Origin};
+pub use layers::{Layers, Origin, WordCheck};
 pub use setting::{Kind, SETTINGS, Setting};
 
 /// The settings; each has a default.

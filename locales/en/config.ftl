@@ -4,6 +4,7 @@ config-unknown = unknown setting `{ $name }`
 config-wrong = `{ $name }` must be { $expected }
 config-wrong-word = { $name } must be { $expected }, not `{ $word }`
 config-section = `{ $name }` is a section: write [{ $name }] on a line of its own and its settings below
+config-log-level = the levels of the log are not understood: { $error }
 config-expected-word = one of { $choices }
 config-expected-text = a text in quotes
 config-expected-number = a whole number from { $least } to { $most }

@@ -4,6 +4,7 @@ config-unknown = немає налаштування `{ $name }`
 config-wrong = для `{ $name }` потрібно { $expected }
 config-wrong-word = для { $name } потрібно { $expected }, а не `{ $word }`
 config-section = `{ $name }` — це розділ: напишіть [{ $name }] окремим рядком, а його налаштування нижче
+config-log-level = рівні журналу незрозумілі: { $error }
 config-expected-word = одне зі слів: { $choices }
 config-expected-text = текст у лапках
 config-expected-number = ціле число від { $least } до { $most }

@@ -130,7 +130,7 @@ fn faults(kind: Kind, path: &Path, source: &Source) -> Vec<Diagnostic> {
             let themes = settings::theme_names(&settings::themes());
             Keymap::default().overlay(text, &themes).err()
         }
-        Kind::Configuration => Some(settings::faults_in(source, &settings::themes())),
+        Kind::Configuration => settings::faults_in(source, &settings::themes()),
         Kind::Mission => Mission::parse(text).err(),
         Kind::Script => {
             // Which mission it will fly, nobody has said: its places may have any name.

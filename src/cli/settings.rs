@@ -198,8 +198,8 @@ impl Settings {
             Err(error) => return self.told(Fault::Whole(Text::verbatim(error.to_string()))),
         };
         let themes = theme_names(&self.themes);
-        let is_line = |line: &str| lines::check(line, &themes);
-        let read = self.layers.file(&source.name, &source.text, &is_line);
+        let check = |setting: &str, word: &str| check(setting, word, &themes);
+        let read = self.layers.file(&source.name, &source.text, &check);
         self.source = Some(source.clone());
         let faults = read.err().unwrap_or_default();
         self.all_told(&source, faults)
@@ -240,16 +240,16 @@ impl Settings {
                     return Err(explained(&faults_of(&source, faults)));
                 }
             }
-            Err(error) => self.wrong("theme", &error.to_string())?,
+            Err(error) => return Err(Failure::Invalid(format!("sortie: {error}"))),
         }
         self.theme.name().clone_into(&mut self.config.theme);
         Ok(())
     }
 
     fn check_log(&mut self) -> Result<(), Failure> {
-        if let Some(text) = level_fault(&self.config.log.level) {
-            self.wrong("log.level", &text)?;
-            self.config.log.level = Config::default().log.level;
+        if let Err(error) = EnvFilter::try_new(&self.config.log.level) {
+            let text = text!("config-log-level", error = error.to_string());
+            return Err(Failure::Invalid(format!("sortie: {text}")));
         }
         // A log of every session belongs into the folder for such things, not into the one that happens to be current.
         if self.is_of_file("log.file")
@@ -350,30 +350,30 @@ impl Settings {
     }
 }
 
-/// What is wrong with a configuration file, also with what its values name.
-pub(super) fn faults_in(source: &Source, themes: &Themes) -> Vec<Diagnostic> {
+/// What is wrong with a configuration file.
+pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnostic>> {
+    let themes = theme_names(themes);
+    let check = |setting: &str, word: &str| check(setting, word, &themes);
     let mut layers = Layers::default();
-    let names = theme_names(themes);
-    let is_line = |line: &str| lines::check(line, &names);
-    let read = layers.file(&source.name, &source.text, &is_line);
-    let mut faults = read.err().unwrap_or_default();
-    let config = layers.config();
-    let unknown = themes.named(&config.theme).err();
-    let named = [
-        ("theme", unknown.map(|error| error.to_string())),
-        ("log.level", level_fault(&config.log.level)),
-    ];
-    for (setting, fault) in named {
-        if let (Some(text), Origin::File { span, .. }) = (fault, layers.origin(setting)) {
-            faults.push(Diagnostic::new(span.clone(), text));
-        }
-    }
-    faults
+    layers.file(&source.name, &source.text, &check).err()
 }
 
-fn level_fault(level: &str) -> Option<String> {
-    let error = EnvFilter::try_new(level).err()?;
-    Some(format!("the levels of the log are not understood: {error}"))
+/// Checks what a word of a configuration file names.
+fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic> {
+    let fault = |text| Err(Diagnostic::new(0..word.len(), text));
+    match setting {
+        "macros" => lines::check(word, themes),
+        "theme" if !themes.iter().any(|name| name == word) => {
+            let text = text!("theme-unknown", name = word);
+            let known = themes.iter().map(String::as_str);
+            fault(text).map_err(|fault| fault.with_nearest(word, known))
+        }
+        "log.level" => match EnvFilter::try_new(word) {
+            Ok(_) => Ok(()),
+            Err(error) => fault(text!("config-log-level", error = error.to_string())),
+        },
+        _ => Ok(()),
+    }
 }
 
 fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<Fault> {

@@ -13,8 +13,9 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
 
-/// Says what is wrong with a line of the command language.
-pub type LineCheck<'a> = &'a dyn Fn(&str) -> Result<(), Diagnostic>;
+/// Says what is wrong with a word or line of a file: the name of its setting, and what it says. What a setting may name
+/// (themes, columns, commands) is known elsewhere.
+pub type WordCheck<'a> = &'a dyn Fn(&str, &str) -> Result<(), Diagnostic>;
 
 /// Where a value came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -79,7 +80,7 @@ impl Layers {
         &mut self,
         name: &str,
         source: &str,
-        is_line: LineCheck<'_>,
+        check: WordCheck<'_>,
     ) -> Result<(), Vec<Diagnostic>> {
         let mut faults = Vec::new();
         let (table, errors) = DeTable::parse_recoverable(source);
@@ -88,7 +89,7 @@ impl Layers {
         let mut reading = Reading {
             name,
             source,
-            is_line,
+            check,
             layers: self,
             faults,
         };
@@ -221,7 +222,7 @@ fn found<'a>(table: &'a Table, setting: &Setting) -> Option<&'a Value> {
 struct Reading<'a> {
     name: &'a str,
     source: &'a str,
-    is_line: LineCheck<'a>,
+    check: WordCheck<'a>,
     layers: &'a mut Layers,
     faults: Vec<Diagnostic>,
 }
@@ -236,17 +237,18 @@ impl Reading<'_> {
             let is_section = SETTINGS.iter().any(|setting| setting.section() == name);
             let is_section = is_section && !name.is_empty();
             // A name with a dot in quotes is none of ours.
-            let setting = Setting::named(&name).filter(|it| it.key() == key.get_ref());
-            if section == "macros" {
-                self.lines(&name, value);
-            } else if is_section {
+            let setting = match section {
+                "macros" => Setting::named(section),
+                _ => Setting::named(&name).filter(|it| it.key() == key.get_ref()),
+            };
+            if is_section {
                 let span = value.span();
                 match value.into_inner() {
                     DeValue::Table(inner) => self.table(&name, inner),
                     _ => self.fault(span, text!("config-section", name = name)),
                 }
             } else if let Some(setting) = setting {
-                self.setting(setting, key.span(), value);
+                self.setting(setting, &name, key.span(), value);
             } else {
                 let siblings = SETTINGS.iter().filter_map(|setting| match section {
                     "" if setting.section().is_empty() => Some(setting.name),
@@ -260,53 +262,37 @@ impl Reading<'_> {
         }
     }
 
-    fn setting(&mut self, setting: &Setting, key: Range<usize>, value: Spanned<DeValue<'_>>) {
+    /// A value of a setting, under its name; that of a macro is not the setting's.
+    fn setting(
+        &mut self,
+        setting: &Setting,
+        name: &str,
+        key: Range<usize>,
+        value: Spanned<DeValue<'_>>,
+    ) {
         let span = match value.get_ref() {
             DeValue::Table(_) => key,
             _ => value.span(),
         };
-        let Some(value) = plain(value) else {
+        let words = words(&value);
+        let Some(mut value) = plain(value) else {
             return;
         };
-        match setting.kind.check(&value) {
-            Ok(()) => self.set(setting.name, span, value),
-            Err(fault) => self.wrong(setting.name, span, fault),
-        }
-    }
-
-    /// A macro: its lines are checked, and one is as good as a list of one.
-    fn lines(&mut self, name: &str, value: Spanned<DeValue<'_>>) {
-        let span = value.span();
-        let strings: Vec<Spanned<String>> = match value.get_ref() {
-            DeValue::String(line) => vec![Spanned::new(span.clone(), line.to_string())],
-            DeValue::Array(lines) => lines
-                .iter()
-                .filter_map(|line| {
-                    Some(Spanned::new(
-                        line.span(),
-                        line.get_ref().as_str()?.to_owned(),
-                    ))
-                })
-                .collect(),
-            _ => Vec::new(),
-        };
-        let Some(value) = plain(value) else {
-            return;
-        };
-        if let Err(fault) = Kind::Lines.check(&value) {
+        if let Err(fault) = setting.kind.check(&value) {
             return self.wrong(name, span, fault);
         }
-        for line in &strings {
-            if let Err(fault) = (self.is_line)(line.get_ref()) {
-                self.faults
-                    .push(fault.in_string(line.span(), line.get_ref().len()));
-                return;
+        for word in &words {
+            if let Err(fault) = (self.check)(setting.name, word.get_ref()) {
+                let fault = fault.in_string(word.span(), word.get_ref().len());
+                return self.faults.push(fault);
             }
         }
-        let lines = strings
-            .into_iter()
-            .map(|line| Value::String(line.into_inner()));
-        self.set(name, span, Value::Array(lines.collect()));
+        if setting.kind == Kind::Lines {
+            // One line is as good as a list of one.
+            let lines = words.into_iter().map(Spanned::into_inner);
+            value = Value::Array(lines.map(Value::String).collect());
+        }
+        self.set(name, span, value);
     }
 
     fn set(&mut self, name: &str, span: Range<usize>, value: Value) {
@@ -331,6 +317,18 @@ impl Reading<'_> {
 
     fn fault(&mut self, span: Range<usize>, message: Text) {
         self.faults.push(Diagnostic::new(span, message));
+    }
+}
+
+/// The texts of a value: itself, or those of its list.
+fn words(value: &Spanned<DeValue<'_>>) -> Vec<Spanned<String>> {
+    let word = |word: &Spanned<DeValue<'_>>| {
+        let text = word.get_ref().as_str()?;
+        Some(Spanned::new(word.span(), text.to_owned()))
+    };
+    match value.get_ref() {
+        DeValue::Array(list) => list.iter().filter_map(word).collect(),
+        _ => word(value).into_iter().collect(),
     }
 }
 

@@ -2,8 +2,8 @@ use super::*;
 use crate::diagnostic::Diagnostic;
 use crate::text::Language;
 
-fn is_line(line: &str) -> Result<(), Diagnostic> {
-    match line.find("wrong") {
+fn check(_: &str, word: &str) -> Result<(), Diagnostic> {
+    match word.find("wrong") {
         Some(at) => Err(Diagnostic::new(at..at + 5, "no verb")),
         None => Ok(()),
     }
@@ -12,14 +12,14 @@ fn is_line(line: &str) -> Result<(), Diagnostic> {
 fn of_file(source: &str) -> Layers {
     let mut layers = Layers::default();
     layers
-        .file("config.toml", source, &is_line)
+        .file("config.toml", source, &check)
         .expect("it is right");
     layers
 }
 
 fn faults_of(source: &str) -> Vec<String> {
     let faults = Layers::default()
-        .file("c.toml", source, &is_line)
+        .file("c.toml", source, &check)
         .expect_err(source);
     let lines = faults.iter();
     lines
@@ -49,7 +49,7 @@ fn every_setting_of_the_table_is_one_of_the_configuration() {
         let configs = [value.clone(), "false".to_owned()].map(|value| {
             let mut layers = Layers::default();
             let line = format!("{}{tail} = {value}", setting.name);
-            drop(layers.file("c", &line, &is_line));
+            drop(layers.file("c", &line, &check));
             layers.config()
         });
         let differs = configs.iter().any(|config| *config != Config::default());
@@ -153,6 +153,10 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
             "macros.x = [\"all arm\", \"all wrong\"]",
             "c.toml:1:29: no verb",
         ),
+        (
+            "table.columns = [\"id\", \"wrong\"]",
+            "c.toml:1:25: no verb",
+        ),
         ("macros.x = \"\\u0061 wrong\"", "c.toml:1:12: no verb"),
         (
             "\"alerts.bell\" = true",
@@ -167,7 +171,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         assert!(faults[0].starts_with(expected), "{source}: {faults:?}");
     }
     let mut layers = Layers::default();
-    let faults = layers.file("c", "fps = 0\nmouse = true\n", &is_line);
+    let faults = layers.file("c", "fps = 0\nmouse = true\n", &check);
     assert_eq!(faults.expect_err("0 is too little").len(), 1);
     assert!(layers.config().mouse);
 }

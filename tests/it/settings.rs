@@ -86,6 +86,10 @@ fn a_value_comes_from_the_flag_then_the_environment_then_the_file() {
     for (key, line) in expected {
         assert_eq!(line_of(&printed, key), line);
     }
+    // By POSIX the first variable decides, also where it names a language that is none of ours.
+    let variables = [("LC_ALL", "C"), ("LANG", "uk_UA.UTF-8")];
+    let printed = sortie(home.path(), &variables, &["config"]).stdout;
+    assert!(text(&printed).contains("# lang is not set\n"));
 }
 
 #[test]
