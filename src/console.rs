@@ -17,20 +17,26 @@ use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
 use crate::app::event::Event;
-use crate::app::state::{MissionListing, State};
+use crate::app::keymap::Keymap;
+use crate::app::state::State;
 use crate::app::update;
+use crate::config::Config;
 use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::session::Order;
-use crate::store;
+use crate::store::{self, History};
 use crate::terminal::Screen;
-use crate::ui::{self, Look, Theme};
+use crate::text;
+use crate::text::Text;
+use crate::ui::{self, Look, Themes};
 use crate::vehicle::VehicleId;
 
+mod missions;
 mod session;
 
+use missions::listings;
 use session::{Backend, Plan, Running};
 
 /// The time between two ticks: ten frames a second.
@@ -65,6 +71,23 @@ pub struct Options {
     pub speedup: f64,
     /// What it looks like.
     pub look: Look,
+    /// What its user has set.
+    pub preferences: Preferences,
+}
+
+/// What a user brings along.
+#[derive(Debug, Clone, Default)]
+pub struct Preferences {
+    /// The settings.
+    pub config: Config,
+    /// What the keys mean.
+    pub keymap: Keymap,
+    /// The themes on offer.
+    pub themes: Themes,
+    /// Where the lines of the command line are kept; nowhere for measurements.
+    pub history: Option<History>,
+    /// What has to be said at the start: what is wrong with the user's files.
+    pub warnings: Vec<Text>,
 }
 
 /// Runs the console until the user leaves it or the terminal goes away.
@@ -162,6 +185,10 @@ struct Console {
     state: State,
     look: Look,
     running: Option<Running>,
+    /// What has to be said at the start.
+    warnings: Vec<Text>,
+    /// The last line of the history that its file has.
+    kept: Option<String>,
     drawn: Option<u64>,
     bell: bool,
     over: bool,
@@ -169,9 +196,31 @@ struct Console {
 
 impl Console {
     fn new(options: Options) -> Self {
-        let themes = Theme::names().map(str::to_owned).collect();
-        let state = State::new(listings(), themes, options.look.theme.name().to_owned());
+        let preferences = &options.preferences;
+        let themes = preferences.themes.names().map(str::to_owned).collect();
+        let theme = options.look.theme.name().to_owned();
+        let (missions, doubles) = listings();
+        let mut warnings = preferences.warnings.clone();
+        warnings.extend(doubles);
+        let mut state = State::new(missions, themes, theme);
+        state.config = preferences.config.clone();
+        state.keymap = preferences.keymap.clone();
+        if let Some(history) = &preferences.history {
+            match history.read() {
+                Ok(lines) => lines.iter().for_each(|line| state.remember(line)),
+                Err(error) => {
+                    let (path, error) = (history.path().display(), error.to_string());
+                    warnings.push(text!(
+                        "history-unreadable",
+                        path = path.to_string(),
+                        error = error
+                    ));
+                }
+            }
+        }
         Self {
+            warnings,
+            kept: state.history.back().cloned(),
             look: options.look.clone(),
             options,
             clock: Clock::start(),
@@ -184,6 +233,14 @@ impl Console {
     }
 
     async fn begin(&mut self) {
+        self.open().await;
+        // The first one last, because it is the one that stays on the last line of the screen.
+        for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
+            self.feed(Event::Failed(warning)).await;
+        }
+    }
+
+    async fn open(&mut self) {
         let plan = match &self.options.opening {
             Opening::Home => return,
             Opening::Mission(mission) => Plan::Mission(Arc::clone(mission)),
@@ -241,6 +298,24 @@ impl Console {
         for effect in update(&mut self.state, event) {
             self.carry_out(effect).await;
         }
+        self.keep_line();
+    }
+
+    /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
+    fn keep_line(&mut self) {
+        let newest = self.state.history.back();
+        let Some(history) = self.options.preferences.history.clone() else {
+            return;
+        };
+        if let Some(line) = newest.filter(|line| self.kept.as_ref() != Some(*line)) {
+            let line = line.clone();
+            self.kept = Some(line.clone());
+            tokio::task::spawn_blocking(move || {
+                if let Err(error) = history.add(&line) {
+                    tracing::warn!(%error, "the history of the command line was not written");
+                }
+            });
+        }
     }
 
     async fn carry_out(&mut self, effect: Effect) {
@@ -277,8 +352,13 @@ impl Console {
     }
 
     fn set_theme(&mut self, name: &str) {
-        if let Some(theme) = Theme::named(name) {
-            self.look.theme = theme.for_colours(crate::terminal::colour_depth());
+        match self.options.preferences.themes.named(name) {
+            Ok(theme) => self.look.theme = theme.for_colours(crate::terminal::colour_depth()),
+            // Nothing that a failure causes is an effect.
+            Err(error) => drop(update(
+                &mut self.state,
+                Event::Failed(error.to_string().into()),
+            )),
         }
     }
 
@@ -321,24 +401,4 @@ impl Console {
 
 fn parse(addresses: &[String]) -> Result<Vec<Address>, AddressError> {
     addresses.iter().map(|address| address.parse()).collect()
-}
-
-/// The missions that can be flown; one that is faulty is left out and logged.
-fn listings() -> Vec<MissionListing> {
-    store::missions()
-        .into_iter()
-        .filter_map(|source| match Mission::parse(&source.text) {
-            Ok(mission) => Some(MissionListing {
-                id: mission.id,
-                title: mission.title,
-                brief: mission.brief,
-            }),
-            Err(faults) => {
-                for fault in faults {
-                    tracing::warn!("{}", fault.one_line(&source.name, &source.text));
-                }
-                None
-            }
-        })
-        .collect()
 }

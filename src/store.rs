@@ -9,10 +9,14 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use etcetera::BaseStrategy as _;
-
 use crate::diagnostic::Diagnostic;
 use crate::mission::Mission;
+
+mod folders;
+mod history;
+
+pub use folders::Folders;
+pub use history::History;
 
 /// Missions, by file name without its ending.
 const MISSIONS: &[(&str, &str)] = &[(
@@ -40,7 +44,7 @@ pub struct Source {
 
 impl Source {
     /// The name without folder and ending.
-    fn stem(&self) -> &str {
+    pub fn stem(&self) -> &str {
         let stem = Path::new(&self.name).file_stem();
         stem.and_then(OsStr::to_str).unwrap_or_default()
     }
@@ -135,6 +139,14 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
     })
 }
 
+/// The names of the missions that give themselves an id, apart from those that lie elsewhere. The first is the one
+/// that the id finds.
+pub fn missions_with_id(id: &str) -> Vec<String> {
+    let all = missions().into_iter();
+    let same = all.filter(|it| Mission::parse(&it.text).is_ok_and(|mission| mission.id == id));
+    same.map(|source| source.name).collect()
+}
+
 /// The pilot script of a path, else of a name or number.
 ///
 /// # Errors
@@ -151,6 +163,32 @@ pub fn missions() -> Vec<Source> {
     merged("mission", MISSIONS, "missions", "toml")
 }
 
+/// The themes of the user's folder.
+pub fn themes() -> Vec<Source> {
+    let folder = Folders::find().map(|folders| folders.themes());
+    folder.map_or(Vec::new(), |folder| files(&folder, "theme", "toml"))
+}
+
+/// The files in a folder with that ending, by name; those that cannot be read are left out and logged.
+pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|found| found == ending))
+        .collect();
+    paths.sort();
+    let mut sources = Vec::new();
+    for path in paths {
+        match read(&path, kind) {
+            Ok(source) => sources.push(source),
+            Err(error) => tracing::warn!(%error, "a file of the user's folder is left out"),
+        }
+    }
+    sources
+}
+
 /// The file of that path, if there is one. A folder is none: it may be called like a mission.
 fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
     let path = Path::new(path);
@@ -163,17 +201,9 @@ fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str
         .iter()
         .map(|&(name, text)| (name.to_owned(), embedded(name, ending, text)))
         .collect();
-    let folder = user_folder().map(|user| user.join(folder));
-    for entry in folder.iter().flat_map(fs::read_dir).flatten().flatten() {
-        let path = entry.path();
-        let name = path.file_stem().and_then(|stem| stem.to_str());
-        if let Some(name) = name
-            && path.extension().is_some_and(|found| found == ending)
-        {
-            match read(&path, kind) {
-                Ok(source) => drop(all.insert(name.to_owned(), source)),
-                Err(error) => tracing::warn!(%error, "a file of the user's folder is left out"),
-            }
+    if let Some(folders) = Folders::find() {
+        for source in files(&folders.config.join(folder), kind, ending) {
+            all.insert(source.stem().to_owned(), source);
         }
     }
     all.into_values().collect()
@@ -208,12 +238,6 @@ fn embedded(name: &str, ending: &str, text: &str) -> Source {
         name: format!("{name}.{ending}"),
         text: text.to_owned(),
     }
-}
-
-/// The user's configuration folder (XDG on Unix), if there is a home folder at all.
-fn user_folder() -> Option<PathBuf> {
-    let folders = etcetera::choose_base_strategy().ok()?;
-    Some(folders.config_dir().join("sortie"))
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use crate::harness::Console;
 
 mod command_line;
 mod map;
+mod keymap;
 mod panes;
 
 fn selection(console: &Console) -> Vec<u16> {

@@ -11,5 +11,6 @@ mod missions;
 mod pty;
 mod recordings;
 mod screens;
+mod settings;
 mod terminal;
 mod texts;

@@ -5,6 +5,7 @@ use tui_input::{Input, InputRequest};
 
 use super::{act, order, palette};
 use crate::app::action::Action;
+use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::{Meaning, Place};
 use crate::app::room;
@@ -119,7 +120,10 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
             act::open_palette(state, &words);
             Vec::new()
         }
-        Some(Meaning::Give(line)) => palette::give(state, &line),
+        Some(Meaning::Give(line)) => {
+            let line = addressed(state, &line);
+            palette::give(state, &line)
+        }
         Some(Meaning::Type) => {
             if let KeyCode::Char(c) = key.code {
                 act::type_ids(state, c);
@@ -127,6 +131,19 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
             Vec::new()
         }
         None => Vec::new(),
+    }
+}
+
+/// A line that a key gives: to the vehicle list that was being typed, unless it says itself to whom.
+fn addressed(state: &mut State, line: &str) -> String {
+    let typed = std::mem::take(&mut state.typed);
+    let first = line.split_whitespace().next().unwrap_or_default();
+    let names_targets =
+        first == "all" || first.starts_with(|c: char| c == '@' || c.is_ascii_digit());
+    if typed.is_empty() || names_targets || console::usage(line).is_some() {
+        line.to_owned()
+    } else {
+        format!("{typed} {line}")
     }
 }
 

@@ -28,6 +28,9 @@ const ONE_IN: u32 = 10;
 
 /// Options of `sortie bench frame`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie bench frame\n  \
+    sortie bench frame --width 200 --height 50 --json")]
 pub(in crate::cli) struct FrameArguments {
     /// Columns of the screen.
     #[arg(long, default_value_t = 120, value_parser = clap::value_parser!(u16).range(80..=1000))]
