@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Pure modules, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
     &["geo", "diagnostic"],
-    &["wire"],
+    &["wire", "parameters"],
     &["vehicle"],
     &["notice", "ledger"],
     &["commands", "messages"],
