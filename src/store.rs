@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
-use std::io::Read as _;
+use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -65,6 +65,20 @@ pub enum StoreError {
         /// What was expected.
         kind: &'static str,
     },
+    /// It could not be written.
+    #[error("cannot write {path}: {error}")]
+    Unwritable {
+        /// The path.
+        path: PathBuf,
+        /// Why not.
+        error: io::Error,
+    },
+    /// There is a file already, which is not to be lost.
+    #[error("{path} exists already")]
+    Exists {
+        /// The path.
+        path: PathBuf,
+    },
     /// Neither a file nor a known name.
     #[error("there is no {kind} `{name}`: give a path, or one of {known}")]
     Unknown {
@@ -111,6 +125,49 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
         name: path.display().to_string(),
         text,
     })
+}
+
+/// Writes a text file whole or not at all: whoever reads it meanwhile finds the old one or the new one.
+///
+/// # Errors
+/// It cannot be written, or it exists already and is not to be replaced.
+pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
+    let unwritable = |error| StoreError::Unwritable {
+        path: path.to_owned(),
+        error,
+    };
+    let Some(name) = path.file_name().filter(|_| !path.is_dir()) else {
+        return Err(unwritable(io::ErrorKind::IsADirectory.into()));
+    };
+    let mut beside = OsStr::new(".").to_owned();
+    beside.push(name);
+    beside.push(format!(".{}.part", std::process::id()));
+    let beside = path.with_file_name(beside);
+    let written = fs::File::create(&beside).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        // A link to an existing name fails, where renaming would replace what is there.
+        if replace {
+            fs::rename(&beside, path)
+        } else {
+            fs::hard_link(&beside, path)
+        }
+    });
+    if !replace || written.is_err() {
+        drop(fs::remove_file(&beside));
+    }
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(StoreError::Exists {
+            path: path.to_owned(),
+        }),
+        written => written.map_err(unwritable),
+    }
+}
+
+/// A path as a person writes it: `~/` is their home folder.
+pub fn user_path(written: &str) -> PathBuf {
+    let in_home = written.strip_prefix("~/").zip(etcetera::home_dir().ok());
+    in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))
 }
 
 /// The mission of a path, else of the id that it gives itself, else of a name or number.

@@ -56,7 +56,9 @@ pub fn write<'a>(comment: &str, values: impl Iterator<Item = (&'a str, f32)>) ->
     }
     for (name, value) in values {
         let sign = if value.is_finite() { "" } else { "# " };
-        text += &format!("{sign}{name},{value}\n");
+        for part in [sign, name, ",", &value.to_string(), "\n"] {
+            text.push_str(part);
+        }
     }
     text
 }
