@@ -24,9 +24,9 @@ use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::session::Order;
-use crate::store;
+use crate::store::{self, StoreError};
 use crate::terminal::Screen;
-use crate::ui::{self, Theme};
+use crate::ui::{self, Look, Theme};
 use crate::vehicle::VehicleId;
 
 mod session;
@@ -64,7 +64,7 @@ pub struct Options {
     /// Simulated seconds per second.
     pub speedup: f64,
     /// What it looks like.
-    pub theme: Theme,
+    pub look: Look,
 }
 
 /// Runs the console until the user leaves it or the terminal goes away.
@@ -160,7 +160,7 @@ struct Console {
     options: Options,
     clock: Clock,
     state: State,
-    theme: Theme,
+    look: Look,
     running: Option<Running>,
     drawn: Option<u64>,
     bell: bool,
@@ -170,9 +170,9 @@ struct Console {
 impl Console {
     fn new(options: Options) -> Self {
         let themes = Theme::names().map(str::to_owned).collect();
-        let state = State::new(listings(), themes, options.theme.name().to_owned());
+        let state = State::new(listings(), themes, options.look.theme.name().to_owned());
         Self {
-            theme: options.theme.clone(),
+            look: options.look.clone(),
             options,
             clock: Clock::start(),
             state,
@@ -191,7 +191,7 @@ impl Console {
             Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
         if let Err(error) = self.start(plan).await {
-            self.feed(Event::Failed(format!("{error:#}"))).await;
+            self.feed(Event::Failed(format!("{error:#}").into())).await;
         }
     }
 
@@ -205,7 +205,7 @@ impl Console {
             return Ok(());
         }
         self.drawn = Some(revision);
-        screen.draw(|frame| ui::draw(&self.state, &self.theme, frame))
+        screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 
     async fn hear(&mut self, event: TerminalEvent) {
@@ -249,6 +249,18 @@ impl Console {
             Effect::Bell => return self.bell = true,
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
+            Effect::FetchParameters(vehicles) => {
+                if let Some(running) = &self.running {
+                    running.fetch_parameters(&vehicles);
+                }
+                return;
+            }
+            Effect::ReadParameters { path } => return self.read_parameters(path),
+            Effect::SaveParameters {
+                path,
+                text,
+                replace,
+            } => return self.save_parameters(path, text, replace),
             Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),
             Effect::Command {
                 entry,
@@ -272,14 +284,35 @@ impl Console {
         };
         if let Err(error) = outcome {
             // Nothing that a failure causes is an effect.
-            update(&mut self.state, Event::Failed(format!("{error:#}")));
+            update(&mut self.state, Event::Failed(format!("{error:#}").into()));
         }
     }
 
     fn set_theme(&mut self, name: &str) {
         if let Some(theme) = Theme::named(name) {
-            self.theme = theme.for_colours(crate::terminal::colour_depth());
+            self.look.theme = theme.for_colours(crate::terminal::colour_depth());
         }
+    }
+
+    // Nothing that reading and writing files causes is an effect.
+    fn read_parameters(&mut self, path: String) {
+        let event = match store::read(&store::user_path(&path), "parameter file") {
+            Ok(file) => Event::ParametersRead {
+                path,
+                text: file.text,
+            },
+            Err(error) => Event::Failed(error.to_string().into()),
+        };
+        update(&mut self.state, event);
+    }
+
+    fn save_parameters(&mut self, path: String, text: String, replace: bool) {
+        let event = match store::write(&store::user_path(&path), &text, replace) {
+            Ok(()) => Event::ParametersSaved { path },
+            Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
+            Err(error) => Event::Failed(error.to_string().into()),
+        };
+        update(&mut self.state, event);
     }
 
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.

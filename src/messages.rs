@@ -8,6 +8,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::notice::Notice;
 use crate::parameters::Parameters;
+use crate::text::Text;
 use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
 use crate::wire::{Content, Frame};
 
@@ -60,7 +61,7 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    fn say(&mut self, severity: Severity, text: impl Into<String>) {
+    fn say(&mut self, severity: Severity, text: impl Into<Text>) {
         self.notices.push(Notice {
             at: self.now,
             vehicle: Some(self.vehicle),

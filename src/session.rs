@@ -5,6 +5,7 @@
 //! runner drives them in lock step with the simulator. Both therefore behave the same, and every
 //! time-out and retry can be tested without waiting for it.
 
+use crate::text::Text;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Duration;
@@ -83,7 +84,7 @@ impl Order {
         &self,
         vehicle: VehicleId,
         state: RowState,
-        reason: impl Into<String>,
+        reason: impl Into<Text>,
         now: Duration,
     ) -> RowUpdate {
         RowUpdate {
@@ -304,7 +305,7 @@ impl Session {
 
     /// Whether the vehicle could take a parameter's new value, as far as its type is known. `ArduPilot` itself would
     /// cut it down to something else.
-    fn fits(&self, command: &Command) -> Result<(), String> {
+    fn fits(&self, command: &Command) -> Result<(), Text> {
         let Command::SetParameter { name, value } = command else {
             return Ok(());
         };
@@ -312,9 +313,7 @@ impl Session {
             return Ok(());
         };
         let checked = known.kind.check(f64::from(*value));
-        checked
-            .map(drop)
-            .map_err(|unfit| format!("not sent: {name} {unfit}"))
+        checked.map(drop).map_err(|unfit| unfit.text(name))
     }
 
     /// Looks for answers to what we asked, and for questions to us.
@@ -352,12 +351,12 @@ impl Session {
             .extend(notices.into_iter().map(Report::Notice));
     }
 
-    fn notice(&mut self, severity: Severity, text: String, now: Duration) {
+    fn notice(&mut self, severity: Severity, text: impl Into<Text>, now: Duration) {
         self.say(vec![Notice {
             at: now,
             vehicle: Some(self.vehicle.id),
             severity,
-            text,
+            text: text.into(),
         }]);
     }
 
@@ -366,8 +365,12 @@ impl Session {
     fn clear_the_line(&mut self, verb: &str, now: Duration) {
         let reason = format!("{verb} took its place");
         for (order, _) in self.queue.drain(..) {
-            self.output
-                .row(order.unsent(self.vehicle.id, RowState::Superseded, &reason, now));
+            self.output.row(order.unsent(
+                self.vehicle.id,
+                RowState::Superseded,
+                reason.as_str(),
+                now,
+            ));
         }
         if let Some((command, acks)) = self.active.as_ref().and_then(Transaction::owed_acks) {
             self.owed.add(command, acks, now);

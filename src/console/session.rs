@@ -14,6 +14,7 @@ use crate::geo::LatLon;
 use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -53,6 +54,7 @@ pub(super) struct Running {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
+    parameters: Vec<(VehicleId, watch::Receiver<Snapshot>)>,
     links: Vec<watch::Receiver<LinkStatus>>,
     links_said: Vec<LinkNews>,
     /// How many of the links had ended when they were shown last.
@@ -85,6 +87,7 @@ impl Running {
             fleet,
             events,
             vehicles: Vec::new(),
+            parameters: Vec::new(),
             links: Vec::new(),
             links_said: Vec::new(),
             links_ended: 0,
@@ -161,6 +164,13 @@ impl Running {
         self.fleet.order(vehicle, order)
     }
 
+    /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again by who wants them.
+    pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
+        for &vehicle in vehicles {
+            drop(self.fleet.fetch_parameters(vehicle));
+        }
+    }
+
     /// Ends the mission; its report comes with the next tick.
     pub fn abandon(&mut self) {
         if let Some(mission) = &mut self.mission {
@@ -174,6 +184,9 @@ impl Running {
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
+                Ok(FleetEvent::Parameters(id, parameters)) => {
+                    self.parameters.push((id, parameters));
+                }
                 Ok(FleetEvent::Linked(link)) => self.links.push(link),
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
@@ -190,6 +203,14 @@ impl Running {
             if vehicle.has_changed().unwrap_or(false) {
                 let snapshot = Vehicle::clone(&vehicle.borrow_and_update());
                 collected.push(Event::Vehicle(Box::new(snapshot)));
+            }
+        }
+        for (vehicle, parameters) in &mut self.parameters {
+            if parameters.has_changed().unwrap_or(false) {
+                collected.push(Event::Parameters {
+                    vehicle: *vehicle,
+                    snapshot: parameters.borrow_and_update().clone(),
+                });
             }
         }
         collected.extend(self.hear_links(now).map(Event::Notice));
@@ -294,7 +315,7 @@ impl LinkNews {
             at: now,
             vehicle: None,
             severity,
-            text,
+            text: text.into(),
         }
     }
 }

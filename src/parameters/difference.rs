@@ -14,10 +14,10 @@ pub enum Finding {
 }
 
 /// One parameter that differs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Difference {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Difference<'a> {
     /// Its name.
-    pub name: String,
+    pub name: &'a str,
     /// How.
     pub finding: Finding,
 }
@@ -43,7 +43,7 @@ pub fn is_same(one: f32, other: f32) -> bool {
 pub fn differences<'a>(
     this: impl Iterator<Item = (&'a str, f32)>,
     other: impl Iterator<Item = (&'a str, f32)>,
-) -> Vec<Difference> {
+) -> Vec<Difference<'a>> {
     let mut sides: BTreeMap<&str, (Option<f32>, Option<f32>)> = BTreeMap::new();
     for (name, value) in this {
         sides.entry(name).or_default().0 = Some(value);
@@ -59,10 +59,7 @@ pub fn differences<'a>(
             (None, Some(other)) => Finding::Missing(other),
             (None, None) => return None,
         };
-        Some(Difference {
-            name: name.to_owned(),
-            finding,
-        })
+        Some(Difference { name, finding })
     });
     found.collect()
 }
@@ -91,10 +88,7 @@ mod tests {
             ("C", Finding::Extra(1.0)),
             ("E", Finding::Missing(5.0)),
         ];
-        let expected = expected.map(|(name, finding)| Difference {
-            name: name.to_owned(),
-            finding,
-        });
+        let expected = expected.map(|(name, finding)| Difference { name, finding });
         assert_eq!(found, expected);
     }
 

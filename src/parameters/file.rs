@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::Text;
 
 /// The longest name that fits its field on the wire.
 const LONGEST_NAME: usize = 16;
@@ -27,11 +29,13 @@ pub fn parse(text: &str) -> Result<BTreeMap<String, f32>, Vec<Diagnostic>> {
                 let known = values.entry(read.name.to_owned());
                 let (value, first) = *known.or_insert((read.value, number));
                 if value.to_bits() != read.value.to_bits() {
-                    let said = format!("{} is {value} on line {first} already", read.name);
-                    faults.push(
-                        Diagnostic::new(read.span, said)
-                            .with_help("leave one of the two lines out"),
+                    let said = text!(
+                        "parameters-file-twice",
+                        name = read.name,
+                        value = value.to_string(),
+                        line = first
                     );
+                    faults.push(Diagnostic::new(read.span, said));
                 }
             }
             Err(fault) => faults.push(fault),
@@ -92,14 +96,12 @@ fn parse_line(line: &str, start: usize) -> Result<Option<Line<'_>>, Diagnostic> 
         }
         [name] => {
             let end = at(name).end;
-            return Err(Diagnostic::new(end..end, format!("{name} has no value"))
-                .with_help("write NAME,VALUE"));
+            let said = text!("parameters-file-no-value", name = *name);
+            return Err(Diagnostic::new(end..end, said).with_help(text!("parameters-file-help")));
         }
         [_, _, extra, ..] => {
-            return Err(
-                Diagnostic::new(at(extra), "nothing more is expected after the value")
-                    .with_help("write NAME,VALUE, and comments after a #"),
-            );
+            let said = text!("parameters-file-more");
+            return Err(Diagnostic::new(at(extra), said).with_help(text!("parameters-file-help")));
         }
     };
     check_name(name).map_err(|message| Diagnostic::new(at(name), message))?;
@@ -112,21 +114,19 @@ fn parse_line(line: &str, start: usize) -> Result<Option<Line<'_>>, Diagnostic> 
     }))
 }
 
-fn check_name(name: &str) -> Result<(), String> {
+fn check_name(name: &str) -> Result<(), Text> {
     let good = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
     if name.len() <= LONGEST_NAME && name.bytes().all(good) {
         return Ok(());
     }
-    Err(format!(
-        "`{name}` is no parameter: names have 1 to {LONGEST_NAME} letters, digits and `_`"
-    ))
+    Err(text!("parameters-file-name", name = name))
 }
 
-fn number(written: &str) -> Result<f32, String> {
+fn number(written: &str) -> Result<f32, Text> {
     match written.parse::<f32>() {
         Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(format!("{written} is no number that a vehicle could take")),
-        Err(_) => Err(format!("`{written}` is no number")),
+        Ok(_) => Err(text!("parameters-file-too-large", value = written)),
+        Err(_) => Err(text!("parameters-no-number", value = written)),
     }
 }
 

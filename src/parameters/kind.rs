@@ -4,6 +4,10 @@ use std::fmt;
 
 use mavlink::dialects::ardupilotmega::MavParamType;
 
+use super::shown;
+use crate::text;
+use crate::text::Text;
+
 /// The type that the vehicle stores a parameter in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ParameterType {
@@ -119,19 +123,29 @@ impl ParameterType {
     }
 }
 
-impl fmt::Display for Unfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Unfit {
+    /// The same in words, of a parameter of that name.
+    pub fn text(&self, name: &str) -> Text {
         match self {
-            Self::NotFinite => write!(f, "takes finite numbers only"),
-            Self::NotWhole(kind) => write!(f, "takes whole numbers only ({kind})"),
+            Self::NotFinite => text!("parameters-not-finite", name = name),
+            Self::NotWhole(kind) => {
+                text!("parameters-not-whole", name = name, kind = kind.name())
+            }
             Self::OutOfRange {
                 kind,
                 least,
                 greatest,
-            } => write!(f, "takes {least} to {greatest} only ({kind})"),
-            Self::Inexact { nearest } => write!(
-                f,
-                "cannot be set to that exactly: MAVLink carries {nearest} instead"
+            } => text!(
+                "parameters-out-of-range",
+                name = name,
+                kind = kind.name(),
+                least = shown(*least as f32),
+                greatest = shown(*greatest as f32)
+            ),
+            Self::Inexact { nearest } => text!(
+                "parameters-inexact",
+                name = name,
+                nearest = nearest.to_string()
             ),
         }
     }

@@ -12,3 +12,4 @@ mod pty;
 mod recordings;
 mod screens;
 mod terminal;
+mod texts;

@@ -3,9 +3,12 @@
 use tui_input::Input;
 
 use crate::app::effect::Effect;
+use crate::app::room::Room;
+use crate::app::room::parameters::Setting;
 use crate::commands::Command;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// An overlay. It takes the keys while it is there.
@@ -15,8 +18,8 @@ pub enum Overlay {
     Palette(Palette),
     /// A question before something dangerous.
     Confirm(Confirm),
-    /// The prompt for addresses.
-    Connect(Connect),
+    /// A line that is asked for.
+    Prompt(Prompt),
     /// Keys and verbs.
     Help {
         /// The first line shown.
@@ -57,11 +60,11 @@ pub struct Palette {
     /// The completion that Tab has put in.
     pub chosen: Option<usize>,
     /// To whom the line goes as it stands; empty where it goes to nobody.
-    pub recipients: String,
+    pub recipients: Text,
     /// The usage of the verb, or what comes next.
-    pub hint: Option<String>,
+    pub hint: Option<Text>,
     /// What Enter would do with the line as it stands; `None` while it is not complete.
-    pub outcome: Option<String>,
+    pub outcome: Option<Text>,
     /// What is wrong with a word that has been finished, or was when the line was given.
     pub fault: Option<Diagnostic>,
     /// The line before Tab was pressed first.
@@ -77,9 +80,9 @@ pub struct Palette {
 #[derive(Debug, Clone)]
 pub struct Confirm {
     /// What would happen, and to whom: `KILL 3: 1 3 5`.
-    pub question: String,
+    pub question: Text,
     /// Why it is asked.
-    pub reason: String,
+    pub reason: Text,
     /// What has to be typed.
     pub answer: String,
     /// What has been typed of it.
@@ -97,6 +100,8 @@ pub enum Consequence {
     Order(Order),
     /// The shell does something.
     Effect(Effect),
+    /// Parameters are set one after the other.
+    Parameters(Vec<Setting>),
 }
 
 /// A command with its targets, ready to go out.
@@ -112,11 +117,53 @@ pub struct Order {
     pub command: Command,
 }
 
-/// The prompt for addresses.
-#[derive(Debug, Clone, Default)]
-pub struct Connect {
-    /// Addresses with blanks between them.
+/// A line that is asked for.
+#[derive(Debug, Clone)]
+pub struct Prompt {
+    /// What it is for.
+    pub purpose: Purpose,
+    /// The line and its cursor.
     pub input: Input,
-    /// What was wrong with them.
-    pub fault: Option<String>,
+    /// What was wrong with it.
+    pub fault: Option<Text>,
+}
+
+impl Prompt {
+    /// An empty one.
+    pub fn new(purpose: Purpose) -> Self {
+        Self {
+            purpose,
+            input: Input::default(),
+            fault: None,
+        }
+    }
+}
+
+/// What a line is asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Purpose {
+    /// The addresses of vehicles, with blanks between them.
+    Connect,
+    /// What the names of a room's list have to contain.
+    Filter(Room),
+    /// A parameter's new value.
+    Parameter {
+        /// The parameter.
+        name: String,
+        /// The vehicles that shall take it.
+        vehicles: Vec<VehicleId>,
+    },
+    /// The file that parameters are saved to.
+    SaveParameters,
+    /// The file that parameters are loaded from.
+    LoadParameters,
+    /// The file or the vehicle that parameters are compared with.
+    CompareParameters,
+}
+
+impl Purpose {
+    /// Whether every key counts, and not only Enter.
+    pub fn is_live(&self) -> bool {
+        matches!(self, Self::Filter(_))
+    }
 }

@@ -2,10 +2,13 @@
 
 use super::act;
 use crate::app::effect::Effect;
+use crate::app::room::parameters;
 use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
 use crate::ledger::Given;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Up to so many targets are named one by one.
@@ -30,11 +33,11 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
 }
 
 /// What Enter does with an order.
-pub fn announced(order: &Order) -> String {
+pub fn announced(order: &Order) -> Text {
     let targets = ranges(order.targets.iter().copied());
     match order.verb.danger {
-        Danger::None => format!("Enter sends to {targets}"),
-        Danger::Confirm => format!("Enter asks before it sends to {targets}"),
+        Danger::None => text!("palette-sends", vehicles = targets),
+        Danger::Confirm => text!("palette-asks", vehicles = targets),
     }
 }
 
@@ -51,8 +54,8 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
         ids.collect::<Vec<_>>().join(" ")
     };
     state.overlay = Some(Overlay::Confirm(Confirm {
-        question: format!("{} {count}: {named}", order.verb.name.to_uppercase()),
-        reason: order.verb.summary.to_owned(),
+        question: format!("{} {count}: {named}", order.verb.name.to_uppercase()).into(),
+        reason: order.verb.summary.into(),
         answer: count.to_string(),
         typed: String::new(),
         cancelled: false,
@@ -71,6 +74,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
             }
             return vec![effect];
         }
+        Consequence::Parameters(settings) => return parameters::begin(state, settings),
     };
     let now = state.now;
     let given = Given {
@@ -79,6 +83,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
         risk: order.command.risk(),
     };
     let entry = state.session.open(now, given, &order.targets);
+    parameters::note_order(state, &order, entry);
     vec![Effect::Command {
         entry,
         targets: order.targets,
