@@ -63,6 +63,7 @@ parameters-state-refused = refused
 parameters-state-unanswered = not answered
 parameters-state-replaced = dropped
 parameters-differs = differs
+parameters-own = this vehicle's own
 parameters-missing = not on this vehicle
 parameters-extra = only on this vehicle
 parameters-changed = changed

@@ -65,6 +65,7 @@ parameters-state-refused = відхилено
 parameters-state-unanswered = без відповіді
 parameters-state-replaced = відкинуто
 parameters-differs = відрізняється
+parameters-own = власне цього апарата
 parameters-missing = немає на цьому апараті
 parameters-extra = лише на цьому апараті
 parameters-changed = змінено

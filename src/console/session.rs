@@ -167,7 +167,9 @@ impl Running {
     /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again by who wants them.
     pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
-            drop(self.fleet.fetch_parameters(vehicle));
+            if self.fleet.fetch_parameters(vehicle).is_err() {
+                return;
+            }
         }
     }
 

@@ -45,6 +45,10 @@ impl Batch {
 
 /// Begins to set values; what another batch has not sent yet is added to.
 pub fn begin(state: &mut State, settings: Vec<Setting>) -> Vec<Effect> {
+    if let Some(comparison) = &mut state.rooms.parameters.comparison {
+        let names = settings.iter().map(|setting| setting.name.clone());
+        comparison.set.extend(names);
+    }
     let batch = state.rooms.parameters.batch.get_or_insert_default();
     batch.waiting.extend(settings);
     advance(state)

@@ -16,6 +16,8 @@ pub struct Comparison {
     pub with: Other,
     /// Names whose mark the user has turned over.
     turned: BTreeSet<String>,
+    /// Names that were set: they stay in the list, also when they do not differ any more.
+    pub set: BTreeSet<String>,
 }
 
 /// The other side of a comparison.
@@ -38,6 +40,7 @@ impl Comparison {
         Self {
             with,
             turned: BTreeSet::new(),
+            set: BTreeSet::new(),
         }
     }
 
@@ -53,7 +56,7 @@ impl Comparison {
     }
 }
 
-/// Turns marks over: the one under the cursor, all that are shown on, or all that are shown over.
+/// Turns marks over: the one under the cursor, or all that are shown.
 pub fn mark(state: &mut State, action: Action) {
     let shown = rows(state);
     let Some(comparison) = &state.rooms.parameters.comparison else {
@@ -65,6 +68,8 @@ pub fn mark(state: &mut State, action: Action) {
         .enumerate()
         .filter(|(row, it)| match (action, it.finding) {
             (_, None) => false,
+            // What makes the vehicle itself is marked one by one or not at all.
+            (Action::SelectAll | Action::Invert, _) if is_the_vehicles_own(it.name) => false,
             (Action::SelectAll, Some(finding)) => !comparison.is_marked(it.name, finding),
             (Action::Invert, _) => true,
             _ => *row == at,

@@ -1,6 +1,8 @@
 //! Which parameters are shown, in order of their names.
 
-use super::Other;
+use std::collections::BTreeMap;
+
+use super::{Comparison, Other};
 use crate::app::state::State;
 use crate::parameters::{Difference, Finding, Parameter, differences};
 use crate::vehicle::VehicleId;
@@ -43,7 +45,7 @@ pub fn rows(state: &State) -> Vec<Row<'_>> {
     };
     let all = match &room.comparison {
         None => plain(state, vehicle),
-        Some(comparison) => compared(state, vehicle, &comparison.with),
+        Some(comparison) => compared(state, vehicle, comparison),
     };
     all.into_iter()
         .filter(|row| fits(row.name))
@@ -62,14 +64,19 @@ fn plain(state: &State, vehicle: VehicleId) -> Vec<Row<'_>> {
     .collect()
 }
 
-fn compared<'a>(state: &'a State, vehicle: VehicleId, with: &'a Other) -> Vec<Row<'a>> {
-    let found = difference(state, vehicle, with);
-    let lists = &state.rooms.parameters.lists;
-    let list = lists.get(&vehicle).map(|known| &known.list);
-    let rows = found.into_iter().map(|(name, finding)| Row {
+fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison) -> Vec<Row<'a>> {
+    let found = difference(state, vehicle, &comparison.with);
+    let set = comparison.set.iter().map(|name| (name.as_str(), None));
+    let mut all: BTreeMap<&str, Option<Finding>> = set.collect();
+    all.extend(
+        found
+            .into_iter()
+            .map(|(name, finding)| (name, Some(finding))),
+    );
+    let rows = all.into_iter().map(|(name, finding)| Row {
         name,
-        now: list.and_then(|list| list.get(name)).copied(),
-        finding: Some(finding),
+        now: state.rooms.parameters.get(vehicle, name).copied(),
+        finding,
     });
     rows.collect()
 }

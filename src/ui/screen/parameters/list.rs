@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::{Row, cell, edited};
 use crate::app::room::parameters::Comparison;
 use crate::app::state::State;
-use crate::parameters::{Finding, shown};
+use crate::parameters::{Finding, is_same, is_the_vehicles_own, shown};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -18,6 +18,8 @@ use crate::vehicle::VehicleId;
 const NAME: usize = 16;
 /// Columns of a value.
 const VALUE: usize = 13;
+/// Columns of what became of an edit, where more columns follow.
+const STATE: usize = 24;
 /// Columns of a type.
 const KIND: usize = 6;
 
@@ -36,13 +38,17 @@ pub fn draw(
         Some(_) => "parameters-column-other",
     };
     let mark = if comparison.is_some() { "    " } else { "" };
+    let others = others(state, vehicle, area.width);
+    let numbers = others.iter().map(|id| cell(&format!("#{id}"), VALUE, true));
+    let numbers: Vec<String> = numbers.collect();
     let heading = format!(
-        "  {mark}{} {} {} {} {}",
+        "  {mark}{} {} {} {} {} {}",
         cell(&look.say("parameters-column-name"), NAME, false),
         cell(&look.say("parameters-column-value"), VALUE, true),
         cell(&look.say("parameters-column-type"), KIND, false),
         cell(&look.say(second), VALUE, true),
-        look.say("parameters-column-state"),
+        cell(&look.say("parameters-column-state"), STATE, false),
+        numbers.join(" "),
     );
     put(
         buffer,
@@ -57,7 +63,15 @@ pub fn draw(
         .min(rows.len().saturating_sub(visible));
     for (line, (index, row)) in rows.iter().enumerate().skip(top).take(visible).enumerate() {
         let place = row_of(area, line as u16);
-        let drawn = line_of(state, vehicle, row, (index == at, look));
+        let mut drawn = line_of(state, vehicle, row, (index == at, look));
+        let used = columns_used(comparison.is_some());
+        if !others.is_empty() {
+            let gap = used.saturating_sub(drawn.width());
+            drawn.push_span(Span::raw(" ".repeat(gap)));
+        }
+        for &id in &others {
+            drawn.push_span(value_of(state, id, row, look));
+        }
         put(buffer, place, 0, &drawn);
         if index == at {
             buffer.set_style(place, look.style(Role::Cursor));
@@ -73,8 +87,8 @@ fn line_of<'a>(
 ) -> Line<'a> {
     let comparison = state.rooms.parameters.comparison.as_ref();
     let mut spans = vec![Span::raw(if is_under_cursor { "> " } else { "  " })];
-    if let (Some(comparison), Some(finding)) = (comparison, row.finding) {
-        spans.push(mark(comparison, row.name, finding, look));
+    if let Some(comparison) = comparison {
+        spans.push(mark(comparison, row, look));
     }
     let changed = row.now.filter(|now| now.is_changed());
     let value = row
@@ -106,17 +120,50 @@ fn line_of<'a>(
     Line::from(spans)
 }
 
-fn mark(comparison: &Comparison, name: &str, finding: Finding, look: &Look) -> Span<'static> {
-    match finding {
-        Finding::Extra(_) => Span::raw("    "),
-        _ if comparison.is_marked(name, finding) => {
+/// Columns before those of other vehicles.
+fn columns_used(is_compared: bool) -> usize {
+    let marks = if is_compared { 6 } else { 2 };
+    marks + NAME + 1 + VALUE + 1 + KIND + 1 + VALUE + 1 + STATE
+}
+
+/// The other vehicles that a value would be set on, as many as there is room for.
+fn others(state: &State, vehicle: VehicleId, width: u16) -> Vec<VehicleId> {
+    let is_compared = state.rooms.parameters.comparison.is_some();
+    let free = usize::from(width).saturating_sub(columns_used(is_compared));
+    let selected = state.session.selection.iter().copied();
+    selected
+        .filter(|id| *id != vehicle)
+        .take(free / (VALUE + 1))
+        .collect()
+}
+
+/// The value on another vehicle; one that is not the same stands out.
+fn value_of(state: &State, id: VehicleId, row: &Row<'_>, look: &Look) -> Span<'static> {
+    let value = state.rooms.parameters.get(id, row.name).map(|it| it.value);
+    let is_equal = match (value, row.now) {
+        (Some(value), Some(now)) => is_same(value, now.value),
+        (value, now) => value.is_none() && now.is_none(),
+    };
+    let role = if is_equal { Role::Muted } else { Role::Warning };
+    let sign = if is_equal { ' ' } else { '*' };
+    let text = value.map_or_else(|| "-".to_owned(), shown);
+    Span::styled(
+        format!("{sign}{}", cell(&text, VALUE, true)),
+        look.style(role),
+    )
+}
+
+fn mark(comparison: &Comparison, row: &Row<'_>, look: &Look) -> Span<'static> {
+    match row.finding {
+        None | Some(Finding::Extra(_)) => Span::raw("    "),
+        Some(finding) if comparison.is_marked(row.name, finding) => {
             Span::styled("[x] ", look.style(Role::Selected))
         }
-        _ => Span::styled("[ ] ", look.style(Role::Muted)),
+        Some(_) => Span::styled("[ ] ", look.style(Role::Muted)),
     }
 }
 
-/// The last column: what became of a value that was asked for, else how it differs.
+/// The fifth column: what became of a value that was asked for, else how it differs.
 fn standing(
     state: &State,
     vehicle: VehicleId,
@@ -129,6 +176,9 @@ fn standing(
         (Some((edit, (word, role, _))), _) => {
             let value = shown(edit.value);
             (text!("parameters-asked", value = value, state = word), role)
+        }
+        (None, Some(Finding::Changed(..))) if is_the_vehicles_own(row.name) => {
+            (text!("parameters-own"), Role::Muted)
         }
         (None, Some(Finding::Changed(..))) => (text!("parameters-differs"), Role::Warning),
         (None, Some(Finding::Missing(_))) => (text!("parameters-missing"), Role::Muted),

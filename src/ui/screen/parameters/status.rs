@@ -95,12 +95,10 @@ fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
     let room = &state.rooms.parameters;
     let mut remarks = Vec::new();
     if let Some(comparison) = &room.comparison {
-        let is_marked = |row: &Row<'_>| {
-            let finding = row.finding;
-            finding.is_some_and(|finding| comparison.is_marked(row.name, finding))
-        };
-        let marked = rows.iter().filter(|row| is_marked(row)).count();
-        let text = text!("parameters-marked", count = rows.len(), marked = marked);
+        let findings = || rows.iter().filter_map(|row| Some((row.name, row.finding?)));
+        let is_marked = |(name, finding): &(&str, _)| comparison.is_marked(name, *finding);
+        let (count, marked) = (findings().count(), findings().filter(is_marked).count());
+        let text = text!("parameters-marked", count = count, marked = marked);
         remarks.push((text, Role::Accent));
     }
     if !room.filter.is_empty() {
