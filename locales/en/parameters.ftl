@@ -2,7 +2,7 @@
 
 action-next-vehicle = next vehicle
 action-previous-vehicle = previous vehicle
-action-changed-parameters = only the parameters that have changed, or all
+action-changed-parameters = fewer lines or all: changed ones, or those of the file
 action-save-parameters = save the parameters to a file
 action-load-parameters = load parameters from a file: first see what differs
 action-compare-parameters = compare with a file or another vehicle
@@ -39,6 +39,7 @@ parameters-complete = { $count ->
    *[other] { $count } parameters
 }
 parameters-marked = { $count } differ, { $marked } marked
+parameters-hidden = { $count } only on this vehicle (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = only changed
 parameters-setting = setting: { $count } left
@@ -112,5 +113,6 @@ parameters-hint-vehicle = vehicle
 parameters-hint-help = help
 parameters-hint-mark = mark
 parameters-hint-mark-all = all, others
+parameters-hint-extra = only here
 parameters-hint-apply = set the marked
 parameters-hint-close = back

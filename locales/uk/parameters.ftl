@@ -2,7 +2,7 @@
 
 action-next-vehicle = наступний апарат
 action-previous-vehicle = попередній апарат
-action-changed-parameters = лише змінені параметри або всі
+action-changed-parameters = менше рядків або всі: лише змінені чи лише з файлу
 action-save-parameters = зберегти параметри у файл
 action-load-parameters = завантажити параметри з файлу: спершу показати відмінності
 action-compare-parameters = порівняти з файлом або іншим апаратом
@@ -28,7 +28,7 @@ parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
 }
 
 parameters-title = апарат { $vehicle }
-parameters-title-compared = апарат { $vehicle } поруч із: { $other }
+parameters-title-compared = апарат { $vehicle } порівняно з: { $other }
 parameters-of-vehicle = апарат { $vehicle }
 parameters-no-vehicle = Жодного апарата ще не чути: його параметри з'являться тут.
 parameters-asking = запитуємо в апарата параметри ...
@@ -41,6 +41,7 @@ parameters-complete = { $count ->
    *[many] { $count } параметрів
 }
 parameters-marked = відмінностей: { $count }, позначено: { $marked }
+parameters-hidden = лише на цьому апараті: { $count } (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = лише змінені
 parameters-setting = встановлюємо: лишилося { $count }
@@ -115,5 +116,6 @@ parameters-hint-vehicle = апарат
 parameters-hint-help = довідка
 parameters-hint-mark = позначити
 parameters-hint-mark-all = усі, решту
+parameters-hint-extra = решта
 parameters-hint-apply = встановити позначене
 parameters-hint-close = назад

@@ -15,10 +15,12 @@ use crate::wire::Outgoing;
 /// Places that are asked for at one time. `ArduPilot` keeps 20 such requests and answers some every 100 ms; a slow
 /// radio must not be filled with our questions.
 const AT_ONCE: usize = 10;
-/// The list has ended, or a question was lost, if nothing new has come for this long.
-const SILENCE: Duration = Duration::from_secs(1);
+/// The list has ended if nothing new has come for this long.
+const LIST_SILENCE: Duration = Duration::from_secs(1);
+/// A question for one place was lost if it is not answered for this long; `ArduPilot` takes up to 104 ms.
+const PLACE_SILENCE: Duration = Duration::from_millis(400);
 /// Fruitless requests make the next one wait twice as long, but not longer than this many times.
-const LONGEST_WAIT: u32 = 4;
+const LONGEST_WAIT: u32 = 8;
 /// So many requests without any news mean that nothing more will come.
 const FRUITLESS: u16 = 24;
 /// Where more than one in so many places is missing, the whole list comes faster than the places one by one.
@@ -181,7 +183,11 @@ impl Download {
     fn wait(&self, vehicle: &Vehicle) -> Duration {
         let way = vehicle.link.round_trip.unwrap_or_default() * 3;
         let times = (1 << (self.fruitless / 2).min(8)).min(LONGEST_WAIT);
-        SILENCE.max(way) * times
+        let silence = match self.phase {
+            Phase::Filling => PLACE_SILENCE,
+            _ => LIST_SILENCE,
+        };
+        silence.max(way) * times
     }
 
     fn list(&mut self, vehicle: &Vehicle) -> Vec<Outgoing> {

@@ -10,6 +10,7 @@ use crate::harness::Console;
 
 mod command_line;
 mod panes;
+pub mod parameters;
 
 fn selection(console: &Console) -> Vec<u16> {
     console.state.session.selection.iter().copied().collect()

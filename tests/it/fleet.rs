@@ -19,6 +19,8 @@ use sortie::vehicle::{Vehicle, VehicleId};
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+mod parameters;
+
 /// How long anything may take before a test gives up.
 const PATIENCE: Duration = Duration::from_secs(90);
 

@@ -10,6 +10,8 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod parameters;
+
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 
 fn check(name: &str, console: &Console) {

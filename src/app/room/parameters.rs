@@ -32,7 +32,7 @@ pub use compare::{Comparison, Other};
 pub use demand::wanted;
 pub use edit::{Edit, entered, note_order};
 pub use files::{exists, load, read, save, saved};
-pub use rows::{Row, rows};
+pub use rows::{Row, extra, rows};
 
 /// What the room remembers.
 #[derive(Debug, Clone, Default)]
@@ -106,7 +106,10 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         }
         Action::ChangedParameters => {
             let room = &mut state.rooms.parameters;
-            room.changed_only = !room.changed_only;
+            match &mut room.comparison {
+                Some(comparison) => comparison.lists_extra = !comparison.lists_extra,
+                None => room.changed_only = !room.changed_only,
+            }
         }
         Action::SaveParameters => {
             let name = state.session.cursor.map(|id| format!("vehicle-{id}.parm"));

@@ -35,7 +35,7 @@ pub const COMPARISON_HINTS: &[(&str, &str)] = &[
     ("Space", "parameters-hint-mark"),
     ("* !", "parameters-hint-mark-all"),
     ("a", "parameters-hint-apply"),
-    ("Enter", "parameters-hint-set"),
+    ("o", "parameters-hint-extra"),
     ("/", "parameters-hint-search"),
     ("Esc", "parameters-hint-close"),
     ("?", "parameters-hint-help"),

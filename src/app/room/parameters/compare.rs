@@ -18,6 +18,8 @@ pub struct Comparison {
     turned: BTreeSet<String>,
     /// Names that were set: they stay in the list, also when they do not differ any more.
     pub set: BTreeSet<String>,
+    /// Whether what only the vehicle has is listed, too: beside a file of a few parameters that is nearly all.
+    pub lists_extra: bool,
 }
 
 /// The other side of a comparison.
@@ -38,6 +40,7 @@ impl Comparison {
     /// One that nothing has been chosen of yet.
     pub fn new(with: Other) -> Self {
         Self {
+            lists_extra: matches!(with, Other::Vehicle(_)),
             with,
             turned: BTreeSet::new(),
             set: BTreeSet::new(),

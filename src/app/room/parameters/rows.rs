@@ -44,16 +44,15 @@ pub fn rows(state: &State) -> Vec<Row<'_>> {
         words.iter().all(|word| name.contains(word.as_str()))
     };
     let all = match &room.comparison {
-        None => plain(state, vehicle),
+        None => plain(state, vehicle)
+            .filter(|row| !room.changed_only || is_changed(state, vehicle, row))
+            .collect(),
         Some(comparison) => compared(state, vehicle, comparison),
     };
-    all.into_iter()
-        .filter(|row| fits(row.name))
-        .filter(|row| !room.changed_only || is_changed(state, vehicle, row))
-        .collect()
+    all.into_iter().filter(|row| fits(row.name)).collect()
 }
 
-fn plain(state: &State, vehicle: VehicleId) -> Vec<Row<'_>> {
+fn plain(state: &State, vehicle: VehicleId) -> impl Iterator<Item = Row<'_>> {
     let snapshot = state.rooms.parameters.lists.get(&vehicle);
     let all = snapshot.into_iter().flat_map(|known| known.list.iter());
     all.map(|(name, parameter)| Row {
@@ -61,11 +60,11 @@ fn plain(state: &State, vehicle: VehicleId) -> Vec<Row<'_>> {
         now: Some(*parameter),
         finding: None,
     })
-    .collect()
 }
 
 fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison) -> Vec<Row<'a>> {
-    let found = difference(state, vehicle, &comparison.with);
+    let mut found = difference(state, vehicle, &comparison.with);
+    found.retain(|(_, finding)| comparison.lists_extra || !matches!(finding, Finding::Extra(_)));
     let set = comparison.set.iter().map(|name| (name.as_str(), None));
     let mut all: BTreeMap<&str, Option<Finding>> = set.collect();
     all.extend(
@@ -79,6 +78,15 @@ fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison
         finding,
     });
     rows.collect()
+}
+
+/// How many parameters only the vehicle that is shown has.
+pub fn extra(state: &State, comparison: &Comparison) -> usize {
+    let vehicle = state.session.cursor;
+    let found = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
+    let found = found.unwrap_or_default();
+    let is_extra = |(_, finding): &&(&str, Finding)| matches!(finding, Finding::Extra(_));
+    found.iter().filter(is_extra).count()
 }
 
 /// What differs between a vehicle and what it is compared with.

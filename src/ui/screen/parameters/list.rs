@@ -148,7 +148,7 @@ fn value_of(state: &State, id: VehicleId, row: &Row<'_>, look: &Look) -> Span<'s
     let sign = if is_equal { ' ' } else { '*' };
     let text = value.map_or_else(|| "-".to_owned(), shown);
     Span::styled(
-        format!("{sign}{}", cell(&text, VALUE, true)),
+        format!("{}{sign}", cell(&text, VALUE, true)),
         look.style(role),
     )
 }

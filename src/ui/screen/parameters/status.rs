@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::room::parameters::{Other, Row};
+use crate::app::room::parameters::{Other, Row, extra};
 use crate::app::state::{State, ranges};
 use crate::parameters::{Fetching, Snapshot};
 use crate::text;
@@ -94,24 +94,28 @@ fn progress(known: Option<&Snapshot>, look: &Look) -> Vec<Span<'static>> {
 fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
     let room = &state.rooms.parameters;
     let mut remarks = Vec::new();
+    if let Some(batch) = &room.batch {
+        let left = batch.left();
+        remarks.push((text!("parameters-setting", count = left), Role::Warning));
+    }
     if let Some(comparison) = &room.comparison {
         let findings = || rows.iter().filter_map(|row| Some((row.name, row.finding?)));
         let is_marked = |(name, finding): &(&str, _)| comparison.is_marked(name, *finding);
         let (count, marked) = (findings().count(), findings().filter(is_marked).count());
         let text = text!("parameters-marked", count = count, marked = marked);
         remarks.push((text, Role::Accent));
+        let hidden = extra(state, comparison);
+        if !comparison.lists_extra && hidden > 0 {
+            remarks.push((text!("parameters-hidden", count = hidden), Role::Muted));
+        }
     }
     if !room.filter.is_empty() {
         let filter = clip(&room.filter, 16);
         let text = text!("parameters-filter", filter = filter, count = rows.len());
         remarks.push((text, Role::Accent));
     }
-    if room.changed_only {
+    if room.changed_only && room.comparison.is_none() {
         remarks.push((text!("parameters-only-changed"), Role::Accent));
-    }
-    if let Some(batch) = &room.batch {
-        let left = batch.left();
-        remarks.push((text!("parameters-setting", count = left), Role::Warning));
     }
     if state.session.selection.len() > 1 {
         let vehicles = ranges(state.addressed());
