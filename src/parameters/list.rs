@@ -54,6 +54,7 @@ pub struct Parameters {
     /// Which places of the list have passed.
     seen: Vec<bool>,
     received: u16,
+    passed: u64,
     /// How many there are by a value that was sent for itself.
     announced: Option<u16>,
     revision: u64,
@@ -90,6 +91,11 @@ impl Parameters {
     /// How many places of the list have passed.
     pub fn received(&self) -> u16 {
         self.received
+    }
+
+    /// How many values have passed with a place in the list, the same again included.
+    pub fn passed(&self) -> u64 {
+        self.passed
     }
 
     /// Whether every place of the list has passed.
@@ -164,6 +170,7 @@ impl Parameters {
             }
             return;
         };
+        self.passed += 1;
         if self.count != Some(heard.count) {
             self.renumber(heard.count);
         }

@@ -23,8 +23,9 @@ const PLACE_SILENCE: Duration = Duration::from_millis(400);
 const LONGEST_WAIT: u32 = 8;
 /// So many requests without any news mean that nothing more will come.
 const FRUITLESS: u16 = 24;
-/// Where more than one in so many places is missing, the whole list comes faster than the places one by one.
-const SPARSE: usize = 2;
+/// What one missing place costs, with ten asked for at a time and some of the questions lost. Where the list as a
+/// whole would come sooner, it is asked for again.
+const PLACE_COST: Duration = Duration::from_millis(30);
 /// A list of which much was lost is asked for so often; then its places are.
 const LISTS: u8 = 4;
 /// A vehicle whose number of parameters changes is read anew, but not for ever.
@@ -53,6 +54,8 @@ pub(super) struct Download {
     quiet_since: Duration,
     /// How many places had come when we looked last.
     received: u16,
+    /// How many values of the list had passed by then, those that were known included.
+    passed: u64,
     /// The numbering of the list that is being filled.
     count: Option<u16>,
     /// The places that are asked for, and when.
@@ -61,6 +64,9 @@ pub(super) struct Download {
     next: u16,
     fruitless: u16,
     lists: u8,
+    /// When the list was asked for last, and how long it went on coming then.
+    listed_at: Duration,
+    list_took: Duration,
     restarts: u8,
 }
 
@@ -71,11 +77,14 @@ impl Download {
             phase: Phase::Idle,
             quiet_since: Duration::ZERO,
             received: 0,
+            passed: 0,
             count: None,
             asked: BTreeMap::new(),
             next: 0,
             fruitless: 0,
             lists: 0,
+            listed_at: Duration::ZERO,
+            list_took: Duration::ZERO,
             restarts: 0,
         }
     }
@@ -129,28 +138,26 @@ impl Download {
         if !self.fetching().is_under_way() {
             return Vec::new();
         }
+        if self.phase == Phase::Asking {
+            self.quiet_since = now;
+            return self.list(vehicle, now);
+        }
         self.take_note(parameters, now);
-        if self.phase != Phase::Asking && parameters.is_complete() {
+        if parameters.is_complete() {
             self.phase = Phase::Complete;
             return Vec::new();
         }
-        if self.phase == Phase::Asking {
-            self.quiet_since = now;
-            return self.list(vehicle);
-        }
         let is_quiet = now >= self.quiet_since + self.wait(vehicle);
         if is_quiet {
-            self.fruitless += 1;
-            self.quiet_since = now;
-            self.asked.clear();
+            self.note_silence(now);
         }
         if self.fruitless > FRUITLESS {
             self.phase = Phase::Stalled;
             Vec::new()
         } else if self.phase == Phase::Listing && !is_quiet {
             Vec::new()
-        } else if self.asked.is_empty() && self.is_sparse(parameters) {
-            self.list(vehicle)
+        } else if self.asked.is_empty() && self.is_better_listed(parameters) {
+            self.list(vehicle, now)
         } else {
             self.phase = Phase::Filling;
             self.fill(parameters, vehicle, now)
@@ -163,20 +170,36 @@ impl Download {
             self.count = parameters.count();
             self.received = 0;
         }
-        if parameters.received() > self.received {
+        let is_news = parameters.received() > self.received;
+        // A list that comes again brings known places first: it must not be cut off for that.
+        let is_coming = self.phase == Phase::Listing && parameters.passed() != self.passed;
+        if is_news || is_coming {
             self.quiet_since = now;
+        }
+        if is_news {
             self.fruitless = 0;
         }
         self.received = parameters.received();
+        self.passed = parameters.passed();
     }
 
-    fn is_sparse(&self, parameters: &Parameters) -> bool {
+    fn note_silence(&mut self, now: Duration) {
+        if self.phase == Phase::Listing {
+            self.list_took = self.quiet_since.saturating_sub(self.listed_at);
+        }
+        self.fruitless += 1;
+        self.quiet_since = now;
+        self.asked.clear();
+    }
+
+    fn is_better_listed(&self, parameters: &Parameters) -> bool {
         let Some(count) = parameters.count() else {
             return true;
         };
-        let missing = usize::from(count - parameters.received());
+        let missing = u32::from(count - parameters.received());
+        let again = self.list_took + LIST_SILENCE;
         // A list that has not begun is asked for as long as there is patience.
-        parameters.received() == 0 || (self.lists < LISTS && missing * SPARSE > usize::from(count))
+        parameters.received() == 0 || (self.lists < LISTS && PLACE_COST * missing > again)
     }
 
     /// How long to wait for an answer; longer the longer there was none, and where the way is long.
@@ -190,8 +213,9 @@ impl Download {
         silence.max(way) * times
     }
 
-    fn list(&mut self, vehicle: &Vehicle) -> Vec<Outgoing> {
+    fn list(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
         self.phase = Phase::Listing;
+        self.listed_at = now;
         self.lists = self.lists.saturating_add(1);
         let request = MavMessage::PARAM_REQUEST_LIST(PARAM_REQUEST_LIST_DATA {
             target_system: vehicle.system,
