@@ -301,6 +301,33 @@ mod tests {
     }
 
     #[test]
+    fn a_file_is_written_whole_and_replaced_only_when_asked() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("quad.parm");
+        write(&path, "A,1\n", false).expect("there is none yet");
+        let again = write(&path, "A,2\n", false).expect_err("there is one");
+        assert!(matches!(again, StoreError::Exists { .. }), "{again}");
+        let text = |path: &Path| read(path, "parameter file").expect("it is there").text;
+        assert_eq!(text(&path), "A,1\n");
+        write(&path, "A,3\n", true).expect("it may be replaced");
+        assert_eq!(text(&path), "A,3\n");
+        let left = fs::read_dir(folder.path()).expect("a folder").count();
+        assert_eq!(left, 1, "nothing half-written stays");
+    }
+
+    #[test]
+    fn what_cannot_be_written_says_so_and_leaves_nothing() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        for path in [folder.path().to_owned(), folder.path().join("no/such.parm")] {
+            for replace in [false, true] {
+                let error = write(&path, "A,1\n", replace).expect_err("it cannot");
+                assert!(matches!(error, StoreError::Unwritable { .. }), "{error}");
+            }
+        }
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
+    }
+
+    #[test]
     fn a_device_without_an_end_is_refused() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("endless.toml");

@@ -169,7 +169,10 @@ pub fn parse(line: &str, themes: &[String]) -> Option<Result<ConsoleLine, Diagno
     let words = words(line);
     let (first, arguments) = words.split_first()?;
     let verb = find(&line[first.clone()])?;
-    Some(read(verb, line, arguments, themes))
+    Some(match verb.kind {
+        Kind::Params => params(verb, line, arguments).map(ConsoleLine::Params),
+        _ => read(verb, line, arguments, themes),
+    })
 }
 
 /// The usage of the console's own verb that a line begins with.
@@ -235,9 +238,6 @@ fn read(
     arguments: &[Range<usize>],
     themes: &[String],
 ) -> Result<ConsoleLine, Diagnostic> {
-    if verb.kind == Kind::Params {
-        return params(verb, line, arguments).map(ConsoleLine::Params);
-    }
     let most = match verb.kind {
         Kind::Plain(_) | Kind::Params => 0,
         Kind::Select | Kind::Theme => 1,
@@ -283,13 +283,12 @@ fn params(
         return Ok(ParamsDeed::Show);
     };
     let usage = text!("console-usage", usage = verb.usage);
-    let named = || match (rest.first(), rest.last()) {
-        (Some(first), Some(last)) => Ok(line[first.start..last.end].to_owned()),
-        _ => {
-            let end = line.trim_end().len();
-            let missing = Diagnostic::new(end..end, text!("parameters-no-path"));
-            Err(missing.with_help(usage.clone()))
+    let named = || {
+        if let (Some(first), Some(last)) = (rest.first(), rest.last()) {
+            return Ok(line[first.start..last.end].to_owned());
         }
+        let end = line.trim_end().len();
+        Err(Diagnostic::new(end..end, text!("parameters-no-path")).with_help(usage.clone()))
     };
     match &line[deed.clone()] {
         "fetch" if rest.is_empty() => Ok(ParamsDeed::Fetch),

@@ -186,9 +186,7 @@ impl Running {
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
-                Ok(FleetEvent::Parameters(id, parameters)) => {
-                    self.parameters.push((id, parameters));
-                }
+                Ok(FleetEvent::Parameters(id, list)) => self.parameters.push((id, list)),
                 Ok(FleetEvent::Linked(link)) => self.links.push(link),
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
@@ -207,14 +205,7 @@ impl Running {
                 collected.push(Event::Vehicle(Box::new(snapshot)));
             }
         }
-        for (vehicle, parameters) in &mut self.parameters {
-            if parameters.has_changed().unwrap_or(false) {
-                collected.push(Event::Parameters {
-                    vehicle: *vehicle,
-                    snapshot: parameters.borrow_and_update().clone(),
-                });
-            }
-        }
+        collected.extend(self.changed_parameters());
         collected.extend(self.hear_links(now).map(Event::Notice));
         // A link that has ended has changed for the last time; its last state still has to be shown.
         let links_ended = self.links.iter().filter(|link| link.has_changed().is_err());
@@ -230,6 +221,17 @@ impl Running {
             collected.push(Event::Links(links.collect()));
         }
         collected
+    }
+
+    /// The lists that have changed.
+    fn changed_parameters(&mut self) -> impl Iterator<Item = Event> + '_ {
+        self.parameters
+            .iter_mut()
+            .filter(|(_, parameters)| parameters.has_changed().unwrap_or(false))
+            .map(|(vehicle, parameters)| Event::Parameters {
+                vehicle: *vehicle,
+                snapshot: parameters.borrow_and_update().clone(),
+            })
     }
 
     /// What a human should hear of the links: that one is down and why, and that it is up again.

@@ -40,6 +40,24 @@ struct Route {
     inbox: mpsc::Sender<ToVehicle>,
 }
 
+impl Route {
+    fn new(
+        (link, peer): (LinkId, Peer),
+        component: ComponentId,
+        heard_at: Duration,
+        inbox: mpsc::Sender<ToVehicle>,
+    ) -> Self {
+        Self {
+            link,
+            peer,
+            component,
+            heard_at,
+            conflict_said_at: None,
+            inbox,
+        }
+    }
+}
+
 struct Hub {
     clock: Clock,
     links: Vec<LinkHandle>,
@@ -217,17 +235,8 @@ impl Hub {
         };
         tokio::spawn(task.run(self.cancel.clone()));
         tracing::info!(system, link = link_id.0, "a vehicle is heard");
-        self.routes.insert(
-            system,
-            Route {
-                link: link_id,
-                peer,
-                component,
-                heard_at: now,
-                conflict_said_at: None,
-                inbox,
-            },
-        );
+        let route = Route::new((link_id, peer), component, now, inbox);
+        self.routes.insert(system, route);
         self.tell(FleetEvent::Appeared(state_out)).await;
         let id = VehicleId::from(system);
         self.tell(FleetEvent::Parameters(id, parameters_out)).await;

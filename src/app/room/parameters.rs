@@ -48,7 +48,7 @@ pub struct Parameters {
     /// What the list is compared with.
     pub comparison: Option<Comparison>,
     /// The newest value that was asked of each vehicle for each parameter.
-    pub edits: BTreeMap<(VehicleId, String), Edit>,
+    pub edits: BTreeMap<VehicleId, BTreeMap<String, Edit>>,
     /// Values that are being set one after the other.
     pub batch: Option<Batch>,
     /// Vehicles whose lists are to come anew.
@@ -84,8 +84,8 @@ impl Parameters {
     }
 
     /// The entry of the ledger that last set a parameter of a vehicle, and what it asked for.
-    pub fn edit(&self, vehicle: VehicleId, name: &str) -> Option<&Edit> {
-        self.edits.get(&(vehicle, name.to_owned()))
+    pub fn edit(&self, vehicle: VehicleId, name: &str) -> Option<Edit> {
+        self.edits.get(&vehicle)?.get(name).copied()
     }
 }
 

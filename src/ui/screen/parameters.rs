@@ -54,40 +54,18 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let rows = rows(state);
-    status::draw(
-        state,
-        vehicle,
-        (&rows, look),
-        upper(area, STATUS_ROWS),
-        buffer,
-    );
-    let rest = below(area, STATUS_ROWS);
+    let (status, rest) = (upper(area, STATUS_ROWS), below(area, STATUS_ROWS));
+    status::draw(state, vehicle, (&rows, look), status, buffer);
     let at = cursor_row(state, &rows);
+    let Some(row) = rows.get(at) else {
+        return draw_nothing(state, vehicle, look, rest, buffer);
+    };
+    let told = detail::lines(state, vehicle, row, (look, usize::from(area.width)));
     let most = rest.height.saturating_sub(LIST_LEAST);
-    let detail = rows
-        .get(at)
-        .map(|row| detail::lines(state, vehicle, row, (look, usize::from(area.width))));
-    let detail_rows = detail
-        .as_ref()
-        .map_or(0, |lines| lines.len() as u16 + 1)
-        .min(most);
-    let list_rows = rest.height.saturating_sub(detail_rows);
-    if rows.is_empty() {
-        draw_nothing(state, vehicle, look, upper(rest, list_rows), buffer);
-    } else {
-        list::draw(
-            state,
-            vehicle,
-            (&rows, at),
-            look,
-            upper(rest, list_rows),
-            buffer,
-        );
-    }
-    if let Some(lines) = detail {
-        let name = rows.get(at).map_or("", |row| row.name);
-        detail::draw(name, &lines, look, below(rest, list_rows), buffer);
-    }
+    let list_rows = rest.height - most.min(told.len() as u16 + 1);
+    let list = upper(rest, list_rows);
+    list::draw(state, vehicle, (&rows, at), look, list, buffer);
+    detail::draw(row.name, &told, look, below(rest, list_rows), buffer);
 }
 
 /// Why the list is empty.
@@ -108,7 +86,7 @@ fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buff
 }
 
 /// What became of a value that was asked for, in a word and its colour.
-fn edited(state: &State, edit: &Edit, vehicle: VehicleId) -> Option<(Text, Role, Option<Text>)> {
+fn edited(state: &State, edit: Edit, vehicle: VehicleId) -> Option<(Text, Role, Option<Text>)> {
     let row = outcome(state, edit.entry, vehicle)?;
     let (word, role) = match row.state {
         RowState::Queued => (text!("parameters-state-waiting"), Role::Muted),

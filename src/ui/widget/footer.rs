@@ -60,18 +60,9 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
         let role = severity_role(message.severity);
         return Line::styled(format!(" {}", look.text(&message.text)), look.style(role));
     }
-    let hints = match state.room {
-        Room::Home => HOME,
-        Room::Debrief => DEBRIEF,
-        Room::Parameters if state.rooms.parameters.comparison.is_some() => {
-            parameters::COMPARISON_HINTS
-        }
-        Room::Parameters => parameters::HINTS,
-        _ => FLY,
-    };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    for (key, what) in hints {
+    for (key, what) in hints(state) {
         // Those that are no message yet are said as they are.
         let what = look.say(what);
         used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
@@ -82,4 +73,17 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
         spans.push(Span::styled(format!(" {what}  "), look.style(Role::Muted)));
     }
     Line::from(spans)
+}
+
+/// What the keys of a room do.
+fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
+    match state.room {
+        Room::Home => HOME,
+        Room::Debrief => DEBRIEF,
+        Room::Parameters if state.rooms.parameters.comparison.is_some() => {
+            parameters::COMPARISON_HINTS
+        }
+        Room::Parameters => parameters::HINTS,
+        _ => FLY,
+    }
 }

@@ -307,7 +307,8 @@ fn many_values_go_out_a_few_at_a_time_with_a_result_for_each() {
         });
     }
     arrives(&mut console, 1, many);
-    let text: String = names.iter().map(|name| format!("{name},1\n")).collect();
+    let lines: Vec<String> = names.iter().map(|name| format!("{name},1")).collect();
+    let text = lines.join("\n");
     let path = "all.parm".to_owned();
     console.hear(Event::ParametersRead { path, text });
     console.press("a").press("y");
@@ -341,7 +342,7 @@ fn what_waited_too_long_to_be_sent_is_given_again() {
     console.press("a").press("y");
     row(&mut console, 0, 1, RowState::Done);
     assert_eq!(settings(&console.effects).len(), 2);
-    row(&mut console, 1, 1, RowState::TimedOut);
+    row(&mut console, 1, 1, RowState::Refused);
     assert!(console.effects.is_empty(), "the other one first");
     console.hear(Event::Row(RowUpdate {
         entry: EntryId(2),
@@ -358,6 +359,27 @@ fn what_waited_too_long_to_be_sent_is_given_again() {
     assert_eq!(
         said(&console),
         "parameters set: 3 confirmed, 1 not: the list says why"
+    );
+}
+
+#[test]
+fn a_value_that_was_not_answered_is_given_again_unless_the_vehicle_lacks_it() {
+    let mut console = in_the_room(1);
+    let path = "two.parm".to_owned();
+    let text = "ANGLE_MAX,1\nNEW_ONE,1\n".to_owned();
+    console.hear(Event::ParametersRead { path, text });
+    console.press("*").press("a").press("y");
+    for (entry, name) in ["ANGLE_MAX", "NEW_ONE", "ANGLE_MAX", "ANGLE_MAX"]
+        .into_iter()
+        .enumerate()
+    {
+        assert_eq!(settings(&console.effects)[0].0, name);
+        row(&mut console, entry as u32, 1, RowState::TimedOut);
+    }
+    assert!(console.effects.is_empty());
+    assert_eq!(
+        said(&console),
+        "parameters set: 0 confirmed, 2 not: the list says why"
     );
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::edit;
+use super::{Parameters, edit};
 use crate::app::effect::Effect;
 use crate::app::state::State;
 use crate::ledger::{Entry, EntryId, Ledger, Row, RowState};
@@ -22,7 +22,24 @@ pub struct Setting {
     pub value: f32,
     /// The vehicles, sorted.
     pub vehicles: Vec<VehicleId>,
+    /// How often it is given again where no answer comes: taking the same value twice does no harm.
+    pub again: u8,
 }
+
+impl Setting {
+    /// A value for some vehicles.
+    pub fn new(name: &str, value: f32, vehicles: Vec<VehicleId>) -> Self {
+        Self {
+            name: name.to_owned(),
+            value,
+            vehicles,
+            again: AGAIN,
+        }
+    }
+}
+
+/// A setting is given again so often.
+const AGAIN: u8 = 2;
 
 /// Values that are being set.
 #[derive(Debug, Clone)]
@@ -73,7 +90,7 @@ pub fn advance(state: &mut State) -> Vec<Effect> {
     let Some(mut batch) = state.rooms.parameters.batch.take() else {
         return Vec::new();
     };
-    batch.count(&state.session.ledger);
+    batch.count(&state.session.ledger, &state.rooms.parameters);
     let mut effects = Vec::new();
     while batch.under_way.len() < batch.window
         && let Some(setting) = batch.waiting.pop_front()
@@ -107,7 +124,7 @@ pub fn advance(state: &mut State) -> Vec<Effect> {
 
 impl Batch {
     /// Takes note of commands that have ended.
-    fn count(&mut self, ledger: &Ledger) {
+    fn count(&mut self, ledger: &Ledger, known: &Parameters) {
         let is_over = |(id, _): &mut (EntryId, Setting)| {
             // What has fallen out of the ledger is long over.
             ledger.entry(*id).is_none_or(Entry::is_final)
@@ -115,34 +132,39 @@ impl Batch {
         let ended: Vec<_> = self.under_way.extract_if(.., is_over).collect();
         for (id, setting) in ended {
             let rows = ledger.entry(id).map_or(&[][..], |entry| &entry.rows);
-            let unsent: Vec<VehicleId> = rows
-                .iter()
-                .filter(|row| is_unsent(row))
-                .map(|row| row.vehicle)
-                .collect();
-            let done = rows
-                .iter()
-                .filter(|row| row.state == RowState::Done)
-                .count();
-            let failed = rows.len() - done - unsent.len();
+            let done = rows.iter().filter(|row| row.state == RowState::Done);
+            let done = done.count();
+            let (unsent, unanswered) = to_give_again(rows, &setting, known);
             self.confirmed += done;
-            self.failed += failed;
+            self.failed += rows.len() - done - unsent.len() - unanswered.len();
             self.window = if done == rows.len() {
                 (self.window * 2).min(MOST_UNDER_WAY)
             } else {
                 1
             };
-            if !unsent.is_empty() {
-                self.waiting.push_back(Setting {
-                    vehicles: unsent,
-                    ..setting
-                });
+            let again = setting.again;
+            for (vehicles, again) in [(unsent, again), (unanswered, again.saturating_sub(1))] {
+                if !vehicles.is_empty() {
+                    let setting = Setting::new(&setting.name, setting.value, vehicles);
+                    self.waiting.push_back(Setting { again, ..setting });
+                }
             }
         }
     }
 }
 
-/// It waited for the line until its time was over, so that it can be given again.
-fn is_unsent(row: &Row) -> bool {
-    row.state == RowState::TimedOut && row.tries == 0
+/// The vehicles for which the line was not free in time, and those that did not answer although they have such a
+/// parameter.
+fn to_give_again(
+    rows: &[Row],
+    setting: &Setting,
+    known: &Parameters,
+) -> (Vec<VehicleId>, Vec<VehicleId>) {
+    let timed_out = rows.iter().filter(|row| row.state == RowState::TimedOut);
+    let (unsent, mut unanswered): (Vec<&Row>, Vec<&Row>) =
+        timed_out.partition(|row| row.tries == 0);
+    let has = |row: &&Row| known.get(row.vehicle, &setting.name).is_some();
+    unanswered.retain(|row| setting.again > 0 && has(row));
+    let ids = |rows: Vec<&Row>| rows.into_iter().map(|row| row.vehicle).collect();
+    (ids(unsent), ids(unanswered))
 }

@@ -103,11 +103,8 @@ pub fn apply(state: &mut State) {
         .filter_map(|row| {
             let finding = row.finding?;
             let value = row.other()?;
-            comparison.is_marked(row.name, finding).then(|| Setting {
-                name: row.name.to_owned(),
-                value,
-                vehicles: targets.clone(),
-            })
+            let is_marked = comparison.is_marked(row.name, finding);
+            is_marked.then(|| Setting::new(row.name, value, targets.clone()))
         })
         .collect();
     if settings.is_empty() || targets.is_empty() {

@@ -1,5 +1,7 @@
 //! New values: what is written, and what became of it.
 
+use std::collections::BTreeMap;
+
 use super::Setting;
 use crate::app::effect::Effect;
 use crate::app::state::{Consequence, Order, State, ranges};
@@ -44,11 +46,7 @@ pub fn entered(
             carried = known.kind.check(value).map_err(|unfit| unfit.text(name))?;
         }
     }
-    let setting = Setting {
-        name: name.to_owned(),
-        value: carried,
-        vehicles: vehicles.to_vec(),
-    };
+    let setting = Setting::new(name, carried, vehicles.to_vec());
     send(state, &setting)
 }
 
@@ -69,13 +67,16 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
         return;
     };
     let edits = &mut state.rooms.parameters.edits;
-    if edits.len() + order.targets.len() > EDITS_KEPT {
+    let kept: usize = edits.values().map(BTreeMap::len).sum();
+    if kept + order.targets.len() > EDITS_KEPT {
         edits.clear();
     }
     let edit = Edit {
         entry,
         value: *value,
     };
-    let each = order.targets.iter().copied();
-    edits.extend(each.map(|vehicle: VehicleId| ((vehicle, name.clone()), edit)));
+    for &vehicle in &order.targets {
+        let known = edits.entry(vehicle).or_default();
+        known.insert(name.clone(), edit);
+    }
 }

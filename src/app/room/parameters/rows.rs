@@ -40,8 +40,8 @@ pub fn rows(state: &State) -> Vec<Row<'_>> {
         .map(str::to_uppercase)
         .collect();
     let fits = |name: &str| {
-        let name = name.to_uppercase();
-        words.iter().all(|word| name.contains(word.as_str()))
+        let name = || name.to_uppercase();
+        words.is_empty() || words.iter().all(|word| name().contains(word.as_str()))
     };
     let all = match &room.comparison {
         None => plain(state, vehicle)

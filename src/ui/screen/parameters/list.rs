@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::{Row, cell, edited};
 use crate::app::room::parameters::Comparison;
 use crate::app::state::State;
-use crate::parameters::{Finding, is_same, is_the_vehicles_own, shown};
+use crate::parameters::{Finding, Parameter, is_same, is_the_vehicles_own, shown};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -32,24 +32,8 @@ pub fn draw(
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    let comparison = state.rooms.parameters.comparison.as_ref();
-    let second = match comparison {
-        None => "parameters-column-before",
-        Some(_) => "parameters-column-other",
-    };
-    let mark = if comparison.is_some() { "    " } else { "" };
     let others = others(state, vehicle, area.width);
-    let numbers = others.iter().map(|id| cell(&format!("#{id}"), VALUE, true));
-    let numbers: Vec<String> = numbers.collect();
-    let heading = format!(
-        "  {mark}{} {} {} {} {} {}",
-        cell(&look.say("parameters-column-name"), NAME, false),
-        cell(&look.say("parameters-column-value"), VALUE, true),
-        cell(&look.say("parameters-column-type"), KIND, false),
-        cell(&look.say(second), VALUE, true),
-        cell(&look.say("parameters-column-state"), STATE, false),
-        numbers.join(" "),
-    );
+    let heading = heading(state, &others, look);
     put(
         buffer,
         area,
@@ -64,9 +48,9 @@ pub fn draw(
     for (line, (index, row)) in rows.iter().enumerate().skip(top).take(visible).enumerate() {
         let place = row_of(area, line as u16);
         let mut drawn = line_of(state, vehicle, row, (index == at, look));
-        let used = columns_used(comparison.is_some());
         if !others.is_empty() {
-            let gap = used.saturating_sub(drawn.width());
+            let is_compared = state.rooms.parameters.comparison.is_some();
+            let gap = columns_used(is_compared).saturating_sub(drawn.width());
             drawn.push_span(Span::raw(" ".repeat(gap)));
         }
         for &id in &others {
@@ -77,6 +61,24 @@ pub fn draw(
             buffer.set_style(place, look.style(Role::Cursor));
         }
     }
+}
+
+fn heading(state: &State, others: &[VehicleId], look: &Look) -> String {
+    let (mark, second) = match state.rooms.parameters.comparison {
+        None => ("", "parameters-column-before"),
+        Some(_) => ("    ", "parameters-column-other"),
+    };
+    let numbers = others.iter().map(|id| cell(&format!("#{id}"), VALUE, true));
+    let numbers: Vec<String> = numbers.collect();
+    format!(
+        "  {mark}{} {} {} {} {} {}",
+        cell(&look.say("parameters-column-name"), NAME, false),
+        cell(&look.say("parameters-column-value"), VALUE, true),
+        cell(&look.say("parameters-column-type"), KIND, false),
+        cell(&look.say(second), VALUE, true),
+        cell(&look.say("parameters-column-state"), STATE, false),
+        numbers.join(" "),
+    )
 }
 
 fn line_of<'a>(
@@ -90,7 +92,7 @@ fn line_of<'a>(
     if let Some(comparison) = comparison {
         spans.push(mark(comparison, row, look));
     }
-    let changed = row.now.filter(|now| now.is_changed());
+    let changed = row.now.filter(Parameter::is_changed);
     let value = row
         .now
         .map_or_else(|| "-".to_owned(), |now| shown(now.value));
