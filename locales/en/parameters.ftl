@@ -2,9 +2,9 @@
 
 action-next-vehicle = next vehicle
 action-previous-vehicle = previous vehicle
-action-changed-parameters = fewer lines or all: changed ones, or those of the file
+action-changed-parameters = fewer lines: changed ones, or those of the file
 action-save-parameters = save the parameters to a file
-action-load-parameters = load parameters from a file: first see what differs
+action-load-parameters = load a file: first see what differs
 action-compare-parameters = compare with a file or another vehicle
 action-apply-parameters = set what is marked
 action-fetch-parameters = ask the vehicle for all parameters again
@@ -74,6 +74,7 @@ parameters-set-done = { $failed ->
     [0] parameters set: { $confirmed } confirmed
    *[other] parameters set: { $confirmed } confirmed, { $failed } not: the list says why
 }
+parameters-stopped = stopped: { $count } not given any more
 parameters-nothing-compared = nothing to set: load a file (l) or compare (d) first
 parameters-nothing-marked = nothing is marked that could be set
 parameters-ask-apply = SET { $count ->

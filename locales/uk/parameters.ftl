@@ -2,9 +2,9 @@
 
 action-next-vehicle = наступний апарат
 action-previous-vehicle = попередній апарат
-action-changed-parameters = менше рядків або всі: лише змінені чи лише з файлу
+action-changed-parameters = менше рядків: лише змінені чи лише з файлу
 action-save-parameters = зберегти параметри у файл
-action-load-parameters = завантажити параметри з файлу: спершу показати відмінності
+action-load-parameters = завантажити файл: спершу показати відмінності
 action-compare-parameters = порівняти з файлом або іншим апаратом
 action-apply-parameters = встановити позначене
 action-fetch-parameters = запитати в апарата всі параметри ще раз
@@ -76,6 +76,7 @@ parameters-set-done = { $failed ->
     [0] параметри встановлено: підтверджено { $confirmed }
    *[other] параметри: підтверджено { $confirmed }, не встановлено { $failed }; причини — у списку
 }
+parameters-stopped = зупинено: ще не надіслано { $count }
 parameters-nothing-compared = нема чого встановлювати: спершу завантажте файл (l) або порівняйте (d)
 parameters-nothing-marked = не позначено нічого, що можна встановити
 parameters-ask-apply = ВСТАНОВИТИ { $count ->

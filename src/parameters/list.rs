@@ -165,7 +165,7 @@ impl Parameters {
     fn note_place(&mut self, heard: &Heard<'_>) {
         let Some(index) = heard.index else {
             self.announced = Some(heard.count);
-            if self.count.is_none() {
+            if self.received == 0 && self.count != Some(heard.count) {
                 self.renumber(heard.count);
             }
             return;

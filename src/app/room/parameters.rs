@@ -17,8 +17,9 @@ use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act::show;
 use crate::ledger::EntryId;
 use crate::parameters::{Parameter, Snapshot, shown};
+use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 
 mod batch;
 mod compare;
@@ -200,11 +201,17 @@ fn change_vehicle(state: &mut State, action: Action) {
     state.session.set_cursor_row(next);
 }
 
-/// Takes back the last thing that narrows the list; false if nothing does.
+/// Stops setting values; else takes back the last thing that narrows the list. False if there is neither.
 fn close(state: &mut State) -> bool {
     state.hush();
     let room = &mut state.rooms.parameters;
-    if !room.filter.is_empty() {
+    let stopped = room.batch.as_mut().map_or(0, Batch::stop);
+    if stopped > 0 {
+        state.say(
+            Severity::Notice,
+            text!("parameters-stopped", count = stopped),
+        );
+    } else if !room.filter.is_empty() {
         room.filter.clear();
     } else if room.comparison.take().is_some() {
     } else if room.changed_only {

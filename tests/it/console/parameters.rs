@@ -363,6 +363,19 @@ fn what_waited_too_long_to_be_sent_is_given_again() {
 }
 
 #[test]
+fn escape_stops_what_has_not_been_given_yet() {
+    let mut console = in_the_room(1);
+    let path = "three.parm".to_owned();
+    let text = "ANGLE_MAX,1\nRTL_ALT,1\nWPNAV_SPEED,1\n".to_owned();
+    console.hear(Event::ParametersRead { path, text });
+    console.press("a").press("y").press("esc");
+    assert_eq!(said(&console), "stopped: 2 not given any more");
+    row(&mut console, 0, 1, RowState::Done);
+    assert!(console.effects.is_empty());
+    assert_eq!(said(&console), "parameters set: 1 confirmed");
+}
+
+#[test]
 fn a_value_that_was_not_answered_is_given_again_unless_the_vehicle_lacks_it() {
     let mut console = in_the_room(1);
     let path = "two.parm".to_owned();

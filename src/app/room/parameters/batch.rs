@@ -67,6 +67,13 @@ impl Batch {
         }
     }
 
+    /// Gives nothing more, and says how many were not given.
+    pub fn stop(&mut self) -> usize {
+        let left = self.waiting.len();
+        self.waiting.clear();
+        left
+    }
+
     /// Parameters that have not been answered for yet.
     pub fn left(&self) -> usize {
         self.waiting.len() + self.under_way.len()
