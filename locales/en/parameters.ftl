@@ -33,6 +33,7 @@ parameters-no-vehicle = No vehicle is heard yet: its parameters come here.
 parameters-asking = asking the vehicle for its parameters ...
 parameters-coming = { $received } of { $count }
 parameters-repeating = { $received } of { $count }; no answer, asked again ({ $tries })
+parameters-link-lost = { $received } of { $count }; link lost: goes on when it is back
 parameters-stalled = { $received } of { $count } came, then no answer: r asks again
 parameters-complete = { $count ->
     [one] { $count } parameter

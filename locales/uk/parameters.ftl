@@ -34,6 +34,7 @@ parameters-no-vehicle = Жодного апарата ще не чути: йог
 parameters-asking = запитуємо в апарата параметри ...
 parameters-coming = { $received } з { $count }
 parameters-repeating = { $received } з { $count }; відповіді немає, запит повторено ({ $tries })
+parameters-link-lost = { $received } з { $count }; зв'язок втрачено: продовжимо, коли відновиться
 parameters-stalled = надійшло { $received } з { $count }, далі відповіді немає: r запитує ще раз
 parameters-complete = { $count ->
     [one] { $count } параметр

@@ -11,6 +11,7 @@ use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
 
 use crate::console::parameters::{arrives, in_the_room, list};
+use crate::fixtures;
 use crate::harness::Console;
 
 const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 50)];
@@ -83,6 +84,8 @@ fn a_list_that_is_coming() {
             count: 1382,
         });
     }
+    let mut lost = fixtures::parked(1);
+    lost.link.lost = true;
     let mut hear = |fetching| {
         let list = Arc::new(half.clone());
         let snapshot = Snapshot { list, fetching };
@@ -106,6 +109,17 @@ fn a_list_that_is_coming() {
         stalled.contains("500 of 1382 came, then no answer: r asks again"),
         "{stalled}"
     );
+    console.vehicle(lost);
+    let list = Arc::new(half);
+    let fetching = Fetching::UnderWay { fruitless: 0 };
+    let snapshot = Snapshot { list, fetching };
+    console.hear(Event::Parameters {
+        vehicle: 1,
+        snapshot,
+    });
+    let screen = console.screen(80, 24);
+    let told = "500 of 1382; link lost: goes on when it is back";
+    assert!(screen.contains(told), "{screen}");
 }
 
 #[test]

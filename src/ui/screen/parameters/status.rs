@@ -34,7 +34,13 @@ pub fn draw(
         ),
     };
     let inner = titled(&look.text(&title), look, area, buffer);
-    let mut spans = progress(state.rooms.parameters.lists.get(&vehicle), look);
+    let is_lost = state
+        .session
+        .vehicles
+        .get(&vehicle)
+        .is_some_and(|it| it.link.lost);
+    let known = state.rooms.parameters.lists.get(&vehicle);
+    let mut spans = progress(known, is_lost, look);
     for (text, role) in remarks(state, rows) {
         spans.push(Span::styled("   ", look.style(Role::Text)));
         spans.push(Span::styled(look.text(&text), look.style(role)));
@@ -50,7 +56,7 @@ pub fn named(other: &Other) -> Text {
     }
 }
 
-fn progress(known: Option<&Snapshot>, look: &Look) -> Vec<Span<'static>> {
+fn progress(known: Option<&Snapshot>, is_lost: bool, look: &Look) -> Vec<Span<'static>> {
     let (received, count) = known.map_or((0, 0), |known| {
         (known.list.received(), known.list.count().unwrap_or(0))
     });
@@ -60,6 +66,10 @@ fn progress(known: Option<&Snapshot>, look: &Look) -> Vec<Span<'static>> {
         Fetching::Stalled => {
             let text = text!("parameters-stalled", received = received, count = count);
             (text, Role::Warning)
+        }
+        Fetching::UnderWay { .. } if is_lost => {
+            let text = text!("parameters-link-lost", received = received, count = count);
+            (text, Role::Danger)
         }
         Fetching::UnderWay { fruitless } if fruitless > 2 => (
             text!(
