@@ -88,16 +88,19 @@ fn progress(known: Option<&Snapshot>, is_lost: bool, look: &Look) -> Vec<Span<'s
     };
     let mut spans = vec![Span::raw(" ")];
     if fetching.is_under_way() && count > 0 {
-        let done = BAR * usize::from(received) / usize::from(count);
-        spans.push(Span::styled("█".repeat(done), look.style(Role::Accent)));
-        spans.push(Span::styled(
-            "░".repeat(BAR - done),
-            look.style(Role::Muted),
-        ));
-        spans.push(Span::raw(" "));
+        spans.extend(bar(usize::from(received), usize::from(count), look));
     }
     spans.push(Span::styled(look.text(&text), look.style(role)));
     spans
+}
+
+fn bar(received: usize, count: usize, look: &Look) -> [Span<'static>; 3] {
+    let done = BAR * received.min(count) / count.max(1);
+    [
+        Span::styled("█".repeat(done), look.style(Role::Accent)),
+        Span::styled("░".repeat(BAR - done), look.style(Role::Muted)),
+        Span::raw(" "),
+    ]
 }
 
 /// What narrows the list and what is going on.
