@@ -26,7 +26,7 @@ use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::session::Order;
-use crate::store::{self, History};
+use crate::store::{self, History, Source, StoreError};
 use crate::terminal::Screen;
 use crate::text;
 use crate::text::Text;
@@ -324,13 +324,19 @@ impl Console {
             Effect::Bell => return self.bell = true,
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
+            Effect::FetchParameters(_)
+            | Effect::ReadParameters { .. }
+            | Effect::SaveParameters { .. } => return self.parameters(effect),
             Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),
             Effect::Command {
                 entry,
                 targets,
                 verb,
                 command,
-            } => return self.command(&targets, &Order::new(entry, verb, command)),
+            } => {
+                let order = Order::new(entry, verb, command);
+                return self.command(&targets, &order).await;
+            }
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
                 .map_err(Into::into),
@@ -362,8 +368,37 @@ impl Console {
         }
     }
 
+    /// Asks for parameters, or reads or writes a file of them. What comes of it is never an effect.
+    fn parameters(&mut self, effect: Effect) {
+        let event = match effect {
+            Effect::FetchParameters(vehicles) => {
+                return self
+                    .running
+                    .iter()
+                    .for_each(|running| running.fetch_parameters(&vehicles));
+            }
+            Effect::ReadParameters { path } => {
+                match store::read(&store::user_path(&path), "parameter file") {
+                    Ok(Source { text, .. }) => Event::ParametersRead { path, text },
+                    Err(error) => Event::Failed(error.to_string().into()),
+                }
+            }
+            Effect::SaveParameters {
+                path,
+                text,
+                replace,
+            } => match store::write(&store::user_path(&path), &text, replace) {
+                Ok(()) => Event::ParametersSaved { path },
+                Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
+                Err(error) => Event::Failed(error.to_string().into()),
+            },
+            _ => return,
+        };
+        update(&mut self.state, event);
+    }
+
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
-    fn command(&mut self, targets: &[VehicleId], order: &Order) {
+    async fn command(&mut self, targets: &[VehicleId], order: &Order) {
         for &vehicle in targets {
             let given = match &self.running {
                 Some(running) => running.order(vehicle, order.clone()),
@@ -377,7 +412,8 @@ impl Console {
                     format!("not sent: {error}"),
                     now,
                 );
-                update(&mut self.state, Event::Row(row));
+                // Others may have waited for the end of this one.
+                Box::pin(self.feed(Event::Row(row))).await;
             }
         }
     }

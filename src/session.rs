@@ -7,6 +7,7 @@
 
 use crate::text::Text;
 use std::collections::VecDeque;
+use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
@@ -14,12 +15,14 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use crate::commands::Command;
 use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::messages::{Inbox, Parameters};
+use crate::messages::Inbox;
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
 mod acknowledgement;
+mod download;
 mod plans;
 mod precedence;
 mod streams;
@@ -29,6 +32,7 @@ mod timesync;
 mod transaction;
 
 use acknowledgement::{Acknowledgement, OwedAcks};
+use download::Download;
 use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
@@ -127,6 +131,7 @@ pub struct Session {
     /// Those that were accepted and whose effect is awaited.
     watched: Vec<Transaction>,
     owed: OwedAcks,
+    download: Download,
     output: Output,
 }
 
@@ -145,6 +150,7 @@ impl Session {
             active: None,
             watched: Vec::new(),
             owed: OwedAcks::default(),
+            download: Download::new(),
             output: Output::default(),
         }
     }
@@ -154,9 +160,22 @@ impl Session {
         &self.vehicle
     }
 
-    /// The parameters that have passed so far.
-    pub fn parameters(&self) -> &Parameters {
-        self.inbox.parameters()
+    /// The parameters that have passed so far, and how far their download is. Costs nothing: no value is copied.
+    pub fn parameters(&self) -> Snapshot {
+        Snapshot {
+            list: Arc::clone(self.inbox.parameters()),
+            fetching: self.download.fetching(),
+        }
+    }
+
+    /// Asks the vehicle for all its parameters, also for those that have come before; a download that is under way
+    /// goes on as it is.
+    pub fn fetch_parameters(&mut self, now: Duration) {
+        if !self.download.fetching().is_under_way() {
+            self.download.start();
+            self.inbox.expect_parameters_again();
+        }
+        self.poll(now);
     }
 
     /// Says by which link, by number, the vehicle is heard from now on. Also to be called when that link has
@@ -165,6 +184,7 @@ impl Session {
         self.vehicle.link.via = Some(link);
         self.streams.forget(now);
         self.plans.forget();
+        self.download.resume(now);
     }
 
     /// Takes in one frame from this vehicle's system. Only its autopilot counts as being heard: a companion
@@ -191,6 +211,7 @@ impl Session {
         if self.vehicle.link.reboots > reboots {
             self.streams.forget(now);
             self.plans.forget();
+            self.download.resume(now);
             // What was meant for the vehicle before must not reach the one that has just booted.
             self.clear_the_line("the reboot", now);
             self.supersede_movements("the reboot", now);
@@ -204,6 +225,11 @@ impl Session {
         }
         if self.queue.len() >= MOST_WAITING {
             let reason = format!("not sent: {MOST_WAITING} commands wait for this vehicle already");
+            self.output
+                .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
+            return;
+        }
+        if let Err(reason) = self.fits(&order.command) {
             self.output
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
@@ -228,13 +254,15 @@ impl Session {
                 self.owed.add(command, 1, now);
             }
             self.read_plans(now);
+            self.download(now);
         }
         self.advance(now);
     }
 
     /// How long the session may be left alone if nothing arrives.
     pub fn patience(&self) -> Duration {
-        if self.active.is_some() || !self.watched.is_empty() || self.plans.is_busy() {
+        let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
+        if self.active.is_some() || !self.watched.is_empty() || is_fetching {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -269,7 +297,32 @@ impl Session {
                 now,
             );
             self.streams.forget(now);
+            self.download.resume(now);
         }
+    }
+
+    fn download(&mut self, now: Duration) {
+        if self.download.is_to_restart(self.inbox.parameters()) {
+            self.download.start();
+            self.inbox.expect_parameters_again();
+        }
+        let requests = self
+            .download
+            .poll(self.inbox.parameters(), &self.vehicle, now);
+        self.output.messages.extend(requests);
+    }
+
+    /// Whether the vehicle could take a parameter's new value, as far as its type is known. `ArduPilot` itself would
+    /// cut it down to something else.
+    fn fits(&self, command: &Command) -> Result<(), Text> {
+        let Command::SetParameter { name, value } = command else {
+            return Ok(());
+        };
+        let Some(known) = self.inbox.parameters().get(name) else {
+            return Ok(());
+        };
+        let checked = known.kind.check(f64::from(*value));
+        checked.map(drop).map_err(|unfit| unfit.text(name))
     }
 
     /// Looks for answers to what we asked, and for questions to us.

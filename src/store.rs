@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
-use std::io::Read as _;
+use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -69,6 +69,20 @@ pub enum StoreError {
         /// What was expected.
         kind: &'static str,
     },
+    /// It could not be written.
+    #[error("cannot write {path}: {error}")]
+    Unwritable {
+        /// The path.
+        path: PathBuf,
+        /// Why not.
+        error: io::Error,
+    },
+    /// There is a file already, which is not to be lost.
+    #[error("{path} exists already")]
+    Exists {
+        /// The path.
+        path: PathBuf,
+    },
     /// Neither a file nor a known name.
     #[error("there is no {kind} `{name}`: give a path, or one of {known}")]
     Unknown {
@@ -115,6 +129,49 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
         name: path.display().to_string(),
         text,
     })
+}
+
+/// Writes a text file whole or not at all: whoever reads it meanwhile finds the old one or the new one.
+///
+/// # Errors
+/// It cannot be written, or it exists already and is not to be replaced.
+pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
+    let unwritable = |error| StoreError::Unwritable {
+        path: path.to_owned(),
+        error,
+    };
+    let Some(name) = path.file_name().filter(|_| !path.is_dir()) else {
+        return Err(unwritable(io::ErrorKind::IsADirectory.into()));
+    };
+    let mut beside = OsStr::new(".").to_owned();
+    beside.push(name);
+    beside.push(format!(".{}.part", std::process::id()));
+    let beside = path.with_file_name(beside);
+    let written = fs::File::create(&beside).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        // A link to an existing name fails, where renaming would replace what is there.
+        if replace {
+            fs::rename(&beside, path)
+        } else {
+            fs::hard_link(&beside, path)
+        }
+    });
+    if !replace || written.is_err() {
+        drop(fs::remove_file(&beside));
+    }
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(StoreError::Exists {
+            path: path.to_owned(),
+        }),
+        written => written.map_err(unwritable),
+    }
+}
+
+/// A path as a person writes it: `~/` is their home folder.
+pub fn user_path(written: &str) -> PathBuf {
+    let in_home = written.strip_prefix("~/").zip(etcetera::home_dir().ok());
+    in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))
 }
 
 /// The mission of a path, else of the id that it gives itself, else of a name or number.
@@ -265,6 +322,33 @@ mod tests {
             read(&path, "mission"),
             Err(StoreError::TooLarge { .. })
         ));
+    }
+
+    #[test]
+    fn a_file_is_written_whole_and_replaced_only_when_asked() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("quad.parm");
+        write(&path, "A,1\n", false).expect("there is none yet");
+        let again = write(&path, "A,2\n", false).expect_err("there is one");
+        assert!(matches!(again, StoreError::Exists { .. }), "{again}");
+        let text = |path: &Path| read(path, "parameter file").expect("it is there").text;
+        assert_eq!(text(&path), "A,1\n");
+        write(&path, "A,3\n", true).expect("it may be replaced");
+        assert_eq!(text(&path), "A,3\n");
+        let left = fs::read_dir(folder.path()).expect("a folder").count();
+        assert_eq!(left, 1, "nothing half-written stays");
+    }
+
+    #[test]
+    fn what_cannot_be_written_says_so_and_leaves_nothing() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        for path in [folder.path().to_owned(), folder.path().join("no/such.parm")] {
+            for replace in [false, true] {
+                let error = write(&path, "A,1\n", replace).expect_err("it cannot");
+                assert!(matches!(error, StoreError::Unwritable { .. }), "{error}");
+            }
+        }
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
     }
 
     #[test]

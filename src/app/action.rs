@@ -75,6 +75,18 @@ pub enum Action {
     Window,
     /// Show what the screen has no room for at the same time.
     NextPage,
+    /// Show only the parameters that have changed, or all.
+    ChangedParameters,
+    /// Write a vehicle's parameters into a file.
+    SaveParameters,
+    /// Compare with a file, to set what differs.
+    LoadParameters,
+    /// Compare with a file or another vehicle.
+    CompareParameters,
+    /// Set the parameters that are marked.
+    ApplyParameters,
+    /// Ask the vehicle for all its parameters again.
+    FetchParameters,
     /// Leave the program.
     Quit,
 }
@@ -154,6 +166,12 @@ impl Action {
         ("next-sensor", Self::NextSensor),
         ("window", Self::Window),
         ("next-page", Self::NextPage),
+        ("changed-parameters", Self::ChangedParameters),
+        ("save-parameters", Self::SaveParameters),
+        ("load-parameters", Self::LoadParameters),
+        ("compare-parameters", Self::CompareParameters),
+        ("apply-parameters", Self::ApplyParameters),
+        ("fetch-parameters", Self::FetchParameters),
         ("quit", Self::Quit),
     ];
 

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
+use crate::text;
 
 /// One thing the console itself can do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,6 +23,7 @@ enum Kind {
     Select,
     Group,
     Theme,
+    Params,
     Plain(Deed),
 }
 
@@ -39,8 +41,23 @@ pub enum ConsoleLine {
     },
     /// Draw with a theme.
     Theme(String),
+    /// Something about the parameters of the vehicle under the cursor.
+    Params(ParamsDeed),
     /// One without arguments.
     Plain(Deed),
+}
+
+/// What the console does with parameters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ParamsDeed {
+    /// Shows them.
+    Show,
+    /// Asks the vehicle for all of them again.
+    Fetch,
+    /// Saves them to a file.
+    Save(String),
+    /// Loads a file, or compares with one or with another vehicle: first the differences show.
+    Compare(String),
 }
 
 /// Console lines without arguments.
@@ -79,6 +96,12 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
         "group NAME [TARGETS]",
         "call vehicles @NAME from now on",
         Kind::Group,
+    ),
+    verb(
+        "params",
+        "params [fetch | save FILE | load FILE | diff FILE|N]",
+        "the parameters: ask again, save, load, compare",
+        Kind::Params,
     ),
     verb("theme", "theme NAME", "change the colours", Kind::Theme),
     verb("help", "help", "keys and verbs", Kind::Plain(Deed::Help)),
@@ -146,7 +169,10 @@ pub fn parse(line: &str, themes: &[String]) -> Option<Result<ConsoleLine, Diagno
     let words = words(line);
     let (first, arguments) = words.split_first()?;
     let verb = find(&line[first.clone()])?;
-    Some(read(verb, line, arguments, themes))
+    Some(match verb.kind {
+        Kind::Params => params(verb, line, arguments).map(ConsoleLine::Params),
+        _ => read(verb, line, arguments, themes),
+    })
 }
 
 /// The usage of the console's own verb that a line begins with.
@@ -172,6 +198,11 @@ pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion>
         return fitting
             .map(|verb| completion(verb.name, verb.summary))
             .collect();
+    }
+    if head.trim() == "params" {
+        let deeds = ["fetch", "save", "load", "diff"].into_iter();
+        let fitting = deeds.filter(|deed| deed.starts_with(word));
+        return fitting.map(|deed| completion(deed, "")).collect();
     }
     if head.trim() != "theme" {
         return Vec::new();
@@ -208,7 +239,7 @@ fn read(
     themes: &[String],
 ) -> Result<ConsoleLine, Diagnostic> {
     let most = match verb.kind {
-        Kind::Plain(_) => 0,
+        Kind::Plain(_) | Kind::Params => 0,
         Kind::Select | Kind::Theme => 1,
         Kind::Group => 2,
     };
@@ -226,6 +257,7 @@ fn read(
     };
     match verb.kind {
         Kind::Plain(deed) => Ok(ConsoleLine::Plain(deed)),
+        Kind::Params => Ok(ConsoleLine::Params(ParamsDeed::Show)),
         Kind::Select => text(0).map(ConsoleLine::Select).ok_or_else(missing),
         Kind::Group => {
             let name = text(0).ok_or_else(missing)?;
@@ -237,6 +269,34 @@ fn read(
         Kind::Theme => {
             let name = text(0).ok_or_else(missing)?;
             theme(name, arguments[0].clone(), themes)
+        }
+    }
+}
+
+/// The rest of the line after the second word is the file's name, which may have blanks in it.
+fn params(
+    verb: &ConsoleVerb,
+    line: &str,
+    arguments: &[Range<usize>],
+) -> Result<ParamsDeed, Diagnostic> {
+    let [deed, rest @ ..] = arguments else {
+        return Ok(ParamsDeed::Show);
+    };
+    let usage = text!("console-usage", usage = verb.usage);
+    let named = || {
+        if let (Some(first), Some(last)) = (rest.first(), rest.last()) {
+            return Ok(line[first.start..last.end].to_owned());
+        }
+        let end = line.trim_end().len();
+        Err(Diagnostic::new(end..end, text!("parameters-no-path")).with_help(usage.clone()))
+    };
+    match &line[deed.clone()] {
+        "fetch" if rest.is_empty() => Ok(ParamsDeed::Fetch),
+        "save" => named().map(ParamsDeed::Save),
+        "load" | "diff" => named().map(ParamsDeed::Compare),
+        word => {
+            let unknown = text!("parameters-no-deed", word = word);
+            Err(Diagnostic::new(deed.clone(), unknown).with_help(usage))
         }
     }
 }

@@ -21,6 +21,22 @@ pub enum Effect {
         /// What to do.
         command: Command,
     },
+    /// Ask vehicles for all their parameters.
+    FetchParameters(Vec<VehicleId>),
+    /// Read a parameter file.
+    ReadParameters {
+        /// Its path, as it was written.
+        path: String,
+    },
+    /// Write a parameter file.
+    SaveParameters {
+        /// Its path, as it was written.
+        path: String,
+        /// What it shall say.
+        text: String,
+        /// Whether it may take the place of one that is there.
+        replace: bool,
+    },
     /// Start a mission, by id.
     StartMission(String),
     /// Start free flight with simulated vehicles.

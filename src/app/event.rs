@@ -10,9 +10,10 @@ use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
 use crate::mission::{Area, Progress};
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::scoring::Report;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{Vehicle, VehicleId};
 
 /// Something that the console reacts to.
 #[derive(Debug, Clone)]
@@ -37,6 +38,32 @@ pub enum Event {
     Started(Box<Started>),
     /// A vehicle's telemetry changed.
     Vehicle(Box<Vehicle>),
+    /// A vehicle's parameters, or how far their download is, changed.
+    Parameters {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// What is known of them now.
+        snapshot: Snapshot,
+    },
+    /// A parameter file was read.
+    ParametersRead {
+        /// Its path, as it was written.
+        path: String,
+        /// What it says.
+        text: String,
+    },
+    /// A parameter file was written.
+    ParametersSaved {
+        /// Its path, as it was written.
+        path: String,
+    },
+    /// A parameter file was not written because there is one already.
+    ParametersExist {
+        /// Its path, as it was written.
+        path: String,
+        /// What would be written.
+        text: String,
+    },
     /// Something to tell.
     Notice(Notice),
     /// So many notices were dropped so far because the console was busy.

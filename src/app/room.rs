@@ -174,5 +174,20 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
+        Purpose::Filter(room) => {
+            filter(state, *room, entered);
+            Ok(Vec::new())
+        }
+        Purpose::Parameter { name, vehicles } => {
+            parameters::entered(state, name, (vehicles, entered))
+        }
+        Purpose::SaveParameters => parameters::save(state, entered),
+        Purpose::LoadParameters | Purpose::CompareParameters => parameters::load(state, entered),
+    }
+}
+
+fn filter(state: &mut State, room: Room, entered: &str) {
+    if room == Room::Parameters {
+        entered.clone_into(&mut state.rooms.parameters.filter);
     }
 }

@@ -2,11 +2,12 @@
 
 use super::effect::Effect;
 use super::event::Event;
+use super::room::parameters;
 use super::state::State;
 
 pub(super) mod act;
 mod keys;
-mod order;
+pub(super) mod order;
 mod palette;
 mod telemetry;
 
@@ -15,7 +16,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
     match event {
         Event::Tick { now } => {
             telemetry::tick(state, now);
-            return Vec::new();
+            return parameters::wanted(state);
         }
         Event::Vehicle(vehicle) => {
             telemetry::vehicle(state, *vehicle);
@@ -29,7 +30,14 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Started(started) => telemetry::started(state, *started),
         Event::Notice(notice) => return telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => state.notices.dropped = count,
-        Event::Row(row) => state.session.ledger.apply(&row),
+        Event::Parameters { vehicle, snapshot } => parameters::arrived(state, vehicle, snapshot),
+        Event::ParametersRead { path, text } => parameters::read(state, path, &text),
+        Event::ParametersSaved { path } => parameters::saved(state, &path),
+        Event::ParametersExist { path, text } => parameters::exists(state, path, text),
+        Event::Row(row) => {
+            state.session.ledger.apply(&row);
+            return parameters::advance(state);
+        }
         Event::Links(links) => state.session.links = links,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),

@@ -14,6 +14,7 @@ use crate::geo::LatLon;
 use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -53,6 +54,7 @@ pub(super) struct Running {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
+    parameters: Vec<(VehicleId, watch::Receiver<Snapshot>)>,
     links: Vec<watch::Receiver<LinkStatus>>,
     links_said: Vec<LinkNews>,
     /// How many of the links had ended when they were shown last.
@@ -85,6 +87,7 @@ impl Running {
             fleet,
             events,
             vehicles: Vec::new(),
+            parameters: Vec::new(),
             links: Vec::new(),
             links_said: Vec::new(),
             links_ended: 0,
@@ -162,6 +165,15 @@ impl Running {
         self.fleet.order(vehicle, order)
     }
 
+    /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again by who wants them.
+    pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
+        for &vehicle in vehicles {
+            if self.fleet.fetch_parameters(vehicle).is_err() {
+                return;
+            }
+        }
+    }
+
     /// Ends the mission; its report comes with the next tick.
     pub fn abandon(&mut self) {
         if let Some(mission) = &mut self.mission {
@@ -175,6 +187,7 @@ impl Running {
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
+                Ok(FleetEvent::Parameters(id, list)) => self.parameters.push((id, list)),
                 Ok(FleetEvent::Linked(link)) => self.links.push(link),
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
@@ -193,6 +206,7 @@ impl Running {
                 collected.push(Event::Vehicle(Box::new(snapshot)));
             }
         }
+        collected.extend(self.changed_parameters());
         collected.extend(self.hear_links(now).map(Event::Notice));
         // A link that has ended has changed for the last time; its last state still has to be shown.
         let links_ended = self.links.iter().filter(|link| link.has_changed().is_err());
@@ -208,6 +222,17 @@ impl Running {
             collected.push(Event::Links(links.collect()));
         }
         collected
+    }
+
+    /// The lists that have changed.
+    fn changed_parameters(&mut self) -> impl Iterator<Item = Event> + '_ {
+        self.parameters
+            .iter_mut()
+            .filter(|(_, parameters)| parameters.has_changed().unwrap_or(false))
+            .map(|(vehicle, parameters)| Event::Parameters {
+                vehicle: *vehicle,
+                snapshot: parameters.borrow_and_update().clone(),
+            })
     }
 
     /// What a human should hear of the links: that one is down and why, and that it is up again.

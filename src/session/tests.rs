@@ -10,6 +10,7 @@ use mavlink::dialects::ardupilotmega::{
 use super::*;
 use crate::commands::{Destination, Heading};
 
+mod download;
 mod hearing;
 mod orders;
 mod targets;

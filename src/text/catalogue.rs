@@ -18,6 +18,7 @@ catalogue! {
     "config",
     "console",
     "map",
+    "parameters",
     "rooms",
     "vehicle",
 }

@@ -9,9 +9,10 @@ use crate::fixtures;
 use crate::harness::Console;
 
 mod command_line;
-mod map;
 mod keymap;
+mod map;
 mod panes;
+pub mod parameters;
 
 fn selection(console: &Console) -> Vec<u16> {
     console.state.session.selection.iter().copied().collect()

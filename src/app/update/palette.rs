@@ -8,6 +8,7 @@ use crate::app::action::Action;
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
+use crate::app::room::parameters;
 use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language;
@@ -223,6 +224,11 @@ fn console_line(
         ConsoleLine::Theme(name) => {
             state.theme.clone_from(&name);
             return Ok(vec![Effect::SetTheme(name)]);
+        }
+        ConsoleLine::Params(deed) => {
+            let end = line.trim_end().len();
+            let last = console::last_word(&line[..end])..end;
+            return parameters::line(state, deed).map_err(|text| Diagnostic::new(last, text));
         }
         ConsoleLine::Plain(deed) => return Ok(plain(state, deed)),
     }

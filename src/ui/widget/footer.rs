@@ -6,6 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Room, State};
 use crate::ui::look::Look;
+use crate::ui::screen::parameters;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
@@ -72,16 +73,12 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
         let role = severity_role(message.severity);
         return Line::styled(format!(" {}", look.text(&message.text)), look.style(role));
     }
-    let hints = match state.room {
-        Room::Home => HOME,
-        Room::Debrief => DEBRIEF,
-        Room::Map => MAP,
-        _ => FLY,
-    };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    for (key, what) in hints {
-        used += key.len() + what.len() + 3;
+    for (key, what) in hints(state) {
+        // Those that are no message yet are said as they are.
+        let what = look.say(what);
+        used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
             break;
         }
@@ -89,4 +86,18 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
         spans.push(Span::styled(format!(" {what}  "), look.style(Role::Muted)));
     }
     Line::from(spans)
+}
+
+/// What the keys of a room do.
+fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
+    match state.room {
+        Room::Home => HOME,
+        Room::Debrief => DEBRIEF,
+        Room::Map => MAP,
+        Room::Parameters if state.rooms.parameters.comparison.is_some() => {
+            parameters::COMPARISON_HINTS
+        }
+        Room::Parameters => parameters::HINTS,
+        _ => FLY,
+    }
 }
