@@ -11,7 +11,7 @@ use crate::app::event::{Event, Started};
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
-use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
+use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Tap, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
 use crate::session::{Order, Report};
@@ -54,6 +54,8 @@ pub(super) struct Running {
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     links: Vec<watch::Receiver<LinkStatus>>,
+    /// The frames of the links, in the same order.
+    taps: Vec<Tap>,
     links_said: Vec<LinkNews>,
     /// How many of the links had ended when they were shown last.
     links_ended: usize,
@@ -86,6 +88,7 @@ impl Running {
             events,
             vehicles: Vec::new(),
             links: Vec::new(),
+            taps: Vec::new(),
             links_said: Vec::new(),
             links_ended: 0,
             dropped: 0,
@@ -174,7 +177,10 @@ impl Running {
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
-                Ok(FleetEvent::Linked(link)) => self.links.push(link),
+                Ok(FleetEvent::Linked(link, tap)) => {
+                    self.links.push(link);
+                    self.taps.push(tap);
+                }
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));

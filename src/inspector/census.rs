@@ -3,8 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
-use mavlink::MavlinkVersion;
-
 use crate::wire::{Anatomy, ComponentId, SystemId};
 
 /// Rates are taken over so many whole seconds.
@@ -15,6 +13,10 @@ const SLOTS: usize = 8;
 const MOST_KINDS: usize = 20_000;
 /// Kinds whose checksum cannot be verified: noise looks like any of them.
 const MOST_UNVERIFIED: usize = 256;
+/// When there is no room left, what has been silent for so long makes some.
+const STALE: Duration = Duration::from_secs(60);
+/// Room is looked for no more often than this.
+const SWEEP_EVERY: Duration = Duration::from_secs(1);
 /// Frames of one kind that are kept for a graph between two looks.
 const MOST_WATCHED: usize = 512;
 
@@ -64,6 +66,7 @@ pub struct Tally {
     pub is_verified: bool,
     /// The last one, byte by byte.
     pub last: Vec<u8>,
+    was_admitted_verified: bool,
     slots: [Slot; SLOTS],
 }
 
@@ -91,13 +94,14 @@ impl std::ops::AddAssign for Rate {
 }
 
 impl Tally {
-    fn new(now: Duration) -> Self {
+    fn new(is_verified: bool, now: Duration) -> Self {
         Self {
             count: 0,
             bytes: 0,
             first_at: now,
             last_at: now,
-            is_verified: false,
+            is_verified,
+            was_admitted_verified: is_verified,
             last: Vec::new(),
             slots: [Slot::default(); SLOTS],
         }
@@ -139,7 +143,9 @@ impl Tally {
         // The first second was not whole: it began with the first message.
         let seconds = match whole {
             0 => 1.0,
-            1..=WINDOW_S => (Duration::from_secs(running) - self.first_at).as_secs_f64().max(1.0),
+            1..=WINDOW_S => (Duration::from_secs(running) - self.first_at)
+                .as_secs_f64()
+                .max(1.0),
             _ => WINDOW_S as f64,
         };
         Rate {
@@ -168,6 +174,7 @@ pub struct Census {
     peers: BTreeMap<u32, String>,
     unverified: usize,
     uncounted: u64,
+    next_sweep: Duration,
     watched: BTreeMap<Key, Watched>,
     noise: Vec<u8>,
 }
@@ -200,11 +207,14 @@ impl Census {
             source,
             message: frame.id,
         };
-        if !self.tallies.contains_key(&key) && !self.admit(is_verified) {
+        if !self.tallies.contains_key(&key) && !self.admit(is_verified, now) {
             self.uncounted += 1;
             return;
         }
-        let tally = self.tallies.entry(key).or_insert_with(|| Tally::new(now));
+        let tallies = &mut self.tallies;
+        let tally = tallies
+            .entry(key)
+            .or_insert_with(|| Tally::new(is_verified, now));
         tally.note(bytes, is_verified, now);
         if is_verified {
             let witness = self.sources.entry(source).or_default();
@@ -222,11 +232,30 @@ impl Census {
     }
 
     /// Whether one more kind has room.
-    fn admit(&mut self, is_verified: bool) -> bool {
-        let has_room = self.tallies.len() < MOST_KINDS
-            && (is_verified || self.unverified < MOST_UNVERIFIED);
+    fn admit(&mut self, is_verified: bool, now: Duration) -> bool {
+        if !self.has_room(is_verified) && now >= self.next_sweep {
+            self.next_sweep = now + SWEEP_EVERY;
+            self.sweep(now);
+        }
+        let has_room = self.has_room(is_verified);
         self.unverified += usize::from(has_room && !is_verified);
         has_room
+    }
+
+    fn has_room(&self, is_verified: bool) -> bool {
+        self.tallies.len() < MOST_KINDS && (is_verified || self.unverified < MOST_UNVERIFIED)
+    }
+
+    /// Forgets what has been silent for long: peers come and go under new numbers.
+    fn sweep(&mut self, now: Duration) {
+        self.tallies
+            .retain(|_, tally| now.saturating_sub(tally.last_at) < STALE);
+        let sources: BTreeSet<Source> = self.tallies.keys().map(|key| key.source).collect();
+        let peers: BTreeSet<u32> = sources.iter().map(|source| source.peer).collect();
+        self.sources.retain(|source, _| sources.contains(source));
+        self.peers.retain(|peer, _| peers.contains(peer));
+        let tallies = self.tallies.values();
+        self.unverified = tallies.filter(|tally| !tally.was_admitted_verified).count();
     }
 
     /// Keeps the beginning of bytes in which no frame was found.
@@ -309,6 +338,7 @@ impl Census {
             peers: self.peers.clone(),
             unverified: self.unverified,
             uncounted: self.uncounted,
+            next_sweep: self.next_sweep,
             watched: BTreeMap::new(),
             noise: self.noise.clone(),
         }
@@ -329,7 +359,6 @@ fn answers(frame: &Anatomy<'_>) -> bool {
     }
 }
 
-/// What is heard of one sender: how it appears to whoever looks for faults.
 impl Census {
     /// How many messages other than heartbeats were sent to a peer.
     pub fn asked(&self, peer: u32) -> u64 {
@@ -348,11 +377,6 @@ impl Census {
         };
         let found = self.tallies.range(first..=last);
         found.map(|(key, tally)| (key.message, tally))
-    }
-
-    /// The version of the last frame of a tally, and whether it was signed.
-    pub fn dress(tally: &Tally) -> Option<(MavlinkVersion, bool)> {
-        Anatomy::of(&tally.last).map(|frame| (frame.version, frame.signed))
     }
 }
 

@@ -202,8 +202,8 @@ fn field(word: &'static str, extension: bool) -> Option<Field> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mavlink::{MavlinkVersion, Message as _};
     use mavlink::dialects::ardupilotmega::MavMessage;
+    use mavlink::{MavlinkVersion, Message as _};
 
     #[test]
     fn every_line_of_the_table_is_understood() {
@@ -236,7 +236,12 @@ mod tests {
             let len: usize = message.fields.iter().map(Field::len).sum();
             // Where no enum stands in the way: with no zero at its end the dialect writes all that it has.
             if let Ok(full) = MavMessage::parse(MavlinkVersion::V2, id, &[1; 255]) {
-                assert_eq!(full.ser(MavlinkVersion::V2, &mut [0; 255]), len, "{}", message.name);
+                assert_eq!(
+                    full.ser(MavlinkVersion::V2, &mut [0; 255]),
+                    len,
+                    "{}",
+                    message.name
+                );
                 measured += 1;
             }
         }
@@ -248,6 +253,9 @@ mod tests {
     fn flags_without_a_name_are_not_hidden() {
         let mask = Definitions::get().names("EKF_STATUS_FLAGS").expect("it");
         assert!(mask.is_mask);
-        assert_eq!(mask.flags(0x8000_0003), ["ATTITUDE", "VELOCITY_HORIZ", "0x80000000"]);
+        assert_eq!(
+            mask.flags(0x8000_0003),
+            ["ATTITUDE", "VELOCITY_HORIZ", "0x80000000"]
+        );
     }
 }

@@ -153,7 +153,10 @@ fn value(definitions: &Definitions, field: &Field, payload: &[u8], at: usize) ->
         (Vec::new(), Some(text(&bytes)))
     } else {
         let elements = bytes.chunks(field.kind.len());
-        (elements.map(|bytes| element(field.kind, bytes)).collect(), None)
+        (
+            elements.map(|bytes| element(field.kind, bytes)).collect(),
+            None,
+        )
     };
     let first = elements.first().copied();
     let same = |unknown: f64, found: f64| found == unknown || found.is_nan() && unknown.is_nan();

@@ -101,7 +101,7 @@ impl Console {
                 let id = vehicle.borrow().id;
                 self.vehicles.insert(id, vehicle);
             }
-            FleetEvent::Linked(link) => self.links.push(link),
+            FleetEvent::Linked(link, _) => self.links.push(link),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
             FleetEvent::Report(Report::Notice(notice)) => self.notices.push(notice.text),

@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 const PURE: &[&[&str]] = &[
     &["geo", "diagnostic"],
     &["wire"],
+    &["inspector"],
+    &["doctor"],
     &["vehicle"],
     &["notice", "ledger"],
     &["commands", "messages"],

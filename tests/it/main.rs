@@ -3,6 +3,7 @@
 mod arducopter;
 mod command_line;
 mod console;
+mod doctor;
 mod fixtures;
 mod fleet;
 mod harness;

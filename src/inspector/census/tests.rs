@@ -15,7 +15,10 @@ fn bytes(system: u8, outgoing: &Outgoing) -> Vec<u8> {
 }
 
 fn attitude(system: u8) -> Vec<u8> {
-    bytes(system, &MavMessage::ATTITUDE(ATTITUDE_DATA::default()).into())
+    bytes(
+        system,
+        &MavMessage::ATTITUDE(ATTITUDE_DATA::default()).into(),
+    )
 }
 
 fn only(census: &Census) -> &Tally {
@@ -56,6 +59,14 @@ fn kinds_that_noise_invents_are_bounded_and_those_left_out_are_counted() {
     assert_eq!(census.sources().count(), 0, "noise makes no sender known");
     census.note(IN, &attitude(1), true, Duration::ZERO);
     assert_eq!(census.sources().count(), 1, "real ones still have room");
+    let later = STALE + Duration::from_secs(1);
+    census.note(
+        IN,
+        &[0xFD, 0, 0, 0, 0, 9, 1, 1, 2, 0xFF, 1, 2],
+        false,
+        later,
+    );
+    assert_eq!(census.tallies().count(), 1, "what was silent made room");
 }
 
 #[test]
@@ -72,7 +83,10 @@ fn every_frame_of_a_watched_kind_is_kept_until_it_is_taken_and_no_more_than_ther
     assert_eq!(taken.len(), 1);
     assert_eq!((taken[0].key, taken[0].frames.len()), (key, MOST_WATCHED));
     assert_eq!(taken[0].dropped, 700 - MOST_WATCHED as u64);
-    assert_eq!(taken[0].frames.back().expect("one").0, Duration::from_millis(699));
+    assert_eq!(
+        taken[0].frames.back().expect("one").0,
+        Duration::from_millis(699)
+    );
     assert_eq!(census.take_watched(), []);
     census.watch(&BTreeSet::new());
     census.note(IN, &attitude(1), true, Duration::ZERO);
@@ -82,7 +96,13 @@ fn every_frame_of_a_watched_kind_is_kept_until_it_is_taken_and_no_more_than_ther
 #[test]
 fn only_answers_show_that_we_are_heard() {
     let mut census = Census::default();
-    let sync = |tc1| MavMessage::TIMESYNC(TIMESYNC_DATA { tc1, ts1: 7, ..TIMESYNC_DATA::default() });
+    let sync = |tc1| {
+        MavMessage::TIMESYNC(TIMESYNC_DATA {
+            tc1,
+            ts1: 7,
+            ..TIMESYNC_DATA::default()
+        })
+    };
     let second = Duration::from_secs;
     let note = |census: &mut Census, message: MavMessage, at| {
         census.note(IN, &bytes(1, &message.into()), true, second(at));
@@ -94,7 +114,8 @@ fn only_answers_show_that_we_are_heard() {
     assert_eq!(note(&mut census, sync(0), 3), Some(second(2)));
     let beat = MavMessage::HEARTBEAT(mavlink::dialects::ardupilotmega::HEARTBEAT_DATA::default());
     assert_eq!(note(&mut census, beat, 4), Some(second(2)));
-    let ack = MavMessage::COMMAND_ACK(mavlink::dialects::ardupilotmega::COMMAND_ACK_DATA::default());
+    let ack =
+        MavMessage::COMMAND_ACK(mavlink::dialects::ardupilotmega::COMMAND_ACK_DATA::default());
     assert_eq!(note(&mut census, ack, 5), Some(second(5)));
 }
 

@@ -39,7 +39,10 @@ fn numbers_have_units_and_values_of_enums_and_bits_have_names() {
     });
     let beat = reading(&beat.into());
     assert_eq!(shown(&beat, "type"), "2  QUADROTOR");
-    assert_eq!(shown(&beat, "base_mode"), "129  CUSTOM_MODE_ENABLED|SAFETY_ARMED");
+    assert_eq!(
+        shown(&beat, "base_mode"),
+        "129  CUSTOM_MODE_ENABLED|SAFETY_ARMED"
+    );
 }
 
 #[test]
