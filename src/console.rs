@@ -26,7 +26,7 @@ use crate::mission::Mission;
 use crate::session::Order;
 use crate::store;
 use crate::terminal::Screen;
-use crate::ui::{self, Theme};
+use crate::ui::{self, Look, Theme};
 use crate::vehicle::VehicleId;
 
 mod session;
@@ -64,7 +64,7 @@ pub struct Options {
     /// Simulated seconds per second.
     pub speedup: f64,
     /// What it looks like.
-    pub theme: Theme,
+    pub look: Look,
 }
 
 /// Runs the console until the user leaves it or the terminal goes away.
@@ -160,7 +160,7 @@ struct Console {
     options: Options,
     clock: Clock,
     state: State,
-    theme: Theme,
+    look: Look,
     running: Option<Running>,
     drawn: Option<u64>,
     bell: bool,
@@ -170,9 +170,9 @@ struct Console {
 impl Console {
     fn new(options: Options) -> Self {
         let themes = Theme::names().map(str::to_owned).collect();
-        let state = State::new(listings(), themes, options.theme.name().to_owned());
+        let state = State::new(listings(), themes, options.look.theme.name().to_owned());
         Self {
-            theme: options.theme.clone(),
+            look: options.look.clone(),
             options,
             clock: Clock::start(),
             state,
@@ -191,7 +191,7 @@ impl Console {
             Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
         if let Err(error) = self.start(plan).await {
-            self.feed(Event::Failed(format!("{error:#}"))).await;
+            self.feed(Event::Failed(format!("{error:#}").into())).await;
         }
     }
 
@@ -205,7 +205,7 @@ impl Console {
             return Ok(());
         }
         self.drawn = Some(revision);
-        screen.draw(|frame| ui::draw(&self.state, &self.theme, frame))
+        screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 
     async fn hear(&mut self, event: TerminalEvent) {
@@ -272,13 +272,13 @@ impl Console {
         };
         if let Err(error) = outcome {
             // Nothing that a failure causes is an effect.
-            update(&mut self.state, Event::Failed(format!("{error:#}")));
+            update(&mut self.state, Event::Failed(format!("{error:#}").into()));
         }
     }
 
     fn set_theme(&mut self, name: &str) {
         if let Some(theme) = Theme::named(name) {
-            self.theme = theme.for_colours(crate::terminal::colour_depth());
+            self.look.theme = theme.for_colours(crate::terminal::colour_depth());
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::text::Text;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 /// One fault in a text.
@@ -10,14 +11,14 @@ pub struct Diagnostic {
     /// Where it lies, in bytes of the text.
     pub span: Range<usize>,
     /// What is wrong.
-    pub message: String,
+    pub message: Text,
     /// What to do about it, if that is not plain.
-    pub help: Option<String>,
+    pub help: Option<Text>,
 }
 
 impl Diagnostic {
     /// A fault without advice.
-    pub fn new(span: Range<usize>, message: impl Into<String>) -> Self {
+    pub fn new(span: Range<usize>, message: impl Into<Text>) -> Self {
         Self {
             span,
             message: message.into(),
@@ -27,7 +28,7 @@ impl Diagnostic {
 
     /// The same with advice.
     #[must_use]
-    pub fn with_help(mut self, help: impl Into<String>) -> Self {
+    pub fn with_help(mut self, help: impl Into<Text>) -> Self {
         self.help = Some(help.into());
         self
     }
@@ -74,7 +75,8 @@ impl Diagnostic {
     pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
         let start = self.span.start.min(source.len());
         let end = self.span.end.clamp(start, source.len());
-        let title = Level::ERROR.primary_title(self.message.as_str()).element(
+        let message = self.message.to_string();
+        let title = Level::ERROR.primary_title(message).element(
             Snippet::source(source)
                 .path(file)
                 .annotation(AnnotationKind::Primary.span(start..end)),
@@ -82,7 +84,7 @@ impl Diagnostic {
         let mut report = vec![title];
         if let Some(help) = &self.help {
             report.push(Group::with_title(
-                Level::HELP.secondary_title(help.as_str()),
+                Level::HELP.secondary_title(help.to_string()),
             ));
         }
         let renderer = if colour {

@@ -152,7 +152,7 @@ impl Exercise {
                     at: now,
                     vehicle: None,
                     severity: Severity::Warning,
-                    text: format!("line {line}: `{text}` did not come true in time"),
+                    text: format!("line {line}: `{text}` did not come true in time").into(),
                 }),
                 PilotEvent::Finished => {}
             }
@@ -178,7 +178,7 @@ impl Exercise {
                     at: now,
                     vehicle: None,
                     severity: Severity::Error,
-                    text: format!("`{}`: {text}", statement.line),
+                    text: format!("`{}`: {text}", statement.line).into(),
                 });
                 return;
             }

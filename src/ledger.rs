@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::time::Duration;
 
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Entries kept; older ones fall out so that a console left open for days stays small.
@@ -81,7 +82,7 @@ pub struct RowUpdate {
     /// When.
     pub at: Duration,
     /// In plain words, where there is something to explain.
-    pub explanation: Option<String>,
+    pub explanation: Option<Text>,
 }
 
 /// One vehicle's part in a command.
@@ -98,7 +99,7 @@ pub struct Row {
     /// When the state changed last.
     pub changed_at: Duration,
     /// The reason of a refusal, or a remark.
-    pub explanation: Option<String>,
+    pub explanation: Option<Text>,
 }
 
 /// What a command sets at risk, whether or not it is accepted.

@@ -29,6 +29,7 @@
 pub mod app;
 pub mod cli;
 pub mod commands;
+pub mod config;
 pub mod console;
 pub mod debrief;
 pub mod diagnostic;
@@ -48,6 +49,7 @@ pub mod session;
 pub mod sim;
 pub mod store;
 pub mod terminal;
+pub mod text;
 pub mod ui;
 pub mod vehicle;
 pub mod wire;

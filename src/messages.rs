@@ -1,6 +1,7 @@
 //! Telemetry: what each `MAVLink` message changes in the model of its vehicle, and what a human should hear
 //! about it. One match chooses the handler; the handlers lie in one file per subject.
 
+use crate::text::Text;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
@@ -59,7 +60,7 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    fn say(&mut self, severity: Severity, text: impl Into<String>) {
+    fn say(&mut self, severity: Severity, text: impl Into<Text>) {
         self.notices.push(Notice {
             at: self.now,
             vehicle: Some(self.vehicle),

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::vehicle::VehicleId;
 
@@ -14,8 +15,8 @@ pub struct Notice {
     pub vehicle: Option<VehicleId>,
     /// How serious it is.
     pub severity: Severity,
-    /// The text, free of control characters.
-    pub text: String,
+    /// What is said; foreign words in it are free of control characters.
+    pub text: Text,
 }
 
 /// Makes foreign text safe to show: control characters (escape sequences begin with one) and

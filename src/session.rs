@@ -5,6 +5,7 @@
 //! runner drives them in lock step with the simulator. Both therefore behave the same, and every
 //! time-out and retry can be tested without waiting for it.
 
+use crate::text::Text;
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -79,7 +80,7 @@ impl Order {
         &self,
         vehicle: VehicleId,
         state: RowState,
-        reason: impl Into<String>,
+        reason: impl Into<Text>,
         now: Duration,
     ) -> RowUpdate {
         RowUpdate {
@@ -297,12 +298,12 @@ impl Session {
             .extend(notices.into_iter().map(Report::Notice));
     }
 
-    fn notice(&mut self, severity: Severity, text: String, now: Duration) {
+    fn notice(&mut self, severity: Severity, text: impl Into<Text>, now: Duration) {
         self.say(vec![Notice {
             at: now,
             vehicle: Some(self.vehicle.id),
             severity,
-            text,
+            text: text.into(),
         }]);
     }
 
@@ -311,8 +312,12 @@ impl Session {
     fn clear_the_line(&mut self, verb: &str, now: Duration) {
         let reason = format!("{verb} took its place");
         for (order, _) in self.queue.drain(..) {
-            self.output
-                .row(order.unsent(self.vehicle.id, RowState::Superseded, &reason, now));
+            self.output.row(order.unsent(
+                self.vehicle.id,
+                RowState::Superseded,
+                reason.as_str(),
+                now,
+            ));
         }
         if let Some((command, acks)) = self.active.as_ref().and_then(Transaction::owed_acks) {
             self.owed.add(command, acks, now);

@@ -2,38 +2,45 @@
 
 use ratatui::Frame;
 
-use crate::app::state::{Overlay, SMALLEST, Screen, State};
+use crate::app::state::{Overlay, Room, SMALLEST, State};
 
+mod look;
 mod screen;
 mod theme;
 mod widget;
 
+pub use look::Look;
 pub use theme::{ColourDepth, Role, Theme};
 
 /// Draws the whole console.
-pub fn draw(state: &State, theme: &Theme, frame: &mut Frame<'_>) {
+pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {
     let area = frame.area();
-    frame.buffer_mut().set_style(area, theme.style(Role::Text));
+    frame.buffer_mut().set_style(area, look.style(Role::Text));
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
-        screen::small::draw(theme, area, frame.buffer_mut());
+        screen::small::draw(look, area, frame.buffer_mut());
         return;
     }
-    let body = widget::header::draw(state, theme, area, frame.buffer_mut());
+    let body = widget::header::draw(state, look, area, frame.buffer_mut());
     let buffer = frame.buffer_mut();
-    match &state.screen {
-        Screen::Home { cursor } => screen::home::draw(state, *cursor, theme, body, buffer),
-        Screen::Fly { .. } => screen::fly::draw(state, theme, body, buffer),
-        Screen::Debrief { lines, scroll, .. } => {
-            screen::debrief::draw(lines, *scroll, theme, body, buffer);
-        }
+    match state.room {
+        Room::Home => screen::home::draw(state, look, body, buffer),
+        Room::Fly => screen::fly::draw(state, look, body, buffer),
+        Room::Vehicle => screen::vehicle::draw(state, look, body, buffer),
+        Room::Map => screen::map::draw(state, look, body, buffer),
+        Room::Ledger => screen::ledger::draw(state, look, body, buffer),
+        Room::Messages => screen::messages::draw(state, look, body, buffer),
+        Room::Links => screen::links::draw(state, look, body, buffer),
+        Room::Parameters => screen::parameters::draw(state, look, body, buffer),
+        Room::Mission => screen::mission::draw(state, look, body, buffer),
+        Room::Debrief => screen::debrief::draw(state, look, body, buffer),
     }
-    widget::footer::draw(state, theme, area, buffer);
+    widget::footer::draw(state, look, area, buffer);
     let cursor = match &state.overlay {
         None => None,
-        Some(Overlay::Palette(line)) => Some(widget::palette::draw(line, theme, area, buffer)),
-        Some(Overlay::Connect(prompt)) => Some(widget::connect::draw(prompt, theme, area, buffer)),
+        Some(Overlay::Palette(line)) => Some(widget::palette::draw(line, look, area, buffer)),
+        Some(Overlay::Prompt(prompt)) => Some(widget::prompt::draw(prompt, look, area, buffer)),
         Some(other) => {
-            widget::overlay::draw(state, other, theme, area, buffer);
+            widget::overlay::draw(state, other, look, area, buffer);
             None
         }
     };

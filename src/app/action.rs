@@ -1,13 +1,17 @@
 //! What the user wants, whichever key said it.
 
+use super::room::Room;
+
 /// An intent. The keymap makes actions from keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Action {
-    /// Open the command line with these words in it.
-    Palette(&'static str),
+    /// Go to a room.
+    Show(Room),
+    /// Open the command line.
+    CommandLine,
     /// Open or close the help.
     Help,
-    /// Show what the links count.
+    /// What the links count.
     Links,
     /// Look back through the commands.
     Ledger,
@@ -23,8 +27,6 @@ pub enum Action {
     SelectAll,
     /// Select the others.
     Invert,
-    /// A character of a vehicle list such as `3-9`.
-    Type(char),
     /// Take back the last character of the vehicle list.
     Erase,
     /// Take what was typed or is under the cursor.
@@ -43,6 +45,8 @@ pub enum Action {
     Older,
     /// A newer line of the history.
     Newer,
+    /// Show only what contains some letters.
+    Filter,
     /// Leave the program.
     Quit,
 }
@@ -62,6 +66,62 @@ pub enum Step {
     First,
     /// To the last line.
     Last,
+}
+
+impl Action {
+    /// Every action with its name in keymap files. The message `action-NAME` says what it does.
+    pub const ALL: &[(&'static str, Self)] = &[
+        ("home", Self::Show(Room::Home)),
+        ("fly", Self::Show(Room::Fly)),
+        ("vehicle", Self::Show(Room::Vehicle)),
+        ("map", Self::Show(Room::Map)),
+        ("commands", Self::Show(Room::Ledger)),
+        ("messages", Self::Show(Room::Messages)),
+        ("links", Self::Show(Room::Links)),
+        ("parameters", Self::Show(Room::Parameters)),
+        ("mission", Self::Show(Room::Mission)),
+        ("debrief", Self::Show(Room::Debrief)),
+        ("command-line", Self::CommandLine),
+        ("help", Self::Help),
+        ("count-links", Self::Links),
+        ("look-back-commands", Self::Ledger),
+        ("look-back-notices", Self::Notices),
+        ("brief", Self::Brief),
+        ("up", Self::Move(Step::Up)),
+        ("down", Self::Move(Step::Down)),
+        ("page-up", Self::Move(Step::PageUp)),
+        ("page-down", Self::Move(Step::PageDown)),
+        ("first", Self::Move(Step::First)),
+        ("last", Self::Move(Step::Last)),
+        ("select", Self::Toggle),
+        ("select-all", Self::SelectAll),
+        ("invert", Self::Invert),
+        ("erase", Self::Erase),
+        ("submit", Self::Submit),
+        ("escape", Self::Escape),
+        ("again", Self::Again),
+        ("leave", Self::Leave),
+        ("complete", Self::Complete),
+        ("complete-back", Self::CompleteBack),
+        ("older", Self::Older),
+        ("newer", Self::Newer),
+        ("filter", Self::Filter),
+        ("quit", Self::Quit),
+    ];
+
+    /// Its name in keymap files.
+    pub fn name(self) -> &'static str {
+        let mut all = Self::ALL.iter();
+        all.find(|(_, action)| *action == self)
+            .map_or("", |(name, _)| name)
+    }
+
+    /// The action of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.iter();
+        all.find(|(known, _)| *known == name)
+            .map(|(_, action)| *action)
+    }
 }
 
 impl Step {

@@ -11,6 +11,7 @@ use crate::ledger::RowUpdate;
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 
 /// Something that the console reacts to.
@@ -49,7 +50,7 @@ pub enum Event {
     /// The mission is over.
     MissionEnded(Box<Report>),
     /// The shell could not do something; the text says what, where, and what to do.
-    Failed(String),
+    Failed(Text),
 }
 
 /// A session that has just begun.

@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
+use crate::config::Config;
 use crate::language::Context;
-use crate::scoring::Report;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
@@ -17,20 +18,19 @@ mod overlay;
 mod session;
 
 pub use super::keymap::Keymap;
+pub use super::room::{Room, Rooms};
 pub use alert::{Alert, alert};
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use ids::{parse_ranges, ranges};
 pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
 pub use notices::{NoticeLine, NoticeLog};
-pub use overlay::{Confirm, Connect, Consequence, Log, Order, Overlay, Palette};
+pub use overlay::{Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
 pub use session::{Activity, Session};
 
 /// The smallest terminal that the console fits into: columns and rows.
 pub const SMALLEST: (u16, u16) = (80, 24);
 /// Lines of the command line's history kept.
 const HISTORY_KEPT: usize = 200;
-/// Keys pressed so soon after the debrief has opened were meant for the flight.
-const DEBRIEF_DEAF: Duration = Duration::from_secs(1);
 /// How long a message stays on the last line of the screen.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
 
@@ -40,11 +40,17 @@ pub struct State {
     /// The program's clock.
     pub now: Duration,
     /// The room that is shown.
-    pub screen: Screen,
+    pub room: Room,
+    /// What every room remembers.
+    pub rooms: Rooms,
     /// What lies over it.
     pub overlay: Option<Overlay>,
     /// What is being flown.
     pub session: Session,
+    /// The vehicle list that is being typed, `3-9`; empty if none.
+    pub typed: String,
+    /// What the user has set.
+    pub config: Config,
     /// What was said.
     pub notices: NoticeLog,
     /// The missions on offer.
@@ -64,56 +70,6 @@ pub struct State {
     revision: u64,
 }
 
-/// A room of the console, with what only this room needs.
-#[derive(Debug, Clone)]
-pub enum Screen {
-    /// Where to begin.
-    Home {
-        /// The line under the cursor: the missions first, then [`HomeItem`]s.
-        cursor: usize,
-    },
-    /// The swarm in flight.
-    Fly {
-        /// The vehicle list that is being typed, `3-9`; empty if none.
-        typed: String,
-    },
-    /// What the flight was worth.
-    Debrief {
-        /// The result.
-        report: Box<Report>,
-        /// The same as text, line by line.
-        lines: Vec<String>,
-        /// The first line shown.
-        scroll: usize,
-        /// When it opened: keys that were meant for the flight must not close it.
-        since: Duration,
-    },
-}
-
-impl Screen {
-    /// The name that the header shows.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Home { .. } => "HOME",
-            Self::Fly { .. } => "FLY",
-            Self::Debrief { .. } => "DEBRIEF",
-        }
-    }
-}
-
-/// What the home screen offers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum HomeItem {
-    /// The mission at this place of [`State::missions`].
-    Mission(usize),
-    /// Fly without a task.
-    Free,
-    /// Connect to vehicles elsewhere.
-    Connect,
-    /// Leave the program.
-    Quit,
-}
-
 /// A mission on offer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MissionListing {
@@ -129,7 +85,7 @@ pub struct MissionListing {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
     /// What it says.
-    pub text: String,
+    pub text: Text,
     /// How serious it is.
     pub severity: Severity,
     at: Duration,
@@ -140,7 +96,10 @@ impl State {
     pub fn new(missions: Vec<MissionListing>, themes: Vec<String>, theme: String) -> Self {
         Self {
             now: Duration::ZERO,
-            screen: Screen::Home { cursor: 0 },
+            room: Room::Home,
+            rooms: Rooms::default(),
+            typed: String::new(),
+            config: Config::default(),
             overlay: None,
             session: Session::default(),
             notices: NoticeLog::default(),
@@ -172,10 +131,8 @@ impl State {
 
     /// Whether the debrief has opened so recently that keys were meant for the flight.
     pub fn is_deaf(&self) -> bool {
-        match self.screen {
-            Screen::Debrief { since, .. } => self.now.saturating_sub(since) < DEBRIEF_DEAF,
-            _ => false,
-        }
+        let debrief = self.rooms.debrief.as_ref();
+        self.room == Room::Debrief && debrief.is_some_and(|debrief| debrief.is_deaf(self.now))
     }
 
     /// How many entries a log has.
@@ -186,13 +143,6 @@ impl State {
         }
     }
 
-    /// What the home screen offers, from the top.
-    pub fn home_items(&self) -> Vec<HomeItem> {
-        let missions = (0..self.missions.len()).map(HomeItem::Mission);
-        let others = [HomeItem::Free, HomeItem::Connect, HomeItem::Quit];
-        missions.chain(others).collect()
-    }
-
     /// The message that is still fresh.
     pub fn message(&self) -> Option<&Message> {
         self.message
@@ -201,7 +151,7 @@ impl State {
     }
 
     /// Answers the user on the last line.
-    pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
+    pub fn say(&mut self, severity: Severity, text: impl Into<Text>) {
         self.message = Some(Message {
             text: text.into(),
             severity,

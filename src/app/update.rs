@@ -4,7 +4,7 @@ use super::effect::Effect;
 use super::event::Event;
 use super::state::State;
 
-mod act;
+pub(super) mod act;
 mod keys;
 mod order;
 mod palette;
@@ -33,7 +33,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Links(links) => state.session.links = links,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
-        Event::Failed(text) => telemetry::failed(state, &text),
+        Event::Failed(text) => telemetry::failed(state, text),
         Event::Resize { columns, rows } => keys::resize(state, columns, rows),
         Event::Tick { .. } | Event::Vehicle(_) => {}
     }

@@ -11,7 +11,7 @@ use crate::console::{self, Opening, Options};
 use crate::diagnostic::nearest;
 use crate::link::Address;
 use crate::terminal;
-use crate::ui::Theme;
+use crate::ui::{Look, Theme};
 
 /// Simulated vehicles in free flight, unless told otherwise.
 const VEHICLES: u8 = 4;
@@ -116,7 +116,10 @@ fn open(
         vehicles,
         seed,
         speedup,
-        theme,
+        look: Look {
+            theme,
+            ..Look::default()
+        },
     };
     let runtime = runtime()?;
     let outcome = runtime.block_on(console::run(options));

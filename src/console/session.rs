@@ -300,7 +300,7 @@ impl LinkNews {
             at: now,
             vehicle: None,
             severity,
-            text,
+            text: text.into(),
         }
     }
 }

@@ -250,7 +250,7 @@ impl Hub {
             at: now,
             vehicle: Some(VehicleId::from(system)),
             severity: Severity::Error,
-            text,
+            text: text.into(),
         };
         self.tell(FleetEvent::Report(Report::Notice(notice))).await;
     }

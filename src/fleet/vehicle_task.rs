@@ -142,7 +142,7 @@ fn log(report: &Report) {
             entry = row.entry.0,
             vehicle = row.vehicle,
             tries = row.tries,
-            explanation = row.explanation,
+            explanation = row.explanation.as_ref().map(ToString::to_string),
             "{}",
             row.state
         ),

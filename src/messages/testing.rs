@@ -60,6 +60,9 @@ impl Bench {
 
     /// The texts of the notices since the last call.
     pub(super) fn said(&mut self) -> Vec<String> {
-        self.notices.drain(..).map(|notice| notice.text).collect()
+        self.notices
+            .drain(..)
+            .map(|notice| notice.text.to_string())
+            .collect()
     }
 }

@@ -1,6 +1,7 @@
 //! Reading a mission file. Every section is read on its own, so that one fault does not hide the others; what
 //! refers to another section is checked after that one was read.
 
+use crate::text::Text;
 use std::ops::RangeInclusive;
 
 use serde::Deserialize;
@@ -79,7 +80,7 @@ pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
 
 impl Faults {
     /// Adds a fault at a place.
-    pub fn add(&mut self, span: std::ops::Range<usize>, message: impl Into<String>) {
+    pub fn add(&mut self, span: std::ops::Range<usize>, message: impl Into<Text>) {
         self.0.push(Diagnostic::new(span, message));
     }
 

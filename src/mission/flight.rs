@@ -285,7 +285,7 @@ impl Flight {
                 at: self.elapsed,
                 vehicle: Some(id),
                 severity: Severity::Info,
-                text,
+                text: text.into(),
             });
         }
     }
@@ -374,7 +374,7 @@ impl Flight {
             at: self.elapsed,
             vehicle,
             severity,
-            text: text.clone(),
+            text: text.clone().into(),
         });
         self.record(kind, vehicle, text);
     }

@@ -121,8 +121,8 @@ impl CommandLog {
             .insert(key, unheard && row.state == RowState::TimedOut);
         let reason = row
             .explanation
-            .clone()
-            .unwrap_or_else(|| row.state.to_string());
+            .as_ref()
+            .map_or_else(|| row.state.to_string(), ToString::to_string);
         Some(CommandEvent::Rejected {
             vehicle: row.vehicle,
             text: format!("{}: {reason}", entry.line),

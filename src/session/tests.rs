@@ -127,7 +127,7 @@ impl Scene {
         for report in self.session.take_reports() {
             match report {
                 Report::Row(row) => self.rows.push(row),
-                Report::Notice(notice) => self.notices.push(notice.text),
+                Report::Notice(notice) => self.notices.push(notice.text.to_string()),
             }
         }
     }
@@ -158,7 +158,8 @@ impl Scene {
             .iter()
             .rev()
             .find(|row| row.entry == EntryId(entry) && row.explanation.is_some())
-            .and_then(|row| row.explanation.clone())
+            .and_then(|row| row.explanation.as_ref())
+            .map(ToString::to_string)
             .unwrap_or_default()
     }
 }

@@ -1,5 +1,6 @@
 //! One command to one vehicle, from the first transmission to the effect in telemetry.
 
+use crate::text::Text;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
@@ -161,7 +162,7 @@ impl Transaction {
     /// Remembers what the vehicle says meanwhile; it may be the reason of a refusal.
     pub fn hear_text(&mut self, notice: &Notice) {
         if notice.severity <= Severity::Warning {
-            self.texts.push(notice.text.clone());
+            self.texts.push(notice.text.to_string());
         }
     }
 
@@ -419,7 +420,7 @@ impl Transaction {
             state,
             tries: self.tries,
             at: now,
-            explanation,
+            explanation: explanation.map(Text::from),
         });
     }
 }

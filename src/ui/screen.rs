@@ -3,4 +3,11 @@
 pub mod debrief;
 pub mod fly;
 pub mod home;
+pub mod ledger;
+pub mod links;
+pub mod map;
+pub mod messages;
+pub mod mission;
+pub mod parameters;
 pub mod small;
+pub mod vehicle;

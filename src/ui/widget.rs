@@ -7,11 +7,11 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Clear, Widget};
 
-use super::theme::{Role, Theme};
+use super::look::Look;
+use super::theme::Role;
 use crate::ledger::RowState;
 use crate::vehicle::Severity;
 
-pub mod connect;
 pub mod footer;
 pub mod header;
 pub mod ledger;
@@ -20,16 +20,17 @@ pub mod mission;
 pub mod notices;
 pub mod overlay;
 pub mod palette;
+pub mod prompt;
 pub mod swarm;
 pub mod telemetry;
 
 /// Draws a rule with a title along the top of `area` and returns what is left below it.
-pub fn titled(title: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+pub fn titled(title: &str, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
     let Some(mut x) = put(
         buffer,
         area,
         0,
-        &Line::styled("── ", theme.style(Role::Border)),
+        &Line::styled("── ", look.style(Role::Border)),
     ) else {
         return area;
     };
@@ -41,7 +42,7 @@ pub fn titled(title: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Re
             area.y,
             title,
             usize::from(right - x),
-            theme.style(Role::Title),
+            look.style(Role::Title),
         )
         .0;
     if x < right {
@@ -51,19 +52,19 @@ pub fn titled(title: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Re
             area.y,
             rest,
             usize::from(right - x),
-            theme.style(Role::Border),
+            look.style(Role::Border),
         );
     }
     below(area, 1)
 }
 
 /// Clears a box in the middle of things, draws its frame and returns its inside.
-pub fn boxed(title: &str, role: Role, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+pub fn boxed(title: &str, role: Role, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
     Clear.render(area, buffer);
-    buffer.set_style(area, theme.style(Role::Text));
+    buffer.set_style(area, look.style(Role::Text));
     let block = Block::bordered()
-        .border_style(theme.style(role))
-        .title(Span::styled(format!(" {title} "), theme.style(Role::Title)));
+        .border_style(look.style(role))
+        .title(Span::styled(format!(" {title} "), look.style(Role::Title)));
     let inner = block.inner(area);
     block.render(area, buffer);
     Rect {

@@ -12,7 +12,8 @@ use sortie::app::state::{Activity, MissionListing, State};
 use sortie::app::update;
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::notice::Notice;
-use sortie::ui::{self, Theme};
+use sortie::text::Text;
+use sortie::ui::{self, Look, Theme};
 use sortie::vehicle::{Severity, Vehicle};
 
 use crate::fixtures;
@@ -125,7 +126,7 @@ impl Console {
             state,
             tries: 1,
             at: self.state.now,
-            explanation: explanation.map(str::to_owned),
+            explanation: explanation.map(Text::from),
         }))
     }
 
@@ -134,7 +135,7 @@ impl Console {
             at: self.state.now,
             vehicle,
             severity,
-            text: text.to_owned(),
+            text: text.into(),
         }))
     }
 
@@ -150,9 +151,9 @@ impl Console {
     pub fn screen(&self, width: u16, height: u16) -> String {
         let backend = TestBackend::new(width, height);
         let mut terminal = Terminal::new(backend).expect("a test terminal");
-        let theme = Theme::default();
+        let look = Look::default();
         terminal
-            .draw(|frame| ui::draw(&self.state, &theme, frame))
+            .draw(|frame| ui::draw(&self.state, &look, frame))
             .expect("a test terminal");
         let buffer = terminal.backend().buffer();
         let rows = buffer.content.chunks(usize::from(width.max(1)));

@@ -13,3 +13,4 @@ mod pty;
 mod recordings;
 mod screens;
 mod terminal;
+mod texts;

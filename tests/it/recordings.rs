@@ -227,7 +227,7 @@ fn a_notice_is_said_once_for_every_change_and_text() {
             ("rebooted", 0),
             ("two vehicles", 0),
         ] {
-            let said = |notice: &&Notice| notice.text.starts_with(begins);
+            let said = |notice: &&Notice| notice.text.to_string().starts_with(begins);
             let count = reading.notices.iter().filter(said).count();
             assert_eq!(count, expected, "{}: {begins}", path.display());
             others -= count;

@@ -122,7 +122,7 @@ fn connect_prompt_with_an_error() {
         .write("tcp:nowhere")
         .press("enter");
     console.hear(Event::Failed(
-        "`tcp:nowhere` has no port: write tcp:HOST:PORT".to_owned(),
+        "`tcp:nowhere` has no port: write tcp:HOST:PORT".into(),
     ));
     check("connect", &console);
 }
@@ -177,7 +177,7 @@ fn questions_help_links_and_brief() {
     check("confirm", console.give("1-3 kill"));
     insta::assert_snapshot!("cancelled_80x24", console.press("x").screen(80, 24));
     check("help", console.press("esc").press("?"));
-    check("links", console.press("esc").press("L"));
+    check("links", console.press("esc").give("links"));
     check("brief", console.press("esc").press("b"));
     check("ledger", console.press("esc").press("c"));
     check("notices", console.press("esc").press("n").press("k"));

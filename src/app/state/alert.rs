@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::text::Text;
 use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, SystemStatus, Vehicle};
 
 /// How long a text about a failsafe counts as the present state.
@@ -22,7 +23,7 @@ pub struct Alert {
     /// How serious it is.
     pub severity: Severity,
     /// In a few words, the most telling first.
-    pub text: String,
+    pub text: Text,
 }
 
 /// The most serious present condition of a vehicle, if anything is wrong.
@@ -37,7 +38,7 @@ pub fn alert(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         .or_else(|| prearm(vehicle))
 }
 
-fn condition(severity: Severity, text: impl Into<String>) -> Alert {
+fn condition(severity: Severity, text: impl Into<Text>) -> Alert {
     Alert {
         severity,
         text: text.into(),
@@ -192,7 +193,7 @@ mod tests {
     }
 
     fn text_of(vehicle: &Vehicle) -> Option<String> {
-        alert(vehicle, Duration::from_secs(10)).map(|alert| alert.text)
+        alert(vehicle, Duration::from_secs(10)).map(|alert| alert.text.to_string())
     }
 
     #[test]
@@ -252,7 +253,8 @@ mod tests {
             });
         };
         let long_after = Duration::from_secs(1000);
-        let shown = |vehicle: &Vehicle| alert(vehicle, long_after).map(|alert| alert.text);
+        let shown =
+            |vehicle: &Vehicle| alert(vehicle, long_after).map(|alert| alert.text.to_string());
         let mut vehicle = vehicle();
         hear(&mut vehicle, "SIM Hit ground at 0.48 m/s");
         assert_eq!(shown(&vehicle), None, "a landing");

@@ -1,8 +1,10 @@
 //! The help, made from the keymap, the console's own verbs and the verb table.
 
 use crate::app::console::CONSOLE_VERBS;
-use crate::app::keymap::{Binding, Keymap, Place};
+use crate::app::keymap::{Keymap, Meaning, Place};
 use crate::language::{Verb, verbs};
+use crate::text;
+use crate::text::Text;
 
 /// Columns of a usage that leaves room for an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
@@ -18,9 +20,9 @@ pub const SCRIPT_VERBS: &[&str] = &["wait"];
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum HelpLine {
     /// A heading.
-    Title(&'static str),
+    Title(Text),
     /// Something to press or write, and what it does.
-    Entry(String, String),
+    Entry(String, Text),
     /// An explanation below an entry.
     Note(String),
     /// Space between.
@@ -30,18 +32,16 @@ pub enum HelpLine {
 /// The whole help.
 pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
     let mut lines = Vec::new();
-    for place in [
-        Place::Fly,
-        Place::Anywhere,
-        Place::Prompt,
-        Place::Home,
-        Place::Debrief,
-    ] {
+    for place in Place::all() {
+        let keys = keys(keymap, place);
+        if keys.is_empty() {
+            continue;
+        }
         lines.push(HelpLine::Title(place.title()));
-        lines.extend(keys(keymap, place));
+        lines.extend(keys);
         lines.push(HelpLine::Blank);
     }
-    lines.push(HelpLine::Title("commands: [targets] verb [arguments]"));
+    lines.push(HelpLine::Title(text!("help-commands")));
     lines.extend(notes(
         "targets: 3  1-4,7  @group  all; none means the selection",
     ));
@@ -52,7 +52,7 @@ pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
         lines.extend(explained(verb));
     }
     lines.push(HelpLine::Blank);
-    lines.push(HelpLine::Title("the console itself"));
+    lines.push(HelpLine::Title(text!("help-console")));
     lines.extend(
         CONSOLE_VERBS
             .iter()
@@ -94,27 +94,27 @@ fn notes(text: &str) -> Vec<HelpLine> {
 
 /// The keys of a place; keys with one meaning share a line.
 fn keys(keymap: &Keymap, place: Place) -> Vec<HelpLine> {
-    let mut rows: Vec<(String, &Binding)> = Vec::new();
+    let mut rows: Vec<(String, &Meaning)> = Vec::new();
     let here = keymap
         .bindings()
         .iter()
         .filter(|binding| binding.place == place);
     for binding in here {
-        let same = |(_, known): &&mut (String, &Binding)| known.description == binding.description;
+        let same = |(_, known): &&mut (String, &Meaning)| **known == binding.meaning;
         match rows.iter_mut().find(same) {
             Some((labels, _)) => {
                 labels.push(' ');
                 labels.push_str(&binding.press.label());
             }
-            None => rows.push((binding.press.label(), binding)),
+            None => rows.push((binding.press.label(), &binding.meaning)),
         }
     }
     let lines = rows.into_iter();
     lines
-        .map(|(labels, binding)| entry(&labels, binding.description))
+        .map(|(labels, meaning)| entry(&labels, meaning.description()))
         .collect()
 }
 
-fn entry(what: &str, meaning: &str) -> HelpLine {
-    HelpLine::Entry(what.to_owned(), meaning.to_owned())
+fn entry(what: &str, meaning: impl Into<Text>) -> HelpLine {
+    HelpLine::Entry(what.to_owned(), meaning.into())
 }

@@ -69,7 +69,7 @@ mod tests {
             at: Duration::ZERO,
             vehicle: Some(vehicle),
             severity: Severity::Info,
-            text: text.to_owned(),
+            text: text.into(),
         }
     }
 
@@ -81,9 +81,19 @@ mod tests {
         }
         let counts: Vec<_> = log
             .lines()
-            .map(|line| (line.notice.text.as_str(), line.count, line.vehicles.len()))
+            .map(|line| {
+                (
+                    line.notice.text.to_string(),
+                    line.count,
+                    line.vehicles.len(),
+                )
+            })
             .collect();
-        assert_eq!(counts, [("a", 3, 2), ("b", 1, 1), ("a", 1, 1)]);
+        let counted = |text: &str, count, vehicles| (text.to_owned(), count, vehicles);
+        assert_eq!(
+            counts,
+            [counted("a", 3, 2), counted("b", 1, 1), counted("a", 1, 1)]
+        );
     }
 
     #[test]
@@ -111,8 +121,8 @@ mod tests {
         }
         assert_eq!(log.lines().len(), LINES_KEPT);
         assert_eq!(
-            log.lines().next().map(|line| line.notice.text.as_str()),
-            Some("5")
+            log.lines().next().map(|line| &line.notice.text),
+            Some(&"5".into())
         );
     }
 }

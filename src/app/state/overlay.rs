@@ -6,6 +6,7 @@ use crate::app::effect::Effect;
 use crate::commands::Command;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// An overlay. It takes the keys while it is there.
@@ -15,8 +16,8 @@ pub enum Overlay {
     Palette(Palette),
     /// A question before something dangerous.
     Confirm(Confirm),
-    /// The prompt for addresses.
-    Connect(Connect),
+    /// A line that is asked for.
+    Prompt(Prompt),
     /// Keys and verbs.
     Help {
         /// The first line shown.
@@ -57,11 +58,11 @@ pub struct Palette {
     /// The completion that Tab has put in.
     pub chosen: Option<usize>,
     /// To whom the line goes as it stands; empty where it goes to nobody.
-    pub recipients: String,
+    pub recipients: Text,
     /// The usage of the verb, or what comes next.
-    pub hint: Option<String>,
+    pub hint: Option<Text>,
     /// What Enter would do with the line as it stands; `None` while it is not complete.
-    pub outcome: Option<String>,
+    pub outcome: Option<Text>,
     /// What is wrong with a word that has been finished, or was when the line was given.
     pub fault: Option<Diagnostic>,
     /// The line before Tab was pressed first.
@@ -77,9 +78,9 @@ pub struct Palette {
 #[derive(Debug, Clone)]
 pub struct Confirm {
     /// What would happen, and to whom: `KILL 3: 1 3 5`.
-    pub question: String,
+    pub question: Text,
     /// Why it is asked.
-    pub reason: String,
+    pub reason: Text,
     /// What has to be typed.
     pub answer: String,
     /// What has been typed of it.
@@ -112,11 +113,40 @@ pub struct Order {
     pub command: Command,
 }
 
-/// The prompt for addresses.
-#[derive(Debug, Clone, Default)]
-pub struct Connect {
-    /// Addresses with blanks between them.
+/// A line that is asked for.
+#[derive(Debug, Clone)]
+pub struct Prompt {
+    /// What it is for.
+    pub purpose: Purpose,
+    /// The line and its cursor.
     pub input: Input,
-    /// What was wrong with them.
-    pub fault: Option<String>,
+    /// What was wrong with it.
+    pub fault: Option<Text>,
+}
+
+impl Prompt {
+    /// An empty one.
+    pub fn new(purpose: Purpose) -> Self {
+        Self {
+            purpose,
+            input: Input::default(),
+            fault: None,
+        }
+    }
+}
+
+/// What a line is asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Purpose {
+    /// The addresses of vehicles, with blanks between them.
+    Connect,
+}
+
+impl Purpose {
+    /// Whether every key counts, and not only Enter.
+    pub fn is_live(&self) -> bool {
+        match self {
+            Self::Connect => false,
+        }
+    }
 }

@@ -29,6 +29,8 @@ pub struct Session {
     pub links: Vec<LinkSummary>,
     /// The mission's progress, if one is flown.
     pub mission: Option<Progress>,
+    /// Whether the mission is over: its debrief is there.
+    pub over: bool,
     /// The groups that commands may name.
     pub groups: Groups,
     /// The places that commands may name.

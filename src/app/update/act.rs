@@ -1,18 +1,24 @@
-//! What each action does on the screens.
+//! What actions mean where a room has no meaning of its own for them.
 
 use super::{order, palette};
 use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
-use crate::app::state::{
-    Confirm, Connect, Consequence, HomeItem, Log, Overlay, Screen, Session, State, parse_ranges,
-    ranges,
-};
-use crate::vehicle::Severity;
-use crate::vehicle::VehicleId;
+use crate::app::room::{self, Room};
+use crate::app::state::{Confirm, Consequence, Log, Overlay, Session, State, parse_ranges, ranges};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+
+/// Characters of the longest vehicle list that is typed.
+const LONGEST_LIST: usize = 60;
 
 pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
+    if let Some(effects) = room::act(state, action) {
+        return effects;
+    }
     match action {
-        Action::Palette(words) => open_palette(state, words),
+        Action::Show(room) => show(state, room),
+        Action::CommandLine => open_palette(state, ""),
         Action::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
         Action::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
         Action::Ledger => look_back(state, Log::Ledger),
@@ -20,16 +26,25 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Brief => brief(state),
         Action::Move(step) => go(state, step),
         Action::Toggle | Action::SelectAll | Action::Invert => pick(state, action),
-        Action::Type(c) => type_ids(state, c),
-        Action::Erase => erase(state),
-        Action::Submit => return submit(state),
+        Action::Erase => drop(state.typed.pop()),
+        Action::Submit => submit(state),
         Action::Escape => escape(state),
         Action::Again => return restart(state),
         Action::Leave => return leave(state),
         Action::Quit => return quit(state),
-        Action::Complete | Action::CompleteBack | Action::Older | Action::Newer => {}
+        Action::Complete
+        | Action::CompleteBack
+        | Action::Older
+        | Action::Newer
+        | Action::Filter => {}
     }
     Vec::new()
+}
+
+/// Shows a room.
+pub fn show(state: &mut State, room: Room) {
+    state.hush();
+    state.room = room;
 }
 
 /// Shows a log, its newest entry first of all.
@@ -42,52 +57,53 @@ pub fn brief(state: &mut State) {
     if state.flown_mission().is_some() {
         state.overlay = Some(Overlay::Brief);
     } else {
-        state.say(Severity::Notice, "no mission is being flown");
+        state.say(Severity::Notice, text!("mission-none"));
     }
 }
 
 /// Leaves the program; asks first where something would be lost.
 pub fn quit(state: &mut State) -> Vec<Effect> {
+    guarded(state, text!("ask-quit"), Effect::Quit)
+}
+
+/// Has the shell do something that ends the session; asks first where something would be lost.
+pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Vec<Effect> {
     match loss(state) {
-        Some(reason) => ask(state, "QUIT", reason, Effect::Quit),
-        None => vec![Effect::Quit],
+        Some(reason) => ask(state, question, reason, effect),
+        None => order::carry_out(state, Consequence::Effect(effect)),
     }
 }
 
 /// Leaves the session; asks first where something would be lost.
 pub fn leave(state: &mut State) -> Vec<Effect> {
-    match loss(state) {
-        Some(reason) => ask(state, "LEAVE the session", reason, Effect::LeaveSession),
-        None => order::carry_out(state, Consequence::Effect(Effect::LeaveSession)),
-    }
+    guarded(state, text!("ask-leave"), Effect::LeaveSession)
 }
 
 /// Flies the same mission again; asks first where something would be lost.
 pub fn restart(state: &mut State) -> Vec<Effect> {
     if state.flown_mission().is_none() {
-        state.say(Severity::Notice, "no mission is being flown");
+        state.say(Severity::Notice, text!("mission-none"));
         return Vec::new();
     }
-    match loss(state) {
-        Some(reason) => ask(state, "RESTART the mission", reason, Effect::RestartMission),
-        None => vec![Effect::RestartMission],
-    }
+    guarded(state, text!("ask-restart"), Effect::RestartMission)
 }
 
 /// Ends the mission, after a question.
 pub fn abandon(state: &mut State) -> Vec<Effect> {
-    if state.session.mission.is_none() || !matches!(state.screen, Screen::Fly { .. }) {
-        state.say(Severity::Notice, "no mission is being flown");
+    if state.session.mission.is_none() || state.session.over {
+        state.say(Severity::Notice, text!("mission-none"));
         return Vec::new();
     }
-    let reason = "the debrief counts what has been reached so far".to_owned();
-    ask(state, "ABANDON the mission", reason, Effect::AbandonMission)
+    let reason = text!("ask-abandon-reason");
+    ask(state, text!("ask-abandon"), reason, Effect::AbandonMission)
 }
 
 /// Forgets the session and shows the home screen.
 pub fn go_home(state: &mut State) {
     state.session = Session::default();
-    state.screen = Screen::Home { cursor: 0 };
+    state.rooms.forget_session();
+    state.typed.clear();
+    state.room = Room::Home;
 }
 
 /// Selects exactly these vehicles, as far as they are there; keeps the selection if none of them is.
@@ -95,12 +111,12 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
     let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
     let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));
     if !missing.is_empty() {
-        let kept = if there.is_empty() {
-            ": the selection stays as it was"
+        let missing = ranges(missing);
+        let text = if there.is_empty() {
+            text!("select-missing-all", vehicles = missing)
         } else {
-            ""
+            text!("select-missing", vehicles = missing)
         };
-        let text = format!("there is no vehicle {}{kept}", ranges(missing));
         state.say(Severity::Warning, text);
         if there.is_empty() {
             return;
@@ -113,22 +129,20 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
 }
 
 /// What would be lost by ending the session now; a mission that is over loses nothing.
-fn loss(state: &State) -> Option<String> {
-    if !matches!(state.screen, Screen::Fly { .. }) {
+fn loss(state: &State) -> Option<Text> {
+    if state.session.over || state.session.activity.is_none() {
         return None;
     }
-    let armed = state.session.armed();
-    match (state.session.mission.is_some(), armed) {
-        (true, _) => Some("the mission is not over; it would not count".to_owned()),
+    match (state.session.mission.is_some(), state.session.armed()) {
+        (true, _) => Some(text!("ask-mission-lost")),
         (false, 0) => None,
-        (false, 1) => Some("1 vehicle is armed".to_owned()),
-        (false, _) => Some(format!("{armed} vehicles are armed")),
+        (false, armed) => Some(text!("ask-armed", count = armed)),
     }
 }
 
-fn ask(state: &mut State, question: &str, reason: String, effect: Effect) -> Vec<Effect> {
+fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> Vec<Effect> {
     state.overlay = Some(Overlay::Confirm(Confirm {
-        question: question.to_owned(),
+        question,
         reason,
         answer: "y".to_owned(),
         typed: String::new(),
@@ -138,12 +152,9 @@ fn ask(state: &mut State, question: &str, reason: String, effect: Effect) -> Vec
     Vec::new()
 }
 
-/// A vehicle list that was being typed becomes the targets of the line.
-fn open_palette(state: &mut State, words: &str) {
-    let targets = match &mut state.screen {
-        Screen::Fly { typed } => std::mem::take(typed),
-        _ => String::new(),
-    };
+/// Opens the command line. A vehicle list that was being typed becomes the targets of the line.
+pub fn open_palette(state: &mut State, words: &str) {
+    let targets = std::mem::take(&mut state.typed);
     let line = if targets.is_empty() {
         words.to_owned()
     } else {
@@ -153,15 +164,8 @@ fn open_palette(state: &mut State, words: &str) {
 }
 
 fn go(state: &mut State, step: Step) {
-    let items = state.home_items().len();
-    match &mut state.screen {
-        Screen::Home { cursor } => *cursor = step.apply(*cursor, items),
-        Screen::Fly { .. } => {
-            let row = step.apply(state.session.cursor_row(), state.session.vehicles.len());
-            state.session.set_cursor_row(row);
-        }
-        Screen::Debrief { lines, scroll, .. } => *scroll = step.apply(*scroll, lines.len()),
-    }
+    let row = step.apply(state.session.cursor_row(), state.session.vehicles.len());
+    state.session.set_cursor_row(row);
 }
 
 fn pick(state: &mut State, action: Action) {
@@ -182,65 +186,28 @@ fn pick(state: &mut State, action: Action) {
     }
 }
 
-fn type_ids(state: &mut State, c: char) {
-    if let Screen::Fly { typed } = &mut state.screen
-        && (c.is_ascii_digit() || !typed.is_empty())
-        && typed.len() < 60
-    {
-        typed.push(c);
-    }
-}
-
-fn erase(state: &mut State) {
-    if let Screen::Fly { typed } = &mut state.screen {
-        typed.pop();
+/// A character of a vehicle list; it begins with a number.
+pub fn type_ids(state: &mut State, c: char) {
+    if (c.is_ascii_digit() || !state.typed.is_empty()) && state.typed.len() < LONGEST_LIST {
+        state.typed.push(c);
     }
 }
 
 fn escape(state: &mut State) {
     state.hush();
-    if let Screen::Fly { typed } = &mut state.screen {
-        if typed.is_empty() {
-            state.session.selection.clear();
-        }
-        typed.clear();
+    if state.typed.is_empty() {
+        state.session.selection.clear();
     }
+    state.typed.clear();
 }
 
-fn submit(state: &mut State) -> Vec<Effect> {
-    match &mut state.screen {
-        Screen::Home { cursor } => {
-            let cursor = *cursor;
-            let item = state.home_items().get(cursor).copied();
-            item.map_or_else(Vec::new, |item| enter(state, item))
-        }
-        Screen::Fly { typed } if !typed.is_empty() => {
-            let typed = std::mem::take(typed);
-            match parse_ranges(&typed) {
-                Ok(ids) => select(state, &ids),
-                Err(text) => state.say(Severity::Warning, text),
-            }
-            Vec::new()
-        }
-        _ => Vec::new(),
+fn submit(state: &mut State) {
+    if state.typed.is_empty() {
+        return;
     }
-}
-
-fn enter(state: &mut State, item: HomeItem) -> Vec<Effect> {
-    match item {
-        HomeItem::Mission(at) => {
-            let id = state.missions[at].id.clone();
-            state.say(Severity::Info, "starting the mission ...");
-            vec![Effect::StartMission(id)]
-        }
-        HomeItem::Free => {
-            state.say(Severity::Info, "starting the simulator ...");
-            vec![Effect::StartFree]
-        }
-        HomeItem::Connect => {
-            state.overlay = Some(Overlay::Connect(Connect::default()));
-            Vec::new()
-        }
-        HomeItem::Quit => quit(state),
+    let typed = std::mem::take(&mut state.typed);
+    match parse_ranges(&typed) {
+        Ok(ids) => select(state, &ids),
+        Err(text) => state.say(Severity::Warning, text),
     }
 }

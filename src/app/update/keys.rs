@@ -6,9 +6,12 @@ use tui_input::{Input, InputRequest};
 use super::{act, order, palette};
 use crate::app::action::Action;
 use crate::app::effect::Effect;
-use crate::app::keymap::Place;
-use crate::app::state::{Confirm, Connect, Overlay, Screen, State, help_lines, link_lines};
+use crate::app::keymap::{Meaning, Place};
+use crate::app::room;
+use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines, link_lines};
 use crate::notice::sanitised;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::Severity;
 
 pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
@@ -21,7 +24,7 @@ pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     match state.overlay.take() {
         Some(Overlay::Palette(line)) => palette::key(state, line, key),
         Some(Overlay::Confirm(question)) => confirm(state, question, key),
-        Some(Overlay::Connect(prompt)) => connect(state, prompt, key),
+        Some(Overlay::Prompt(prompt)) => prompt_key(state, prompt, key),
         Some(reader) => read(state, reader, key),
         None => on_screen(state, key),
     }
@@ -41,7 +44,7 @@ pub fn resize(state: &mut State, columns: u16, rows: u16) {
 
 /// A key while nothing can be seen: only leaving works, and without a question.
 fn unseen(state: &State, key: KeyEvent) -> Vec<Effect> {
-    match state.keymap.resolve(key, Place::Anywhere) {
+    match state.keymap.action(key, Place::Anywhere) {
         Some(Action::Quit) => vec![Effect::Quit],
         _ => Vec::new(),
     }
@@ -58,9 +61,9 @@ pub fn paste(state: &mut State, text: &str) {
             insert(&mut line.input, &text);
             palette::edited(state, line);
         }
-        Some(Overlay::Connect(mut prompt)) => {
+        Some(Overlay::Prompt(mut prompt)) => {
             insert(&mut prompt.input, &text);
-            state.overlay = Some(Overlay::Connect(prompt));
+            state.overlay = Some(Overlay::Prompt(prompt));
         }
         other => state.overlay = other,
     }
@@ -109,13 +112,20 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     if state.is_deaf() {
         return Vec::new();
     }
-    let place = match &state.screen {
-        Screen::Home { .. } => Place::Home,
-        Screen::Fly { .. } => Place::Fly,
-        Screen::Debrief { .. } => Place::Debrief,
-    };
-    match state.keymap.resolve(key, place) {
-        Some(action) => act::act(state, action),
+    let meaning = state.keymap.resolve(key, Place::In(state.room));
+    match meaning.cloned() {
+        Some(Meaning::Do(action)) => act::act(state, action),
+        Some(Meaning::Write(words)) => {
+            act::open_palette(state, &words);
+            Vec::new()
+        }
+        Some(Meaning::Give(line)) => palette::give(state, &line),
+        Some(Meaning::Type) => {
+            if let KeyCode::Char(c) = key.code {
+                act::type_ids(state, c);
+            }
+            Vec::new()
+        }
         None => Vec::new(),
     }
 }
@@ -125,7 +135,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
 /// was begun without looking would be taken as keys of the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effect> {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    let opens = state.keymap.resolve(key, Place::Anywhere) == Some(Action::Palette(""));
+    let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);
     match key.code {
         _ if opens => {
             refuse(state, &question);
@@ -154,37 +164,41 @@ fn refuse(state: &mut State, question: &Confirm) {
     state.say(Severity::Notice, cancelled(question));
 }
 
-fn cancelled(question: &Confirm) -> String {
-    format!("cancelled, nothing was done: {}", question.question)
+fn cancelled(question: &Confirm) -> Text {
+    text!("ask-cancelled", question = &question.question)
 }
 
-fn connect(state: &mut State, mut prompt: Connect, key: KeyEvent) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    match state.keymap.resolve(key, Place::Prompt) {
-        Some(Action::Escape) => return effects,
-        Some(Action::Submit) => {
-            let addresses = prompt.input.value().split_whitespace();
-            let addresses: Vec<String> = addresses.map(str::to_owned).collect();
-            if addresses.is_empty() {
-                prompt.fault = Some("write an address, such as tcp:127.0.0.1:5760".to_owned());
-            } else {
-                // The prompt stays until the session has started, or says here why it could not.
-                prompt.fault = None;
-                effects.push(Effect::Connect(addresses));
-            }
-        }
+/// A key for a line that is asked for.
+fn prompt_key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Vec<Effect> {
+    let submitted = match state.keymap.action(key, Place::Prompt) {
+        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Submit) => true,
+        _ if edit(&mut prompt.input, key) => false,
         _ => {
-            if edit(&mut prompt.input, key) {
-                prompt.fault = None;
-            }
+            state.overlay = Some(Overlay::Prompt(prompt));
+            return Vec::new();
         }
+    };
+    prompt.fault = None;
+    let outcome = if submitted || prompt.purpose.is_live() {
+        let entered = prompt.input.value().to_owned();
+        room::prompted(state, &prompt.purpose, &entered)
+    } else {
+        Ok(Vec::new())
+    };
+    let is_wrong = outcome.is_err();
+    let effects = outcome.unwrap_or_else(|fault| {
+        prompt.fault = Some(fault);
+        Vec::new()
+    });
+    if !submitted || is_wrong {
+        state.overlay = Some(Overlay::Prompt(prompt));
     }
-    state.overlay = Some(Overlay::Connect(prompt));
     effects
 }
 
 fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
-    match state.keymap.resolve(key, Place::Reader) {
+    match state.keymap.action(key, Place::Reader) {
         Some(Action::Escape) => return Vec::new(),
         Some(Action::Move(step)) => {
             if let Overlay::Log { log, cursor } = &mut reader {

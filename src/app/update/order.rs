@@ -6,6 +6,8 @@ use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
 use crate::ledger::Given;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Up to so many targets are named one by one.
@@ -30,11 +32,11 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
 }
 
 /// What Enter does with an order.
-pub fn announced(order: &Order) -> String {
+pub fn announced(order: &Order) -> Text {
     let targets = ranges(order.targets.iter().copied());
     match order.verb.danger {
-        Danger::None => format!("Enter sends to {targets}"),
-        Danger::Confirm => format!("Enter asks before it sends to {targets}"),
+        Danger::None => text!("palette-sends", vehicles = targets),
+        Danger::Confirm => text!("palette-asks", vehicles = targets),
     }
 }
 
@@ -51,8 +53,8 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
         ids.collect::<Vec<_>>().join(" ")
     };
     state.overlay = Some(Overlay::Confirm(Confirm {
-        question: format!("{} {count}: {named}", order.verb.name.to_uppercase()),
-        reason: order.verb.summary.to_owned(),
+        question: format!("{} {count}: {named}", order.verb.name.to_uppercase()).into(),
+        reason: order.verb.summary.into(),
         answer: count.to_string(),
         typed: String::new(),
         cancelled: false,

@@ -11,6 +11,8 @@ use crate::app::keymap::Place;
 use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::vehicle::VehicleId;
 
@@ -25,7 +27,7 @@ pub fn open(state: &mut State, line: String) {
 
 /// A key while the command line is open.
 pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Vec<Effect> {
-    match state.keymap.resolve(key, Place::Prompt) {
+    match state.keymap.action(key, Place::Prompt) {
         Some(Action::Escape) => return Vec::new(),
         Some(Action::Submit) => return submit(state, palette),
         Some(Action::Complete) => complete(state, palette, true),
@@ -71,7 +73,8 @@ fn judge(state: &State, palette: &mut Palette) {
     palette.hint = console::usage(line)
         .map(str::to_owned)
         .or_else(|| state.with_context(|context| language::hint(line, context)))
-        .or_else(|| usage(line));
+        .or_else(|| usage(line))
+        .map(Text::from);
     let checked = match console::parse(line, &state.themes) {
         Some(own) => own.map(|_| None),
         None => order::prepare(state, line).map(|order| Some(order::announced(&order))),
@@ -157,6 +160,15 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
     let shown = at.and_then(|at| state.history.iter().rev().nth(at));
     palette.input = Input::new(shown.cloned().unwrap_or_else(|| palette.draft.clone()));
     edited(state, palette);
+}
+
+/// Gives a line as if it had been written; one that is wrong stays on the command line, with what is wrong with it.
+pub fn give(state: &mut State, line: &str) -> Vec<Effect> {
+    let palette = Palette {
+        input: Input::new(line.to_owned()),
+        ..Palette::default()
+    };
+    submit(state, palette)
 }
 
 fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
@@ -247,26 +259,26 @@ fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), Str
 }
 
 /// To whom a line goes as far as it has been written: it should never be a guess.
-fn recipients(state: &State, line: &str) -> String {
+fn recipients(state: &State, line: &str) -> Text {
     let first = line.split_whitespace().next().unwrap_or_default();
     let named = first == "all" || first.starts_with(|c: char| c == '@' || c.is_ascii_digit());
     if console::usage(line).is_some() || state.session.vehicles.is_empty() {
-        return String::new();
+        return Text::default();
     }
     if named {
         let ids = targeted(state, first).unwrap_or_default();
         return if ids.is_empty() {
-            String::new()
+            Text::default()
         } else {
-            format!("to {}", ranges(ids))
+            text!("palette-to", vehicles = ranges(ids))
         };
     }
-    let why = if state.session.selection.is_empty() {
-        "under the cursor"
+    let vehicles = ranges(state.addressed());
+    if state.session.selection.is_empty() {
+        text!("palette-to-cursor", vehicles = vehicles)
     } else {
-        "selected"
-    };
-    format!("to {} ({why})", ranges(state.addressed()))
+        text!("palette-to-selected", vehicles = vehicles)
+    }
 }
 
 /// The vehicles that a word names; nothing means those that a command would go to.

@@ -4,11 +4,14 @@ use std::time::Duration;
 
 use crate::app::effect::Effect;
 use crate::app::event::Started;
-use crate::app::state::{NoticeLog, Overlay, Screen, Session, State};
+use crate::app::room::Room;
+use crate::app::room::debrief::Debrief;
+use crate::app::state::{NoticeLog, Overlay, Session, State};
 use crate::debrief;
 use crate::mission::Progress;
 use crate::notice::{Notice, sanitised};
 use crate::scoring::Report;
+use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 
 pub fn tick(state: &mut State, now: Duration) {
@@ -40,19 +43,16 @@ pub fn started(state: &mut State, started: Started) {
         session.groups = std::mem::take(&mut state.session.groups);
     }
     state.session = session;
-    state.screen = Screen::Fly {
-        typed: String::new(),
-    };
+    state.rooms.forget_session();
+    state.typed.clear();
+    state.room = Room::Fly;
     state.overlay = None;
     state.hush();
 }
 
 pub fn notice(state: &mut State, notice: &Notice) -> Vec<Effect> {
     let serious = notice.severity <= Severity::Critical;
-    state.notices.push(Notice {
-        text: sanitised(&notice.text),
-        ..notice.clone()
-    });
+    state.notices.push(notice.clone());
     if serious {
         vec![Effect::Bell]
     } else {
@@ -70,21 +70,22 @@ pub fn progress(state: &mut State, progress: Progress) {
 /// would be taken as keys of the debrief.
 pub fn ended(state: &mut State, report: Box<Report>) {
     let text = debrief::text(&report);
-    state.screen = Screen::Debrief {
+    state.rooms.debrief = Some(Debrief {
         lines: text.lines().map(sanitised).collect(),
         report,
         scroll: 0,
         since: state.now,
-    };
+    });
+    state.session.over = true;
+    state.room = Room::Debrief;
     if !matches!(state.overlay, Some(Overlay::Palette(_))) {
         state.overlay = None;
     }
 }
 
-pub fn failed(state: &mut State, text: &str) {
-    let text = sanitised(text);
-    if let Some(Overlay::Connect(connect)) = &mut state.overlay {
-        connect.fault = Some(text.clone());
+pub fn failed(state: &mut State, text: Text) {
+    if let Some(Overlay::Prompt(prompt)) = &mut state.overlay {
+        prompt.fault = Some(text.clone());
     }
     state.say(Severity::Error, text.clone());
     state.notices.push(Notice {

@@ -12,7 +12,7 @@ use crate::app::state::{Activity, State};
 use crate::app::update;
 use crate::geo::LatLon;
 use crate::terminal::Screen;
-use crate::ui::{self, Theme};
+use crate::ui::{self, Look};
 use crate::vehicle::{
     Attitude, Battery, FixType, GlobalPosition, Gps, Heartbeat, LandedState, Mode, Place,
     SystemStatus, Vehicle, VehicleClass, VehicleId,
@@ -79,7 +79,7 @@ pub(in crate::cli) fn frame(options: &FrameArguments) -> Result<ExitCode, Failur
 }
 
 fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Failure> {
-    let theme = Theme::default();
+    let look = Look::default();
     let mut screen = Screen::nowhere(options.width, options.height)?;
     let mut state = swarm(vehicles);
     let mut drawing = Duration::ZERO;
@@ -91,12 +91,12 @@ fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Fa
         }
         advance(&mut state, vehicles, frame);
         let started = Instant::now();
-        draw_if_changed(&mut screen, &state, &theme, None)?;
+        draw_if_changed(&mut screen, &state, &look, None)?;
         drawing += started.elapsed();
     }
     let counted = f64::from(FRAMES - WARM_UP);
     let bytes_after = screen.bytes();
-    draw_if_changed(&mut screen, &state, &theme, Some(state.revision()))?;
+    draw_if_changed(&mut screen, &state, &look, Some(state.revision()))?;
     Ok(Measured {
         vehicles,
         width: options.width,
@@ -111,13 +111,13 @@ fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Fa
 fn draw_if_changed(
     screen: &mut Screen,
     state: &State,
-    theme: &Theme,
+    look: &Look,
     drawn: Option<u64>,
 ) -> std::io::Result<()> {
     if drawn == Some(state.revision()) {
         return Ok(());
     }
-    screen.draw(|frame| ui::draw(state, theme, frame))
+    screen.draw(|frame| ui::draw(state, look, frame))
 }
 
 /// A swarm on the flight screen.

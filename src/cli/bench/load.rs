@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::super::{Failure, runtime};
 use crate::console::{self, Opening, Options};
-use crate::ui::Theme;
+use crate::ui::Look;
 
 /// The vehicles are on their way by now.
 const WARM_UP: Duration = Duration::from_secs(25);
@@ -54,7 +54,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         vehicles: options.vehicles,
         seed: 1,
         speedup: 1.0,
-        theme: Theme::default(),
+        look: Look::default(),
     };
     let seconds = |seconds| Duration::from_secs(seconds);
     // A kilometre at 10 m/s lasts longer than the measurement.

@@ -161,5 +161,5 @@ fn every_fault_is_reported_where_it_is_in_the_source() {
         found,
         [("takeof", (2, 5)), ("arm", (4, 3)), ("@red", (7, 1))]
     );
-    assert_eq!(faults[1].help.as_deref(), Some("say who, as `all arm`"));
+    assert_eq!(faults[1].help, Some("say who, as `all arm`".into()));
 }

@@ -150,7 +150,7 @@ fn check(cases: &[Case]) {
         let fault = read(line).expect_err(line);
         let pointed = &line[fault.span.clone()];
         let pointed = pointed.strip_prefix("for ").unwrap_or(pointed);
-        let given = fault.help.as_deref().unwrap_or_default();
+        let given = fault.help.clone().unwrap_or_default();
         if pointed != word || !fault.message.contains(message) || !given.contains(help) {
             wrong.push(format!("{line}: {fault:?}"));
         }

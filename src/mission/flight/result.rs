@@ -129,7 +129,7 @@ fn command(at_s: f64, entry: &Entry) -> LedgerReport {
         state: row.state.to_string(),
         failed: row.state.is_failure(),
         tries: row.tries,
-        explanation: row.explanation.clone(),
+        explanation: row.explanation.as_ref().map(ToString::to_string),
     };
     LedgerReport {
         at_s: rounded(at_s, 1),

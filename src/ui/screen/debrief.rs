@@ -4,14 +4,22 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use crate::ui::theme::{Role, Theme};
-use crate::ui::widget::{centred, put};
+use crate::app::state::State;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, centred, put};
 
 /// Columns that the text is made for.
 const TEXT_WIDTH: u16 = 80;
 
-/// Draws the text from the line `scroll` on; the last page stays full.
-pub fn draw(lines: &[String], scroll: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+/// Draws the text from the first line shown on; the last page stays full.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let Some(debrief) = &state.rooms.debrief else {
+        let line = Line::styled(look.say("debrief-none"), look.style(Role::Muted));
+        put(buffer, below(area, 1), 0, &line);
+        return;
+    };
+    let (lines, scroll) = (&debrief.lines, debrief.scroll);
     let column = centred(TEXT_WIDTH, area.height, area);
     let rows = usize::from(column.height);
     let first = scroll.min(lines.len().saturating_sub(rows));
@@ -23,7 +31,7 @@ pub fn draw(lines: &[String], scroll: usize, theme: &Theme, area: Rect, buffer: 
             buffer,
             column,
             row as u16,
-            &Line::styled(line.as_str(), theme.style(role)),
+            &Line::styled(line.as_str(), look.style(role)),
         );
     }
 }

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::app::state::State;
-use crate::ui::theme::Theme;
+use crate::ui::look::Look;
 use crate::ui::widget::{below, columns, ledger, mission, notices, swarm, telemetry, upper};
 
 /// From this width on, telemetry and mission have a column each.
@@ -19,31 +19,31 @@ const TELEMETRY_LEAST: u16 = 5;
 const NOTICES_LEAST: u16 = 6;
 
 /// Draws the panes.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     // Never more than half of the screen.
     let wanted = swarm::height(&state.session, area.width);
     let rows = wanted.min(usize::from(area.height / 2)) as u16;
-    swarm::draw(state, theme, upper(area, rows), buffer);
-    draw_panes(state, theme, below(area, rows), buffer);
+    swarm::draw(state, look, upper(area, rows), buffer);
+    draw_panes(state, look, below(area, rows), buffer);
 }
 
 /// Draws what is below the table: where telemetry and mission leave rows free, the notices take them.
-fn draw_panes(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_panes(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let middle = side_height(state, area.width).max(area.height / 2);
     let bottom = area.height.saturating_sub(middle);
     let panes = if bottom < NOTICES_LEAST {
         area
     } else {
-        notices::draw(state, theme, below(area, middle), buffer);
+        notices::draw(state, look, below(area, middle), buffer);
         upper(area, middle)
     };
-    let log = draw_side(state, theme, panes, buffer);
+    let log = draw_side(state, look, panes, buffer);
     if bottom < NOTICES_LEAST {
         let rows = log.height / 2;
-        ledger::draw(state, theme, upper(log, rows), buffer);
-        notices::draw(state, theme, below(log, rows), buffer);
+        ledger::draw(state, look, upper(log, rows), buffer);
+        notices::draw(state, look, below(log, rows), buffer);
     } else {
-        ledger::draw(state, theme, log, buffer);
+        ledger::draw(state, look, log, buffer);
     }
 }
 
@@ -60,16 +60,16 @@ fn side_height(state: &State, width: u16) -> u16 {
 }
 
 /// Draws telemetry and mission and returns what is left beside them.
-fn draw_side(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+fn draw_side(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
     let side = columns(area, 0, SIDE_WIDTH);
     let log = columns(area, SIDE_WIDTH + 1, area.width);
     let Some(progress) = &state.session.mission else {
-        telemetry::draw(state, theme, side, buffer);
+        telemetry::draw(state, look, side, buffer);
         return log;
     };
     if area.width >= THREE_COLUMNS {
-        telemetry::draw(state, theme, side, buffer);
-        mission::draw(state, theme, columns(log, 0, MISSION_WIDTH), buffer);
+        telemetry::draw(state, look, side, buffer);
+        mission::draw(state, look, columns(log, 0, MISSION_WIDTH), buffer);
         return columns(log, MISSION_WIDTH + 1, log.width);
     }
     let left = side
@@ -77,7 +77,7 @@ fn draw_side(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> R
         .saturating_sub(mission::height(progress, side.width));
     let most = telemetry::height(state, side.width).max(TELEMETRY_LEAST);
     let rows = left.clamp(TELEMETRY_LEAST, most);
-    telemetry::draw(state, theme, upper(side, rows), buffer);
-    mission::draw(state, theme, below(side, rows), buffer);
+    telemetry::draw(state, look, upper(side, rows), buffer);
+    mission::draw(state, look, below(side, rows), buffer);
     log
 }

@@ -4,8 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{HomeItem, State};
-use crate::ui::theme::{Role, Theme};
+use crate::app::room::home::{HomeItem, items};
+use crate::app::state::State;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, columns, put, reflow, row_of, titled, wrap};
 
 /// Columns of the list.
@@ -26,23 +28,24 @@ A first flight, each line after `:`
   all rtl";
 
 /// Draws the list with its cursor, and a text about the line under it.
-pub fn draw(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let cursor = state.rooms.home.cursor;
     let area = below(area, 1);
-    draw_list(state, cursor, theme, columns(area, 1, LIST_WIDTH), buffer);
+    draw_list(state, cursor, look, columns(area, 1, LIST_WIDTH), buffer);
     let width = area.width.saturating_sub(LIST_WIDTH + 4).min(TEXT_WIDTH);
     draw_about(
         state,
         cursor,
-        theme,
+        look,
         columns(area, LIST_WIDTH + 3, width),
         buffer,
     );
 }
 
-fn draw_list(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
     let lines = list(state);
     let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
-    let inner = titled("sortie", theme, area, buffer);
+    let inner = titled("sortie", look, area, buffer);
     let rows = usize::from(inner.height);
     let middle = cursor_line.unwrap_or(0).saturating_sub(rows / 2);
     let first = middle.min(lines.len().saturating_sub(rows));
@@ -54,11 +57,11 @@ fn draw_list(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &m
             let text = clip(&text, usize::from(inner.width).saturating_sub(3));
             Line::raw(format!("{mark} {text}"))
         } else {
-            Line::styled(text, theme.style(Role::Muted))
+            Line::styled(text, look.style(Role::Muted))
         };
         put(buffer, inner, row, &line);
         if under_cursor {
-            buffer.set_style(row_of(inner, row), theme.style(Role::Cursor));
+            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
         }
     }
 }
@@ -66,7 +69,7 @@ fn draw_list(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &m
 /// The lines of the list: items with their number, headings and blanks without.
 fn list(state: &State) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
-    for (at, item) in state.home_items().into_iter().enumerate() {
+    for (at, item) in items(state).into_iter().enumerate() {
         let heading = match item {
             HomeItem::Mission(0) => Some("missions"),
             HomeItem::Free => Some("without a task"),
@@ -83,11 +86,11 @@ fn list(state: &State) -> Vec<(Option<usize>, String)> {
     lines
 }
 
-fn draw_about(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let Some(item) = state.home_items().get(cursor).copied() else {
+fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let Some(item) = items(state).get(cursor).copied() else {
         return;
     };
-    let inner = titled(&name(state, item), theme, area, buffer);
+    let inner = titled(&name(state, item), look, area, buffer);
     let text = about(state, item);
     let mut row = 0;
     for line in wrap(&reflow(&text), usize::from(inner.width)) {
@@ -95,8 +98,8 @@ fn draw_about(state: &State, cursor: usize, theme: &Theme, area: Rect, buffer: &
         row += 1;
     }
     let enter = Line::from(vec![
-        Span::styled("Enter", theme.style(Role::Key)),
-        Span::styled(deed(item), theme.style(Role::Muted)),
+        Span::styled("Enter", look.style(Role::Key)),
+        Span::styled(deed(item), look.style(Role::Muted)),
     ]);
     put(buffer, inner, row + 1, &enter);
 }

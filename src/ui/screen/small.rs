@@ -5,11 +5,12 @@ use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::app::state::SMALLEST;
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{centred, put, wrap};
 
 /// Says which size is needed and what it is now.
-pub fn draw(theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(look: &Look, area: Rect, buffer: &mut Buffer) {
     let text = format!(
         "sortie needs {}x{}, this terminal is {}x{}",
         SMALLEST.0, SMALLEST.1, area.width, area.height
@@ -18,7 +19,7 @@ pub fn draw(theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let lines = wrap(&format!("{text}\n{keys}"), usize::from(area.width));
     let middle = centred(area.width, lines.len() as u16, area);
     for (row, line) in lines.into_iter().enumerate() {
-        let line = Line::styled(line, theme.style(Role::Warning)).centered();
+        let line = Line::styled(line, look.style(Role::Warning)).centered();
         put(buffer, middle, row as u16, &line);
     }
 }

@@ -4,8 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Screen, State};
-use crate::ui::theme::{Role, Theme};
+use crate::app::state::{Room, State};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
 const HOME: &[(&str, &str)] = &[
@@ -35,35 +36,33 @@ const DEBRIEF: &[(&str, &str)] = &[
 ];
 
 /// Draws the footer into the last row of the screen.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let row = below(area, area.height.saturating_sub(1));
-    put(buffer, row, 0, &line(state, theme, usize::from(area.width)));
+    put(buffer, row, 0, &line(state, look, usize::from(area.width)));
 }
 
-fn line<'a>(state: &'a State, theme: &Theme, width: usize) -> Line<'a> {
-    if let Screen::Fly { typed } = &state.screen
-        && !typed.is_empty()
-    {
+fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
+    if !state.typed.is_empty() {
         return Line::from(vec![
-            Span::styled(" vehicles ", theme.style(Role::Muted)),
-            Span::styled(typed.as_str(), theme.style(Role::Selected)),
+            Span::styled(" vehicles ", look.style(Role::Muted)),
+            Span::styled(state.typed.as_str(), look.style(Role::Selected)),
             Span::styled(
                 "_  Enter selects   a t g m h l r commands them   Esc drops",
-                theme.style(Role::Muted),
+                look.style(Role::Muted),
             ),
         ]);
     }
     if state.is_deaf() {
-        return Line::styled(" keys work in a moment", theme.style(Role::Muted));
+        return Line::styled(" keys work in a moment", look.style(Role::Muted));
     }
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);
-        return Line::styled(format!(" {}", message.text), theme.style(role));
+        return Line::styled(format!(" {}", look.text(&message.text)), look.style(role));
     }
-    let hints = match state.screen {
-        Screen::Home { .. } => HOME,
-        Screen::Fly { .. } => FLY,
-        Screen::Debrief { .. } => DEBRIEF,
+    let hints = match state.room {
+        Room::Home => HOME,
+        Room::Debrief => DEBRIEF,
+        _ => FLY,
     };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
@@ -72,8 +71,8 @@ fn line<'a>(state: &'a State, theme: &Theme, width: usize) -> Line<'a> {
         if used > width {
             break;
         }
-        spans.push(Span::styled(*key, theme.style(Role::Key)));
-        spans.push(Span::styled(format!(" {what}  "), theme.style(Role::Muted)));
+        spans.push(Span::styled(*key, look.style(Role::Key)));
+        spans.push(Span::styled(format!(" {what}  "), look.style(Role::Muted)));
     }
     Line::from(spans)
 }

@@ -4,23 +4,25 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Activity, Screen, State};
-use crate::ui::theme::{Role, Theme};
+use crate::app::state::{Activity, Room, State};
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{clip, clock, put};
 
 /// Draws the header and returns the area between it and the footer.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Rect {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
     let header = Rect { height: 1, ..area };
-    buffer.set_style(header, theme.style(Role::Header));
-    let right = right_part(state, area.width);
+    buffer.set_style(header, look.style(Role::Header));
+    let right = right_part(state, look, area.width);
     let left_width = usize::from(area.width).saturating_sub(right.width() + 4);
     let title = state.session.activity.as_ref().map(Activity::title);
-    let name = format!(" {} ", state.screen.name());
+    let name = format!(" {} ", look.text(&state.room.title()).to_uppercase());
     let title = clip(
         &title.unwrap_or_default(),
-        left_width.saturating_sub(name.len() + 1),
+        left_width.saturating_sub(name.chars().count() + 1),
     );
-    let bold = theme
+    let bold = look
         .style(Role::Header)
         .add_modifier(ratatui::style::Modifier::BOLD);
     let left = Line::from(vec![
@@ -46,15 +48,18 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Re
     }
 }
 
-fn right_part(state: &State, width: u16) -> Line<'static> {
+fn right_part(state: &State, look: &Look, width: u16) -> Line<'static> {
     let mut parts = Vec::new();
     let dropped = state.notices.dropped;
     if dropped > 0 {
         let what = if width < 100 { "" } else { "notices " };
         parts.push(format!("{dropped} {what}dropped"));
     }
-    if !matches!(state.screen, Screen::Home { .. }) {
-        let count = count(state.session.vehicles.len(), "vehicle");
+    if state.room != Room::Home {
+        let count = look.text(&text!(
+            "count-vehicles",
+            count = state.session.vehicles.len()
+        ));
         parts.push(format!("{count}, {} armed", state.session.armed()));
         parts.push(links(state));
     }
@@ -77,9 +82,4 @@ fn links(state: &State) -> String {
             format!("{up}/{} links up", links.len())
         }
     }
-}
-
-fn count(number: usize, what: &str) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {what}{plural}")
 }

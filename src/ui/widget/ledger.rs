@@ -9,7 +9,8 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Session, State, ranges};
 use crate::ledger::{Entry, Row, RowState};
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{clip, clock, put, row_role, titled, wrap};
 use crate::vehicle::VehicleId;
 
@@ -17,8 +18,8 @@ use crate::vehicle::VehicleId;
 const INDENT: usize = 2;
 
 /// Draws the newest entries that fit.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let inner = titled("ledger", theme, area, buffer);
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = titled("ledger", look, area, buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
@@ -27,7 +28,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         if used >= rows {
             break;
         }
-        let mut block = entry_lines(entry, &state.session, width, theme);
+        let mut block = entry_lines(entry, &state.session, width, look);
         block.truncate(rows - used);
         used += block.len();
         blocks.push(block);
@@ -38,7 +39,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             buffer,
             inner,
             0,
-            &Line::styled(text, theme.style(Role::Muted)),
+            &Line::styled(text, look.style(Role::Muted)),
         );
     }
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
@@ -51,10 +52,10 @@ pub fn entry_lines<'a>(
     entry: &Entry,
     session: &Session,
     width: usize,
-    theme: &Theme,
+    look: &Look,
 ) -> Vec<Line<'a>> {
-    let style = theme.style(entry_role(entry));
-    let mut lines = head_lines(entry, session, width, theme);
+    let style = look.style(entry_role(entry));
+    let mut lines = head_lines(entry, session, width, look);
     // Where all rows ended with a remark, it stands in the place of their states.
     let told = outcome(entry).is_some();
     let left = explanations(entry);
@@ -68,10 +69,10 @@ pub fn entry_lines<'a>(
 }
 
 /// The command and what became of it: on one line where it fits, else below each other.
-fn head_lines<'a>(entry: &Entry, session: &Session, width: usize, theme: &Theme) -> Vec<Line<'a>> {
-    let style = theme.style(entry_role(entry));
+fn head_lines<'a>(entry: &Entry, session: &Session, width: usize, look: &Look) -> Vec<Line<'a>> {
+    let style = look.style(entry_role(entry));
     let time = format!("{} ", clock(session.time(entry.at)));
-    let time = Span::styled(time, theme.style(Role::Muted));
+    let time = Span::styled(time, look.style(Role::Muted));
     let room = width.saturating_sub(time.width());
     let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
     let outcome = outcome(entry);
@@ -187,10 +188,10 @@ fn explanations(entry: &Entry) -> Vec<(String, Vec<VehicleId>)> {
     let mut found: Vec<(String, Vec<VehicleId>)> = Vec::new();
     let explained = |row: &&Row| row.state != RowState::Superseded;
     for row in entry.rows.iter().filter(explained) {
-        let Some(text) = row.explanation.as_deref() else {
+        let Some(text) = row.explanation.as_ref().map(ToString::to_string) else {
             continue;
         };
-        let text = impersonal(text, row.vehicle);
+        let text = impersonal(&text, row.vehicle);
         match found.iter_mut().find(|(known, _)| *known == text) {
             Some((_, vehicles)) => vehicles.push(row.vehicle),
             None => found.push((text, vec![row.vehicle])),

@@ -8,14 +8,15 @@ use ratatui::text::Line;
 
 use super::{ledger, notices};
 use crate::app::state::{Log, State};
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{boxed, put, row_of};
 
 /// Draws one of the two, with the entry under the cursor marked and in sight.
 pub fn draw(
     state: &State,
     (log, cursor): (Log, Option<usize>),
-    theme: &Theme,
+    look: &Look,
     area: Rect,
     buffer: &mut Buffer,
 ) {
@@ -31,19 +32,19 @@ pub fn draw(
         format!("{} of {count}   ", cursor + 1)
     };
     let title = format!("{name}   {place}j k scroll   Esc closes");
-    let inner = boxed(&title, Role::Accent, theme, area, buffer);
+    let inner = boxed(&title, Role::Accent, look, area, buffer);
     let rows = usize::from(inner.height);
     // Every entry has a line at least: more of them than rows on either side cannot be seen.
     let near = cursor.saturating_sub(rows)..(cursor + rows + 1).min(count);
     let before = cursor - near.start;
-    let blocks = blocks(state, log, near, usize::from(inner.width), theme);
+    let blocks = blocks(state, log, near, usize::from(inner.width), look);
     if blocks.is_empty() {
         let text = "nothing yet";
         put(
             buffer,
             inner,
             0,
-            &Line::styled(text, theme.style(Role::Muted)),
+            &Line::styled(text, look.style(Role::Muted)),
         );
     }
     let above: usize = blocks.iter().take(before).map(Vec::len).sum();
@@ -57,7 +58,7 @@ pub fn draw(
     for (row, (at, line)) in lines.iter().enumerate().skip(first).take(rows).enumerate() {
         put(buffer, inner, row as u16, line);
         if marked.contains(&at) {
-            buffer.set_style(row_of(inner, row as u16), theme.style(Role::Cursor));
+            buffer.set_style(row_of(inner, row as u16), look.style(Role::Cursor));
         }
         if at == marked.start {
             // Seen without colour too, in the free column beside the frame.
@@ -75,7 +76,7 @@ fn blocks<'a>(
     log: Log,
     which: Range<usize>,
     width: usize,
-    theme: &Theme,
+    look: &Look,
 ) -> Vec<Vec<Line<'a>>> {
     let session = &state.session;
     let count = which.len();
@@ -83,13 +84,13 @@ fn blocks<'a>(
         Log::Ledger => {
             let entries = session.ledger.entries().skip(which.start).take(count);
             entries
-                .map(|entry| ledger::entry_lines(entry, session, width, theme))
+                .map(|entry| ledger::entry_lines(entry, session, width, look))
                 .collect()
         }
         Log::Notices => {
             let notices = state.notices.lines().skip(which.start).take(count);
             notices
-                .map(|notice| notices::lines(notice, session, (width, usize::MAX), theme))
+                .map(|notice| notices::lines(notice, session, (width, usize::MAX), look))
                 .collect()
         }
     }

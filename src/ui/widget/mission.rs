@@ -7,7 +7,8 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::State;
 use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, clock, columns, put, titled, wrap};
 use crate::vehicle::Vehicle;
 
@@ -24,7 +25,7 @@ pub fn height(progress: &Progress, width: u16) -> u16 {
 }
 
 /// Draws the pane.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(progress) = &state.session.mission else {
         return;
     };
@@ -36,22 +37,22 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             .score_so_far
             .map_or("-".to_owned(), |score| score.to_string())
     );
-    let mut rest = titled(&title, theme, area, buffer);
+    let mut rest = titled(&title, look, area, buffer);
     let width = usize::from(rest.width);
     let objectives = progress
         .objectives
         .iter()
-        .map(|objective| objective_line(objective, width, theme));
+        .map(|objective| objective_line(objective, width, look));
     let readings = progress
         .readings
         .chunks(2)
-        .map(|pair| reading_line(pair, theme));
+        .map(|pair| reading_line(pair, look));
     for line in objectives.chain(readings) {
         put(buffer, rest, 0, &line);
         rest = below(rest, 1);
     }
     if let Some(grid) = Grid::of(&progress.cells) {
-        grid.draw(state, theme, rest, buffer);
+        grid.draw(state, look, rest, buffer);
         rest = below(rest, grid.rows() as u16);
     }
     for line in hint_lines(progress, width) {
@@ -59,7 +60,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             buffer,
             rest,
             0,
-            &Line::styled(line, theme.style(Role::Accent)),
+            &Line::styled(line, look.style(Role::Accent)),
         );
         rest = below(rest, 1);
     }
@@ -70,7 +71,7 @@ fn hint_lines(progress: &Progress, width: usize) -> Vec<String> {
     hint.map_or_else(Vec::new, |hint| wrap(&format!("hint: {hint}"), width))
 }
 
-fn objective_line(objective: &ObjectiveProgress, width: usize, theme: &Theme) -> Line<'static> {
+fn objective_line(objective: &ObjectiveProgress, width: usize, look: &Look) -> Line<'static> {
     let (mark, role) = match objective.state {
         ObjectiveState::Open => ("[ ]", Role::Text),
         ObjectiveState::Met => ("[x]", Role::Ok),
@@ -80,16 +81,16 @@ fn objective_line(objective: &ObjectiveProgress, width: usize, theme: &Theme) ->
     let title = clip(&objective.title, room);
     let title = format!("{title:room$}");
     Line::from(vec![
-        Span::styled(format!("{mark} {title} "), theme.style(role)),
-        Span::styled(objective.detail.clone(), theme.style(Role::Muted)),
+        Span::styled(format!("{mark} {title} "), look.style(role)),
+        Span::styled(objective.detail.clone(), look.style(Role::Muted)),
     ])
 }
 
-fn reading_line(readings: &[Reading], theme: &Theme) -> Line<'static> {
+fn reading_line(readings: &[Reading], look: &Look) -> Line<'static> {
     let mut spans = Vec::new();
     for reading in readings {
         let label = format!("{} {} ", reading.vehicle, reading.sensor);
-        spans.push(Span::styled(label, theme.style(Role::Muted)));
+        spans.push(Span::styled(label, look.style(Role::Muted)));
         spans.push(Span::raw(format!(
             "{} {}   ",
             amount(reading.value),
@@ -155,7 +156,7 @@ impl<'a> Grid<'a> {
     }
 
     /// A cell shows its name until it has been sampled, then what was found there.
-    fn draw(&self, state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    fn draw(&self, state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         let fits = area.width / self.columns.max(1) as u16;
         let width = fits.min(CELL_WIDTH);
         if width < 3 || area.height == 0 {
@@ -169,20 +170,20 @@ impl<'a> Grid<'a> {
                 buffer,
                 area,
                 rows,
-                &Line::styled(text, theme.style(Role::Muted)),
+                &Line::styled(text, look.style(Role::Muted)),
             );
         }
         for &(row, column, cell) in &self.cells {
             if row < usize::from(rows) {
                 let here = columns(area, column as u16 * width, width);
-                let (text, style) = Self::cell(cell, state, theme);
+                let (text, style) = Self::cell(cell, state, look);
                 let text = clip(&text, usize::from(width) - 1);
                 put(buffer, here, row as u16, &Line::styled(text, style));
             }
         }
     }
 
-    fn cell(cell: &Cell, state: &State, theme: &Theme) -> (String, Style) {
+    fn cell(cell: &Cell, state: &State, look: &Look) -> (String, Style) {
         let over = |vehicle: &&Vehicle| {
             vehicle.airborne()
                 && vehicle.global.is_some_and(|global| {
@@ -191,7 +192,7 @@ impl<'a> Grid<'a> {
                 })
         };
         let here = state.session.vehicles.values().find(over);
-        let style = theme.style(match (here, cell.sampled) {
+        let style = look.style(match (here, cell.sampled) {
             (Some(_), _) => Role::Cursor,
             (None, true) => Role::Ok,
             (None, false) => Role::Muted,

@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::state::{NoticeLine, Session, State, ranges};
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{clip, clock, put, severity_role, titled, wrap};
 use crate::vehicle::Severity;
 
@@ -13,14 +14,14 @@ use crate::vehicle::Severity;
 const MOST_LINES: usize = 2;
 
 /// Draws the newest notices that fit.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let inner = titled("notices", theme, area, buffer);
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = titled("notices", look, area, buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
     for notice in state.notices.lines().rev() {
-        let mut block = lines(notice, &state.session, (width, MOST_LINES), theme);
+        let mut block = lines(notice, &state.session, (width, MOST_LINES), look);
         if used + block.len() > rows && used > 0 {
             break;
         }
@@ -38,7 +39,7 @@ pub fn lines<'a>(
     line: &NoticeLine,
     session: &Session,
     (width, most): (usize, usize),
-    theme: &Theme,
+    look: &Look,
 ) -> Vec<Line<'a>> {
     let notice = &line.notice;
     let vehicles = match ranges(line.vehicles.iter().copied()) {
@@ -52,18 +53,18 @@ pub fn lines<'a>(
     );
     let indent = " ".repeat(Span::raw(&head).width());
     let mut lines = Vec::new();
-    for text in texts(line, width.saturating_sub(indent.len()), most) {
+    for text in texts(line, width.saturating_sub(indent.len()), most, look) {
         let head = std::mem::replace(&mut head, indent.clone());
         lines.push(Line::from(vec![
-            Span::styled(head, theme.style(Role::Muted)),
-            Span::styled(text, theme.style(severity_role(notice.severity))),
+            Span::styled(head, look.style(Role::Muted)),
+            Span::styled(text, look.style(severity_role(notice.severity))),
         ]));
     }
     lines
 }
 
 /// The text in as many lines as it may take, with how often it came.
-fn texts(line: &NoticeLine, width: usize, most: usize) -> Vec<String> {
+fn texts(line: &NoticeLine, width: usize, most: usize, look: &Look) -> Vec<String> {
     // Once from each of the vehicles that are named needs no count.
     let once_each = line.count as usize <= line.vehicles.len().max(1);
     let count = if once_each {
@@ -71,7 +72,7 @@ fn texts(line: &NoticeLine, width: usize, most: usize) -> Vec<String> {
     } else {
         format!(" (x{})", line.count)
     };
-    let text = &line.notice.text;
+    let text = look.text(&line.notice.text);
     let mut lines = wrap(&format!("{text}{count}"), width);
     let whole = line.notice.severity <= Severity::Error;
     if lines.len() > most && !whole {

@@ -8,59 +8,65 @@ use crate::app::state::{
     Confirm, HelpLine, LinkLineState, LinkSummary, Overlay, SHORT_USAGE, State, help_lines,
     link_lines,
 };
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{boxed, centred, clip, put, reflow, wrap};
 
 /// Columns that one column of help takes.
 const HELP_COLUMN: u16 = 74;
 
 /// Draws an overlay; those with a text cursor have files of their own.
-pub fn draw(state: &State, overlay: &Overlay, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &mut Buffer) {
     match overlay {
-        Overlay::Confirm(question) => draw_confirm(question, theme, area, buffer),
-        Overlay::Help { scroll } => draw_help(state, *scroll, theme, area, buffer),
+        Overlay::Confirm(question) => draw_confirm(question, look, area, buffer),
+        Overlay::Help { scroll } => draw_help(state, *scroll, look, area, buffer),
         Overlay::Links { scroll } => {
-            draw_links(&state.session.links, *scroll, theme, area, buffer);
+            draw_links(&state.session.links, *scroll, look, area, buffer);
         }
         Overlay::Log { log, cursor } => {
-            super::log::draw(state, (*log, *cursor), theme, area, buffer);
+            super::log::draw(state, (*log, *cursor), look, area, buffer);
         }
-        Overlay::Brief => draw_brief(state, theme, area, buffer),
-        Overlay::Palette(_) | Overlay::Connect(_) => {}
+        Overlay::Brief => draw_brief(state, look, area, buffer),
+        Overlay::Palette(_) | Overlay::Prompt(_) => {}
     }
 }
 
-fn draw_confirm(question: &Confirm, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer) {
     let place = centred(64, 8, area);
-    let inner = boxed("are you sure", Role::Danger, theme, place, buffer);
+    let inner = boxed("are you sure", Role::Danger, look, place, buffer);
     let width = usize::from(inner.width);
-    let text = format!("{} - type {}", question.question, question.answer);
+    let text = format!(
+        "{} - {} {}",
+        look.text(&question.question),
+        look.say("ask-type"),
+        question.answer
+    );
     let mut row = 0;
     for line in wrap(&text, width).into_iter().take(3) {
         put(
             buffer,
             inner,
             row,
-            &Line::styled(line, theme.style(Role::Danger)),
+            &Line::styled(line, look.style(Role::Danger)),
         );
         row += 1;
     }
-    let reason = clip(&question.reason, width);
+    let reason = clip(&look.text(&question.reason), width);
     put(buffer, inner, row, &Line::raw(reason));
     let typed = if question.cancelled {
         let text = "cancelled, nothing was done   Enter or Esc goes on";
-        Line::styled(text, theme.style(Role::Warning))
+        Line::styled(text, look.style(Role::Warning))
     } else {
         Line::from(vec![
-            Span::styled(": ", theme.style(Role::Key)),
+            Span::styled(": ", look.style(Role::Key)),
             Span::raw(format!("{}_", question.typed)),
-            Span::styled("   anything else: no", theme.style(Role::Muted)),
+            Span::styled("   anything else: no", look.style(Role::Muted)),
         ])
     };
     put(buffer, inner, row + 2, &typed);
 }
 
-fn draw_help(state: &State, scroll: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
     let lines = help_lines(&state.keymap);
     let place = centred(
         (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
@@ -70,14 +76,19 @@ fn draw_help(state: &State, scroll: usize, theme: &Theme, area: Rect, buffer: &m
     let inner = boxed(
         "help   j k scroll   Esc closes",
         Role::Accent,
-        theme,
+        look,
         place,
         buffer,
     );
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));
-    for (at, line) in lines.iter().skip(first).take(rows * columns).enumerate() {
+    for (at, line) in lines
+        .into_iter()
+        .skip(first)
+        .take(rows * columns)
+        .enumerate()
+    {
         let column = (at / rows) as u16;
         let x = inner.x + column * HELP_COLUMN;
         let here = Rect {
@@ -85,36 +96,30 @@ fn draw_help(state: &State, scroll: usize, theme: &Theme, area: Rect, buffer: &m
             width: HELP_COLUMN.min(inner.right() - x),
             ..inner
         };
-        put(buffer, here, (at % rows) as u16, &help_line(line, theme));
+        put(buffer, here, (at % rows) as u16, &help_line(&line, look));
     }
 }
 
-fn help_line<'a>(line: &'a HelpLine, theme: &Theme) -> Line<'a> {
+fn help_line(line: &HelpLine, look: &Look) -> Line<'static> {
     match line {
-        HelpLine::Title(text) => Line::styled(*text, theme.style(Role::Title)),
-        HelpLine::Note(text) => Line::styled(format!("      {text}"), theme.style(Role::Muted)),
+        HelpLine::Title(text) => Line::styled(look.text(text), look.style(Role::Title)),
+        HelpLine::Note(text) => Line::styled(format!("      {text}"), look.style(Role::Muted)),
         HelpLine::Blank => Line::default(),
         HelpLine::Entry(what, meaning) => Line::from(vec![
-            Span::styled(format!("  {what:SHORT_USAGE$} "), theme.style(Role::Key)),
-            Span::raw(meaning.as_str()),
+            Span::styled(format!("  {what:SHORT_USAGE$} "), look.style(Role::Key)),
+            Span::raw(look.text(meaning)),
         ]),
     }
 }
 
-fn draw_links(
-    links: &[LinkSummary],
-    scroll: usize,
-    theme: &Theme,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+fn draw_links(links: &[LinkSummary], scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
     let lines = link_lines(links);
     let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
     let place = centred(area.width.min(100), height, area);
     let inner = boxed(
         "links   j k scroll   Esc closes",
         Role::Accent,
-        theme,
+        look,
         place,
         buffer,
     );
@@ -131,12 +136,12 @@ fn draw_links(
             buffer,
             inner,
             row as u16,
-            &Line::styled(text, theme.style(role)),
+            &Line::styled(text, look.style(role)),
         );
     }
 }
 
-fn draw_brief(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_brief(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(mission) = state.flown_mission() else {
         return;
     };
@@ -147,7 +152,7 @@ fn draw_brief(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     );
     let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
     let place = centred(width, height, area);
-    let inner = boxed(&mission.title, Role::Accent, theme, place, buffer);
+    let inner = boxed(&mission.title, Role::Accent, look, place, buffer);
     for (row, line) in lines.into_iter().enumerate() {
         put(buffer, inner, row as u16, &Line::raw(line));
     }

@@ -9,7 +9,8 @@ use tui_input::Input;
 use crate::app::state::Palette;
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{below, boxed, clip, put, row_of, wrap};
 
 /// Rows of the box: frame, line, mark, message, choices.
@@ -17,54 +18,57 @@ const HEIGHT: u16 = 13;
 /// Rows of what is wrong with a word, and of how the verb is written.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
-/// What is told while there is no verb yet.
-const GRAMMAR: &str = "[targets] verb [arguments]: Tab completes, Up brings back older lines";
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
 /// Draws the box above the footer and returns where the terminal's cursor belongs.
-pub fn draw(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Position {
+pub fn draw(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) -> Position {
     let place = Rect {
         y: area.bottom().saturating_sub(HEIGHT + 1),
         height: HEIGHT,
         ..area
     };
-    let title = format!("command {}", palette.recipients);
-    let inner = boxed(title.trim_end(), Role::Accent, theme, place, buffer);
+    let title = format!(
+        "{} {}",
+        look.say("palette-title"),
+        look.text(&palette.recipients)
+    );
+    let inner = boxed(title.trim_end(), Role::Accent, look, place, buffer);
     let fault = palette.fault.as_ref();
-    let (cursor, scroll) = draw_line(&palette.input, fault, theme, inner, buffer);
+    let (cursor, scroll) = draw_line(&palette.input, fault, look, inner, buffer);
     let mut rest = below(inner, 1);
     if let Some(fault) = fault {
-        draw_carets(palette.input.value(), fault, scroll, (theme, rest), buffer);
+        draw_carets(palette.input.value(), fault, scroll, (look, rest), buffer);
         rest = below(rest, 1);
     }
-    for line in explanation(palette, usize::from(indented(rest).width), theme) {
+    for line in explanation(palette, usize::from(indented(rest).width), look) {
         put(buffer, indented(rest), 0, &line);
         rest = below(rest, 1);
     }
-    draw_choices(palette, theme, below(rest, 1), buffer);
+    draw_choices(palette, look, below(rest, 1), buffer);
     cursor
 }
 
 /// What is wrong, how the verb is written, and what Enter would do.
-fn explanation(palette: &Palette, width: usize, theme: &Theme) -> Vec<Line<'static>> {
+fn explanation(palette: &Palette, width: usize, look: &Look) -> Vec<Line<'static>> {
     let fault = palette.fault.as_ref().map(|fault| match &fault.help {
-        Some(help) => format!("{} - {help}", fault.message),
-        None => fault.message.clone(),
+        Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
+        None => look.text(&fault.message),
     });
-    let hint = palette.hint.as_deref();
+    let hint = palette.hint.as_ref().map(|hint| look.text(hint));
     // A wrong line without a verb is not helped by the grammar.
-    let hint = hint.or(fault.is_none().then_some(GRAMMAR));
+    let hint = hint.or_else(|| fault.is_none().then(|| look.say("palette-grammar")));
+    let outcome = palette.outcome.as_ref().map(|text| look.text(text));
     let parts = [
         (fault.as_deref(), FAULT_ROWS, Role::Danger),
-        (hint, HINT_ROWS, Role::Muted),
-        (palette.outcome.as_deref(), 1, Role::Ok),
+        (hint.as_deref(), HINT_ROWS, Role::Muted),
+        (outcome.as_deref(), 1, Role::Ok),
     ];
     let mut lines = Vec::new();
     for (text, rows, role) in parts {
         let wrapped = wrap(text.unwrap_or_default(), width).into_iter();
         let shown = wrapped.filter(|line| !line.is_empty()).take(rows);
-        lines.extend(shown.map(|line| Line::styled(line, theme.style(role))));
+        lines.extend(shown.map(|line| Line::styled(line, look.style(role))));
     }
     lines
 }
@@ -73,7 +77,7 @@ fn explanation(palette: &Palette, width: usize, theme: &Theme) -> Vec<Line<'stat
 pub fn draw_line(
     input: &Input,
     fault: Option<&Diagnostic>,
-    theme: &Theme,
+    look: &Look,
     area: Rect,
     buffer: &mut Buffer,
 ) -> (Position, usize) {
@@ -82,11 +86,11 @@ pub fn draw_line(
         ..indented(area)
     };
     let scroll = input.visual_scroll(usize::from(text.width).saturating_sub(1).max(1));
-    put(buffer, area, 0, &Line::styled(": ", theme.style(Role::Key)));
+    put(buffer, area, 0, &Line::styled(": ", look.style(Role::Key)));
     let (before, wrong, after) = parts(input.value(), fault);
     let line = Line::from(vec![
         Span::raw(before),
-        Span::styled(wrong, theme.style(Role::Error)),
+        Span::styled(wrong, look.style(Role::Error)),
         Span::raw(after),
     ]);
     Paragraph::new(line)
@@ -118,7 +122,7 @@ fn draw_carets(
     line: &str,
     fault: &Diagnostic,
     scroll: usize,
-    (theme, area): (&Theme, Rect),
+    (look, area): (&Look, Rect),
     buffer: &mut Buffer,
 ) {
     let (before, wrong, _) = parts(line, Some(fault));
@@ -128,11 +132,11 @@ fn draw_carets(
         " ".repeat(start),
         "^".repeat(Span::raw(wrong).width().max(1))
     );
-    let line = Line::styled(carets, theme.style(Role::Danger));
+    let line = Line::styled(carets, look.style(Role::Danger));
     put(buffer, indented(area), 0, &line);
 }
 
-fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_choices(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) {
     let choices = &palette.completions;
     let (rows, width) = (usize::from(area.height), usize::from(area.width));
     // The chosen one is the last row once the list has to scroll.
@@ -151,7 +155,7 @@ fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffe
         .take(rows)
         .map(|(at, choice)| {
             let is_chosen = palette.chosen == Some(at);
-            choice_lines(choice, is_chosen, (name_width, width), theme)
+            choice_lines(choice, is_chosen, (name_width, width), look)
         })
         .collect();
     // Each in full where there is room for all, else a line for each.
@@ -166,7 +170,7 @@ fn draw_choices(palette: &Palette, theme: &Theme, area: Rect, buffer: &mut Buffe
         for line in block {
             put(buffer, rest, 0, &line);
             if is_chosen {
-                buffer.set_style(row_of(rest, 0), theme.style(Role::Cursor));
+                buffer.set_style(row_of(rest, 0), look.style(Role::Cursor));
             }
             rest = below(rest, 1);
         }
@@ -178,7 +182,7 @@ fn choice_lines<'a>(
     choice: &'a Completion,
     is_chosen: bool,
     (name_width, width): (usize, usize),
-    theme: &Theme,
+    look: &Look,
 ) -> Vec<Line<'a>> {
     let mut mark = if is_chosen { "> " } else { "  " };
     let mut name = clip(&choice.text, name_width);
@@ -191,8 +195,8 @@ fn choice_lines<'a>(
         let name = std::mem::take(&mut name);
         lines.push(Line::from(vec![
             Span::raw(std::mem::replace(&mut mark, "  ")),
-            Span::styled(format!("{name:name_width$}  "), theme.style(Role::Key)),
-            Span::styled(text, theme.style(Role::Muted)),
+            Span::styled(format!("{name:name_width$}  "), look.style(Role::Key)),
+            Span::styled(text, look.style(Role::Muted)),
         ]));
     }
     lines

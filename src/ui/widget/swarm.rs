@@ -6,7 +6,8 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Alert, LinkSummary, Session, State, alert, ranges};
 use crate::ledger::RowState;
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, put, row_role, severity_role, titled, wrap};
 use crate::vehicle::{FixType, LandedState, Vehicle};
 
@@ -101,20 +102,20 @@ fn waiting_lines(links: &[LinkSummary], width: u16) -> Vec<(String, Role)> {
     lines
 }
 
-fn draw_waiting(links: &[LinkSummary], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_waiting(links: &[LinkSummary], look: &Look, area: Rect, buffer: &mut Buffer) {
     let lines = waiting_lines(links, area.width).into_iter();
     for (row, (text, role)) in lines.enumerate() {
         put(
             buffer,
             area,
             row as u16,
-            &Line::styled(text, theme.style(role)),
+            &Line::styled(text, look.style(role)),
         );
     }
 }
 
 /// Draws the table.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let session = &state.session;
     let rows = usize::from(area.height.saturating_sub(2));
     let count = session.vehicles.len();
@@ -123,12 +124,12 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         .cursor_row()
         .saturating_sub(rows / 2)
         .min(count.saturating_sub(rows));
-    let inner = titled(&title(session, first, rows), theme, area, buffer);
+    let inner = titled(&title(session, first, rows), look, area, buffer);
     let columns = fitting(inner.width);
-    draw_titles(&columns, theme, inner, buffer);
+    draw_titles(&columns, look, inner, buffer);
     let list = below(inner, 1);
     if count == 0 {
-        draw_waiting(&session.links, theme, list, buffer);
+        draw_waiting(&session.links, look, list, buffer);
     }
     let seen = session.vehicles.values().skip(first).take(rows);
     for (at, vehicle) in seen.enumerate() {
@@ -137,7 +138,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             height: 1,
             ..list
         };
-        draw_vehicle(vehicle, state, &columns, (theme, line), buffer);
+        draw_vehicle(vehicle, state, &columns, (look, line), buffer);
     }
 }
 
@@ -182,7 +183,7 @@ fn fitting(width: u16) -> Vec<(&'static Column, u16)> {
     columns
 }
 
-fn draw_titles(columns: &[(&Column, u16)], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn draw_titles(columns: &[(&Column, u16)], look: &Look, area: Rect, buffer: &mut Buffer) {
     let titles = columns
         .iter()
         .map(|(column, width)| aligned(column.title, *width, column.right));
@@ -191,7 +192,7 @@ fn draw_titles(columns: &[(&Column, u16)], theme: &Theme, area: Rect, buffer: &m
         buffer,
         area,
         0,
-        &Line::styled(line, theme.style(Role::Muted)),
+        &Line::styled(line, look.style(Role::Muted)),
     );
 }
 
@@ -199,7 +200,7 @@ fn draw_vehicle(
     vehicle: &Vehicle,
     state: &State,
     columns: &[(&Column, u16)],
-    (theme, area): (&Theme, Rect),
+    (look, area): (&Look, Rect),
     buffer: &mut Buffer,
 ) {
     let session = &state.session;
@@ -215,16 +216,16 @@ fn draw_vehicle(
     let selection_mark = if selected { "*" } else { " " };
     let mut line = Line::from(vec![
         Span::raw(cursor_mark),
-        Span::styled(selection_mark, theme.style(Role::Selected)),
+        Span::styled(selection_mark, look.style(Role::Selected)),
     ]);
     for (column, width) in columns {
         let (text, role) = (column.cell)(&row);
         let text = format!(" {}", aligned(&text, *width, column.right));
-        line.push_span(Span::styled(text, theme.style(role)));
+        line.push_span(Span::styled(text, look.style(role)));
     }
     put(buffer, area, 0, &line);
     if under_cursor {
-        buffer.set_style(area, theme.style(Role::Cursor));
+        buffer.set_style(area, look.style(Role::Cursor));
     }
 }
 
@@ -397,7 +398,7 @@ fn command(row: &Row<'_>) -> (String, Role) {
 
 fn alert_cell(row: &Row<'_>) -> (String, Role) {
     match &row.alert {
-        Some(alert) => (alert.text.clone(), severity_role(alert.severity)),
+        Some(alert) => (alert.text.to_string(), severity_role(alert.severity)),
         None => (String::new(), Role::Text),
     }
 }

@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::state::{Session, State, alert};
-use crate::ui::theme::{Role, Theme};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role, titled, wrap};
 use crate::vehicle::{EkfFlags, Vehicle};
 
@@ -18,23 +19,25 @@ pub fn height(state: &State, width: u16) -> u16 {
         return 1;
     };
     let alert = alert(vehicle, state.now);
-    let alert = alert.map_or(0, |alert| wrap(&alert.text, usize::from(width)).len());
+    let alert = alert.map_or(0, |alert| {
+        wrap(&alert.text.to_string(), usize::from(width)).len()
+    });
     let lines = lines(vehicle, state).into_iter();
     let lines = lines.filter(|(_, text)| !text.is_empty()).count();
     (1 + alert + lines) as u16
 }
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
-pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(vehicle) = state.session.under_cursor() else {
-        titled("telemetry", theme, area, buffer);
+        titled("telemetry", look, area, buffer);
         return;
     };
     let title = format!("vehicle {}  {}", vehicle.id, Session::name(vehicle));
-    let mut inner = titled(&title, theme, area, buffer);
+    let mut inner = titled(&title, look, area, buffer);
     if let Some(alert) = alert(vehicle, state.now) {
-        let style = theme.style(severity_role(alert.severity));
-        for line in wrap(&alert.text, usize::from(inner.width)) {
+        let style = look.style(severity_role(alert.severity));
+        for line in wrap(&look.text(&alert.text), usize::from(inner.width)) {
             put(buffer, inner, 0, &Line::styled(line, style));
             inner = below(inner, 1);
         }
@@ -42,7 +45,7 @@ pub fn draw(state: &State, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let lines = lines(vehicle, state).into_iter();
     for (row, (label, text)) in lines.filter(|(_, text)| !text.is_empty()).enumerate() {
         let line = Line::from(vec![
-            Span::styled(format!("{label:LABEL_WIDTH$}"), theme.style(Role::Muted)),
+            Span::styled(format!("{label:LABEL_WIDTH$}"), look.style(Role::Muted)),
             Span::raw(text),
         ]);
         put(buffer, inner, row as u16, &line);

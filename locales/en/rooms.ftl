@@ -1,0 +1,57 @@
+# The rooms, their keys and what actions do.
+
+room-home = home
+room-fly = fly
+room-vehicle = vehicle
+room-map = map
+room-commands = commands
+room-messages = messages
+room-links = links
+room-parameters = parameters
+room-mission = mission
+room-debrief = debrief
+
+keys-anywhere = everywhere
+keys-room = in the room "{ $room }"
+keys-prompt = command line
+keys-reader = help and lists
+keys-writes = write `{ $line }`; Enter sends
+keys-gives = give `{ $line }`
+keys-types = list of vehicles, Enter selects them
+
+action-home = home screen
+action-fly = the swarm in flight
+action-vehicle = everything about one vehicle
+action-map = the map
+action-commands = every command so far
+action-messages = every message that comes in
+action-links = the links and what ails them
+action-parameters = the vehicles' parameters
+action-mission = brief, objectives, rules
+action-debrief = the last debrief
+action-command-line = command line
+action-help = this help
+action-count-links = what the links count
+action-look-back-commands = all commands: the ledger in full
+action-look-back-notices = all notices in full
+action-brief = the mission's brief
+action-up = up
+action-down = down
+action-page-up = ten up
+action-page-down = ten down
+action-first = to the first
+action-last = to the last
+action-select = select the one under the cursor
+action-select-all = select all
+action-invert = select the others
+action-erase = take back the last digit
+action-submit = take what was written or is under the cursor
+action-escape = take back, close
+action-again = fly again
+action-leave = back to the home screen
+action-complete = complete the word, then the next choice
+action-complete-back = the choice before
+action-older = older line
+action-newer = newer line
+action-filter = show only what contains some letters
+action-quit = leave the program

@@ -1,0 +1,57 @@
+# Екрани, їхні клавіші та дії.
+
+room-home = початок
+room-fly = політ
+room-vehicle = апарат
+room-map = карта
+room-commands = команди
+room-messages = повідомлення
+room-links = зв'язок
+room-parameters = параметри
+room-mission = завдання
+room-debrief = розбір
+
+keys-anywhere = усюди
+keys-room = на екрані «{ $room }»
+keys-prompt = командний рядок
+keys-reader = довідка та списки
+keys-writes = вписати `{ $line }`; Enter надсилає
+keys-gives = виконати `{ $line }`
+keys-types = перелік апаратів, Enter вибирає їх
+
+action-home = початковий екран
+action-fly = рій у польоті
+action-vehicle = усе про один апарат
+action-map = карта
+action-commands = усі віддані команди
+action-messages = усі вхідні повідомлення
+action-links = канали зв'язку та їхні вади
+action-parameters = параметри апаратів
+action-mission = інструктаж, цілі, правила
+action-debrief = останній розбір польоту
+action-command-line = командний рядок
+action-help = ця довідка
+action-count-links = лічильники зв'язку
+action-look-back-commands = усі команди: повний журнал
+action-look-back-notices = усі сповіщення
+action-brief = інструктаж до завдання
+action-up = вгору
+action-down = вниз
+action-page-up = десять рядків угору
+action-page-down = десять рядків униз
+action-first = до першого
+action-last = до останнього
+action-select = вибрати той, що під курсором
+action-select-all = вибрати всі
+action-invert = вибрати решту
+action-erase = стерти останню цифру
+action-submit = прийняти написане або те, що під курсором
+action-escape = скасувати, закрити
+action-again = летіти ще раз
+action-leave = повернутися на початок
+action-complete = доповнити слово, далі наступний варіант
+action-complete-back = попередній варіант
+action-older = давніший рядок
+action-newer = новіший рядок
+action-filter = показати лише те, що містить літери
+action-quit = вийти з програми

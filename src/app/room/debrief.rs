@@ -1,0 +1,50 @@
+//! What the flight was worth.
+
+use std::time::Duration;
+
+use crate::app::action::Action;
+use crate::app::effect::Effect;
+use crate::app::keymap::{ESCAPE, Row, does, key};
+use crate::app::state::State;
+use crate::scoring::Report;
+
+/// Keys pressed so soon after the debrief has opened were meant for the flight.
+const DEAF: Duration = Duration::from_secs(1);
+
+/// A debrief.
+#[derive(Debug, Clone)]
+pub struct Debrief {
+    /// The result.
+    pub report: Box<Report>,
+    /// The same as text, line by line.
+    pub lines: Vec<String>,
+    /// The first line shown.
+    pub scroll: usize,
+    /// When it opened: keys that were meant for the flight must not close it.
+    pub since: Duration,
+}
+
+impl Debrief {
+    /// Whether it has opened so recently that keys were meant for the flight.
+    pub fn is_deaf(&self, now: Duration) -> bool {
+        now.saturating_sub(self.since) < DEAF
+    }
+}
+
+/// Its keys.
+pub const KEYS: &[Row] = &[
+    does(key('r'), Action::Again),
+    does(key('h'), Action::Leave),
+    does(ESCAPE, Action::Leave),
+];
+
+/// What its actions do.
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let Action::Move(step) = action else {
+        return None;
+    };
+    if let Some(debrief) = &mut state.rooms.debrief {
+        debrief.scroll = step.apply(debrief.scroll, debrief.lines.len());
+    }
+    Some(Vec::new())
+}

@@ -1,0 +1,92 @@
+//! Where to begin: missions, free flight, vehicles elsewhere.
+
+use crate::app::action::Action;
+use crate::app::effect::Effect;
+use crate::app::keymap::{ENTER, Row, does, key};
+use crate::app::state::{Overlay, Prompt, Purpose, State};
+use crate::app::update::act::{guarded, quit};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// What the home screen remembers.
+#[derive(Debug, Clone, Default)]
+pub struct Home {
+    /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
+    pub cursor: usize,
+}
+
+/// What the home screen offers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HomeItem {
+    /// The mission at this place of [`State::missions`].
+    Mission(usize),
+    /// Fly without a task.
+    Free,
+    /// Connect to vehicles elsewhere.
+    Connect,
+    /// Leave the program.
+    Quit,
+}
+
+/// Its keys.
+pub const KEYS: &[Row] = &[does(ENTER, Action::Submit), does(key('q'), Action::Quit)];
+
+/// What the home screen offers, from the top.
+pub fn items(state: &State) -> Vec<HomeItem> {
+    let missions = (0..state.missions.len()).map(HomeItem::Mission);
+    let others = [HomeItem::Free, HomeItem::Connect, HomeItem::Quit];
+    missions.chain(others).collect()
+}
+
+/// What its actions do.
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Move(step) => {
+            let cursor = state.rooms.home.cursor;
+            state.rooms.home.cursor = step.apply(cursor, items(state).len());
+            Some(Vec::new())
+        }
+        Action::Submit => {
+            let item = items(state).get(state.rooms.home.cursor).copied();
+            Some(item.map_or_else(Vec::new, |item| enter(state, item)))
+        }
+        _ => None,
+    }
+}
+
+/// Takes the addresses that were entered. The prompt stays until the session has started, or says there why
+/// it could not.
+///
+/// # Errors
+/// There is no address.
+pub fn connect(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
+    let addresses: Vec<String> = entered.split_whitespace().map(str::to_owned).collect();
+    if addresses.is_empty() {
+        return Err(text!("home-connect-empty"));
+    }
+    state.overlay = Some(Overlay::Prompt(Prompt {
+        input: entered.into(),
+        ..Prompt::new(Purpose::Connect)
+    }));
+    Ok(vec![Effect::Connect(addresses)])
+}
+
+fn enter(state: &mut State, item: HomeItem) -> Vec<Effect> {
+    match item {
+        HomeItem::Mission(at) => {
+            let id = state.missions[at].id.clone();
+            state.say(Severity::Info, text!("home-starting-mission"));
+            guarded(state, text!("ask-start"), Effect::StartMission(id))
+        }
+        HomeItem::Free => {
+            state.say(Severity::Info, text!("home-starting-simulator"));
+            guarded(state, text!("ask-start"), Effect::StartFree)
+        }
+        HomeItem::Connect => {
+            state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Connect)));
+            Vec::new()
+        }
+        HomeItem::Quit => quit(state),
+    }
+}

@@ -1,0 +1,267 @@
+//! What is said to people, in their language.
+//!
+//! Whoever has something to say makes a [`Text`]: which message, and what goes into it. It stays one until
+//! it is shown, where a [`Locale`] turns it into words. The words are Fluent messages in `locales/LANGUAGE/`;
+//! a test proves that no message is missing in any language.
+//!
+//! What comes from elsewhere (a vehicle, the operating system, a file of the user's) is verbatim text: nobody
+//! can translate it, and it may stand inside a message.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::LazyLock;
+
+mod catalogue;
+mod locale;
+
+pub use catalogue::messages;
+pub use locale::Locale;
+
+/// A language that the program speaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub enum Language {
+    /// English.
+    #[default]
+    #[serde(rename = "en")]
+    English,
+    /// Ukrainian.
+    #[serde(rename = "uk")]
+    Ukrainian,
+}
+
+impl Language {
+    /// Every language.
+    pub const ALL: [Self; 2] = [Self::English, Self::Ukrainian];
+
+    /// Its code by ISO 639.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::Ukrainian => "uk",
+        }
+    }
+
+    /// The language of a code or of a POSIX locale: `uk`, `uk_UA.UTF-8`, `en_GB`.
+    pub fn of(name: &str) -> Option<Self> {
+        let code = name.split(['_', '-', '.', '@']).next()?;
+        Self::ALL
+            .into_iter()
+            .find(|language| language.code().eq_ignore_ascii_case(code))
+    }
+}
+
+/// Something said to a person. `Display` gives its English words, for logs and for programs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Text(Content);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Content {
+    Verbatim(String),
+    Message {
+        id: Cow<'static, str>,
+        arguments: Vec<(&'static str, Argument)>,
+    },
+    Joined {
+        separator: &'static str,
+        parts: Vec<Text>,
+    },
+}
+
+/// What goes into a message.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Argument {
+    /// A whole number, which may decide on the form of a noun.
+    Number(i64),
+    /// A word as it is: a name, or a figure with its decimals.
+    Word(String),
+    /// Another text.
+    Text(Text),
+}
+
+/// A message by its id, with its arguments: `text!("links-lost", vehicle = id, seconds = 3)`.
+#[macro_export]
+macro_rules! text {
+    ($id:literal $(, $name:ident = $value:expr)* $(,)?) => {
+        $crate::text::Text::new($id, vec![
+            $((stringify!($name), $crate::text::Argument::from($value))),*
+        ])
+    };
+}
+pub use crate::text;
+
+impl Text {
+    /// A message by its id; [`text!`] is the shorter way.
+    pub fn new(id: impl Into<Cow<'static, str>>, arguments: Vec<(&'static str, Argument)>) -> Self {
+        Self(Content::Message {
+            id: id.into(),
+            arguments,
+        })
+    }
+
+    /// Foreign text, or a name: the same in every language.
+    pub fn verbatim(text: impl Into<String>) -> Self {
+        Self(Content::Verbatim(text.into()))
+    }
+
+    /// Several texts in a row.
+    pub fn joined(separator: &'static str, parts: Vec<Self>) -> Self {
+        Self(Content::Joined { separator, parts })
+    }
+
+    /// The id, if it is a message.
+    pub fn id(&self) -> Option<&str> {
+        match &self.0 {
+            Content::Message { id, .. } => Some(id),
+            _ => None,
+        }
+    }
+
+    /// Whether it says nothing.
+    pub fn is_empty(&self) -> bool {
+        match &self.0 {
+            Content::Verbatim(text) => text.is_empty(),
+            Content::Message { .. } => false,
+            Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
+        }
+    }
+
+    /// Whether its English words contain others; for tests.
+    pub fn contains(&self, words: &str) -> bool {
+        self.to_string().contains(words)
+    }
+}
+
+impl Default for Text {
+    /// Nothing said.
+    fn default() -> Self {
+        Self::verbatim("")
+    }
+}
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        static ENGLISH: LazyLock<Locale> = LazyLock::new(|| Locale::new(Language::English));
+        f.pad(&ENGLISH.text(self))
+    }
+}
+
+impl From<String> for Text {
+    fn from(text: String) -> Self {
+        Self::verbatim(text)
+    }
+}
+
+impl From<&str> for Text {
+    fn from(text: &str) -> Self {
+        Self::verbatim(text)
+    }
+}
+
+impl PartialEq<str> for Text {
+    fn eq(&self, words: &str) -> bool {
+        self.to_string().as_str() == words
+    }
+}
+
+impl PartialEq<&str> for Text {
+    fn eq(&self, words: &&str) -> bool {
+        self == *words
+    }
+}
+
+impl From<Text> for Argument {
+    fn from(text: Text) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<&Text> for Argument {
+    fn from(text: &Text) -> Self {
+        Self::Text(text.clone())
+    }
+}
+
+impl From<String> for Argument {
+    fn from(word: String) -> Self {
+        Self::Word(word)
+    }
+}
+
+impl From<&String> for Argument {
+    fn from(word: &String) -> Self {
+        Self::Word(word.clone())
+    }
+}
+
+impl From<&str> for Argument {
+    fn from(word: &str) -> Self {
+        Self::Word(word.to_owned())
+    }
+}
+
+impl From<char> for Argument {
+    fn from(letter: char) -> Self {
+        Self::Word(letter.to_string())
+    }
+}
+
+macro_rules! numbers {
+    ($($kind:ty),*) => {$(
+        impl From<$kind> for Argument {
+            fn from(number: $kind) -> Self {
+                Self::Number(i64::try_from(number).unwrap_or(i64::MAX))
+            }
+        }
+    )*};
+}
+numbers!(u8, u16, u32, u64, usize, i16, i32, i64);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_locale_of_the_shell_names_its_language() {
+        for (name, language) in [
+            ("uk_UA.UTF-8", Some(Language::Ukrainian)),
+            ("uk", Some(Language::Ukrainian)),
+            ("en_GB", Some(Language::English)),
+            ("C", None),
+            ("", None),
+        ] {
+            assert_eq!(Language::of(name), language, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_number_decides_on_the_form_of_a_noun_in_each_language() {
+        let ukrainian = Locale::new(Language::Ukrainian);
+        let cases = [
+            (1, "1 vehicle", "1 апарат"),
+            (2, "2 vehicles", "2 апарати"),
+            (5, "5 vehicles", "5 апаратів"),
+            (21, "21 vehicles", "21 апарат"),
+        ];
+        for (count, english, translated) in cases {
+            let text = text!("count-vehicles", count = count);
+            assert_eq!(text.to_string(), english);
+            assert_eq!(ukrainian.text(&text), translated);
+        }
+    }
+
+    #[test]
+    fn texts_stand_inside_texts_and_foreign_words_stay() {
+        let part = Text::joined(
+            ", ",
+            vec![text!("count-vehicles", count = 1), "PreArm: x".into()],
+        );
+        assert_eq!(part.to_string(), "1 vehicle, PreArm: x");
+        let ukrainian = Locale::new(Language::Ukrainian);
+        assert_eq!(ukrainian.text(&part), "1 апарат, PreArm: x");
+    }
+
+    #[test]
+    fn a_message_that_is_not_there_shows_its_id() {
+        assert_eq!(text!("no-such-message").to_string(), "no-such-message");
+    }
+}

@@ -1,0 +1,28 @@
+//! The messages of each language: one file per subject.
+
+use super::Language;
+
+macro_rules! catalogue {
+    ($($area:literal),* $(,)?) => {
+        const ENGLISH: &[(&str, &str)] = &[
+            $(($area, include_str!(concat!("../../locales/en/", $area, ".ftl")))),*
+        ];
+        const UKRAINIAN: &[(&str, &str)] = &[
+            $(($area, include_str!(concat!("../../locales/uk/", $area, ".ftl")))),*
+        ];
+    };
+}
+
+catalogue! {
+    "common",
+    "console",
+    "rooms",
+}
+
+/// The message files of a language: subject and contents.
+pub fn messages(language: Language) -> &'static [(&'static str, &'static str)] {
+    match language {
+        Language::English => ENGLISH,
+        Language::Ukrainian => UKRAINIAN,
+    }
+}

@@ -1,0 +1,91 @@
+//! From texts to words.
+
+use std::fmt;
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use unic_langid::LanguageIdentifier;
+
+use super::{Argument, Content, Language, Text, messages};
+
+/// The words of one language.
+pub struct Locale {
+    language: Language,
+    bundle: FluentBundle<FluentResource>,
+}
+
+impl Locale {
+    /// The words of a language.
+    pub fn new(language: Language) -> Self {
+        let id: LanguageIdentifier = language.code().parse().unwrap_or_default();
+        let mut bundle = FluentBundle::new_concurrent(vec![id]);
+        // A terminal shows the marks that would keep right-to-left arguments apart as boxes.
+        bundle.set_use_isolating(false);
+        for (_, source) in messages(language) {
+            // A fault leaves its message out, which a test notices.
+            let resource = FluentResource::try_new((*source).to_owned());
+            let resource = resource.unwrap_or_else(|(readable, _)| readable);
+            drop(bundle.add_resource(resource));
+        }
+        Self { language, bundle }
+    }
+
+    /// Which language it is.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
+    /// A text in words.
+    pub fn text(&self, text: &Text) -> String {
+        match &text.0 {
+            Content::Verbatim(words) => words.clone(),
+            Content::Message { id, arguments } => self.format(id, arguments),
+            Content::Joined { separator, parts } => {
+                let parts: Vec<String> = parts.iter().map(|part| self.text(part)).collect();
+                parts.join(separator)
+            }
+        }
+    }
+
+    /// A message without arguments in words.
+    pub fn say(&self, id: &str) -> String {
+        self.format(id, &[])
+    }
+
+    fn format(&self, id: &str, arguments: &[(&'static str, Argument)]) -> String {
+        let message = self.bundle.get_message(id);
+        let Some(pattern) = message.and_then(|message| message.value()) else {
+            return id.to_owned();
+        };
+        let arguments: FluentArgs = arguments
+            .iter()
+            .map(|(name, argument)| (*name, self.value(argument)))
+            .collect();
+        let mut errors = Vec::new();
+        let words = self
+            .bundle
+            .format_pattern(pattern, Some(&arguments), &mut errors);
+        words.into_owned()
+    }
+
+    fn value<'a>(&self, argument: &'a Argument) -> FluentValue<'a> {
+        match argument {
+            Argument::Number(number) => FluentValue::from(*number),
+            Argument::Word(word) => FluentValue::from(word.as_str()),
+            Argument::Text(text) => FluentValue::from(self.text(text)),
+        }
+    }
+}
+
+impl fmt::Debug for Locale {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Locale").field(&self.language).finish()
+    }
+}
+
+impl Default for Locale {
+    /// English.
+    fn default() -> Self {
+        Self::new(Language::English)
+    }
+}

@@ -1,0 +1,79 @@
+//! The prompts that ask for a line.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect};
+use ratatui::text::{Line, Span};
+
+use super::palette::draw_line;
+use crate::app::state::{Prompt, Purpose};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, boxed, centred, put, wrap};
+
+const EXAMPLES: &[(&str, &str)] = &[
+    ("tcp:127.0.0.1:5760", "ArduPilot SITL, one vehicle per port"),
+    ("udpin:0.0.0.0:14550", "listen; vehicles send here"),
+    ("udp:192.168.1.20:14550", "send to a vehicle or a router"),
+    (
+        "serial:/dev/ttyACM0:115200",
+        "an autopilot or a radio on a cable",
+    ),
+    ("file:FLIGHT.tlog", "a recording"),
+];
+const HEIGHT: u16 = 14;
+const WIDTH: u16 = 72;
+
+/// Draws the prompt and returns where the terminal's cursor belongs.
+pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Position {
+    let place = centred(WIDTH, HEIGHT, area);
+    let inner = boxed(
+        &title(&prompt.purpose, look),
+        Role::Accent,
+        look,
+        place,
+        buffer,
+    );
+    let (cursor, _) = draw_line(&prompt.input, None, look, inner, buffer);
+    let mut row = 1;
+    let fault = prompt.fault.as_ref().map(|fault| look.text(fault));
+    for line in wrap(&fault.unwrap_or_default(), usize::from(inner.width))
+        .into_iter()
+        .take(3)
+    {
+        put(
+            buffer,
+            inner,
+            row,
+            &Line::styled(line, look.style(Role::Danger)),
+        );
+        row += 1;
+    }
+    match prompt.purpose {
+        Purpose::Connect => draw_examples(look, below(inner, row + 1), buffer),
+    }
+    cursor
+}
+
+fn title(purpose: &Purpose, look: &Look) -> String {
+    match purpose {
+        Purpose::Connect => look.say("prompt-connect"),
+    }
+}
+
+fn draw_examples(look: &Look, area: Rect, buffer: &mut Buffer) {
+    for (row, (address, meaning)) in EXAMPLES.iter().enumerate() {
+        let line = Line::from(vec![
+            Span::raw(format!("{address:28}")),
+            Span::styled(*meaning, look.style(Role::Muted)),
+        ]);
+        put(buffer, area, row as u16, &line);
+    }
+    let text = "several addresses: blanks between them.  Enter connects, Esc closes";
+    let row = EXAMPLES.len() as u16 + 1;
+    put(
+        buffer,
+        area,
+        row,
+        &Line::styled(text, look.style(Role::Muted)),
+    );
+}

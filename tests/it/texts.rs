@@ -1,0 +1,211 @@
+//! Every text in every language.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
+use sortie::app::action::Action;
+use sortie::app::state::Room;
+use sortie::text::{Language, Locale, messages};
+
+/// The variables of each message of a language, by id.
+fn catalogue(language: Language) -> BTreeMap<String, BTreeSet<String>> {
+    let mut found = BTreeMap::new();
+    for (area, source) in messages(language) {
+        let resource = fluent_syntax::parser::parse(*source)
+            .unwrap_or_else(|(_, errors)| panic!("{area} ({language:?}): {errors:?}"));
+        for entry in &resource.body {
+            let Entry::Message(message) = entry else {
+                continue;
+            };
+            let mut variables = BTreeSet::new();
+            let value = message.value.as_ref().expect("a value");
+            pattern(value, &mut variables);
+            let id = message.id.name.to_owned();
+            assert!(
+                found.insert(id.clone(), variables).is_none(),
+                "{id} is there twice ({language:?})"
+            );
+        }
+    }
+    found
+}
+
+fn pattern(pattern: &Pattern<&str>, variables: &mut BTreeSet<String>) {
+    for element in &pattern.elements {
+        if let PatternElement::Placeable { expression } = element {
+            expressed(expression, variables);
+        }
+    }
+}
+
+fn expressed(expression: &Expression<&str>, variables: &mut BTreeSet<String>) {
+    match expression {
+        Expression::Inline(inline) => inlined(inline, variables),
+        Expression::Select { selector, variants } => {
+            inlined(selector, variables);
+            for variant in variants {
+                pattern(&variant.value, variables);
+            }
+        }
+    }
+}
+
+fn inlined(inline: &InlineExpression<&str>, variables: &mut BTreeSet<String>) {
+    match inline {
+        InlineExpression::VariableReference { id } => {
+            variables.insert(id.name.to_owned());
+        }
+        InlineExpression::Placeable { expression } => expressed(expression, variables),
+        _ => {}
+    }
+}
+
+/// All of the program's sources, tests left out.
+fn sources() -> String {
+    fn collect(folder: &Path, text: &mut String) {
+        for entry in fs::read_dir(folder).expect("readable").flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                collect(&path, text);
+            } else if path.extension().is_some_and(|ending| ending == "rs")
+                && path.file_stem().is_some_and(|stem| stem != "tests")
+            {
+                let source = fs::read_to_string(&path).expect("readable");
+                let is_code = |line: &&str| !line.trim_start().starts_with("//");
+                let lines: Vec<&str> = source.lines().filter(is_code).collect();
+                let source = lines.join("\n");
+                text.push_str(
+                    source
+                        .split("#[cfg(test)]\nmod tests {")
+                        .next()
+                        .unwrap_or_default(),
+                );
+            }
+        }
+    }
+    let mut text = String::new();
+    collect(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
+        &mut text,
+    );
+    text
+}
+
+/// The ids of the messages that the sources name with `text!` or `say`, with the variables they hand over.
+fn named(sources: &str) -> Vec<(String, Option<BTreeSet<String>>)> {
+    let mut found = Vec::new();
+    for (opening, has_variables) in [
+        ("text!(", true),
+        ("look.say(", false),
+        ("locale.say(", false),
+    ] {
+        for (at, _) in sources.match_indices(opening) {
+            let rest = sources[at + opening.len()..].trim_start();
+            let Some(rest) = rest.strip_prefix('"') else {
+                continue;
+            };
+            let (id, rest) = rest.split_once('"').expect("a closed string");
+            let variables = has_variables.then(|| handed_over(rest));
+            found.push((id.to_owned(), variables));
+        }
+    }
+    found
+}
+
+/// The names before `=` at the outermost level of a macro's arguments.
+fn handed_over(arguments: &str) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    let (mut depth, mut quoted, mut part) = (0, false, String::new());
+    for c in arguments.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            '(' | '[' | '{' if !quoted => depth += 1,
+            ')' if !quoted && depth == 0 => break,
+            ')' | ']' | '}' if !quoted => depth -= 1,
+            _ => {}
+        }
+        if c == ',' && depth == 0 && !quoted {
+            names.extend(name(&part));
+            part.clear();
+        } else {
+            part.push(c);
+        }
+    }
+    names.extend(name(&part));
+    names
+}
+
+fn name(part: &str) -> Option<String> {
+    let (name, _) = part.split_once('=')?;
+    Some(name.trim().to_owned())
+}
+
+/// Ids that are put together from the names in tables.
+fn from_tables() -> BTreeSet<String> {
+    let actions = Action::ALL.iter().map(|(name, _)| format!("action-{name}"));
+    let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
+    actions.chain(rooms).collect()
+}
+
+#[test]
+fn no_message_is_missing_in_any_language() {
+    let english = catalogue(Language::English);
+    for language in Language::ALL {
+        let translated = catalogue(language);
+        let ids = |all: &BTreeMap<String, _>| all.keys().cloned().collect::<BTreeSet<String>>();
+        let (known, there) = (ids(&english), ids(&translated));
+        let missing: Vec<_> = known.symmetric_difference(&there).collect();
+        assert!(missing.is_empty(), "in one language only: {missing:?}");
+        for (id, variables) in &english {
+            assert_eq!(
+                variables, &translated[id],
+                "variables of {id} in {language:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn every_message_that_the_program_names_is_there_with_its_variables() {
+    let english = catalogue(Language::English);
+    let named = named(&sources());
+    assert!(named.len() > 20, "the scan works: {}", named.len());
+    for (id, variables) in named {
+        let Some(known) = english.get(&id) else {
+            panic!("the message {id} is named, but in no catalogue");
+        };
+        if let Some(variables) = variables {
+            assert_eq!(known, &variables, "variables of {id}");
+        }
+    }
+    for id in from_tables() {
+        assert!(english.contains_key(&id), "{id} is in no catalogue");
+    }
+}
+
+#[test]
+fn no_message_is_left_that_nobody_says() {
+    let sources = sources();
+    let tables = from_tables();
+    for id in catalogue(Language::English).keys() {
+        let said = sources.contains(&format!("\"{id}\"")) || tables.contains(id);
+        assert!(said, "nobody says {id}");
+    }
+}
+
+#[test]
+fn no_word_of_a_message_breaks_a_line_of_the_screen() {
+    for language in Language::ALL {
+        let locale = Locale::new(language);
+        for id in catalogue(language).keys() {
+            let words = locale.say(id);
+            let fault = words.contains(|c: char| c.is_control() && c != '\n');
+            assert!(
+                !fault && words == words.trim(),
+                "{id} in {language:?}: {words:?}"
+            );
+        }
+    }
+}
