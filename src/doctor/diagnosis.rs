@@ -18,7 +18,7 @@ const MOST_DAMAGED: f64 = 0.05;
 /// More frames than this share missing are a fault.
 const MOST_LOST: f64 = 0.10;
 /// An autopilot's heartbeat comes once a second; two of them make two.
-const TWO_HEARTBEATS_HZ: f64 = 1.7;
+const TWO_HEARTBEATS_HZ: f64 = 1.5;
 /// A vehicle that has changed its port is heard by both for a while; two vehicles are for longer.
 const BOTH_FOR: Duration = Duration::from_secs(6);
 /// So many bytes tell noise from a start in the middle of a frame.
@@ -182,13 +182,16 @@ fn nobody(chart: &Chart) -> Cause {
     if change.frames > 0 || !chart.senders().is_empty() {
         return strangers(chart);
     }
-    let foreign_bytes = change.bytes.saturating_sub(change.skipped);
+    // In noise a beginning of a frame is found here and there, but most bytes belong to none.
+    let has_frames = change.bytes > 2 * change.skipped;
     if change.bytes == 0 {
         Cause::Nothing
-    } else if change.crc_errors >= FOREIGN_ENOUGH && change.crc_errors > change.unknown {
-        Cause::Damaged(100)
-    } else if change.unknown >= FOREIGN_ENOUGH && foreign_bytes > change.skipped {
-        Cause::UnknownDialect
+    } else if has_frames && change.crc_errors.max(change.unknown) >= FOREIGN_ENOUGH {
+        if change.crc_errors > change.unknown {
+            Cause::Damaged(100)
+        } else {
+            Cause::UnknownDialect
+        }
     } else if change.bytes < NOISE_ENOUGH {
         Cause::Listening
     } else if chart.last().is_some_and(|last| is_text(&last.noise)) {

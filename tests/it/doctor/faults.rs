@@ -165,9 +165,11 @@ async fn signed_frames_of_a_real_vehicle_that_does_not_take_ours() {
     let signed = recording("signing.tlog");
     let (mut patient, mut far) = Patient::piped(Way::Serial);
     let frames = frames_of(&signed);
-    let is_signed = |frame: &&Vec<u8>| frame[0] == 0xFD && frame[2] & 1 == 1 && frame[6] == 1;
+    // What it answered was said to the ground station that signed, not to us.
+    let is_signed = |frame: &&Vec<u8>| frame[2] & 1 == 1 && ![77, 111].contains(&frame[7]);
     let frames: Vec<&Vec<u8>> = frames.iter().filter(is_signed).collect();
-    for part in frames.chunks(frames.len().div_ceil(6)) {
+    // A heartbeat a second, as a vehicle sends them; the recording leaves most of a flight out.
+    for part in frames.chunk_by(|_, next| next[7..10] != [0, 0, 0]).take(20) {
         let bytes: Vec<u8> = part
             .iter()
             .flat_map(|frame| frame.iter().copied())
@@ -218,7 +220,7 @@ async fn damaged_and_missing_frames() {
     for _ in 0..10 {
         let mut bytes = [voice.answer(), voice.second()].concat();
         // One frame in twelve loses a bit.
-        let last = bytes.len() - 12;
+        let last = bytes.len() - 3;
         bytes[last] ^= 4;
         patient.feed(&mut far, &bytes, 1).await;
     }
