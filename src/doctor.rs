@@ -13,6 +13,7 @@ use crate::inspector::{Census, Direction, Source, Tally};
 use crate::wire::{Anatomy, Counters};
 
 mod diagnosis;
+mod words;
 
 pub use diagnosis::{Cause, Finding, Weight, diagnose};
 

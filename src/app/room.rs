@@ -173,5 +173,11 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
+        Purpose::Filter(room) => {
+            if *room == Room::Messages {
+                messages::filter(state, entered);
+            }
+            Ok(Vec::new())
+        }
     }
 }

@@ -8,15 +8,20 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::app::event::{Event, Started};
+use crate::app::room::messages::Wanted;
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
-use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Tap, Transport};
+use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+mod inspection;
+
+use inspection::Inspection;
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -54,8 +59,7 @@ pub(super) struct Running {
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     links: Vec<watch::Receiver<LinkStatus>>,
-    /// The frames of the links, in the same order.
-    taps: Vec<Tap>,
+    inspection: Inspection,
     links_said: Vec<LinkNews>,
     /// How many of the links had ended when they were shown last.
     links_ended: usize,
@@ -88,7 +92,7 @@ impl Running {
             events,
             vehicles: Vec::new(),
             links: Vec::new(),
-            taps: Vec::new(),
+            inspection: Inspection::default(),
             links_said: Vec::new(),
             links_ended: 0,
             dropped: 0,
@@ -178,8 +182,8 @@ impl Running {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
                 Ok(FleetEvent::Linked(link, tap)) => {
+                    self.inspection.add(&link, tap);
                     self.links.push(link);
-                    self.taps.push(tap);
                 }
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
@@ -212,7 +216,13 @@ impl Running {
             });
             collected.push(Event::Links(links.collect()));
         }
+        collected.extend(self.inspection.examine(&self.links, now));
         collected
+    }
+
+    /// A look at the links' messages, if one is wanted and due.
+    pub fn inspect(&mut self, wanted: Option<&Wanted>, now: Duration) -> Option<Event> {
+        self.inspection.look(&self.links, wanted?, now)
     }
 
     /// What a human should hear of the links: that one is down and why, and that it is up again.

@@ -16,6 +16,9 @@ macro_rules! catalogue {
 catalogue! {
     "common",
     "console",
+    "doctor",
+    "links",
+    "messages",
     "rooms",
 }
 

@@ -3,6 +3,7 @@
 use tui_input::Input;
 
 use crate::app::effect::Effect;
+use crate::app::room::Room;
 use crate::commands::Command;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
@@ -20,11 +21,6 @@ pub enum Overlay {
     Prompt(Prompt),
     /// Keys and verbs.
     Help {
-        /// The first line shown.
-        scroll: usize,
-    },
-    /// What the links count.
-    Links {
         /// The first line shown.
         scroll: usize,
     },
@@ -140,6 +136,8 @@ impl Prompt {
 pub enum Purpose {
     /// The addresses of vehicles, with blanks between them.
     Connect,
+    /// What the lines of a room have to contain.
+    Filter(Room),
 }
 
 impl Purpose {
@@ -147,6 +145,7 @@ impl Purpose {
     pub fn is_live(&self) -> bool {
         match self {
             Self::Connect => false,
+            Self::Filter(_) => true,
         }
     }
 }

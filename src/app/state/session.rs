@@ -1,9 +1,10 @@
 //! What is being flown: forgotten as a whole when the session ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::{Groups, LinkSummary, Selection};
+use crate::doctor::Finding;
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::Progress;
@@ -27,6 +28,10 @@ pub struct Session {
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
     pub links: Vec<LinkSummary>,
+    /// What the link doctor has found, worst first.
+    pub findings: Vec<Finding>,
+    /// Findings that were told already, by link and name.
+    pub told: BTreeSet<(usize, &'static str)>,
     /// The mission's progress, if one is flown.
     pub mission: Option<Progress>,
     /// Whether the mission is over: its debrief is there.

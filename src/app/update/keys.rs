@@ -8,7 +8,7 @@ use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::keymap::{Meaning, Place};
 use crate::app::room;
-use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines, link_lines};
+use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -208,7 +208,6 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
             }
             let (scroll, count) = match &mut reader {
                 Overlay::Help { scroll } => (scroll, help_lines(&state.keymap).len()),
-                Overlay::Links { scroll } => (scroll, link_lines(&state.session.links).len()),
                 _ => {
                     state.overlay = Some(reader);
                     return Vec::new();

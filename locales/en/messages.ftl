@@ -1,0 +1,30 @@
+# The room "messages": the inspector.
+
+prompt-filter = show only
+
+messages-fields = fields
+messages-hint = Choose a message in the tree. Enter opens a branch, Tab goes to the fields, g draws a field as a graph, x shows bytes, / filters, s sorts, p pauses, z closes or opens all systems.
+messages-none = nothing has come by any link yet
+messages-none-found = no message matches
+messages-paused = PAUSED
+messages-by-number = by number
+messages-by-name = by name
+messages-by-rate = by rate
+messages-by-age = by age
+messages-count = count
+messages-age = age
+messages-system = system { $system }
+messages-component = component { $component }
+messages-received = received
+messages-sent = sent
+messages-signed = signed
+messages-unsigned = unsigned
+messages-figures = { $hz } Hz  { $bytes } B/s  count { $count }  age { $age }
+messages-dress = { $way }, MAVLink { $version } { $signed }, { $length } bytes, seq { $sequence }
+messages-unknown = unknown ({ $value })
+messages-more = { $count } more
+messages-unknown-id = This id is in no dialect that is known here; its checksum cannot be verified.
+messages-other-layout = The checksum is wrong for this message as it is known here: another layout, or a damaged frame.
+messages-extent = now { $now }  min { $low }  max { $high }  ({ $seconds } s)
+messages-choose-field = choose a field first: Tab goes to the fields
+messages-no-number = { $field } is text and has no graph

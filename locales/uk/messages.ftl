@@ -1,0 +1,30 @@
+# Кімната «повідомлення»: інспектор.
+
+prompt-filter = показати лише
+
+messages-fields = поля
+messages-hint = Виберіть повідомлення в дереві. Enter розгортає гілку, Tab переходить до полів, g малює графік поля, x показує байти, / фільтрує, s упорядковує, p зупиняє картину, z згортає чи розгортає всі системи.
+messages-none = жодним каналом ще нічого не надійшло
+messages-none-found = жодне повідомлення не підходить
+messages-paused = ПАУЗА
+messages-by-number = за номером
+messages-by-name = за назвою
+messages-by-rate = за частотою
+messages-by-age = за віком
+messages-count = разом
+messages-age = вік
+messages-system = система { $system }
+messages-component = компонент { $component }
+messages-received = від неї
+messages-sent = від нас
+messages-signed = з підписом
+messages-unsigned = без підпису
+messages-figures = { $hz } Hz  { $bytes } B/s  разом { $count }  вік { $age }
+messages-dress = { $way }, MAVLink { $version } { $signed }, { $length } байт, номер { $sequence }
+messages-unknown = невідомо ({ $value })
+messages-more = ще { $count }
+messages-unknown-id = Такого номера немає в жодному відомому тут діалекті; контрольну суму перевірити не можна.
+messages-other-layout = Контрольна сума не збігається з відомою тут будовою повідомлення: будова інша, або кадр пошкоджено.
+messages-extent = зараз { $now }  найменше { $low }  найбільше { $high }  ({ $seconds } с)
+messages-choose-field = спершу виберіть поле: Tab переходить до полів
+messages-no-number = { $field } є текстом, графіка не буде

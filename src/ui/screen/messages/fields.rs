@@ -1,0 +1,216 @@
+//! What the message under the cursor says: field by field, or byte by byte.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::{age, hertz};
+use crate::app::room::messages::Messages;
+use crate::inspector::{Direction, Key, Reading, Tally, Value, name_of, read};
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, clip, put, row_of, titled, wrap};
+use crate::wire::Anatomy;
+use mavlink::MavlinkVersion;
+
+/// Columns of a field's name at most, where there is room.
+const NAME_WIDTH: usize = 32;
+
+/// A line of the pane, and the field that it belongs to.
+type Row = (Option<usize>, Line<'static>);
+
+/// Draws the pane.
+pub(super) fn draw(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let Some((_, key, tally, now)) = room.selected() else {
+        let inner = titled(&look.say("messages-fields"), look, area, buffer);
+        let lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
+        for (row, line) in lines.into_iter().enumerate() {
+            let line = Line::styled(line, look.style(Role::Muted));
+            put(buffer, inner, row as u16, &line);
+        }
+        return;
+    };
+    let title = format!("{} ({})", name_of(key.message), key.message);
+    let inner = titled(&title, look, area, buffer);
+    let Some(frame) = Anatomy::of(&tally.last) else {
+        return;
+    };
+    let rate = tally.rate(now);
+    let figures = text!(
+        "messages-figures",
+        hz = hertz(rate.hz),
+        bytes = format!("{:.0}", rate.bytes_s),
+        count = tally.count,
+        age = age(now.saturating_sub(tally.last_at))
+    );
+    let width = usize::from(inner.width);
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::raw(clip(&look.text(&figures), width)),
+    );
+    let dress = Line::styled(
+        clip(&dress(key, &frame, tally, look), width),
+        look.style(Role::Muted),
+    );
+    put(buffer, inner, 1, &dress);
+    let inner = below(inner, 2);
+    if room.hex {
+        draw_bytes(tally, look, inner, buffer);
+        return;
+    }
+    let reading = read(&frame);
+    if reading.values.is_empty() {
+        draw_undecoded(&reading, tally, look, inner, buffer);
+        return;
+    }
+    draw_values(room, &reading, look, inner, buffer);
+}
+
+/// How the last frame was dressed: version, signature, length, number.
+fn dress(key: Key, frame: &Anatomy<'_>, tally: &Tally, look: &Look) -> String {
+    let version = match frame.version {
+        MavlinkVersion::V1 => 1,
+        MavlinkVersion::V2 => 2,
+    };
+    let way = match key.source.direction {
+        Direction::In => look.say("messages-received"),
+        Direction::Out => look.say("messages-sent"),
+    };
+    let signed = if frame.signed {
+        look.say("messages-signed")
+    } else {
+        look.say("messages-unsigned")
+    };
+    look.text(&text!(
+        "messages-dress",
+        way = way,
+        version = version,
+        signed = signed,
+        length = tally.last.len(),
+        sequence = frame.sequence
+    ))
+}
+
+fn draw_values(room: &Messages, reading: &Reading, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let rows = rows(room, reading, look, usize::from(area.width));
+    let is_cursor = |row: &&Row| row.0.is_some() && row.0 == room.field;
+    let cursor = rows.iter().position(|row| is_cursor(&row)).unwrap_or(0);
+    let height = usize::from(area.height);
+    let middle = cursor.saturating_sub(height / 2);
+    let first = middle.min(rows.len().saturating_sub(height));
+    for (at, row) in rows.iter().skip(first).take(height).enumerate() {
+        put(buffer, area, at as u16, &row.1);
+        if is_cursor(&row) {
+            buffer.set_style(row_of(area, at as u16), look.style(Role::Cursor));
+        }
+    }
+    let hidden = rows.len().saturating_sub(first + height);
+    if hidden > 0 && height > 0 {
+        let more = look.text(&text!("messages-more", count = hidden));
+        let place = row_of(area, area.height - 1);
+        let x = place.right().saturating_sub(more.chars().count() as u16);
+        buffer.set_string(x, place.y, more, look.style(Role::Muted));
+    }
+}
+
+/// The fields as lines of a width.
+fn rows(room: &Messages, reading: &Reading, look: &Look, width: usize) -> Vec<Row> {
+    let longest = reading.values.iter().map(|value| value.name.len()).max();
+    let name_width = longest.unwrap_or(0).min(NAME_WIDTH).min(width / 2) + 1;
+    let selected = room.selected();
+    let is_pinned = |field: usize| {
+        let mine = selected.map(|(link, key, ..)| (link, key, field));
+        room.pins
+            .iter()
+            .any(|pin| Some((pin.link, pin.key, pin.field)) == mine)
+    };
+    let mut rows = Vec::new();
+    for (field, value) in reading.values.iter().enumerate() {
+        let (words, role) = words(value, look);
+        let mark = if is_pinned(field) { "~" } else { " " };
+        let name = format!("{mark}{}", value.name);
+        let name = Span::styled(
+            format!("{name:name_width$} "),
+            look.style(if value.is_extension {
+                Role::Muted
+            } else {
+                Role::Text
+            }),
+        );
+        let left = width.saturating_sub(name.width());
+        let mut lines = wrap(&words, left.max(8)).into_iter();
+        // A name that is too long for its column has the line for itself.
+        if name.width() > name_width + 1 {
+            rows.push((Some(field), Line::from(name)));
+        } else {
+            let first = Span::styled(lines.next().unwrap_or_default(), look.style(role));
+            rows.push((Some(field), Line::from(vec![name, first])));
+        }
+        let indent = " ".repeat(name_width + 1);
+        rows.extend(lines.map(|line| {
+            let text = Span::styled(line, look.style(role));
+            (None, Line::from(vec![Span::raw(indent.clone()), text]))
+        }));
+    }
+    rows
+}
+
+/// A value with its unit and its names.
+fn words(value: &Value, look: &Look) -> (String, Role) {
+    if value.is_unknown {
+        let text = text!("messages-unknown", value = value.figures());
+        return (look.text(&text), Role::Muted);
+    }
+    let names = value.names.join(" ");
+    let parts = [value.figures(), value.unit.to_owned(), names];
+    let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    (parts.join(" "), Role::Text)
+}
+
+/// A message that nobody can read: why not, and its bytes.
+fn draw_undecoded(reading: &Reading, tally: &Tally, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let reason = if reading.name.is_some() {
+        look.say("messages-other-layout")
+    } else {
+        look.say("messages-unknown-id")
+    };
+    let mut row = 0;
+    for line in wrap(&reason, usize::from(area.width)) {
+        put(
+            buffer,
+            area,
+            row,
+            &Line::styled(line, look.style(Role::Warning)),
+        );
+        row += 1;
+    }
+    draw_bytes(tally, look, below(area, row), buffer);
+}
+
+/// The last frame byte by byte.
+fn draw_bytes(tally: &Tally, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let per_line = if area.width >= 72 { 16 } else { 8 };
+    for (row, bytes) in tally.last.chunks(per_line).enumerate() {
+        let hex: String = bytes.iter().map(|byte| format!(" {byte:02x}")).collect();
+        let text: String = bytes
+            .iter()
+            .map(|&byte| {
+                if byte.is_ascii_graphic() {
+                    char::from(byte)
+                } else {
+                    '.'
+                }
+            })
+            .collect();
+        let offset = format!("{:03x}", row * per_line);
+        let line = Line::from(vec![
+            Span::styled(offset, look.style(Role::Muted)),
+            Span::raw(format!("{hex:width$} ", width = per_line * 3)),
+            Span::styled(text, look.style(Role::Muted)),
+        ]);
+        put(buffer, area, row as u16, &line);
+    }
+}
