@@ -24,3 +24,9 @@ links-missing = never arrived
 links-others = besides
 links-other-figures = peers { $peers }, reconnected { $reconnects }, not sent { $unsent }
 links-history = { $way }, last { $seconds } s, peak { $most }
+
+links-key-command = command
+links-key-help = help
+links-key-choose = choose
+links-key-messages = messages
+links-key-fly = fly

@@ -24,3 +24,9 @@ links-missing = не дійшло
 links-others = крім того
 links-other-figures = співрозмовників { $peers }, перез'єднань { $reconnects }, не надіслано { $unsent }
 links-history = { $way }, останні { $seconds } с, найбільше { $most }
+
+links-key-command = команда
+links-key-help = довідка
+links-key-choose = вибір
+links-key-messages = повідомлення
+links-key-fly = політ

@@ -157,7 +157,10 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
             }
         }
         Action::Escape if room.field.is_some() => room.field = None,
-        Action::Escape if !room.filter.is_empty() => room.filter.clear(),
+        Action::Escape => {
+            room.filter.clear();
+            state.hush();
+        }
         _ => return None,
     }
     Some(Vec::new())

@@ -16,6 +16,14 @@ use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, clip, columns, put, row_of, titled, upper, wrap};
 
+/// Keys that the last line of the screen names.
+pub const HINTS: &[(&str, &str)] = &[
+    (":", "links-key-command"),
+    ("?", "links-key-help"),
+    ("j k", "links-key-choose"),
+    ("I", "links-key-messages"),
+    ("F", "links-key-fly"),
+];
 /// Columns of a label.
 const LABEL: usize = 16;
 /// Rows of a history curve.

@@ -18,6 +18,18 @@ use crate::wire::Anatomy;
 mod fields;
 mod graph;
 
+/// Keys that the last line of the screen names.
+pub const HINTS: &[(&str, &str)] = &[
+    ("?", "messages-key-help"),
+    ("Enter", "messages-key-open"),
+    ("Tab", "messages-key-fields"),
+    ("g", "messages-key-graph"),
+    ("x", "messages-key-bytes"),
+    ("/", "messages-key-filter"),
+    ("s", "messages-key-sort"),
+    ("p", "messages-key-pause"),
+    ("z", "messages-key-fold"),
+];
 /// Columns of the tree with rate and age, and with bytes and count besides.
 const NARROW_TREE: u16 = 43;
 const WIDE_TREE: u16 = 62;

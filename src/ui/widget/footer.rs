@@ -6,6 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Room, State};
 use crate::ui::look::Look;
+use crate::ui::screen::{links, messages};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
@@ -62,12 +63,16 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     let hints = match state.room {
         Room::Home => HOME,
         Room::Debrief => DEBRIEF,
+        Room::Messages => messages::HINTS,
+        Room::Links => links::HINTS,
         _ => FLY,
     };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
     for (key, what) in hints {
-        used += key.len() + what.len() + 3;
+        // Those that are no message yet are said as they are.
+        let what = look.say(what);
+        used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
             break;
         }
