@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::{Groups, LinkSummary, Selection};
-use crate::doctor::Finding;
+use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::Progress;
@@ -123,6 +123,13 @@ impl Session {
             Some(VehicleClass::Sub) => "sub",
             Some(VehicleClass::Other) | None => "vehicle",
         }
+    }
+
+    /// Why nothing is heard, as far as the link doctor knows; a link that is not open says so itself.
+    pub fn worst_finding(&self) -> Option<&Finding> {
+        let worst = self.findings.first()?;
+        let is_told = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
+        is_told.then_some(worst)
     }
 
     /// How many vehicles are armed.
