@@ -12,4 +12,4 @@ mod reading;
 
 pub use census::{Census, Direction, Key, Rate, Source, Tally, Watched};
 pub use definitions::{Definitions, Enum, Field, Kind, Message};
-pub use reading::{Element, Reading, Value, name_of, read};
+pub use reading::{Element, Reading, Value, figure, name_of, read};

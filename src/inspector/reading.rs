@@ -66,16 +66,16 @@ impl fmt::Display for Element {
         match *self {
             Self::Unsigned(value) => write!(f, "{value}"),
             Self::Signed(value) => write!(f, "{value}"),
-            Self::Single(value) => float(f64::from(value), 7, f),
-            Self::Double(value) => float(value, 12, f),
+            Self::Single(value) => f.write_str(&figure(f64::from(value), 7)),
+            Self::Double(value) => f.write_str(&figure(value, 12)),
         }
     }
 }
 
-/// A fraction with about so many significant digits, without zeros at its end.
-fn float(value: f64, digits: i32, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+/// A number with so many significant digits, without zeros at the end of its fraction.
+pub fn figure(value: f64, digits: i32) -> String {
     if !value.is_finite() {
-        return write!(f, "{value}");
+        return value.to_string();
     }
     let magnitude = if value == 0.0 {
         0
@@ -83,7 +83,7 @@ fn float(value: f64, digits: i32, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         value.abs().log10().floor() as i32
     };
     if !(-5..15).contains(&magnitude) {
-        return write!(f, "{value:.*e}", (digits - 1).clamp(0, 15) as usize);
+        return format!("{value:.*e}", (digits - 1).clamp(0, 15) as usize);
     }
     let decimals = (digits - 1 - magnitude).clamp(0, 15) as usize;
     let text = format!("{value:.decimals$}");
@@ -92,7 +92,7 @@ fn float(value: f64, digits: i32, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     } else {
         &text
     };
-    f.write_str(if short == "-0" { "0" } else { short })
+    if short == "-0" { "0" } else { short }.to_owned()
 }
 
 impl Value {

@@ -10,6 +10,8 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod inspector;
+
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 
 fn check(name: &str, console: &Console) {
@@ -178,7 +180,7 @@ fn questions_help_links_and_brief() {
     insta::assert_snapshot!("cancelled_80x24", console.press("x").screen(80, 24));
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").give("links"));
-    check("brief", console.press("esc").press("b"));
+    check("brief", console.press("F").press("b"));
     check("ledger", console.press("esc").press("c"));
     check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(

@@ -90,8 +90,10 @@ fn list_line(
     look: &Look,
 ) -> Line<'static> {
     let lost: u64 = link.lost.iter().map(|(_, count)| count).sum();
-    let weight = worst.map_or(Weight::Fine, |finding| finding.cause.weight());
-    let (sign, role) = signed(weight);
+    let (sign, role) = worst.map_or((String::new(), Role::Text), |finding| {
+        let (sign, role) = signed(finding.cause.weight());
+        (look.say(sign), role)
+    });
     let state = if link.up {
         look.say("links-up")
     } else {
@@ -108,7 +110,7 @@ fn list_line(
     Line::from(vec![
         Span::raw(figures),
         Span::styled(format!("{state:9}"), look.style(state_role)),
-        Span::styled(look.say(sign), look.style(role)),
+        Span::styled(sign, look.style(role)),
     ])
 }
 
@@ -138,6 +140,10 @@ fn draw_doctor(state: &State, link: usize, look: &Look, area: Rect, buffer: &mut
             put(buffer, inner, row, &Line::styled(line, look.style(role)));
             row += 1;
         }
+    }
+    if row == 0 {
+        let line = Line::styled(look.say("doctor-listening"), look.style(Role::Muted));
+        put(buffer, inner, 0, &line);
     }
     below(inner, row.max(1))
 }

@@ -176,11 +176,15 @@ fn label(room: &Messages, node: Node, look: &Look) -> String {
             let census = traffic.and_then(|traffic| traffic.census.as_ref());
             let peer = census.and_then(|census| census.peer_name(peer));
             let name = look.text(&text!("messages-system", system = system));
-            let way = match direction {
-                Direction::In => look.say("messages-received"),
-                Direction::Out => look.say("messages-sent"),
+            let way = match (direction, peer) {
+                (Direction::In, Some(peer)) => peer.to_owned(),
+                (Direction::In, None) => look.say("messages-received"),
+                (Direction::Out, peer) => {
+                    let sent = look.say("messages-sent");
+                    format!("{sent} {}", peer.unwrap_or_default())
+                }
             };
-            format!("{name} {way} {}", peer.unwrap_or_default())
+            format!("{name} {way}")
         }
         Node::Component(_, source) => {
             let component = source.component;

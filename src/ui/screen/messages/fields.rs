@@ -14,8 +14,8 @@ use crate::ui::widget::{below, clip, put, row_of, titled, wrap};
 use crate::wire::Anatomy;
 use mavlink::MavlinkVersion;
 
-/// Columns of a field's name at most, where there is room.
-const NAME_WIDTH: usize = 32;
+/// Columns before a value that stands below its name.
+const INDENT: usize = 4;
 
 /// A line of the pane, and the field that it belongs to.
 type Row = (Option<usize>, Line<'static>);
@@ -118,8 +118,8 @@ fn draw_values(room: &Messages, reading: &Reading, look: &Look, area: Rect, buff
 
 /// The fields as lines of a width.
 fn rows(room: &Messages, reading: &Reading, look: &Look, width: usize) -> Vec<Row> {
-    let longest = reading.values.iter().map(|value| value.name.len()).max();
-    let name_width = longest.unwrap_or(0).min(NAME_WIDTH).min(width / 2) + 1;
+    let lengths = reading.values.iter().map(|value| value.name.len() + 1);
+    let name_width = lengths.filter(|len| *len <= width / 2).max().unwrap_or(0);
     let selected = room.selected();
     let is_pinned = |field: usize| {
         let mine = selected.map(|(link, key, ..)| (link, key, field));
@@ -132,28 +132,28 @@ fn rows(room: &Messages, reading: &Reading, look: &Look, width: usize) -> Vec<Ro
         let (words, role) = words(value, look);
         let mark = if is_pinned(field) { "~" } else { " " };
         let name = format!("{mark}{}", value.name);
-        let name = Span::styled(
-            format!("{name:name_width$} "),
-            look.style(if value.is_extension {
-                Role::Muted
-            } else {
-                Role::Text
-            }),
-        );
-        let left = width.saturating_sub(name.width());
-        let mut lines = wrap(&words, left.max(8)).into_iter();
-        // A name that is too long for its column has the line for itself.
-        if name.width() > name_width + 1 {
-            rows.push((Some(field), Line::from(name)));
+        let name_role = if value.is_extension {
+            Role::Muted
         } else {
-            let first = Span::styled(lines.next().unwrap_or_default(), look.style(role));
-            rows.push((Some(field), Line::from(vec![name, first])));
+            Role::Text
+        };
+        let left = width.saturating_sub(name_width + 1);
+        let fits = name.len() <= name_width && Span::raw(words.as_str()).width() <= left;
+        let mut line = vec![Span::styled(
+            format!("{name:name_width$} "),
+            look.style(name_role),
+        )];
+        if fits {
+            line.push(Span::styled(words, look.style(role)));
+            rows.push((Some(field), Line::from(line)));
+            continue;
         }
-        let indent = " ".repeat(name_width + 1);
-        rows.extend(lines.map(|line| {
-            let text = Span::styled(line, look.style(role));
-            (None, Line::from(vec![Span::raw(indent.clone()), text]))
-        }));
+        // What is too long for its column stands below its name.
+        rows.push((Some(field), Line::from(line)));
+        for part in wrap(&words, width.saturating_sub(INDENT).max(8)) {
+            let text = format!("{:INDENT$}{part}", "");
+            rows.push((None, Line::styled(text, look.style(role))));
+        }
     }
     rows
 }

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::room::messages::{GRAPH_SPAN, Messages, Pin};
-use crate::inspector::Element;
+use crate::inspector::figure;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -53,12 +53,11 @@ fn draw_pin(pin: &Pin, look: &Look, area: Rect, buffer: &mut Buffer) {
         );
         return;
     };
-    let figure = |value: f64| Element::Single(value as f32).to_string();
     let figures = look.text(&text!(
         "messages-extent",
-        now = figure(now),
-        low = figure(low),
-        high = figure(high),
+        now = figure(now, 5),
+        low = figure(low, 5),
+        high = figure(high, 5),
         seconds = GRAPH_SPAN.as_secs()
     ));
     let line = Line::from(vec![Span::styled(
