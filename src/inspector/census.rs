@@ -143,7 +143,8 @@ impl Tally {
         // The first second was not whole: it began with the first message.
         let seconds = match whole {
             0 => 1.0,
-            1..=WINDOW_S => (Duration::from_secs(running) - self.first_at)
+            1..=WINDOW_S => Duration::from_secs(running)
+                .saturating_sub(self.first_at)
                 .as_secs_f64()
                 .max(1.0),
             _ => WINDOW_S as f64,

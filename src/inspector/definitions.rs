@@ -73,7 +73,7 @@ pub struct Enum {
 
 impl Kind {
     /// Bytes on the wire.
-    pub fn len(self) -> usize {
+    pub fn wire_len(self) -> usize {
         match self {
             Self::Char | Self::U8 | Self::I8 => 1,
             Self::U16 | Self::I16 => 2,
@@ -102,8 +102,8 @@ impl Kind {
 
 impl Field {
     /// Bytes on the wire, of all elements.
-    pub fn len(&self) -> usize {
-        self.kind.len() * usize::from(self.count.max(1))
+    pub fn wire_len(&self) -> usize {
+        self.kind.wire_len() * usize::from(self.count.max(1))
     }
 }
 
@@ -233,7 +233,7 @@ mod tests {
             let message = Definitions::get().message(id).expect("in the table");
             assert_eq!(message.name, default.message_name());
             assert_eq!(message.seed, MavMessage::extra_crc(id), "{}", message.name);
-            let len: usize = message.fields.iter().map(Field::len).sum();
+            let len: usize = message.fields.iter().map(Field::wire_len).sum();
             // Where no enum stands in the way: with no zero at its end the dialect writes all that it has.
             if let Ok(full) = MavMessage::parse(MavlinkVersion::V2, id, &[1; 255]) {
                 assert_eq!(

@@ -98,13 +98,11 @@ pub fn figure(value: f64, digits: i32) -> String {
 impl Value {
     /// The value without its unit: text in quotes, the elements of an array with blanks between them.
     pub fn figures(&self) -> String {
-        match &self.text {
-            Some(text) => format!("\"{text}\""),
-            None => {
-                let figures: Vec<String> = self.elements.iter().map(Element::to_string).collect();
-                figures.join(" ")
-            }
+        if let Some(text) = &self.text {
+            return format!("\"{text}\"");
         }
+        let figures: Vec<String> = self.elements.iter().map(Element::to_string).collect();
+        figures.join(" ")
     }
 
     /// The number to draw: the first element.
@@ -135,7 +133,7 @@ pub fn read(frame: &Anatomy<'_>) -> Reading {
     let mut values = Vec::new();
     for field in message.fields.iter().filter(|_| is_verified) {
         values.push(value(definitions, field, frame.payload, at));
-        at += field.len();
+        at += field.wire_len();
     }
     Reading {
         name: Some(message.name),
@@ -146,20 +144,22 @@ pub fn read(frame: &Anatomy<'_>) -> Reading {
 
 /// Reads one field. What lies behind the payload's end is zero: MAVLink 2 leaves zeros at the end out.
 fn value(definitions: &Definitions, field: &Field, payload: &[u8], at: usize) -> Value {
-    let bytes: Vec<u8> = (at..at + field.len())
+    let bytes: Vec<u8> = (at..at + field.wire_len())
         .map(|at| payload.get(at).copied().unwrap_or(0))
         .collect();
     let (elements, text) = if field.kind == Kind::Char {
         (Vec::new(), Some(text(&bytes)))
     } else {
-        let elements = bytes.chunks(field.kind.len());
+        let elements = bytes.chunks(field.kind.wire_len());
         (
             elements.map(|bytes| element(field.kind, bytes)).collect(),
             None,
         )
     };
     let first = elements.first().copied();
-    let same = |unknown: f64, found: f64| found == unknown || found.is_nan() && unknown.is_nan();
+    let same = |unknown: f64, found: f64| {
+        (found - unknown).abs() < f64::EPSILON || found.is_nan() && unknown.is_nan()
+    };
     let is_unknown = field
         .unknown
         .zip(first)

@@ -46,9 +46,10 @@ impl Links {
     pub fn note(&mut self, links: &[LinkSummary]) {
         self.history.resize(links.len(), History::default());
         for (history, link) in self.history.iter_mut().zip(links) {
-            let (bytes_in, bytes_out) = match link.up {
-                true => (link.bytes_in_per_s, link.bytes_out_per_s),
-                false => (0.0, 0.0),
+            let (bytes_in, bytes_out) = if link.up {
+                (link.bytes_in_per_s, link.bytes_out_per_s)
+            } else {
+                (0.0, 0.0)
             };
             push(&mut history.bytes_in, bytes_in);
             push(&mut history.bytes_out, bytes_out);

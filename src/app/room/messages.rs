@@ -7,7 +7,7 @@ use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
 use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
 use crate::app::state::{Overlay, Prompt, Purpose, Room, State};
-use crate::inspector::{Census, Key, Reading, Tally, Watched, name_of, read};
+use crate::inspector::{Census, Key, Reading, Tally, Value, Watched, name_of, read};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -145,8 +145,6 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         },
         Action::Expand => room.expand(),
         Action::Collapse => room.collapse(),
-        Action::OtherSide if room.field.is_some() => room.field = None,
-        Action::OtherSide => room.enter_fields(),
         Action::FoldAll => room.fold_all(),
         Action::Pause => room.paused = !room.paused,
         Action::Hex => room.hex = !room.hex,
@@ -156,7 +154,8 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
                 state.say(Severity::Notice, reason);
             }
         }
-        Action::Escape if room.field.is_some() => room.field = None,
+        Action::OtherSide | Action::Escape if room.field.is_some() => room.field = None,
+        Action::OtherSide => room.enter_fields(),
         Action::Escape => {
             room.filter.clear();
             state.hush();
@@ -168,7 +167,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 
 /// Takes the filter that is being written.
 pub fn filter(state: &mut State, entered: &str) {
-    state.rooms.messages.filter = entered.trim().to_owned();
+    entered.trim().clone_into(&mut state.rooms.messages.filter);
 }
 
 /// What the room wants to see now; `None` is nothing.
@@ -364,7 +363,7 @@ impl Pin {
         for (at, bytes) in mine.iter().flat_map(|watched| &watched.frames) {
             let reading = Anatomy::of(bytes).map(|frame| read(&frame));
             let value = reading.as_ref().and_then(|it| it.values.get(self.field));
-            if let Some(number) = value.filter(|it| !it.is_unknown).and_then(|it| it.number()) {
+            if let Some(number) = value.filter(|it| !it.is_unknown).and_then(Value::number) {
                 self.points.push_back((*at, number));
             }
         }

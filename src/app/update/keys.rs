@@ -206,14 +206,9 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
                 let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
                 *cursor = Some(at).filter(|at| at + 1 < count);
             }
-            let (scroll, count) = match &mut reader {
-                Overlay::Help { scroll } => (scroll, help_lines(&state.keymap).len()),
-                _ => {
-                    state.overlay = Some(reader);
-                    return Vec::new();
-                }
-            };
-            *scroll = step.apply(*scroll, count);
+            if let Overlay::Help { scroll } = &mut reader {
+                *scroll = step.apply(*scroll, help_lines(&state.keymap).len());
+            }
         }
         _ => {}
     }

@@ -137,8 +137,8 @@ proptest! {
         let rate = tally.rate(end);
         prop_assert!((rate.hz - f64::from(hz)).abs() <= 0.21, "{} at {hz} Hz", rate.hz);
         prop_assert!((rate.bytes_s - rate.hz * frame.len() as f64).abs() < 1e-6);
-        let early = tally.rate(start + Duration::from_secs(9) + Duration::from_millis(7000));
-        prop_assert_eq!(early.hz, 0.0);
+        let late = tally.rate(start + Duration::from_secs(16));
+        prop_assert!(late.hz < 0.01);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::{LinkTraffic, Messages, Sort};
-use crate::inspector::{Direction, Key, Rate, Source, Tally, name_of};
+use crate::inspector::{Census, Direction, Key, Rate, Source, Tally, name_of};
 use crate::wire::SystemId;
 
 /// With more systems than this they are closed to begin with.
@@ -130,7 +130,7 @@ impl Messages {
     fn add_link(&self, link: usize, traffic: &LinkTraffic, lines: &mut Vec<Branch>) {
         let mut total = Branch::new(Node::Link(link));
         let mut systems: BTreeMap<Node, BTreeMap<Node, Vec<Branch>>> = BTreeMap::new();
-        let tallies = traffic.census.iter().flat_map(|census| census.tallies());
+        let tallies = traffic.census.iter().flat_map(Census::tallies);
         for (key, tally) in tallies {
             if !self.matches(key) {
                 continue;
@@ -159,7 +159,9 @@ impl Messages {
             }
             for (component, mut messages) in components {
                 let mut sum = Branch::new(component);
-                messages.iter().for_each(|part| sum.add(part));
+                for part in &messages {
+                    sum.add(part);
+                }
                 if self.push(sum, true, lines) {
                     self.order(&mut messages);
                     lines.extend(messages);

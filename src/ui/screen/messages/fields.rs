@@ -14,6 +14,7 @@ use crate::ui::widget::{below, clip, put, row_of, titled, wrap};
 use crate::wire::Anatomy;
 use mavlink::MavlinkVersion;
 
+const DIGITS: &[u8; 16] = b"0123456789abcdef";
 /// Columns before a value that stands below its name.
 const INDENT: usize = 4;
 
@@ -194,7 +195,11 @@ fn draw_undecoded(reading: &Reading, tally: &Tally, look: &Look, area: Rect, buf
 fn draw_bytes(tally: &Tally, look: &Look, area: Rect, buffer: &mut Buffer) {
     let per_line = if area.width >= 72 { 16 } else { 8 };
     for (row, bytes) in tally.last.chunks(per_line).enumerate() {
-        let hex: String = bytes.iter().map(|byte| format!(" {byte:02x}")).collect();
+        let mut hex = String::new();
+        for byte in bytes {
+            hex.push(' ');
+            hex.extend([byte >> 4, byte & 0xF].map(|digit| char::from(DIGITS[usize::from(digit)])));
+        }
         let text: String = bytes
             .iter()
             .map(|&byte| {
