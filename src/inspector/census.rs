@@ -13,6 +13,8 @@ const SLOTS: usize = 8;
 const MOST_KINDS: usize = 20_000;
 /// Kinds whose checksum cannot be verified: noise looks like any of them.
 const MOST_UNVERIFIED: usize = 256;
+/// Noise seldom looks so often like the same message of the same sender.
+const KEEPS_COMING: u64 = 3;
 /// When there is no room left, what has been silent for so long makes some.
 const STALE: Duration = Duration::from_secs(60);
 /// Room is looked for no more often than this.
@@ -285,6 +287,12 @@ impl Census {
     /// One kind of message.
     pub fn tally(&self, key: Key) -> Option<&Tally> {
         self.tallies.get(&key)
+    }
+
+    /// Whether a kind is more than a pattern in noise: its checksum was right, or its sender is known by others, or
+    /// it keeps coming.
+    pub fn is_credible(&self, key: Key, tally: &Tally) -> bool {
+        tally.is_verified || tally.count >= KEEPS_COMING || self.sources.contains_key(&key.source)
     }
 
     /// Everybody whose frames were verified, received and sent.

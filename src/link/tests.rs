@@ -16,6 +16,7 @@ use super::*;
 use crate::wire::{Content, Decoder, Encoder};
 
 mod playback;
+mod tap;
 mod tcp;
 mod udp;
 

@@ -151,8 +151,12 @@ mod tests {
         let vehicle = Vehicle::new(1, 1);
         let mut streams = Streams::new(Duration::ZERO);
         let is_for_home = |(message, _): &(Outgoing, u16)| match message {
-            Outgoing::Message(MavMessage::COMMAND_LONG(long)) => long.param1 == 242.0,
-            Outgoing::Message(MavMessage::COMMAND_INT(int)) => int.param1 == 242.0,
+            Outgoing::Message(MavMessage::COMMAND_LONG(long)) => {
+                long.param1.to_bits() == 242f32.to_bits()
+            }
+            Outgoing::Message(MavMessage::COMMAND_INT(int)) => {
+                int.param1.to_bits() == 242f32.to_bits()
+            }
             Outgoing::Raw { payload, .. } => payload.starts_with(&242f32.to_le_bytes()),
             Outgoing::Message(_) => false,
         };

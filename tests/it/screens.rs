@@ -11,6 +11,7 @@ use crate::fixtures;
 use crate::harness::Console;
 
 mod inspector;
+mod link_room;
 
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 

@@ -126,7 +126,6 @@ pub const KEYS: &[Row] = &[
 pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
     let room = &mut state.rooms.messages;
     match action {
-        Action::Move(step) => room.go(step),
         Action::Filter => {
             let filter = room.filter.clone();
             state.overlay = Some(Overlay::Prompt(Prompt {
@@ -134,33 +133,16 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
                 ..Prompt::new(Purpose::Filter(Room::Messages))
             }));
         }
-        Action::Submit => match room.cursor_branch() {
-            Some(Branch {
-                is_open: Some(_),
-                node,
-                ..
-            }) => room.turn(node),
-            Some(_) => room.enter_fields(),
-            None => {}
-        },
-        Action::Expand => room.expand(),
-        Action::Collapse => room.collapse(),
-        Action::FoldAll => room.fold_all(),
-        Action::Pause => room.paused = !room.paused,
-        Action::Hex => room.hex = !room.hex,
-        Action::Sort => room.sort = room.sort.next(),
         Action::Pin => {
             if let Err(reason) = room.pin() {
                 state.say(Severity::Notice, reason);
             }
         }
-        Action::OtherSide | Action::Escape if room.field.is_some() => room.field = None,
-        Action::OtherSide => room.enter_fields(),
-        Action::Escape => {
+        Action::Escape if room.field.is_none() => {
             room.filter.clear();
             state.hush();
         }
-        _ => return None,
+        _ => return room.act(action).then(Vec::new),
     }
     Some(Vec::new())
 }
@@ -249,6 +231,32 @@ impl Messages {
             let hides = |branch: &Branch| cursor.is_below(branch.node);
             branches.iter().rposition(hides).unwrap_or(0)
         })
+    }
+
+    /// Does what concerns the room alone; false if the action is none of its own.
+    fn act(&mut self, action: Action) -> bool {
+        match action {
+            Action::Move(step) => self.go(step),
+            Action::Submit => self.submit(),
+            Action::Expand => self.expand(),
+            Action::Collapse => self.collapse(),
+            Action::OtherSide | Action::Escape if self.field.is_some() => self.field = None,
+            Action::OtherSide => self.enter_fields(),
+            Action::FoldAll => self.fold_all(),
+            Action::Pause => self.paused = !self.paused,
+            Action::Hex => self.hex = !self.hex,
+            Action::Sort => self.sort = self.sort.next(),
+            _ => return false,
+        }
+        true
+    }
+
+    fn submit(&mut self) {
+        match self.cursor_branch() {
+            Some(branch) if branch.is_open.is_some() => self.turn(branch.node),
+            Some(_) => self.enter_fields(),
+            None => {}
+        }
     }
 
     fn go(&mut self, step: Step) {

@@ -57,6 +57,32 @@ async fn a_serial_port_at_any_wrong_baud_rate() {
     }
 }
 
+/// The same over a real serial device: the other side of a pseudo-terminal.
+#[cfg(feature = "serial")]
+#[tokio::test(start_paused = true)]
+async fn a_real_device_at_the_wrong_baud_rate() {
+    use portable_pty::{PtySize, native_pty_system};
+    use std::io::Write as _;
+
+    let pair = native_pty_system()
+        .openpty(PtySize::default())
+        .expect("a pseudo-terminal");
+    let device = pair.master.tty_name().expect("a name");
+    let address = format!("serial:{}:57600", device.display());
+    let address = address.parse().expect("an address");
+    let mut patient = Patient::over(Transport::Address(address), Way::Serial);
+    patient.until(|status| status.state == LinkState::Up).await;
+    let mut line = pair.master.take_writer().expect("a writer");
+    let garbage = uart::heard(&recording("flight.tlog")[..6000], 0.5);
+    for part in garbage.chunks(600).take(8) {
+        line.write_all(part).expect("written");
+        line.flush().expect("written");
+        patient.given += part.len() as u64;
+        patient.second().await;
+    }
+    assert_eq!(patient.causes(), [Cause::WrongBaud]);
+}
+
 #[tokio::test(start_paused = true)]
 async fn frames_of_an_unknown_dialect() {
     let (mut patient, remote) = Patient::listening().await;

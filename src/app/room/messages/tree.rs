@@ -130,11 +130,14 @@ impl Messages {
     fn add_link(&self, link: usize, traffic: &LinkTraffic, lines: &mut Vec<Branch>) {
         let mut total = Branch::new(Node::Link(link));
         let mut systems: BTreeMap<Node, BTreeMap<Node, Vec<Branch>>> = BTreeMap::new();
-        let tallies = traffic.census.iter().flat_map(Census::tallies);
+        let shown = |census: &Census, key, tally: &Tally| {
+            census.is_credible(key, tally) && self.matches(key)
+        };
+        let tallies = traffic.census.iter().flat_map(|census| {
+            let all = census.tallies();
+            all.filter(move |(key, tally)| shown(census, *key, tally))
+        });
         for (key, tally) in tallies {
-            if !self.matches(key) {
-                continue;
-            }
             let branch = Branch::of(Node::Message(link, key), tally, traffic.now);
             total.add(&branch);
             systems
