@@ -17,6 +17,7 @@ messages-system = system { $system }
 messages-component = component { $component }
 messages-received = received
 messages-sent = sent
+messages-to = { $system } to { $peer }
 messages-signed = signed
 messages-unsigned = unsigned
 messages-figures = { $hz } Hz  { $bytes } B/s  count { $count }  age { $age }

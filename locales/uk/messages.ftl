@@ -17,6 +17,7 @@ messages-system = система { $system }
 messages-component = компонент { $component }
 messages-received = від неї
 messages-sent = від нас
+messages-to = { $system } до { $peer }
 messages-signed = з підписом
 messages-unsigned = без підпису
 messages-figures = { $hz } Hz  { $bytes } B/s  разом { $count }  вік { $age }

@@ -72,6 +72,19 @@ pub struct Wanted {
     pub watched: BTreeSet<(usize, Key)>,
 }
 
+/// The message under the cursor.
+#[derive(Debug, Clone, Copy)]
+pub struct Selected<'a> {
+    /// The number of its link.
+    pub link: usize,
+    /// Which message from whom.
+    pub key: Key,
+    /// What is known of it.
+    pub tally: &'a Tally,
+    /// The time of the look, on the link's clock.
+    pub now: Duration,
+}
+
 /// What messages are ordered by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Sort {
@@ -197,20 +210,29 @@ impl Messages {
         }
     }
 
-    /// The message under the cursor: link, kind, and what is known of it.
-    pub fn selected(&self) -> Option<(usize, Key, &Tally, Duration)> {
-        let Node::Message(link, key) = self.cursor_branch()?.node else {
+    /// The message under the cursor.
+    pub fn selected(&self) -> Option<Selected<'_>> {
+        self.selected_in(&self.branches())
+    }
+
+    /// The same, where the lines are known.
+    pub fn selected_in(&self, branches: &[Branch]) -> Option<Selected<'_>> {
+        let Node::Message(link, key) = branches.get(self.cursor_row(branches))?.node else {
             return None;
         };
         let traffic = self.traffic.get(link)?;
-        let tally = traffic.census.as_ref()?.tally(key)?;
-        Some((link, key, tally, traffic.now))
+        Some(Selected {
+            link,
+            key,
+            tally: traffic.census.as_ref()?.tally(key)?,
+            now: traffic.now,
+        })
     }
 
     /// What the last frame of the message under the cursor says.
     pub fn reading(&self) -> Option<Reading> {
-        let (_, _, tally, _) = self.selected()?;
-        Anatomy::of(&tally.last).map(|frame| read(&frame))
+        let last = &self.selected()?.tally.last;
+        Anatomy::of(last).map(|frame| read(&frame))
     }
 
     /// The line under the cursor: the one it was put on, else the one that took its place.
@@ -326,9 +348,10 @@ impl Messages {
     /// Draws the field under the cursor as a graph from now on, or no longer.
     fn pin(&mut self) -> Result<(), Text> {
         let choose = || text!("messages-choose-field");
-        let (Some(field), Some((link, key, _, now))) = (self.field, self.selected()) else {
+        let (Some(field), Some(selected)) = (self.field, self.selected()) else {
             return Err(choose());
         };
+        let Selected { link, key, now, .. } = selected;
         let is_it = |pin: &Pin| (pin.link, pin.key, pin.field) == (link, key, field);
         if self.pins.iter().any(is_it) {
             self.pins.retain(|pin| !is_it(pin));

@@ -49,7 +49,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let right = columns(area, tree_width + 1, area.width);
     let graphs = graph::height(room, right.height);
     let top = upper(right, right.height - graphs);
-    fields::draw(room, look, top, buffer);
+    fields::draw(room, room.selected_in(&branches), look, top, buffer);
     graph::draw(room, look, below(right, top.height), buffer);
 }
 
@@ -179,10 +179,10 @@ fn label(room: &Messages, node: Node, look: &Look) -> String {
             let way = match (direction, peer) {
                 (Direction::In, Some(peer)) => peer.to_owned(),
                 (Direction::In, None) => look.say("messages-received"),
-                (Direction::Out, peer) => {
-                    let sent = look.say("messages-sent");
-                    format!("{sent} {}", peer.unwrap_or_default())
+                (Direction::Out, Some(peer)) => {
+                    return look.text(&text!("messages-to", system = system, peer = peer));
                 }
+                (Direction::Out, None) => look.say("messages-sent"),
             };
             format!("{name} {way}")
         }

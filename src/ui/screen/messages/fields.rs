@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{age, hertz};
-use crate::app::room::messages::Messages;
+use crate::app::room::messages::{Messages, Selected};
 use crate::inspector::{Direction, Key, Reading, Tally, Value, name_of, read};
 use crate::text;
 use crate::ui::look::Look;
@@ -22,8 +22,14 @@ const INDENT: usize = 4;
 type Row = (Option<usize>, Line<'static>);
 
 /// Draws the pane.
-pub(super) fn draw(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let Some((_, key, tally, now)) = room.selected() else {
+pub(super) fn draw(
+    room: &Messages,
+    selected: Option<Selected<'_>>,
+    look: &Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let Some(selected) = selected else {
         let inner = titled(&look.say("messages-fields"), look, area, buffer);
         let lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
         for (row, line) in lines.into_iter().enumerate() {
@@ -32,6 +38,9 @@ pub(super) fn draw(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer
         }
         return;
     };
+    let Selected {
+        key, tally, now, ..
+    } = selected;
     let title = format!("{} ({})", name_of(key.message), key.message);
     let inner = titled(&title, look, area, buffer);
     let Some(frame) = Anatomy::of(&tally.last) else {
@@ -67,7 +76,8 @@ pub(super) fn draw(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer
         draw_undecoded(&reading, tally, look, inner, buffer);
         return;
     }
-    draw_values(room, &reading, look, inner, buffer);
+    let rows = rows(room, selected, &reading, look, inner.width.into());
+    draw_rows(&rows, room.field, look, inner, buffer);
 }
 
 /// How the last frame was dressed: version, signature, length, number.
@@ -95,16 +105,15 @@ fn dress(key: Key, frame: &Anatomy<'_>, tally: &Tally, look: &Look) -> String {
     ))
 }
 
-fn draw_values(room: &Messages, reading: &Reading, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let rows = rows(room, reading, look, usize::from(area.width));
-    let is_cursor = |row: &&Row| row.0.is_some() && row.0 == room.field;
-    let cursor = rows.iter().position(|row| is_cursor(&row)).unwrap_or(0);
+fn draw_rows(rows: &[Row], field: Option<usize>, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let is_cursor = |row: &Row| row.0.is_some() && row.0 == field;
+    let cursor = rows.iter().position(is_cursor).unwrap_or(0);
     let height = usize::from(area.height);
     let middle = cursor.saturating_sub(height / 2);
     let first = middle.min(rows.len().saturating_sub(height));
     for (at, row) in rows.iter().skip(first).take(height).enumerate() {
         put(buffer, area, at as u16, &row.1);
-        if is_cursor(&row) {
+        if is_cursor(row) {
             buffer.set_style(row_of(area, at as u16), look.style(Role::Cursor));
         }
     }
@@ -118,16 +127,18 @@ fn draw_values(room: &Messages, reading: &Reading, look: &Look, area: Rect, buff
 }
 
 /// The fields as lines of a width.
-fn rows(room: &Messages, reading: &Reading, look: &Look, width: usize) -> Vec<Row> {
+fn rows(
+    room: &Messages,
+    selected: Selected<'_>,
+    reading: &Reading,
+    look: &Look,
+    width: usize,
+) -> Vec<Row> {
     let lengths = reading.values.iter().map(|value| value.name.len() + 1);
     let name_width = lengths.filter(|len| *len <= width / 2).max().unwrap_or(0);
-    let selected = room.selected();
-    let is_pinned = |field: usize| {
-        let mine = selected.map(|(link, key, ..)| (link, key, field));
-        room.pins
-            .iter()
-            .any(|pin| Some((pin.link, pin.key, pin.field)) == mine)
-    };
+    let mine = |field: usize| (selected.link, selected.key, field);
+    let pins = room.pins.iter().map(|pin| (pin.link, pin.key, pin.field));
+    let is_pinned = |field: usize| pins.clone().any(|pin| pin == mine(field));
     let mut rows = Vec::new();
     for (field, value) in reading.values.iter().enumerate() {
         let (words, role) = words(value, look);
