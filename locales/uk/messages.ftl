@@ -27,6 +27,8 @@ messages-more = ще { $count }
 messages-unknown-id = Такого номера немає в жодному відомому тут діалекті; контрольну суму перевірити не можна.
 messages-other-layout = Контрольна сума не збігається з відомою тут будовою повідомлення: будова інша, або кадр пошкоджено.
 messages-extent = зараз { $now }  { $seconds } с: { $low } – { $high }
+messages-not-drawn = не намальовано: { $count }
+messages-uncounted = кадри інших видів, на які забракло місця (такий вигляд має шум): { $count }
 messages-choose-field = спершу виберіть поле: Tab переходить до полів
 messages-no-number = { $field } є текстом, графіка не буде
 

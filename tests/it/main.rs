@@ -7,6 +7,7 @@ mod doctor;
 mod fixtures;
 mod fleet;
 mod harness;
+mod inspector;
 mod layering;
 mod missions;
 mod pty;

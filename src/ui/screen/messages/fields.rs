@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use super::{age, hertz};
 use crate::app::room::messages::{Messages, Selected};
-use crate::inspector::{Direction, Key, Reading, Tally, Value, name_of, read};
+use crate::inspector::{Census, Direction, Key, Reading, Tally, Value, name_of, read};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -31,7 +31,13 @@ pub(super) fn draw(
 ) {
     let Some(selected) = selected else {
         let inner = titled(&look.say("messages-fields"), look, area, buffer);
-        let lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
+        let mut lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
+        let censuses = room.traffic.iter().filter_map(|link| link.census.as_ref());
+        let uncounted: u64 = censuses.map(Census::uncounted).sum();
+        if uncounted > 0 {
+            let text = text!("messages-uncounted", count = uncounted);
+            lines.extend(wrap(&look.text(&text), usize::from(inner.width)));
+        }
         for (row, line) in lines.into_iter().enumerate() {
             let line = Line::styled(line, look.style(Role::Muted));
             put(buffer, inner, row as u16, &line);

@@ -2,7 +2,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::{Line, Span};
+use ratatui::text::Line;
 
 use crate::app::room::messages::{GRAPH_SPAN, Messages, Pin};
 use crate::inspector::figure;
@@ -60,11 +60,18 @@ fn draw_pin(pin: &Pin, look: &Look, area: Rect, buffer: &mut Buffer) {
         high = figure(high, 5),
         seconds = GRAPH_SPAN.as_secs()
     ));
-    let line = Line::from(vec![Span::styled(
-        clip(&figures, inner.width.into()),
-        look.style(Role::Muted),
-    )]);
-    put(buffer, inner, 0, &line);
+    let mut figures = figures;
+    if pin.dropped > 0 {
+        let dropped = text!("messages-not-drawn", count = pin.dropped);
+        figures = format!("{figures}  {}", look.text(&dropped));
+    }
+    let figures = clip(&figures, inner.width.into());
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::styled(figures, look.style(Role::Muted)),
+    );
     let area = below(inner, 1);
     let values = columns(pin, curve::steps(area.width, look.symbols));
     let style = look.style(Role::Accent);
