@@ -181,43 +181,37 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
             .map(|it| (text!("links-error"), it.clone())),
     );
     let traffic = |bytes: f64, messages: f64| {
-        let rates = (format!("{bytes:.0}"), format!("{messages:.0}"));
-        look.text(&text!("links-rates", bytes = rates.0, messages = rates.1))
+        let (bytes, messages) = (format!("{bytes:.0}"), format!("{messages:.0}"));
+        text!("links-rates", bytes = bytes, messages = messages)
     };
+    let round_trip = link
+        .round_trip
+        .map(|trip| format!("{} ms", trip.as_millis()));
+    let passed_over = text!(
+        "links-dropped-figures",
+        crc = link.bad_crc,
+        skipped = link.skipped_bytes,
+        unknown = link.unknown,
+        undecoded = link.undecoded
+    );
+    let others = text!(
+        "links-other-figures",
+        peers = link.peers,
+        reconnects = link.reconnects,
+        unsent = link.unsent
+    );
+    let received = traffic(link.bytes_in_per_s, link.messages_in_per_s);
+    let sent = traffic(link.bytes_out_per_s, link.messages_out_per_s);
     lines.extend([
-        (
-            text!("links-received"),
-            traffic(link.bytes_in_per_s, link.messages_in_per_s),
-        ),
-        (
-            text!("links-sent"),
-            traffic(link.bytes_out_per_s, link.messages_out_per_s),
-        ),
+        (text!("links-received"), look.text(&received)),
+        (text!("links-sent"), look.text(&sent)),
         (
             text!("links-round-trip"),
-            link.round_trip
-                .map_or_else(|| "-".to_owned(), |trip| format!("{} ms", trip.as_millis())),
+            round_trip.unwrap_or_else(|| "-".to_owned()),
         ),
-        (
-            text!("links-dropped"),
-            look.text(&text!(
-                "links-dropped-figures",
-                crc = link.bad_crc,
-                skipped = link.skipped_bytes,
-                unknown = link.unknown,
-                undecoded = link.undecoded
-            )),
-        ),
+        (text!("links-dropped"), look.text(&passed_over)),
         (text!("links-missing"), losses(link)),
-        (
-            text!("links-others"),
-            look.text(&text!(
-                "links-other-figures",
-                peers = link.peers,
-                reconnects = link.reconnects,
-                unsent = link.unsent
-            )),
-        ),
+        (text!("links-others"), look.text(&others)),
     ]);
     lines
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::{LinkTraffic, Messages, Sort};
-use crate::inspector::{Census, Direction, Key, Rate, Source, Tally, name_of};
+use crate::inspector::{Direction, Key, Rate, Source, Tally, name_of};
 use crate::wire::SystemId;
 
 /// With more systems than this they are closed to begin with.
@@ -72,6 +72,9 @@ impl Node {
     }
 }
 
+/// The messages by system and component.
+type Systems = BTreeMap<Node, BTreeMap<Node, Vec<Branch>>>;
+
 /// One line of the tree.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Branch {
@@ -128,28 +131,13 @@ impl Messages {
     }
 
     fn add_link(&self, link: usize, traffic: &LinkTraffic, lines: &mut Vec<Branch>) {
-        let mut total = Branch::new(Node::Link(link));
-        let mut systems: BTreeMap<Node, BTreeMap<Node, Vec<Branch>>> = BTreeMap::new();
-        let shown = |census: &Census, key, tally: &Tally| {
-            census.is_credible(key, tally) && self.matches(key)
-        };
-        let tallies = traffic.census.iter().flat_map(|census| {
-            let all = census.tallies();
-            all.filter(move |(key, tally)| shown(census, *key, tally))
-        });
-        for (key, tally) in tallies {
-            let branch = Branch::of(Node::Message(link, key), tally, traffic.now);
-            total.add(&branch);
-            systems
-                .entry(Node::system_of(link, key.source))
-                .or_default()
-                .entry(Node::Component(link, key.source))
-                .or_default()
-                .push(branch);
-        }
+        let systems = self.systems(link, traffic);
         if systems.is_empty() && !self.filter.is_empty() {
             return;
         }
+        let mut total = Branch::new(Node::Link(link));
+        let messages = systems.values().flat_map(BTreeMap::values).flatten();
+        messages.for_each(|part| total.add(part));
         let are_few = systems.len() <= FEW_SYSTEMS;
         if !self.push(total, true, lines) {
             return;
@@ -171,6 +159,26 @@ impl Messages {
                 }
             }
         }
+    }
+
+    /// The messages of a link that are shown, by system and component.
+    fn systems(&self, link: usize, traffic: &LinkTraffic) -> Systems {
+        let mut systems = Systems::new();
+        let Some(census) = &traffic.census else {
+            return systems;
+        };
+        for (key, tally) in census.tallies() {
+            if !census.is_credible(key, tally) || !self.matches(key) {
+                continue;
+            }
+            systems
+                .entry(Node::system_of(link, key.source))
+                .or_default()
+                .entry(Node::Component(link, key.source))
+                .or_default()
+                .push(Branch::of(Node::Message(link, key), tally, traffic.now));
+        }
+        systems
     }
 
     /// Adds a line that can be closed and returns whether it is open. What is found by a filter is always shown.

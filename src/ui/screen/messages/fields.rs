@@ -30,18 +30,7 @@ pub(super) fn draw(
     buffer: &mut Buffer,
 ) {
     let Some(selected) = selected else {
-        let inner = titled(&look.say("messages-fields"), look, area, buffer);
-        let mut lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
-        let censuses = room.traffic.iter().filter_map(|link| link.census.as_ref());
-        let uncounted: u64 = censuses.map(Census::uncounted).sum();
-        if uncounted > 0 {
-            let text = text!("messages-uncounted", count = uncounted);
-            lines.extend(wrap(&look.text(&text), usize::from(inner.width)));
-        }
-        for (row, line) in lines.into_iter().enumerate() {
-            let line = Line::styled(line, look.style(Role::Muted));
-            put(buffer, inner, row as u16, &line);
-        }
+        draw_hint(room, look, area, buffer);
         return;
     };
     let Selected {
@@ -84,6 +73,22 @@ pub(super) fn draw(
     }
     let rows = rows(room, selected, &reading, look, inner.width.into());
     draw_rows(&rows, room.field, look, inner, buffer);
+}
+
+/// What there is to know while no message is under the cursor.
+fn draw_hint(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = titled(&look.say("messages-fields"), look, area, buffer);
+    let mut lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
+    let censuses = room.traffic.iter().filter_map(|link| link.census.as_ref());
+    let uncounted: u64 = censuses.map(Census::uncounted).sum();
+    if uncounted > 0 {
+        let text = text!("messages-uncounted", count = uncounted);
+        lines.extend(wrap(&look.text(&text), usize::from(inner.width)));
+    }
+    for (row, line) in lines.into_iter().enumerate() {
+        let line = Line::styled(line, look.style(Role::Muted));
+        put(buffer, inner, row as u16, &line);
+    }
 }
 
 /// How the last frame was dressed: version, signature, length, number.

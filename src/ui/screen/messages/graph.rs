@@ -53,18 +53,7 @@ fn draw_pin(pin: &Pin, look: &Look, area: Rect, buffer: &mut Buffer) {
         );
         return;
     };
-    let figures = look.text(&text!(
-        "messages-extent",
-        now = figure(now, 5),
-        low = figure(low, 5),
-        high = figure(high, 5),
-        seconds = GRAPH_SPAN.as_secs()
-    ));
-    let mut figures = figures;
-    if pin.dropped > 0 {
-        let dropped = text!("messages-not-drawn", count = pin.dropped);
-        figures = format!("{figures}  {}", look.text(&dropped));
-    }
+    let figures = figures(pin, (low, high, now), look);
     let figures = clip(&figures, inner.width.into());
     put(
         buffer,
@@ -82,6 +71,22 @@ fn draw_pin(pin: &Pin, look: &Look, area: Rect, buffer: &mut Buffer) {
         style,
     };
     curve::draw(&curve, look.symbols, area, buffer);
+}
+
+/// The newest value, and the least and the greatest that are drawn.
+fn figures(pin: &Pin, (low, high, now): (f64, f64, f64), look: &Look) -> String {
+    let mut figures = look.text(&text!(
+        "messages-extent",
+        now = figure(now, 5),
+        low = figure(low, 5),
+        high = figure(high, 5),
+        seconds = GRAPH_SPAN.as_secs()
+    ));
+    if pin.dropped > 0 {
+        let dropped = text!("messages-not-drawn", count = pin.dropped);
+        figures = format!("{figures}  {}", look.text(&dropped));
+    }
+    figures
 }
 
 /// The last value within each column's share of the time; the last known one where none came.
