@@ -18,6 +18,7 @@ use tokio::time::MissedTickBehavior;
 use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::keymap::Keymap;
+use crate::app::room::messages;
 use crate::app::state::State;
 use crate::app::update;
 use crate::config::Config;
@@ -284,12 +285,22 @@ impl Console {
         for event in running.collect(now) {
             self.feed(event).await;
         }
+        self.look_at_messages(now).await;
         // The mission sees what has just been collected.
         let flown = match &mut self.running {
             Some(running) => running.fly(now, &self.state.session),
             None => Vec::new(),
         };
         for event in flown {
+            self.feed(event).await;
+        }
+    }
+
+    async fn look_at_messages(&mut self, now: Duration) {
+        let wanted = messages::wanted(&self.state);
+        if let Some(running) = &mut self.running
+            && let Some(event) = running.inspect(wanted.as_ref(), now)
+        {
             self.feed(event).await;
         }
     }

@@ -12,7 +12,7 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
-use crate::link::{LinkStatus, Transport};
+use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::vehicle::Vehicle;
@@ -49,8 +49,8 @@ pub enum FleetEvent {
     Appeared(watch::Receiver<Arc<Vehicle>>),
     /// The parameters of a vehicle that was heard for the first time can be watched from now on.
     Parameters(VehicleId, watch::Receiver<Snapshot>),
-    /// A link was opened; its state can be watched from now on.
-    Linked(watch::Receiver<LinkStatus>),
+    /// A link was opened; its state and its frames can be watched from now on.
+    Linked(watch::Receiver<LinkStatus>, Tap),
     /// A command has come further, or a human should hear of something.
     Report(Report),
     /// So many reports more were dropped because the console did not listen.

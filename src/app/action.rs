@@ -11,8 +11,6 @@ pub enum Action {
     CommandLine,
     /// Open or close the help.
     Help,
-    /// What the links count.
-    Links,
     /// Look back through the commands.
     Ledger,
     /// Look back through the notices.
@@ -87,6 +85,22 @@ pub enum Action {
     ApplyParameters,
     /// Ask the vehicle for all its parameters again.
     FetchParameters,
+    /// Open a branch, or go into what is under the cursor.
+    Expand,
+    /// Close a branch, or go back.
+    Collapse,
+    /// Close all branches, or open them.
+    FoldAll,
+    /// To the other half of the screen.
+    OtherSide,
+    /// Let the picture stand still, or go on.
+    Pause,
+    /// Draw what is under the cursor as a graph, or no longer.
+    Pin,
+    /// Show bytes, or what they mean.
+    Hex,
+    /// Order by something else.
+    Sort,
     /// Leave the program.
     Quit,
 }
@@ -127,7 +141,6 @@ impl Action {
         ("debrief", Self::Show(Room::Debrief)),
         ("command-line", Self::CommandLine),
         ("help", Self::Help),
-        ("count-links", Self::Links),
         ("look-back-commands", Self::Ledger),
         ("look-back-notices", Self::Notices),
         ("brief", Self::Brief),
@@ -172,6 +185,14 @@ impl Action {
         ("compare-parameters", Self::CompareParameters),
         ("apply-parameters", Self::ApplyParameters),
         ("fetch-parameters", Self::FetchParameters),
+        ("expand", Self::Expand),
+        ("collapse", Self::Collapse),
+        ("fold-all", Self::FoldAll),
+        ("other-side", Self::OtherSide),
+        ("pause", Self::Pause),
+        ("pin", Self::Pin),
+        ("hex", Self::Hex),
+        ("sort", Self::Sort),
         ("quit", Self::Quit),
     ];
 

@@ -5,7 +5,9 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
+use super::room::messages::LinkTraffic;
 use super::state::{Activity, LinkSummary};
+use crate::doctor::Finding;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
 use crate::mission::{Area, Progress};
@@ -72,6 +74,10 @@ pub enum Event {
     Row(RowUpdate),
     /// How the links are doing.
     Links(Vec<LinkSummary>),
+    /// What the link doctor has found, once a second.
+    Findings(Vec<Finding>),
+    /// A look at the messages on the links.
+    Traffic(Vec<LinkTraffic>),
     /// How the mission is going.
     Mission(Box<Progress>),
     /// The mission is over.

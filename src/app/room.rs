@@ -187,7 +187,9 @@ pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<V
 }
 
 fn filter(state: &mut State, room: Room, entered: &str) {
-    if room == Room::Parameters {
-        entered.clone_into(&mut state.rooms.parameters.filter);
+    match room {
+        Room::Parameters => entered.clone_into(&mut state.rooms.parameters.filter),
+        Room::Messages => messages::filter(state, entered),
+        _ => {}
     }
 }

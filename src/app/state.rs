@@ -24,7 +24,7 @@ pub use alert::{Alert, alert};
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
-pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
+pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
 pub use session::{Activity, Session};

@@ -7,6 +7,7 @@ use super::state::State;
 
 pub(super) mod act;
 mod keys;
+mod links;
 pub(super) mod order;
 mod palette;
 mod telemetry;
@@ -20,6 +21,14 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         }
         Event::Vehicle(vehicle) => {
             telemetry::vehicle(state, *vehicle);
+            return Vec::new();
+        }
+        Event::Findings(findings) => {
+            links::findings(state, findings);
+            return Vec::new();
+        }
+        Event::Traffic(traffic) => {
+            links::traffic(state, traffic);
             return Vec::new();
         }
         _ => state.touch(),
@@ -43,7 +52,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Failed(text) => telemetry::failed(state, text),
         Event::Resize { columns, rows } => keys::resize(state, columns, rows),
-        Event::Tick { .. } | Event::Vehicle(_) => {}
+        Event::Tick { .. } | Event::Vehicle(_) | Event::Findings(_) | Event::Traffic(_) => {}
     }
     Vec::new()
 }

@@ -8,6 +8,7 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::app::event::{Event, Started};
+use crate::app::room::messages::Wanted;
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
@@ -18,6 +19,10 @@ use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+mod inspection;
+
+use inspection::Inspection;
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -56,6 +61,7 @@ pub(super) struct Running {
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     parameters: Vec<(VehicleId, watch::Receiver<Snapshot>)>,
     links: Vec<watch::Receiver<LinkStatus>>,
+    inspection: Inspection,
     links_said: Vec<LinkNews>,
     /// How many of the links had ended when they were shown last.
     links_ended: usize,
@@ -89,6 +95,7 @@ impl Running {
             vehicles: Vec::new(),
             parameters: Vec::new(),
             links: Vec::new(),
+            inspection: Inspection::default(),
             links_said: Vec::new(),
             links_ended: 0,
             dropped: 0,
@@ -188,7 +195,10 @@ impl Running {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
                 Ok(FleetEvent::Parameters(id, list)) => self.parameters.push((id, list)),
-                Ok(FleetEvent::Linked(link)) => self.links.push(link),
+                Ok(FleetEvent::Linked(link, tap)) => {
+                    self.inspection.add(&link, tap);
+                    self.links.push(link);
+                }
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));
@@ -221,6 +231,7 @@ impl Running {
             });
             collected.push(Event::Links(links.collect()));
         }
+        collected.extend(self.inspection.examine(&self.links, now));
         collected
     }
 
@@ -233,6 +244,11 @@ impl Running {
                 vehicle: *vehicle,
                 snapshot: parameters.borrow_and_update().clone(),
             })
+    }
+
+    /// A look at the links' messages, if one is wanted and due.
+    pub fn inspect(&mut self, wanted: Option<&Wanted>, now: Duration) -> Option<Event> {
+        self.inspection.look(&self.links, wanted?, now)
     }
 
     /// What a human should hear of the links: that one is down and why, and that it is up again.

@@ -102,9 +102,9 @@ impl Hub {
     async fn connect(&mut self, transport: Transport) {
         let id = LinkId(self.links.len() as u16);
         let link = link::open(id, transport, self.inbound.clone(), self.cancel.clone());
-        let status = link.status();
+        let news = FleetEvent::Linked(link.status(), link.tap());
         self.links.push(link);
-        self.tell(FleetEvent::Linked(status)).await;
+        self.tell(news).await;
     }
 
     /// Hands an order on; one that cannot be handed on is answered here, so that no row waits for ever.

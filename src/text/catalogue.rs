@@ -19,6 +19,9 @@ catalogue! {
     "console",
     "map",
     "parameters",
+    "doctor",
+    "links",
+    "messages",
     "rooms",
     "vehicle",
 }

@@ -12,6 +12,7 @@ use super::theme::Role;
 use crate::ledger::RowState;
 use crate::vehicle::Severity;
 
+pub mod curve;
 pub mod footer;
 pub mod header;
 pub mod ledger;

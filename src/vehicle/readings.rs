@@ -148,7 +148,7 @@ pub struct Health {
     pub enabled: u32,
     /// Bits of what works.
     pub healthy: u32,
-    /// Processor load, 0 to 100 percent.
+    /// Processor load, 0 to 100 percent; not a number where the autopilot does not know it.
     pub load_percent: f32,
     /// When it came.
     pub at: Duration,
@@ -183,7 +183,7 @@ pub struct Battery {
     pub at: Duration,
 }
 
-/// `EKF_STATUS_REPORT`.
+/// `EKF_STATUS_REPORT`. A ratio that the filter cannot tell is not a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ekf {
     /// What the filter can estimate.
@@ -203,7 +203,8 @@ pub struct Ekf {
 /// VIBRATION.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vibration {
-    /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation).
+    /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation). Not a
+    /// number where a sensor does not work.
     pub level_m_s2: [f32; 3],
     /// How often each accelerometer clipped.
     pub clipping: [u32; 3],

@@ -116,7 +116,7 @@ impl Console {
                 self.vehicles.insert(id, vehicle);
             }
             FleetEvent::Parameters(id, parameters) => drop(self.parameters.insert(id, parameters)),
-            FleetEvent::Linked(link) => self.links.push(link),
+            FleetEvent::Linked(link, _) => self.links.push(link),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
             FleetEvent::Report(Report::Notice(notice)) => {

@@ -9,6 +9,8 @@ const PURE: &[&[&str]] = &[
     &["geo", "text"],
     &["diagnostic", "config"],
     &["wire", "parameters"],
+    &["inspector"],
+    &["doctor"],
     &["vehicle"],
     &["notice", "ledger"],
     &["commands", "messages"],

@@ -3,9 +3,11 @@
 mod arducopter;
 mod command_line;
 mod console;
+mod doctor;
 mod fixtures;
 mod fleet;
 mod harness;
+mod inspector;
 mod layering;
 mod missions;
 mod pty;

@@ -10,6 +10,8 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod inspector;
+mod link_room;
 mod map;
 mod parameters;
 mod vehicle;
@@ -182,7 +184,7 @@ fn questions_help_links_and_brief() {
     insta::assert_snapshot!("cancelled_80x24", console.press("x").screen(80, 24));
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").give("links"));
-    check("brief", console.press("esc").press("b"));
+    check("brief", console.press("F").press("b"));
     check("ledger", console.press("esc").press("c"));
     check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(

@@ -125,7 +125,8 @@ fn estimate(vehicle: &Vehicle) -> Option<Alert> {
         ("height", ekf.position_vertical_variance),
         ("compass", ekf.compass_variance),
     ];
-    let (part, worst) = parts.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let known = parts.into_iter().filter(|(_, ratio)| ratio.is_finite());
+    let (part, worst) = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
     if worst < EKF_LIMIT {
         return None;
     }
@@ -158,7 +159,8 @@ fn fence(vehicle: &Vehicle) -> Option<Alert> {
 
 fn vibration(vehicle: &Vehicle) -> Option<Alert> {
     let level = vehicle.vibration?.level_m_s2;
-    let worst = level.into_iter().fold(0.0, f32::max);
+    let known = level.into_iter().filter(|level| level.is_finite());
+    let worst = known.fold(0.0, f32::max);
     if !vehicle.armed() || worst < VIBRATION_LIMIT {
         return None;
     }

@@ -25,11 +25,6 @@ pub enum Overlay {
         /// The first line shown.
         scroll: usize,
     },
-    /// What the links count.
-    Links {
-        /// The first line shown.
-        scroll: usize,
-    },
     /// All commands, or all notices.
     Log {
         /// Which of them.

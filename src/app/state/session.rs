@@ -1,9 +1,10 @@
 //! What is being flown: forgotten as a whole when the session ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::{Groups, Histories, LinkSummary, Selection};
+use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::{Area, Progress};
@@ -29,6 +30,10 @@ pub struct Session {
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
     pub links: Vec<LinkSummary>,
+    /// What the link doctor has found, worst first.
+    pub findings: Vec<Finding>,
+    /// Findings that were told already, by link and name.
+    pub told: BTreeSet<(usize, &'static str)>,
     /// The mission's progress, if one is flown.
     pub mission: Option<Progress>,
     /// Whether the mission is over: its debrief is there.
@@ -122,6 +127,13 @@ impl Session {
             Some(VehicleClass::Sub) => "sub",
             Some(VehicleClass::Other) | None => "vehicle",
         }
+    }
+
+    /// Why nothing is heard, as far as the link doctor knows; a link that is not open says so itself.
+    pub fn worst_finding(&self) -> Option<&Finding> {
+        let worst = self.findings.first()?;
+        let is_told = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
+        is_told.then_some(worst)
     }
 
     /// How many vehicles are armed.

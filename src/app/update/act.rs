@@ -20,7 +20,6 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Show(room) => show(state, room),
         Action::CommandLine => open_palette(state, ""),
         Action::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Action::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
         Action::Ledger => look_back(state, Log::Ledger),
         Action::Notices => look_back(state, Log::Notices),
         Action::Brief => brief(state),

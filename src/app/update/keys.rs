@@ -9,7 +9,7 @@ use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::{Meaning, Place};
 use crate::app::room;
-use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines, link_lines};
+use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -223,15 +223,9 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
                 let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
                 *cursor = Some(at).filter(|at| at + 1 < count);
             }
-            let (scroll, count) = match &mut reader {
-                Overlay::Help { scroll } => (scroll, help_lines(&state.keymap).len()),
-                Overlay::Links { scroll } => (scroll, link_lines(&state.session.links).len()),
-                _ => {
-                    state.overlay = Some(reader);
-                    return Vec::new();
-                }
-            };
-            *scroll = step.apply(*scroll, count);
+            if let Overlay::Help { scroll } = &mut reader {
+                *scroll = step.apply(*scroll, help_lines(&state.keymap).len());
+            }
         }
         _ => {}
     }

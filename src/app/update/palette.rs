@@ -238,7 +238,7 @@ fn console_line(
 fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
     match deed {
         Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Deed::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
+        Deed::Links => act::show(state, crate::app::room::Room::Links),
         Deed::Ledger => act::look_back(state, Log::Ledger),
         Deed::Notices => act::look_back(state, Log::Notices),
         Deed::Brief => act::brief(state),

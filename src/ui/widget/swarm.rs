@@ -6,6 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Alert, LinkSummary, Session, State, alert, ranges};
 use crate::ledger::RowState;
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, put, row_role, severity_role, titled, wrap};
@@ -78,7 +79,10 @@ const fn column(
 /// while there is none.
 pub fn height(session: &Session, width: u16) -> usize {
     let rows = match session.vehicles.len() {
-        0 => waiting_lines(&session.links, width).len(),
+        0 => {
+            let finding = usize::from(session.worst_finding().is_some());
+            waiting_lines(&session.links, width).len() + finding
+        }
         count => count,
     };
     rows + 2
@@ -102,8 +106,14 @@ fn waiting_lines(links: &[LinkSummary], width: u16) -> Vec<(String, Role)> {
     lines
 }
 
-fn draw_waiting(links: &[LinkSummary], look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = waiting_lines(links, area.width).into_iter();
+fn draw_waiting(session: &Session, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let mut lines = waiting_lines(&session.links, area.width);
+    lines.extend(session.worst_finding().map(|finding| {
+        let says = text!("links-ailing", finding = finding.cause.says());
+        let text = format!("  {}", look.text(&says));
+        (clip(&text, area.width.into()), Role::Warning)
+    }));
+    let lines = lines.into_iter();
     for (row, (text, role)) in lines.enumerate() {
         put(
             buffer,
@@ -129,7 +139,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     draw_titles(&columns, look, inner, buffer);
     let list = below(inner, 1);
     if count == 0 {
-        draw_waiting(&session.links, look, list, buffer);
+        draw_waiting(session, look, list, buffer);
     }
     let seen = session.vehicles.values().skip(first).take(rows);
     for (at, vehicle) in seen.enumerate() {

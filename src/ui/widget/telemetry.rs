@@ -180,10 +180,13 @@ fn ekf(vehicle: &Vehicle) -> String {
     } else {
         "no position"
     };
-    format!(
-        "{state}  vel {:.2} pos {:.2} mag {:.2}",
-        ekf.velocity_variance, ekf.position_horizontal_variance, ekf.compass_variance
-    )
+    let ratios = [
+        ekf.velocity_variance,
+        ekf.position_horizontal_variance,
+        ekf.compass_variance,
+    ];
+    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, 2));
+    format!("{state}  vel {velocity} pos {position} mag {compass}")
 }
 
 fn attitude(vehicle: &Vehicle) -> String {
@@ -227,9 +230,9 @@ fn vibration(vehicle: &Vehicle) -> String {
     let Some(vibration) = vehicle.vibration else {
         return String::new();
     };
-    let [x, y, z] = vibration.level_m_s2;
+    let [x, y, z] = vibration.level_m_s2.map(|level| figure(level, 0));
     let clipped: u32 = vibration.clipping.iter().sum();
-    format!("{x:.0} {y:.0} {z:.0} m/s²  clipped {clipped}")
+    format!("{x} {y} {z} m/s²  clipped {clipped}")
 }
 
 fn plan(vehicle: &Vehicle) -> String {
@@ -253,8 +256,17 @@ fn pulses(pulses_us: &[u16]) -> String {
 
 fn load(vehicle: &Vehicle) -> String {
     vehicle.health.map_or(String::new(), |health| {
-        format!("{:.0} %", health.load_percent)
+        format!("{} %", figure(health.load_percent, 0))
     })
+}
+
+/// A value with so many decimals, or a dash for what the vehicle cannot tell.
+fn figure(value: f32, decimals: usize) -> String {
+    if value.is_finite() {
+        format!("{value:.decimals$}")
+    } else {
+        "-".to_owned()
+    }
 }
 
 fn firmware(vehicle: &Vehicle) -> String {
