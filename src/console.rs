@@ -23,6 +23,7 @@ use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
+use crate::notice::sanitised;
 use crate::session::Order;
 use crate::store;
 use crate::terminal::Screen;
@@ -164,6 +165,7 @@ struct Console {
     running: Option<Running>,
     drawn: Option<u64>,
     bell: bool,
+    note: Option<String>,
     over: bool,
 }
 
@@ -179,6 +181,7 @@ impl Console {
             running: None,
             drawn: None,
             bell: false,
+            note: None,
             over: false,
         }
     }
@@ -199,6 +202,9 @@ impl Console {
     fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
+        }
+        if let Some(note) = self.note.take() {
+            screen.notify(&note)?;
         }
         let revision = self.state.revision();
         if self.drawn == Some(revision) || !screen.is_ready() {
@@ -247,6 +253,9 @@ impl Console {
         let plan = match effect {
             Effect::Quit => return self.over = true,
             Effect::Bell => return self.bell = true,
+            Effect::Notify(text) => {
+                return self.note = Some(sanitised(&self.look.locale.text(&text)));
+            }
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
             Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),

@@ -13,8 +13,6 @@ pub enum Action {
     Help,
     /// What the links count.
     Links,
-    /// Look back through the commands.
-    Ledger,
     /// Look back through the notices.
     Notices,
     /// Show the mission's brief again.
@@ -47,6 +45,16 @@ pub enum Action {
     Newer,
     /// Show only what contains some letters.
     Filter,
+    /// Order by something else.
+    Sort,
+    /// Turn the order round.
+    SortReverse,
+    /// Take note of the alerts.
+    Acknowledge,
+    /// Show only what ended in the next way.
+    NextOutcome,
+    /// Show only what concerns the vehicle under the cursor, or the selected ones.
+    OwnVehicles,
     /// Leave the program.
     Quit,
 }
@@ -84,7 +92,6 @@ impl Action {
         ("command-line", Self::CommandLine),
         ("help", Self::Help),
         ("count-links", Self::Links),
-        ("look-back-commands", Self::Ledger),
         ("look-back-notices", Self::Notices),
         ("brief", Self::Brief),
         ("up", Self::Move(Step::Up)),
@@ -106,6 +113,11 @@ impl Action {
         ("older", Self::Older),
         ("newer", Self::Newer),
         ("filter", Self::Filter),
+        ("sort", Self::Sort),
+        ("sort-reverse", Self::SortReverse),
+        ("acknowledge", Self::Acknowledge),
+        ("next-outcome", Self::NextOutcome),
+        ("own-vehicles", Self::OwnVehicles),
         ("quit", Self::Quit),
     ];
 

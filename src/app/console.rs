@@ -5,6 +5,10 @@ use std::ops::Range;
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
 
+pub mod swarm;
+
+use swarm::{SwarmLine, SwarmVerb};
+
 /// One thing the console itself can do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConsoleVerb {
@@ -22,6 +26,7 @@ enum Kind {
     Select,
     Group,
     Theme,
+    Swarm(SwarmVerb),
     Plain(Deed),
 }
 
@@ -39,6 +44,8 @@ pub enum ConsoleLine {
     },
     /// Draw with a theme.
     Theme(String),
+    /// One about the table or its alerts.
+    Swarm(SwarmLine),
     /// One without arguments.
     Plain(Deed),
 }
@@ -71,7 +78,7 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
     verb(
         "select",
         "select TARGETS",
-        "select vehicles: 1-4,7  @red  all  none",
+        "select vehicles: 1-4,7  @red  all  none  filter  invert",
         Kind::Select,
     ),
     verb(
@@ -79,6 +86,48 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
         "group NAME [TARGETS]",
         "call vehicles @NAME from now on",
         Kind::Group,
+    ),
+    verb(
+        "ungroup",
+        "ungroup NAME",
+        "forget a group's name",
+        Kind::Swarm(SwarmVerb::Ungroup),
+    ),
+    verb(
+        "sort",
+        "sort [[-]COLUMN]",
+        "order the table; - puts the largest first",
+        Kind::Swarm(SwarmVerb::Sort),
+    ),
+    verb(
+        "filter",
+        "filter [WORDS]",
+        "show only: 1-4  @red  armed  air  alert  bat<30  !land",
+        Kind::Swarm(SwarmVerb::Filter),
+    ),
+    verb(
+        "columns",
+        "columns [COLUMNS]",
+        "the table's columns; none: as many as fit",
+        Kind::Swarm(SwarmVerb::Columns),
+    ),
+    verb(
+        "ack",
+        "ack [KIND|TARGETS]",
+        "take note of the worst alerts, or of these",
+        Kind::Swarm(SwarmVerb::Acknowledge),
+    ),
+    verb(
+        "mute",
+        "mute [KIND]",
+        "alerts of a kind stay silent; none: which are",
+        Kind::Swarm(SwarmVerb::Mute),
+    ),
+    verb(
+        "unmute",
+        "unmute [KIND]",
+        "alerts of a kind ring again; none: all do",
+        Kind::Swarm(SwarmVerb::Unmute),
     ),
     verb("theme", "theme NAME", "change the colours", Kind::Theme),
     verb("help", "help", "keys and verbs", Kind::Plain(Deed::Help)),
@@ -173,6 +222,12 @@ pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion>
             .map(|verb| completion(verb.name, verb.summary))
             .collect();
     }
+    let verb = head.split_whitespace().next().and_then(find);
+    if let Some(Kind::Swarm(verb)) = verb.map(|verb| verb.kind) {
+        let choices = swarm::choices(verb).into_iter();
+        let fitting = choices.filter(|choice| choice.starts_with(word));
+        return fitting.map(|choice| completion(choice, "")).collect();
+    }
     if head.trim() != "theme" {
         return Vec::new();
     }
@@ -211,6 +266,8 @@ fn read(
         Kind::Plain(_) => 0,
         Kind::Select | Kind::Theme => 1,
         Kind::Group => 2,
+        Kind::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => usize::MAX,
+        Kind::Swarm(_) => 1,
     };
     if let Some(extra) = arguments.get(most) {
         return Err(
@@ -226,6 +283,14 @@ fn read(
     };
     match verb.kind {
         Kind::Plain(deed) => Ok(ConsoleLine::Plain(deed)),
+        Kind::Swarm(SwarmVerb::Ungroup) if arguments.is_empty() => Err(missing()),
+        Kind::Swarm(verb) => {
+            let words = arguments.iter();
+            let words: Vec<_> = words
+                .map(|span| (&line[span.clone()], span.clone()))
+                .collect();
+            swarm::read(verb, &words).map(ConsoleLine::Swarm)
+        }
         Kind::Select => text(0).map(ConsoleLine::Select).ok_or_else(missing),
         Kind::Group => {
             let name = text(0).ok_or_else(missing)?;

@@ -106,6 +106,8 @@ impl Room {
 pub struct Rooms {
     /// Where to begin.
     pub home: home::Home,
+    /// The swarm in flight.
+    pub fly: fly::Fly,
     /// Everything about one vehicle.
     pub vehicle: vehicle::Vehicle,
     /// Where everything is.
@@ -173,5 +175,18 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
+        Purpose::Filter(room) => {
+            filter(state, *room, entered);
+            Ok(Vec::new())
+        }
+    }
+}
+
+/// Shows only those lines of a room that fit.
+fn filter(state: &mut State, room: Room, entered: &str) {
+    match room {
+        Room::Fly => fly::filter(state, entered),
+        Room::Ledger => ledger::filter(state, entered),
+        _ => {}
     }
 }

@@ -9,7 +9,11 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
+mod alarms;
 mod alert;
+mod bell;
+mod column;
+mod filter;
 mod help;
 mod ids;
 mod links;
@@ -19,7 +23,11 @@ mod session;
 
 pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
-pub use alert::{Alert, alert};
+pub use alarms::{Alarms, Pressing, Standing};
+pub use alert::{Alert, AlertKind, alert, alerts};
+pub use bell::{Call, Due};
+pub use column::{Column, Key, Sort};
+pub use filter::Filter;
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use ids::{parse_ranges, ranges};
 pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
@@ -138,7 +146,6 @@ impl State {
     /// How many entries a log has.
     pub fn log_length(&self, log: Log) -> usize {
         match log {
-            Log::Ledger => self.session.ledger.entries().len(),
             Log::Notices => self.notices.lines().len(),
         }
     }

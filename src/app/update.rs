@@ -8,10 +8,17 @@ pub(super) mod act;
 mod keys;
 mod order;
 mod palette;
+mod swarm;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
 pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
+    let mut effects = react(state, event);
+    effects.extend(telemetry::signals(state));
+    effects
+}
+
+fn react(state: &mut State, event: Event) -> Vec<Effect> {
     match event {
         Event::Tick { now } => {
             telemetry::tick(state, now);
@@ -27,9 +34,12 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Key(key) => return keys::press(state, key),
         Event::Paste(text) => keys::paste(state, &text),
         Event::Started(started) => telemetry::started(state, *started),
-        Event::Notice(notice) => return telemetry::notice(state, &notice),
+        Event::Notice(notice) => telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => state.notices.dropped = count,
-        Event::Row(row) => state.session.ledger.apply(&row),
+        Event::Row(row) => {
+            state.session.ledger.apply(&row);
+            state.rooms.ledger.spoil();
+        }
         Event::Links(links) => state.session.links = links,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),

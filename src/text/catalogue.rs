@@ -14,8 +14,10 @@ macro_rules! catalogue {
 }
 
 catalogue! {
+    "alerts",
     "common",
     "console",
+    "fly",
     "rooms",
 }
 

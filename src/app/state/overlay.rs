@@ -3,6 +3,7 @@
 use tui_input::Input;
 
 use crate::app::effect::Effect;
+use crate::app::room::Room;
 use crate::commands::Command;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
@@ -28,7 +29,7 @@ pub enum Overlay {
         /// The first line shown.
         scroll: usize,
     },
-    /// All commands, or all notices.
+    /// All notices.
     Log {
         /// Which of them.
         log: Log,
@@ -42,8 +43,6 @@ pub enum Overlay {
 /// What can be looked back through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
-    /// The commands.
-    Ledger,
     /// The notices.
     Notices,
 }
@@ -140,6 +139,8 @@ impl Prompt {
 pub enum Purpose {
     /// The addresses of vehicles, with blanks between them.
     Connect,
+    /// What the lines of a room have to contain.
+    Filter(Room),
 }
 
 impl Purpose {
@@ -147,6 +148,7 @@ impl Purpose {
     pub fn is_live(&self) -> bool {
         match self {
             Self::Connect => false,
+            Self::Filter(_) => true,
         }
     }
 }

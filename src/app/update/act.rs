@@ -21,7 +21,6 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::CommandLine => open_palette(state, ""),
         Action::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
         Action::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
-        Action::Ledger => look_back(state, Log::Ledger),
         Action::Notices => look_back(state, Log::Notices),
         Action::Brief => brief(state),
         Action::Move(step) => go(state, step),
@@ -36,7 +35,12 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         | Action::CompleteBack
         | Action::Older
         | Action::Newer
-        | Action::Filter => {}
+        | Action::Filter
+        | Action::Sort
+        | Action::SortReverse
+        | Action::Acknowledge
+        | Action::NextOutcome
+        | Action::OwnVehicles => {}
     }
     Vec::new()
 }
@@ -45,6 +49,9 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
 pub fn show(state: &mut State, room: Room) {
     state.hush();
     state.room = room;
+    if room == Room::Ledger {
+        room::ledger::entered(state);
+    }
 }
 
 /// Shows a log, its newest entry first of all.
@@ -164,13 +171,17 @@ pub fn open_palette(state: &mut State, words: &str) {
 }
 
 fn go(state: &mut State, step: Step) {
-    let row = step.apply(state.session.cursor_row(), state.session.vehicles.len());
-    state.session.set_cursor_row(row);
+    let fly = &state.rooms.fly;
+    let row = step.apply(fly.row_of(state.session.cursor), fly.rows().len());
+    if let Some(&id) = fly.rows().get(row) {
+        state.session.place_cursor(id);
+    }
 }
 
 fn pick(state: &mut State, action: Action) {
     let session = &mut state.session;
-    let all = session.vehicles.keys().copied();
+    // What a filter hides is never selected unseen.
+    let all = state.rooms.fly.rows().iter().copied();
     match action {
         Action::SelectAll => session.selection = all.collect(),
         Action::Invert => {

@@ -81,6 +81,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
         risk: order.command.risk(),
     };
     let entry = state.session.open(now, given, &order.targets);
+    state.rooms.ledger.spoil();
     vec![Effect::Command {
         entry,
         targets: order.targets,

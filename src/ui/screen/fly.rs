@@ -5,7 +5,9 @@ use ratatui::layout::Rect;
 
 use crate::app::state::State;
 use crate::ui::look::Look;
-use crate::ui::widget::{below, columns, ledger, mission, notices, swarm, telemetry, upper};
+use crate::ui::widget::{
+    alerts, below, columns, ledger, mission, notices, swarm, telemetry, upper,
+};
 
 /// From this width on, telemetry and mission have a column each.
 const THREE_COLUMNS: u16 = 160;
@@ -20,8 +22,10 @@ const NOTICES_LEAST: u16 = 6;
 
 /// Draws the panes.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    alerts::draw(state, look, upper(area, alerts::height(state)), buffer);
+    let area = below(area, alerts::height(state));
     // Never more than half of the screen.
-    let wanted = swarm::height(&state.session, area.width);
+    let wanted = swarm::height(state, look, area.width);
     let rows = wanted.min(usize::from(area.height / 2)) as u16;
     swarm::draw(state, look, upper(area, rows), buffer);
     draw_panes(state, look, below(area, rows), buffer);
@@ -29,7 +33,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 
 /// Draws what is below the table: where telemetry and mission leave rows free, the notices take them.
 fn draw_panes(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let middle = side_height(state, area.width).max(area.height / 2);
+    let middle = side_height(state, look, area.width).max(area.height / 2);
     let bottom = area.height.saturating_sub(middle);
     let panes = if bottom < NOTICES_LEAST {
         area
@@ -48,8 +52,8 @@ fn draw_panes(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Rows that telemetry and mission need.
-fn side_height(state: &State, width: u16) -> u16 {
-    let telemetry = telemetry::height(state, SIDE_WIDTH).max(TELEMETRY_LEAST);
+fn side_height(state: &State, look: &Look, width: u16) -> u16 {
+    let telemetry = telemetry::height(state, look, SIDE_WIDTH).max(TELEMETRY_LEAST);
     match &state.session.mission {
         Some(progress) if width >= THREE_COLUMNS => {
             telemetry.max(mission::height(progress, MISSION_WIDTH))
@@ -75,7 +79,7 @@ fn draw_side(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rec
     let left = side
         .height
         .saturating_sub(mission::height(progress, side.width));
-    let most = telemetry::height(state, side.width).max(TELEMETRY_LEAST);
+    let most = telemetry::height(state, look, side.width).max(TELEMETRY_LEAST);
     let rows = left.clamp(TELEMETRY_LEAST, most);
     telemetry::draw(state, look, upper(side, rows), buffer);
     mission::draw(state, look, below(side, rows), buffer);

@@ -10,29 +10,42 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
 const HOME: &[(&str, &str)] = &[
-    ("j k", "move"),
-    ("Enter", "take"),
-    (":", "command"),
-    ("?", "help"),
-    ("q", "quit"),
+    ("j k", "hint-move"),
+    ("Enter", "hint-take"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("q", "hint-quit"),
 ];
 const FLY: &[(&str, &str)] = &[
-    (":", "command"),
-    ("?", "help"),
-    ("j k", "move"),
-    ("Space", "select"),
-    ("3-9 Enter", "list"),
-    ("*", "all"),
-    ("Esc", "none"),
-    ("c n", "look back"),
-    ("L", "links"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("j k", "hint-move"),
+    ("Space", "hint-select"),
+    ("3-9 Enter", "hint-list"),
+    ("*", "hint-all"),
+    ("Esc", "hint-none"),
+    ("/", "hint-filter"),
+    ("s", "hint-sort"),
+    ("x", "hint-acknowledge"),
+    ("c n", "hint-look-back"),
+    ("M V P I L", "hint-rooms"),
+];
+const LEDGER: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("j k", "hint-move"),
+    ("Enter", "hint-open"),
+    ("/", "hint-filter"),
+    ("o", "hint-outcome"),
+    ("v", "hint-own"),
+    ("Esc", "hint-back"),
 ];
 const DEBRIEF: &[(&str, &str)] = &[
-    ("j k", "scroll"),
-    ("r", "fly again"),
-    ("h", "home screen"),
-    (":", "command"),
-    ("?", "help"),
+    ("j k", "hint-scroll"),
+    ("r", "hint-again"),
+    ("h", "hint-home"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
 ];
 
 /// Draws the footer into the last row of the screen.
@@ -44,16 +57,22 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     if !state.typed.is_empty() {
         return Line::from(vec![
-            Span::styled(" vehicles ", look.style(Role::Muted)),
+            Span::styled(
+                format!(" {} ", look.say("footer-vehicles")),
+                look.style(Role::Muted),
+            ),
             Span::styled(state.typed.as_str(), look.style(Role::Selected)),
             Span::styled(
-                "_  Enter selects   a t g m h l r commands them   Esc drops",
+                format!("_  {}", look.say("footer-list")),
                 look.style(Role::Muted),
             ),
         ]);
     }
     if state.is_deaf() {
-        return Line::styled(" keys work in a moment", look.style(Role::Muted));
+        return Line::styled(
+            format!(" {}", look.say("footer-deaf")),
+            look.style(Role::Muted),
+        );
     }
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);
@@ -61,13 +80,16 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     }
     let hints = match state.room {
         Room::Home => HOME,
+        Room::Ledger => LEDGER,
         Room::Debrief => DEBRIEF,
         _ => FLY,
     };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
     for (key, what) in hints {
-        used += key.len() + what.len() + 3;
+        // Those that are no message yet are said as they are.
+        let what = look.say(what);
+        used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
             break;
         }

@@ -25,7 +25,11 @@ const WIDTH: u16 = 72;
 
 /// Draws the prompt and returns where the terminal's cursor belongs.
 pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Position {
-    let place = centred(WIDTH, HEIGHT, area);
+    let place = match prompt.purpose {
+        Purpose::Connect => centred(WIDTH, HEIGHT, area),
+        // What is left by the filter has to be seen.
+        Purpose::Filter(_) => bottom(area),
+    };
     let inner = boxed(
         &title(&prompt.purpose, look),
         Role::Accent,
@@ -50,6 +54,7 @@ pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Po
     }
     match prompt.purpose {
         Purpose::Connect => draw_examples(look, below(inner, row + 1), buffer),
+        Purpose::Filter(_) => {}
     }
     cursor
 }
@@ -57,6 +62,17 @@ pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Po
 fn title(purpose: &Purpose, look: &Look) -> String {
     match purpose {
         Purpose::Connect => look.say("prompt-connect"),
+        Purpose::Filter(_) => look.say("prompt-filter"),
+    }
+}
+
+/// A box for one line above the last row of the screen.
+fn bottom(area: Rect) -> Rect {
+    Rect {
+        y: area.bottom().saturating_sub(4),
+        width: WIDTH.min(area.width),
+        height: 3,
+        ..area
     }
 }
 
