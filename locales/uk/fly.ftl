@@ -106,7 +106,7 @@ telemetry-satellites = { $count ->
     [few] { $count } супутники
    *[many] { $count } супутників
 }
-telemetry-ekf-ok = норма
+telemetry-ekf-ok = ok
 telemetry-ekf-lost = без позиції
 telemetry-roll-pitch = крен { $roll }°  тангаж { $pitch }°
 telemetry-link-lost = НЕМАЄ вже { $seconds } s
@@ -155,7 +155,7 @@ hint-look-back = журнали
 hint-rooms = екрани
 hint-open = відкрити
 hint-outcome = наслідок
-hint-own = цього апарата
+hint-own = апарат
 hint-back = назад
 hint-scroll = гортати
 hint-again = ще раз

@@ -8,8 +8,11 @@ use sortie::vehicle::Severity;
 use crate::fixtures;
 use crate::harness::Console;
 
+mod alerts;
 mod command_line;
+mod commands;
 mod panes;
+mod swarm;
 
 fn selection(console: &Console) -> Vec<u16> {
     console.state.session.selection.iter().copied().collect()

@@ -10,6 +10,8 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod fly;
+
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 
 fn check(name: &str, console: &Console) {
@@ -180,6 +182,7 @@ fn questions_help_links_and_brief() {
     check("links", console.press("esc").give("links"));
     check("brief", console.press("esc").press("b"));
     check("ledger", console.press("esc").press("c"));
+    console.press("F");
     check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(
         "leave_80x24",

@@ -15,6 +15,8 @@ use crate::vehicle::{Severity, VehicleId};
 const LEAST: Severity = Severity::Critical;
 /// The time between two rings.
 const RING_EVERY: Duration = Duration::from_secs(5);
+/// What comes so soon after a ring is covered by it: trouble comes in waves.
+const COVERED: Duration = Duration::from_secs(2);
 /// How long a note waits for others that it can be folded with.
 const GATHER: Duration = Duration::from_secs(1);
 /// The time between two notes.
@@ -73,7 +75,10 @@ impl Bell {
         if known && !call.worse {
             return;
         }
-        self.owes_ring = true;
+        let is_covered = self
+            .rang_at
+            .is_some_and(|at| now.saturating_sub(at) < COVERED);
+        self.owes_ring |= !is_covered;
         if self.owed.is_empty() {
             self.owed_since = now;
         }
@@ -162,15 +167,12 @@ mod tests {
         let due = bell.due(at(2));
         let note = due.note.map(|text| text.to_string());
         assert_eq!(note.as_deref(), Some("4 vehicles: LINK LOST (+1)"));
-        assert!(!due.ring, "the bell rang a second ago");
-        assert_eq!(
-            bell.due(at(6)),
-            Due {
-                ring: true,
-                note: None
-            }
-        );
-        assert_eq!(bell.due(at(60)), Due::default(), "nothing is owed");
+        assert_eq!(bell.due(at(60)), Due::default(), "one ring for all of them");
+        bell.call(at(61), call(6, AlertKind::LinkLost));
+        assert!(bell.due(at(61)).ring);
+        bell.call(at(64), call(7, AlertKind::LinkLost));
+        assert!(!bell.due(at(65)).ring, "not so soon again");
+        assert!(bell.due(at(66)).ring);
     }
 
     #[test]

@@ -19,14 +19,14 @@ const HOME: &[(&str, &str)] = &[
 const FLY: &[(&str, &str)] = &[
     (":", "hint-command"),
     ("?", "hint-help"),
-    ("j k", "hint-move"),
     ("Space", "hint-select"),
     ("3-9 Enter", "hint-list"),
     ("*", "hint-all"),
-    ("Esc", "hint-none"),
     ("/", "hint-filter"),
     ("s", "hint-sort"),
     ("x", "hint-acknowledge"),
+    ("Esc", "hint-none"),
+    ("j k", "hint-move"),
     ("c n", "hint-look-back"),
     ("M V P I L", "hint-rooms"),
 ];

@@ -31,6 +31,9 @@ struct Form {
 /// Columns from this rank on are an extra: they only come once alerts have this much more room than they need.
 const EXTRA_RANK: u8 = 14;
 const ALERT_EXTRA: u16 = 26;
+/// Before these, alerts have this much more, so that they are rarely cut.
+const MORE_RANK: u8 = 9;
+const ALERT_MORE: u16 = 5;
 /// Columns of this rank are only shown where they are asked for.
 const ASKED: u8 = 100;
 
@@ -133,7 +136,11 @@ fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>,
     let mut left = room;
     let mut kept = Vec::new();
     for (rank, shown) in by_rank {
-        let spared = if rank >= EXTRA_RANK { ALERT_EXTRA } else { 0 };
+        let spared = match rank {
+            EXTRA_RANK.. => ALERT_EXTRA,
+            MORE_RANK.. => ALERT_MORE,
+            _ => 0,
+        };
         if shown.width + 1 + spared > left {
             break;
         }
