@@ -2,7 +2,7 @@
 
 alert-motors-stopped = MOTORS STOPPED in the air
 alert-crashed = CRASHED, disarmed
-alert-crashed-at = CRASHED at { $speed } m/s
+alert-crashed-at = CRASHED { $speed } m/s
 alert-link-lost = LINK LOST
 alert-failsafe = FAILSAFE active
 alert-gps-lost = GPS lost
@@ -50,4 +50,5 @@ alert-unmuted = alerts of the kind { $kind } ring again
 alert-muted-list = silent kinds: { $kinds }
 alert-muted-none = no kind of alert is silent
 alert-no-kind = no kind of alert is named `{ $word }`
+alert-no-kinds = the configuration mutes kinds of alert that there are not: { $words }. There are: { $kinds }
 alert-kinds-are = kinds: { $kinds }

@@ -2,7 +2,7 @@
 
 alert-motors-stopped = ДВИГУНИ СТАЛИ в повітрі
 alert-crashed = РОЗБИВСЯ, двигуни вимкнено
-alert-crashed-at = РОЗБИВСЯ на { $speed } м/с
+alert-crashed-at = РОЗБИВСЯ { $speed } m/s
 alert-link-lost = БЕЗ ЗВ'ЯЗКУ
 alert-failsafe = FAILSAFE спрацював
 alert-gps-lost = GPS втрачено
@@ -53,4 +53,5 @@ alert-unmuted = тривоги виду { $kind } знову подають си
 alert-muted-list = беззвучні види: { $kinds }
 alert-muted-none = беззвучних видів немає
 alert-no-kind = немає виду тривог `{ $word }`
+alert-no-kinds = у налаштуваннях заглушено види тривог, яких немає: { $words }. Є такі: { $kinds }
 alert-kinds-are = види: { $kinds }

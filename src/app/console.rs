@@ -30,6 +30,18 @@ enum Kind {
     Plain(Deed),
 }
 
+impl Kind {
+    /// How many words may follow.
+    fn most_arguments(self) -> usize {
+        match self {
+            Self::Plain(_) => 0,
+            Self::Group => 2,
+            Self::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => usize::MAX,
+            Self::Select | Self::Theme | Self::Swarm(_) => 1,
+        }
+    }
+}
+
 /// A line that the console carries out itself.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ConsoleLine {
@@ -262,14 +274,7 @@ fn read(
     arguments: &[Range<usize>],
     themes: &[String],
 ) -> Result<ConsoleLine, Diagnostic> {
-    let most = match verb.kind {
-        Kind::Plain(_) => 0,
-        Kind::Select | Kind::Theme => 1,
-        Kind::Group => 2,
-        Kind::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => usize::MAX,
-        Kind::Swarm(_) => 1,
-    };
-    if let Some(extra) = arguments.get(most) {
+    if let Some(extra) = arguments.get(verb.kind.most_arguments()) {
         return Err(
             Diagnostic::new(extra.clone(), "nothing more is expected here")
                 .with_help(format!("usage: {}", verb.usage)),

@@ -52,6 +52,9 @@ pub enum SwarmLine {
 pub type Words<'a> = [(&'a str, Range<usize>)];
 
 /// Reads the words after a verb.
+///
+/// # Errors
+/// A word that names no column or no kind of alert.
 pub fn read(verb: SwarmVerb, words: &Words<'_>) -> Result<SwarmLine, Diagnostic> {
     let first = words.first();
     Ok(match verb {

@@ -10,6 +10,7 @@ use crate::app::room::Room;
 use crate::app::state::{AlertKind, Column, Filter, Key, Overlay, Prompt, Purpose, Sort, State};
 use crate::notice::Notice;
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 /// The order changes at most so often, or nobody could follow a row.
@@ -172,8 +173,18 @@ pub fn tick(state: &mut State) -> bool {
     before != state.rooms.fly.rows
 }
 
-/// Says so where the configuration names columns that there are not.
-pub fn check_columns(state: &mut State) {
+/// Says so where the configuration names columns or kinds of alert that there are not.
+pub fn check_names(state: &mut State) {
+    let muted = state.config.alerts.mute.iter().map(String::as_str);
+    let unknown: Vec<&str> = muted
+        .filter(|name| AlertKind::named(name).is_none())
+        .collect();
+    if !unknown.is_empty() {
+        let kinds: Vec<&str> = AlertKind::ALL.iter().map(|(name, _)| *name).collect();
+        let (words, kinds) = (unknown.join(" "), kinds.join(" "));
+        warn(state, text!("alert-no-kinds", words = words, kinds = kinds));
+    }
+
     let table = &state.config.table;
     let named = table.columns.iter().map(String::as_str);
     let wrong: Vec<&str> = named.filter(|name| Column::named(name).is_none()).collect();
@@ -188,6 +199,10 @@ pub fn check_columns(state: &mut State) {
         words = wrong.join(" "),
         columns = Column::names()
     );
+    warn(state, text);
+}
+
+fn warn(state: &mut State, text: Text) {
     state.notices.push(Notice {
         at: state.now,
         vehicle: None,

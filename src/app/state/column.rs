@@ -171,8 +171,7 @@ impl Column {
             Self::Gps => vehicle.gps.map(|gps| {
                 f64::from(gps.fix as u8) * 100.0 + f64::from(gps.satellites.unwrap_or(0))
             }),
-            Self::Link if vehicle.link.lost => Some(0.0),
-            Self::Link => Some(f64::from(vehicle.link.percent())),
+            Self::Link => Some(heard(vehicle)),
             Self::Home => vehicle.distance_home_m(),
             Self::ToGo => place
                 .zip(vehicle.target.and_then(|target| target.at_point))
@@ -211,6 +210,15 @@ impl Column {
             Self::Latitude | Self::Longitude => 0.00005,
             _ => 0.0,
         }
+    }
+}
+
+/// How much of what it sends arrives, in percent.
+fn heard(vehicle: &Vehicle) -> f64 {
+    if vehicle.link.lost {
+        0.0
+    } else {
+        f64::from(vehicle.link.percent())
     }
 }
 

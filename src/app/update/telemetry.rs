@@ -81,7 +81,7 @@ pub fn started(state: &mut State, started: Started) {
     state.overlay = None;
     state.hush();
     state.session.alarms.mute(&state.config.alerts.mute);
-    fly::check_columns(state);
+    fly::check_names(state);
 }
 
 pub fn notice(state: &mut State, notice: &Notice) {

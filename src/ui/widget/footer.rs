@@ -55,24 +55,16 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
+    let muted = |text: String| Span::styled(text, look.style(Role::Muted));
     if !state.typed.is_empty() {
         return Line::from(vec![
-            Span::styled(
-                format!(" {} ", look.say("footer-vehicles")),
-                look.style(Role::Muted),
-            ),
+            muted(format!(" {} ", look.say("footer-vehicles"))),
             Span::styled(state.typed.as_str(), look.style(Role::Selected)),
-            Span::styled(
-                format!("_  {}", look.say("footer-list")),
-                look.style(Role::Muted),
-            ),
+            muted(format!("_  {}", look.say("footer-list"))),
         ]);
     }
     if state.is_deaf() {
-        return Line::styled(
-            format!(" {}", look.say("footer-deaf")),
-            look.style(Role::Muted),
-        );
+        return Line::from(muted(format!(" {}", look.say("footer-deaf"))));
     }
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);
@@ -94,7 +86,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
             break;
         }
         spans.push(Span::styled(*key, look.style(Role::Key)));
-        spans.push(Span::styled(format!(" {what}  "), look.style(Role::Muted)));
+        spans.push(muted(format!(" {what}  ")));
     }
     Line::from(spans)
 }

@@ -163,13 +163,21 @@ fn columns_are_chosen_by_name() {
 }
 
 #[test]
-fn columns_that_there_are_not_are_told_when_a_session_begins() {
+fn names_that_there_are_not_are_told_when_a_session_begins() {
     let mut console = Console::new();
     console.state.config.table.columns = ["id", "colour"].map(str::to_owned).to_vec();
+    console.state.config.alerts.mute = vec!["noise".to_owned()];
     console.start(Activity::Free);
-    let notice = console.state.notices.lines().next().expect("a warning");
-    let text = notice.notice.text.to_string();
-    assert!(text.contains("colour") && text.contains("climb"), "{text}");
+    let notices = console.state.notices.lines();
+    let texts: Vec<String> = notices.map(|line| line.notice.text.to_string()).collect();
+    let told = |word: &str, known: &str| {
+        let mut texts = texts.iter();
+        texts.any(|text| text.contains(word) && text.contains(known))
+    };
+    assert!(
+        told("colour", "climb") && told("noise", "link-lost"),
+        "{texts:?}"
+    );
 }
 
 #[test]

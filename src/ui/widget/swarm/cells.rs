@@ -81,8 +81,8 @@ pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cel
         | Column::Climb
         | Column::Voltage
         | Column::Current
-        | Column::Hdop => number(1),
-        Column::Ekf => number(2),
+        | Column::Hdop
+        | Column::Ekf => number(1),
         Column::Latitude | Column::Longitude => number(6),
         Column::Home
         | Column::ToGo
