@@ -31,6 +31,7 @@ fly-takeoff = takeoff
 fly-landing = landing
 fly-lost = LOST
 fly-done = done
+fly-try = try { $count }
 
 column-id = id
 column-name = name

@@ -31,6 +31,7 @@ fly-takeoff = зліт
 fly-landing = посадка
 fly-lost = НЕМАЄ
 fly-done = виконано
+fly-try = спроба { $count }
 
 column-id = №
 column-name = тип

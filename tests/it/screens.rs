@@ -217,6 +217,9 @@ fn no_size_of_terminal_panics() {
         ["b", "j"],
         ["c", "k"],
         ["n", "k"],
+        ["C", "enter"],
+        ["/", "x"],
+        ["s", "S"],
         ["*", "j"],
     ] {
         let mut console = busy();

@@ -73,7 +73,7 @@ pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cel
         Column::Battery => battery(row.vehicle),
         Column::Gps => gps(row.vehicle),
         Column::Link => link(row),
-        Column::Command => command(row, width),
+        Column::Command => command(row, look, width),
         Column::Item => item(row.vehicle),
         Column::Alert => alert(row, look, width),
         Column::Altitude
@@ -186,14 +186,14 @@ fn item(vehicle: &Vehicle) -> Cell {
     }
 }
 
-fn command(row: &Row<'_>, room: usize) -> Cell {
+fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     let Some((entry, line)) = row.state.session.latest(row.vehicle.id) else {
         return (String::new(), Role::Muted);
     };
     let state = match line.state {
         RowState::Done => row.words.done.clone(),
         RowState::InProgress(percent) => format!("{percent} %"),
-        RowState::Sent if line.tries > 1 => format!("try {}", line.tries),
+        RowState::Sent if line.tries > 1 => look.text(&text!("fly-try", count = line.tries)),
         other => other.to_string(),
     };
     // The state is what must not be cut off.
