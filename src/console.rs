@@ -26,6 +26,7 @@ use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
+use crate::notice::sanitised;
 use crate::session::Order;
 use crate::store::{self, History, Source, StoreError};
 use crate::terminal::Screen;
@@ -192,6 +193,7 @@ struct Console {
     kept: Option<String>,
     drawn: Option<u64>,
     bell: bool,
+    note: Option<String>,
     over: bool,
 }
 
@@ -229,6 +231,7 @@ impl Console {
             running: None,
             drawn: None,
             bell: false,
+            note: None,
             over: false,
         }
     }
@@ -257,6 +260,9 @@ impl Console {
     fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
+        }
+        if let Some(note) = self.note.take() {
+            screen.notify(&note)?;
         }
         let revision = self.state.revision();
         if self.drawn == Some(revision) || !screen.is_ready() {
@@ -333,6 +339,9 @@ impl Console {
         let plan = match effect {
             Effect::Quit => return self.over = true,
             Effect::Bell => return self.bell = true,
+            Effect::Notify(text) => {
+                return self.note = Some(sanitised(&self.look.locale.text(&text)));
+            }
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
             Effect::FetchParameters(_)

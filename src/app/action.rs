@@ -11,8 +11,6 @@ pub enum Action {
     CommandLine,
     /// Open or close the help.
     Help,
-    /// Look back through the commands.
-    Ledger,
     /// Look back through the notices.
     Notices,
     /// Show the mission's brief again.
@@ -101,6 +99,14 @@ pub enum Action {
     Hex,
     /// Order by something else.
     Sort,
+    /// Turn the order round.
+    SortReverse,
+    /// Take note of the alerts.
+    Acknowledge,
+    /// Show only what ended in the next way.
+    NextOutcome,
+    /// Show only what concerns the vehicle under the cursor, or the selected ones.
+    OwnVehicles,
     /// Leave the program.
     Quit,
 }
@@ -141,7 +147,6 @@ impl Action {
         ("debrief", Self::Show(Room::Debrief)),
         ("command-line", Self::CommandLine),
         ("help", Self::Help),
-        ("look-back-commands", Self::Ledger),
         ("look-back-notices", Self::Notices),
         ("brief", Self::Brief),
         ("up", Self::Move(Step::Up)),
@@ -193,6 +198,10 @@ impl Action {
         ("pin", Self::Pin),
         ("hex", Self::Hex),
         ("sort", Self::Sort),
+        ("sort-reverse", Self::SortReverse),
+        ("acknowledge", Self::Acknowledge),
+        ("next-outcome", Self::NextOutcome),
+        ("own-vehicles", Self::OwnVehicles),
         ("quit", Self::Quit),
     ];
 

@@ -6,6 +6,10 @@ use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
 use crate::text;
 
+pub mod swarm;
+
+use swarm::{SwarmLine, SwarmVerb};
+
 /// One thing the console itself can do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConsoleVerb {
@@ -24,7 +28,20 @@ enum Kind {
     Group,
     Theme,
     Params,
+    Swarm(SwarmVerb),
     Plain(Deed),
+}
+
+impl Kind {
+    /// How many words may follow.
+    fn most_arguments(self) -> usize {
+        match self {
+            Self::Plain(_) | Self::Params => 0,
+            Self::Group => 2,
+            Self::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => usize::MAX,
+            Self::Select | Self::Theme | Self::Swarm(_) => 1,
+        }
+    }
 }
 
 /// A line that the console carries out itself.
@@ -43,6 +60,8 @@ pub enum ConsoleLine {
     Theme(String),
     /// Something about the parameters of the vehicle under the cursor.
     Params(ParamsDeed),
+    /// One about the table or its alerts.
+    Swarm(SwarmLine),
     /// One without arguments.
     Plain(Deed),
 }
@@ -88,7 +107,7 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
     verb(
         "select",
         "select TARGETS",
-        "select vehicles: 1-4,7  @red  all  none",
+        "select vehicles: 1-4,7  @red  all  none  filter  invert",
         Kind::Select,
     ),
     verb(
@@ -102,6 +121,48 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
         "params [fetch | save FILE | load FILE | diff FILE|N]",
         "the parameters: ask again, save, load, compare",
         Kind::Params,
+    ),
+    verb(
+        "ungroup",
+        "ungroup NAME",
+        "forget a group's name",
+        Kind::Swarm(SwarmVerb::Ungroup),
+    ),
+    verb(
+        "sort",
+        "sort [[-]COLUMN]",
+        "order the table; - puts the largest first",
+        Kind::Swarm(SwarmVerb::Sort),
+    ),
+    verb(
+        "filter",
+        "filter [WORDS]",
+        "show only: 1-4  @red  armed  air  alert  bat<30  !land",
+        Kind::Swarm(SwarmVerb::Filter),
+    ),
+    verb(
+        "columns",
+        "columns [COLUMNS]",
+        "the table's columns; none: as many as fit",
+        Kind::Swarm(SwarmVerb::Columns),
+    ),
+    verb(
+        "ack",
+        "ack [KIND|TARGETS]",
+        "take note of the worst alerts, or of these",
+        Kind::Swarm(SwarmVerb::Acknowledge),
+    ),
+    verb(
+        "mute",
+        "mute [KIND]",
+        "alerts of a kind stay silent; none: which are",
+        Kind::Swarm(SwarmVerb::Mute),
+    ),
+    verb(
+        "unmute",
+        "unmute [KIND]",
+        "alerts of a kind ring again; none: all do",
+        Kind::Swarm(SwarmVerb::Unmute),
     ),
     verb("theme", "theme NAME", "change the colours", Kind::Theme),
     verb("help", "help", "keys and verbs", Kind::Plain(Deed::Help)),
@@ -204,6 +265,12 @@ pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion>
         let fitting = deeds.filter(|deed| deed.starts_with(word));
         return fitting.map(|deed| completion(deed, "")).collect();
     }
+    let verb = head.split_whitespace().next().and_then(find);
+    if let Some(Kind::Swarm(verb)) = verb.map(|verb| verb.kind) {
+        let choices = swarm::choices(verb).into_iter();
+        let fitting = choices.filter(|choice| choice.starts_with(word));
+        return fitting.map(|choice| completion(choice, "")).collect();
+    }
     if head.trim() != "theme" {
         return Vec::new();
     }
@@ -238,12 +305,7 @@ fn read(
     arguments: &[Range<usize>],
     themes: &[String],
 ) -> Result<ConsoleLine, Diagnostic> {
-    let most = match verb.kind {
-        Kind::Plain(_) | Kind::Params => 0,
-        Kind::Select | Kind::Theme => 1,
-        Kind::Group => 2,
-    };
-    if let Some(extra) = arguments.get(most) {
+    if let Some(extra) = arguments.get(verb.kind.most_arguments()) {
         return Err(
             Diagnostic::new(extra.clone(), "nothing more is expected here")
                 .with_help(format!("usage: {}", verb.usage)),
@@ -258,6 +320,14 @@ fn read(
     match verb.kind {
         Kind::Plain(deed) => Ok(ConsoleLine::Plain(deed)),
         Kind::Params => Ok(ConsoleLine::Params(ParamsDeed::Show)),
+        Kind::Swarm(SwarmVerb::Ungroup) if arguments.is_empty() => Err(missing()),
+        Kind::Swarm(verb) => {
+            let words = arguments.iter();
+            let words: Vec<_> = words
+                .map(|span| (&line[span.clone()], span.clone()))
+                .collect();
+            swarm::read(verb, &words).map(ConsoleLine::Swarm)
+        }
         Kind::Select => text(0).map(ConsoleLine::Select).ok_or_else(missing),
         Kind::Group => {
             let name = text(0).ok_or_else(missing)?;

@@ -3,6 +3,7 @@
 use crate::commands::Command;
 use crate::language::Verb;
 use crate::ledger::EntryId;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Work for the run loop.
@@ -53,4 +54,6 @@ pub enum Effect {
     SetTheme(String),
     /// Ring the terminal's bell.
     Bell,
+    /// Ask the terminal for a note on the desktop.
+    Notify(Text),
 }

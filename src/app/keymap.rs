@@ -198,7 +198,7 @@ const GENERAL: &[Row] = &[
     does(key('?'), Action::Help),
     does(Press::Plain(KeyCode::F(1)), Action::Help),
     does(key('n'), Action::Notices),
-    does(key('c'), Action::Ledger),
+    does(key('c'), Action::Show(Room::Ledger)),
     does(key('b'), Action::Brief),
     does(Press::Control('c'), Action::Quit),
 ];

@@ -106,6 +106,8 @@ impl Room {
 pub struct Rooms {
     /// Where to begin.
     pub home: home::Home,
+    /// The swarm in flight.
+    pub fly: fly::Fly,
     /// Everything about one vehicle.
     pub vehicle: vehicle::Vehicle,
     /// Where everything is.
@@ -186,10 +188,13 @@ pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<V
     }
 }
 
+/// Shows only those lines of a room that fit.
 fn filter(state: &mut State, room: Room, entered: &str) {
     match room {
         Room::Parameters => entered.clone_into(&mut state.rooms.parameters.filter),
         Room::Messages => messages::filter(state, entered),
+        Room::Fly => fly::filter(state, entered),
+        Room::Ledger => ledger::filter(state, entered),
         _ => {}
     }
 }

@@ -9,7 +9,11 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
+mod alarms;
 mod alert;
+mod bell;
+mod column;
+mod filter;
 mod help;
 mod history;
 mod ids;
@@ -20,7 +24,11 @@ mod session;
 
 pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
-pub use alert::{Alert, alert};
+pub use alarms::{Alarms, Pressing, Standing};
+pub use alert::{Alert, AlertKind, alert, alerts};
+pub use bell::{Call, Due};
+pub use column::{Column, Key, Sort};
+pub use filter::Filter;
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
@@ -140,7 +148,6 @@ impl State {
     /// How many entries a log has.
     pub fn log_length(&self, log: Log) -> usize {
         match log {
-            Log::Ledger => self.session.ledger.entries().len(),
             Log::Notices => self.notices.lines().len(),
         }
     }

@@ -10,10 +10,17 @@ mod keys;
 mod links;
 pub(super) mod order;
 mod palette;
+mod swarm;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
 pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
+    let mut effects = react(state, event);
+    effects.extend(telemetry::signals(state));
+    effects
+}
+
+fn react(state: &mut State, event: Event) -> Vec<Effect> {
     match event {
         Event::Tick { now } => {
             telemetry::tick(state, now);
@@ -37,7 +44,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Key(key) => return keys::press(state, key),
         Event::Paste(text) => keys::paste(state, &text),
         Event::Started(started) => telemetry::started(state, *started),
-        Event::Notice(notice) => return telemetry::notice(state, &notice),
+        Event::Notice(notice) => telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => state.notices.dropped = count,
         Event::Parameters { vehicle, snapshot } => parameters::arrived(state, vehicle, snapshot),
         Event::ParametersRead { path, text } => parameters::read(state, path, &text),
@@ -45,6 +52,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::ParametersExist { path, text } => parameters::exists(state, path, text),
         Event::Row(row) => {
             state.session.ledger.apply(&row);
+            state.rooms.ledger.spoil();
             return parameters::advance(state);
         }
         Event::Links(links) => state.session.links = links,

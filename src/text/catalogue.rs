@@ -14,6 +14,7 @@ macro_rules! catalogue {
 }
 
 catalogue! {
+    "alerts",
     "common",
     "config",
     "console",
@@ -22,6 +23,7 @@ catalogue! {
     "doctor",
     "links",
     "messages",
+    "fly",
     "rooms",
     "vehicle",
 }

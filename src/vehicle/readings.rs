@@ -200,6 +200,19 @@ pub struct Ekf {
     pub at: Duration,
 }
 
+impl Ekf {
+    /// The worst test ratio; 1 is the limit.
+    pub fn worst(&self) -> f32 {
+        let ratios = [
+            self.velocity_variance,
+            self.position_horizontal_variance,
+            self.position_vertical_variance,
+            self.compass_variance,
+        ];
+        ratios.into_iter().fold(0.0, f32::max)
+    }
+}
+
 /// VIBRATION.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vibration {

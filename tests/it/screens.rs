@@ -10,6 +10,7 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod fly;
 mod inspector;
 mod link_room;
 mod map;
@@ -186,6 +187,7 @@ fn questions_help_links_and_brief() {
     check("links", console.press("esc").give("links"));
     check("brief", console.press("F").press("b"));
     check("ledger", console.press("esc").press("c"));
+    console.press("F");
     check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(
         "leave_80x24",
@@ -220,6 +222,9 @@ fn no_size_of_terminal_panics() {
         ["b", "j"],
         ["c", "k"],
         ["n", "k"],
+        ["C", "enter"],
+        ["/", "x"],
+        ["s", "S"],
         ["*", "j"],
     ] {
         let mut console = busy();

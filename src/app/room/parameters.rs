@@ -8,11 +8,11 @@ use std::time::Duration;
 
 use crossterm::event::KeyCode;
 
-use crate::app::action::Action;
+use crate::app::action::{Action, Step};
 use crate::app::console::ParamsDeed;
 use crate::app::effect::Effect;
 use crate::app::keymap::{ENTER, ESCAPE, Press, Row as Key, does, key};
-use crate::app::room::Room;
+use crate::app::room::{Room, fly};
 use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act::show;
 use crate::ledger::EntryId;
@@ -192,13 +192,11 @@ fn edit_under_cursor(state: &mut State) {
 }
 
 fn change_vehicle(state: &mut State, action: Action) {
-    let count = state.session.vehicles.len();
-    let at = state.session.cursor_row();
-    let next = match action {
-        Action::NextVehicle => (at + 1).min(count.saturating_sub(1)),
-        _ => at.saturating_sub(1),
+    let step = match action {
+        Action::NextVehicle => Step::Down,
+        _ => Step::Up,
     };
-    state.session.set_cursor_row(next);
+    fly::move_cursor(state, step);
 }
 
 /// Stops setting values; else takes back the last thing that narrows the list. False if there is neither.

@@ -5,6 +5,7 @@ use crossterm::event::KeyCode;
 use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
 use crate::app::keymap::{Press, Row, does, key};
+use crate::app::room::fly;
 use crate::app::state::{State, Window};
 
 /// What the room remembers.
@@ -28,17 +29,11 @@ pub const KEYS: &[Row] = &[
 pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
     let room = &mut state.rooms.vehicle;
     match action {
-        Action::NextVehicle => go(state, Step::Down),
-        Action::PreviousVehicle => go(state, Step::Up),
+        Action::NextVehicle => fly::move_cursor(state, Step::Down),
+        Action::PreviousVehicle => fly::move_cursor(state, Step::Up),
         Action::Window => room.window = room.window.next(),
         Action::NextPage => room.page = room.page.wrapping_add(1),
         _ => return None,
     }
     Some(Vec::new())
-}
-
-fn go(state: &mut State, step: Step) {
-    let session = &mut state.session;
-    let row = step.apply(session.cursor_row(), session.vehicles.len());
-    session.set_cursor_row(row);
 }

@@ -25,7 +25,7 @@ pub enum Overlay {
         /// The first line shown.
         scroll: usize,
     },
-    /// All commands, or all notices.
+    /// All notices.
     Log {
         /// Which of them.
         log: Log,
@@ -39,8 +39,6 @@ pub enum Overlay {
 /// What can be looked back through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
-    /// The commands.
-    Ledger,
     /// The notices.
     Notices,
 }

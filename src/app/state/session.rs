@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use super::{Groups, Histories, LinkSummary, Selection};
+use super::{Alarms, Groups, Histories, LinkSummary, Selection};
 use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
@@ -26,6 +26,8 @@ pub struct Session {
     pub selection: Selection,
     /// The vehicle under the cursor.
     pub cursor: Option<VehicleId>,
+    /// What is wrong with them.
+    pub alarms: Alarms,
     /// All commands of the session.
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
@@ -144,17 +146,11 @@ impl Session {
             .count()
     }
 
-    /// The place of the cursor in the list of vehicles.
-    pub fn cursor_row(&self) -> usize {
-        self.cursor
-            .map_or(0, |cursor| self.vehicles.range(..cursor).count())
-    }
-
-    /// Puts the cursor on a row of the list.
-    pub fn set_cursor_row(&mut self, row: usize) {
-        if let Some(&id) = self.vehicles.keys().nth(row) {
-            self.place_cursor(id);
-        }
+    /// The names of the groups that a vehicle belongs to.
+    pub fn groups_of(&self, vehicle: VehicleId) -> Vec<&str> {
+        let mine = |members: &[VehicleId]| members.contains(&vehicle);
+        let groups = self.groups.iter().filter(|(_, members)| mine(members));
+        groups.map(|(name, _)| name.as_str()).collect()
     }
 
     /// Puts the cursor on a vehicle, where it stays.

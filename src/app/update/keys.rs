@@ -66,7 +66,10 @@ pub fn paste(state: &mut State, text: &str) {
             insert(&mut prompt.input, &text);
             state.overlay = Some(Overlay::Prompt(prompt));
         }
-        other => state.overlay = other,
+        other => {
+            state.overlay = other;
+            state.say(Severity::Notice, text!("footer-paste-dropped"));
+        }
     }
 }
 

@@ -84,6 +84,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
     };
     let entry = state.session.open(now, given, &order.targets);
     parameters::note_order(state, &order, entry);
+    state.rooms.ledger.spoil();
     vec![Effect::Command {
         entry,
         targets: order.targets,

@@ -5,7 +5,9 @@ use ratatui::layout::Rect;
 
 use crate::app::state::State;
 use crate::ui::look::Look;
-use crate::ui::widget::{below, columns, ledger, map, mission, notices, swarm, telemetry, upper};
+use crate::ui::widget::{
+    alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper,
+};
 
 /// From this width on, telemetry and mission have a column each.
 const THREE_COLUMNS: u16 = 160;
@@ -27,8 +29,10 @@ const LEDGER_LEAST: u16 = 6;
 
 /// Draws the panes.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    alerts::draw(state, look, upper(area, alerts::height(state)), buffer);
+    let area = below(area, alerts::height(state));
     // Never more than half of the screen.
-    let wanted = swarm::height(&state.session, area.width);
+    let wanted = swarm::height(state, look, area.width);
     let rows = wanted.min(usize::from(area.height / 2)) as u16;
     swarm::draw(state, look, upper(area, rows), buffer);
     draw_panes(state, look, below(area, rows), buffer);
@@ -36,7 +40,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 
 /// Draws what is below the table: where telemetry and mission leave rows free, the notices take them.
 fn draw_panes(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let mut middle = side_height(state, area.width).max(area.height / 2);
+    let mut middle = side_height(state, look, area.width).max(area.height / 2);
     if area.width > SIDE_WIDTH + MAP_LEAST.0 {
         // The rows are worth more to the map than to old notices.
         middle = middle.max(area.height.saturating_sub(NOTICES_MOST));
@@ -77,8 +81,8 @@ fn draw_map(
 }
 
 /// Rows that telemetry and mission need.
-fn side_height(state: &State, width: u16) -> u16 {
-    let telemetry = telemetry::height(state, SIDE_WIDTH).max(TELEMETRY_LEAST);
+fn side_height(state: &State, look: &Look, width: u16) -> u16 {
+    let telemetry = telemetry::height(state, look, SIDE_WIDTH).max(TELEMETRY_LEAST);
     match &state.session.mission {
         Some(progress) if width >= THREE_COLUMNS => {
             telemetry.max(mission::height(progress, MISSION_WIDTH))
@@ -104,7 +108,7 @@ fn draw_side(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rec
     let left = side
         .height
         .saturating_sub(mission::height(progress, side.width));
-    let most = telemetry::height(state, side.width).max(TELEMETRY_LEAST);
+    let most = telemetry::height(state, look, side.width).max(TELEMETRY_LEAST);
     let rows = left.clamp(TELEMETRY_LEAST, most);
     telemetry::draw(state, look, upper(side, rows), buffer);
     mission::draw(state, look, below(side, rows), buffer);

@@ -74,7 +74,7 @@ fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mu
     let (session, look) = (&subject.state.session, subject.look);
     let place = look.text(&text!(
         "vehicle-place",
-        row = session.cursor_row() + 1,
+        row = subject.state.rooms.fly.row_of(session.cursor) + 1,
         count = session.vehicles.len()
     ));
     let mut line = Line::from(vec![

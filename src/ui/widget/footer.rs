@@ -11,22 +11,35 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
 const HOME: &[(&str, &str)] = &[
-    ("j k", "move"),
-    ("Enter", "take"),
-    (":", "command"),
-    ("?", "help"),
-    ("q", "quit"),
+    ("j k", "hint-move"),
+    ("Enter", "hint-take"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("q", "hint-quit"),
 ];
 const FLY: &[(&str, &str)] = &[
-    (":", "command"),
-    ("?", "help"),
-    ("j k", "move"),
-    ("Space", "select"),
-    ("3-9 Enter", "list"),
-    ("*", "all"),
-    ("Esc", "none"),
-    ("c n", "look back"),
-    ("L", "links"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("Space", "hint-select"),
+    ("3-9 Enter", "hint-list"),
+    ("*", "hint-all"),
+    ("/", "hint-filter"),
+    ("s", "hint-sort"),
+    ("x", "hint-acknowledge"),
+    ("Esc", "hint-none"),
+    ("j k", "hint-move"),
+    ("c n", "hint-look-back"),
+    ("M V P I L", "hint-rooms"),
+];
+const LEDGER: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("j k", "hint-move"),
+    ("Enter", "hint-open"),
+    ("/", "hint-filter"),
+    ("o", "hint-outcome"),
+    ("v", "hint-own"),
+    ("Esc", "hint-back"),
 ];
 const MAP: &[(&str, &str)] = &[
     (":", "command"),
@@ -42,11 +55,11 @@ const MAP: &[(&str, &str)] = &[
     ("w", "trails"),
 ];
 const DEBRIEF: &[(&str, &str)] = &[
-    ("j k", "scroll"),
-    ("r", "fly again"),
-    ("h", "home screen"),
-    (":", "command"),
-    ("?", "help"),
+    ("j k", "hint-scroll"),
+    ("r", "hint-again"),
+    ("h", "hint-home"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
 ];
 
 /// Draws the footer into the last row of the screen.
@@ -56,18 +69,16 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
+    let muted = |text: String| Span::styled(text, look.style(Role::Muted));
     if !state.typed.is_empty() {
         return Line::from(vec![
-            Span::styled(" vehicles ", look.style(Role::Muted)),
+            muted(format!(" {} ", look.say("footer-vehicles"))),
             Span::styled(state.typed.as_str(), look.style(Role::Selected)),
-            Span::styled(
-                "_  Enter selects   a t g m h l r commands them   Esc drops",
-                look.style(Role::Muted),
-            ),
+            muted(format!("_  {}", look.say("footer-list"))),
         ]);
     }
     if state.is_deaf() {
-        return Line::styled(" keys work in a moment", look.style(Role::Muted));
+        return Line::from(muted(format!(" {}", look.say("footer-deaf"))));
     }
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);
@@ -83,7 +94,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
             break;
         }
         spans.push(Span::styled(*key, look.style(Role::Key)));
-        spans.push(Span::styled(format!(" {what}  "), look.style(Role::Muted)));
+        spans.push(muted(format!(" {what}  ")));
     }
     Line::from(spans)
 }
@@ -92,6 +103,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
 fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
     match state.room {
         Room::Home => HOME,
+        Room::Ledger => LEDGER,
         Room::Debrief => DEBRIEF,
         Room::Map => MAP,
         Room::Messages => messages::HINTS,

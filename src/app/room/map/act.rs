@@ -141,12 +141,13 @@ fn goto_here(state: &mut State, size: Size) {
 
 /// Makes the next vehicle by number that of the cursor, and points at it.
 fn turn_to(state: &mut State, size: Size, by: i32) {
-    let count = state.session.vehicles.len() as i32;
-    if count == 0 {
+    let rows = state.rooms.fly.rows();
+    if rows.is_empty() {
         return state.say(Severity::Notice, text!("map-no-vehicle"));
     }
-    let row = (state.session.cursor_row() as i32 + by).rem_euclid(count);
-    state.session.set_cursor_row(row as usize);
+    let row = state.rooms.fly.row_of(state.session.cursor) as i32 + by;
+    let next = rows[row.rem_euclid(rows.len() as i32) as usize];
+    state.session.place_cursor(next);
     let place = state.session.under_cursor().and_then(|it| it.global);
     if let Some(global) = place {
         state.rooms.map.followed(global.at_point);
