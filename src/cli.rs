@@ -40,6 +40,8 @@ pub struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
+    show: fly::ShowArguments,
+    #[command(flatten)]
     common: Common,
 }
 
@@ -63,6 +65,8 @@ enum Command {
         /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
         addresses: Vec<Address>,
+        #[command(flatten)]
+        show: fly::ShowArguments,
     },
     /// A pilot script flies a mission without a console; prints the debrief.
     Run(run::RunArguments),
@@ -121,9 +125,9 @@ fn is_closed_pipe(error: &anyhow::Error) -> bool {
 fn dispatch(arguments: Arguments) -> Result<ExitCode, Failure> {
     let theme = fly::theme(arguments.common.theme.as_deref())?;
     match arguments.command {
-        None => fly::home(theme),
+        None => fly::home(&arguments.show, theme),
         Some(Command::Fly(options)) => fly::fly(&options, theme),
-        Some(Command::Connect { addresses }) => fly::connect(addresses, theme),
+        Some(Command::Connect { addresses, show }) => fly::connect(addresses, &show, theme),
         Some(Command::Run(options)) => run::run(&options),
         Some(Command::Sim(options)) => sim::serve(&options),
         Some(Command::Check { files }) => check::check(&files),

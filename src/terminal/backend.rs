@@ -6,7 +6,7 @@ use ratatui::backend::{Backend, ClearType, CrosstermBackend, WindowSize};
 use ratatui::buffer::Cell;
 use ratatui::layout::{Position, Size};
 
-use super::FrameWriter;
+use super::writer::FrameWriter;
 
 /// Crossterm's backend without its questions to the terminal.
 ///

@@ -16,7 +16,9 @@ macro_rules! catalogue {
 catalogue! {
     "common",
     "console",
+    "plain",
     "rooms",
+    "terminal",
 }
 
 /// The message files of a language: subject and contents.

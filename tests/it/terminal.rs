@@ -25,6 +25,7 @@ pub struct Terminal {
     output: Receiver<Vec<u8>>,
     screen: vt100::Parser,
     raw: Vec<u8>,
+    answers: bool,
 }
 
 impl Terminal {
@@ -54,6 +55,7 @@ impl Terminal {
         command.args(arguments);
         command.cwd(env!("CARGO_MANIFEST_DIR"));
         command.env("TERM", "xterm-256color");
+        command.env("LC_ALL", "C.UTF-8");
         command.env_remove("NO_COLOR");
         for (name, value) in variables {
             command.env(name, value);
@@ -84,6 +86,7 @@ impl Terminal {
                 0,
             ),
             raw: Vec::new(),
+            answers: true,
         }
     }
 
@@ -193,8 +196,21 @@ impl Terminal {
         self.child.wait().expect("it was started").exit_code()
     }
 
+    /// Reads, and answers what a terminal is asked.
     fn take(&mut self, bytes: &[u8]) {
+        let question = b"\x1b[5n";
+        let read_before = self.raw.len().saturating_sub(question.len() - 1);
         self.raw.extend_from_slice(bytes);
+        let asked = self.raw[read_before..]
+            .windows(question.len())
+            .filter(|part| *part == question);
+        if self.answers {
+            for _ in 0..asked.count() {
+                // A program that has ended hears nothing more.
+                drop(self.keyboard.write_all(b"\x1b[0n"));
+            }
+            drop(self.keyboard.flush());
+        }
         self.screen.process(bytes);
     }
 }

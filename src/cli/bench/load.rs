@@ -55,6 +55,8 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         seed: 1,
         speedup: 1.0,
         look: Look::default(),
+        fps: 10,
+        mouse: false,
     };
     let seconds = |seconds| Duration::from_secs(seconds);
     // A kilometre at 10 m/s lasts longer than the measurement.

@@ -50,6 +50,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
 
 fn right_part(state: &State, look: &Look, width: u16) -> Line<'static> {
     let mut parts = Vec::new();
+    if let Some(bytes_per_s) = state.slow_line {
+        let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);
+        parts.push(look.text(&text!("terminal-slow", rate = rate)));
+    }
     let dropped = state.notices.dropped;
     if dropped > 0 {
         let what = if width < 100 { "" } else { "notices " };
