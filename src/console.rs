@@ -323,6 +323,7 @@ impl Console {
             return;
         };
         for event in running.collect(now) {
+            self.log(&event);
             self.feed(event).await;
         }
         // The mission sees what has just been collected.
@@ -332,6 +333,17 @@ impl Console {
         };
         for event in flown {
             self.feed(event).await;
+        }
+    }
+
+    /// Keeps what became of commands in the log.
+    fn log(&self, event: &Event) {
+        let Event::Row(row) = event else { return };
+        if row.state.is_final()
+            && let Some(entry) = self.state.session.ledger.entry(row.entry)
+        {
+            let (vehicle, line, state) = (row.vehicle, &entry.line, row.state);
+            tracing::info!("vehicle {vehicle}: {line}: {state}");
         }
     }
 

@@ -10,8 +10,8 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use crossterm::terminal::{
-    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
-    disable_raw_mode, enable_raw_mode,
+    EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
+    enable_raw_mode,
 };
 use crossterm::{cursor, event, execute, queue};
 use ratatui::layout::Rect;
@@ -19,6 +19,7 @@ use ratatui::{Terminal, TerminalOptions, Viewport};
 
 mod backend;
 mod capability;
+mod colours;
 pub mod input;
 mod keyboard;
 mod pace;
@@ -84,16 +85,13 @@ impl Screen {
 
     fn enter(&mut self) -> io::Result<()> {
         let writer = self.terminal.backend_mut();
-        queue!(
-            writer,
-            EnterAlternateScreen,
-            event::EnableBracketedPaste,
-            cursor::Hide
-        )?;
+        queue!(writer, EnterAlternateScreen, event::EnableBracketedPaste)?;
         if self.mouse {
             writer.write_all(MOUSE_ON)?;
         }
-        Write::flush(writer)
+        writer.forget_cursor();
+        // The first question is answered at once, also over a slow line, and tells that the terminal answers.
+        self.send()
     }
 
     /// A screen of that size that leads nowhere, for measurements: frames are made and counted, not shown.
@@ -149,13 +147,19 @@ impl Screen {
     /// # Errors
     /// The terminal is gone.
     pub fn draw(&mut self, render: impl FnOnce(&mut ratatui::Frame)) -> io::Result<()> {
+        self.terminal.draw(render)?;
+        if self.terminal.backend_mut().end_frame()? {
+            self.send()?;
+        }
+        Ok(())
+    }
+
+    /// Sends what has been written, with a question behind it if it is time for one.
+    fn send(&mut self) -> io::Result<()> {
         let now = self.clock.elapsed();
         let asks = self.pace.asks(now);
         let before = self.traffic.bytes();
-        queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
-        self.terminal.draw(render)?;
         let writer = self.terminal.backend_mut();
-        queue!(writer, EndSynchronizedUpdate)?;
         if asks {
             writer.write_all(QUESTION)?;
         }
@@ -224,9 +228,9 @@ fn give_back() {
                 LeaveAlternateScreen,
                 cursor::Show
             ));
-            drop(done.send(()));
+            let _ = done.send(());
         });
-        drop(written.recv_timeout(LAST_PATIENCE));
+        let _ = written.recv_timeout(LAST_PATIENCE);
         drop(disable_raw_mode());
     }
 }

@@ -205,6 +205,8 @@ impl Plain {
             self.answer(&answer, line).await;
         } else if !line.is_empty() && !line.starts_with('#') {
             if !self.is_person {
+                // What came of the lines before belongs before this one.
+                self.tell_news();
                 self.say(&Text::from(format!("> {line}")));
             }
             if !self.carry_out_here(line) {

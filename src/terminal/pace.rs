@@ -85,7 +85,7 @@ impl Pace {
         }
     }
 
-    /// A frame of so many bytes has been drawn, with a question in it or without.
+    /// So many bytes have been sent, with a question at their end or without.
     pub fn drawn(&mut self, now: Duration, bytes: u64, asked: bool) {
         self.drawn_at = Some(now);
         self.unasked_bytes += bytes;

@@ -15,15 +15,15 @@ pub fn can_be_suspended() -> bool {
 
 /// Asks every process of the job to stop, this one too: what Ctrl-Z does where it is not a key.
 pub fn suspend_group() {
-    drop(kill_current_process_group(Signal::TSTP));
+    let _ = kill_current_process_group(Signal::TSTP);
 }
 
 /// Stops this process until it is continued.
 pub fn stop() {
-    drop(kill_process(getpid(), Signal::STOP));
+    let _ = kill_process(getpid(), Signal::STOP);
 }
 
 /// Throws away what has been written to the terminal and not been read.
 pub(super) fn discard_output() {
-    drop(tcflush(io::stdout(), QueueSelector::OFlush));
+    let _ = tcflush(io::stdout(), QueueSelector::OFlush);
 }

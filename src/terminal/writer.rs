@@ -7,6 +7,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, mpsc};
 use std::time::{Duration, Instant};
 
+use super::colours;
+
 /// What goes to the terminal.
 #[derive(Debug, Default)]
 pub struct Traffic {
@@ -120,7 +122,8 @@ impl Write for FrameWriter {
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        let frame = std::mem::take(&mut self.frame);
+        let frame = colours::basic(&self.frame);
+        self.frame.clear();
         self.traffic
             .bytes
             .fetch_add(frame.len() as u64, Ordering::Relaxed);

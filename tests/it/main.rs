@@ -12,4 +12,5 @@ mod pty;
 mod recordings;
 mod screens;
 mod terminal;
+mod terminals;
 mod texts;
