@@ -11,6 +11,8 @@ use std::time::Duration;
 const PATIENCE: Duration = Duration::from_millis(500);
 /// A line whose last answer took longer is called slow on the screen.
 const SLOW: Duration = Duration::from_secs(1);
+/// A line is called slow for so long after it was.
+const SLOW_FOR: Duration = Duration::from_secs(10);
 /// A terminal that has not answered its first question by now never will; frames go out without.
 const DEAF_AFTER: Duration = Duration::from_secs(10);
 /// Frames while the first answer is outstanding.
@@ -31,7 +33,8 @@ pub struct Pace {
     hearing: Hearing,
     /// How long the last answer took.
     delay: Duration,
-    bytes_per_s: Option<f64>,
+    /// When the line was slow last, and what it carried, in bytes per second.
+    slow: Option<(Duration, f64)>,
     rest_until: Duration,
     /// Bytes sent since the last question, without its frame.
     unasked_bytes: u64,
@@ -61,7 +64,7 @@ impl Pace {
             question: None,
             hearing: Hearing::Unknown,
             delay: Duration::ZERO,
-            bytes_per_s: None,
+            slow: None,
             rest_until: Duration::ZERO,
             unasked_bytes: 0,
         }
@@ -106,33 +109,47 @@ impl Pace {
         };
         self.hearing = Hearing::Answers;
         self.delay = now.saturating_sub(question.at);
-        let rate = question.bytes as f64 / self.delay.as_secs_f64().max(0.001);
-        self.bytes_per_s = (self.delay >= SLOW).then_some(rate);
+        if self.delay >= SLOW {
+            let rate = question.bytes as f64 / self.delay.as_secs_f64();
+            self.slow = Some((now, rate));
+        } else {
+            self.recover(now);
+        }
     }
 
     /// The operating system has taken a frame, after so long. A full buffer earns the line as long a rest, which
     /// halves the load.
     pub fn written(&mut self, now: Duration, took: Duration, bytes: u64) {
         if took < BLOCKED {
-            if self.hearing == Hearing::Deaf && now >= self.rest_until {
-                self.bytes_per_s = None;
+            if self.hearing == Hearing::Deaf {
+                self.recover(now);
             }
             return;
         }
         self.rest_until = now + took.min(LONGEST_REST);
         if took >= SLOW {
-            self.bytes_per_s = Some(bytes as f64 / took.as_secs_f64());
+            self.slow = Some((now, bytes as f64 / took.as_secs_f64()));
         }
     }
 
     /// What a slow line carries, in bytes per second; `None` while the line keeps up.
     pub fn slow_bytes_per_s(&self) -> Option<f64> {
-        self.bytes_per_s
+        self.slow.map(|(_, rate)| rate)
     }
 
     /// Whether an answer is outstanding that will probably come.
     pub fn expects_answer(&self) -> bool {
         self.question.is_some() && self.hearing == Hearing::Answers
+    }
+
+    /// The line has kept up; it is called slow for a while longer, because large frames are rare.
+    fn recover(&mut self, now: Duration) {
+        if self
+            .slow
+            .is_some_and(|(at, _)| now.saturating_sub(at) >= SLOW_FOR)
+        {
+            self.slow = None;
+        }
     }
 
     fn interval_at(&self, now: Duration) -> Duration {
