@@ -185,15 +185,14 @@ impl Plain {
         let Some(pilot) = &mut self.pilot else { return };
         let state = &self.console.state;
         let session = &state.session;
-        for event in pilot.step(state.now, &session.vehicles, &session.ledger) {
-            match event {
-                PilotEvent::WaitTimedOut { text: line, .. } => {
-                    self.say(&text!("plain-wait-in-vain", line = line));
-                }
-                PilotEvent::Finished => return self.pilot = None,
-                PilotEvent::Do(_) => {}
+        let events = pilot.step(state.now, &session.vehicles, &session.ledger);
+        if !events.is_empty() {
+            self.pilot = None;
+        }
+        for event in events {
+            if let PilotEvent::WaitTimedOut { text: line, .. } = event {
+                self.say(&text!("plain-wait-in-vain", line = line));
             }
-            return self.pilot = None;
         }
     }
 
@@ -276,7 +275,7 @@ impl Plain {
                 let lines = link_lines(&state.session.links);
                 lines
                     .into_iter()
-                    .map(|line| Text::from(format!("{}", line.text)))
+                    .map(|line| Text::from(line.text.to_string()))
                     .collect()
             }
             "ledger" | "commands" if rest.is_empty() => report::ledger(state),

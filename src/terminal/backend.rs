@@ -19,8 +19,16 @@ pub(super) struct FrameBackend {
     inner: CrosstermBackend<FrameWriter>,
     /// Whether something of the present frame has been written.
     begun: bool,
-    /// Where the cursor is shown, if it is; unknown at first.
-    cursor: Option<Option<Position>>,
+    /// What the terminal's cursor was told last.
+    cursor: Cursor,
+}
+
+/// What a cursor may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Cursor {
+    Unknown,
+    Hidden,
+    At(Position),
 }
 
 impl FrameBackend {
@@ -29,7 +37,7 @@ impl FrameBackend {
         Self {
             inner: CrosstermBackend::new(writer),
             begun: false,
-            cursor: None,
+            cursor: Cursor::Unknown,
         }
     }
 
@@ -44,7 +52,7 @@ impl FrameBackend {
 
     /// The cursor's place is not known any more.
     pub fn forget_cursor(&mut self) {
-        self.cursor = None;
+        self.cursor = Cursor::Unknown;
     }
 
     fn begin(&mut self) -> io::Result<()> {
@@ -78,17 +86,17 @@ impl Backend for FrameBackend {
         }
         self.begin()?;
         // Drawing moves the cursor; a hidden one stays hidden.
-        if self.cursor != Some(None) {
-            self.cursor = None;
+        if self.cursor != Cursor::Hidden {
+            self.cursor = Cursor::Unknown;
         }
         self.inner.draw(content)
     }
 
     fn hide_cursor(&mut self) -> io::Result<()> {
-        if self.cursor == Some(None) {
+        if self.cursor == Cursor::Hidden {
             return Ok(());
         }
-        self.cursor = Some(None);
+        self.cursor = Cursor::Hidden;
         self.begin()?;
         self.inner.hide_cursor()
     }
@@ -104,10 +112,10 @@ impl Backend for FrameBackend {
 
     fn set_cursor_position<P: Into<Position>>(&mut self, position: P) -> io::Result<()> {
         let position = position.into();
-        if self.cursor == Some(Some(position)) {
+        if self.cursor == Cursor::At(position) {
             return Ok(());
         }
-        self.cursor = Some(Some(position));
+        self.cursor = Cursor::At(position);
         self.begin()?;
         self.inner.show_cursor()?;
         self.inner.set_cursor_position(position)

@@ -104,10 +104,9 @@ fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
 
 fn find(bytes: &[u8]) -> Found {
     match bytes {
-        [] | [0x1b] => Found::Partial,
+        [] | [0x1b] | [0x1b, b'O'] => Found::Partial,
         [0x1b, 0x1b, ..] => Found::Whole(Some(key(KeyCode::Esc, KeyModifiers::NONE)), 1),
         [0x1b, b'[', ..] => sequence(bytes),
-        [0x1b, b'O'] => Found::Partial,
         [0x1b, b'O', letter, ..] => {
             let found = letter_key(*letter).map(|code| key(code, KeyModifiers::NONE));
             Found::Whole(found, 3)

@@ -65,14 +65,14 @@ impl Keyboard {
                 continue;
             }
             let since = *self.waiting_since.get_or_insert_with(Instant::now);
-            match tokio::time::timeout_at(since + SEQUENCE_PATIENCE, self.pieces.recv()).await {
-                Ok(piece) => self.parser.push(&piece?),
-                Err(_) => {
-                    self.waiting_since = None;
-                    if let Some(input) = self.parser.give_up() {
-                        return Some(input);
-                    }
-                }
+            let piece = tokio::time::timeout_at(since + SEQUENCE_PATIENCE, self.pieces.recv());
+            if let Ok(piece) = piece.await {
+                self.parser.push(&piece?);
+                continue;
+            }
+            self.waiting_since = None;
+            if let Some(input) = self.parser.give_up() {
+                return Some(input);
             }
         }
     }

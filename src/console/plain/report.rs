@@ -124,7 +124,7 @@ fn notice_text(line: &NoticeLine, session: &Session) -> Text {
     };
     let mut parts = vec![Text::from(head)];
     parts.extend(serious);
-    parts.push(notice.text.clone().into());
+    parts.push(notice.text.clone());
     if line.count as usize > line.vehicles.len().max(1) {
         parts.push(text!("plain-times", count = line.count));
     }
@@ -228,7 +228,7 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
         parts.push(text!("plain-battery", percent = left));
     }
     if let Some(alert) = alert(vehicle, state.now) {
-        parts.push(alert.text.into());
+        parts.push(alert.text);
     }
     text!(
         "plain-vehicle",
