@@ -107,7 +107,7 @@ impl Screen {
         Ok(Self {
             terminal: Terminal::with_options(FrameBackend::new(writer), options)?,
             traffic,
-            pace: Pace::new(u8::MAX),
+            pace: Pace::unread(),
             clock: Instant::now(),
             mouse: false,
         })

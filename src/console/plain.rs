@@ -275,7 +275,7 @@ impl Plain {
                 let lines = link_lines(&state.session.links);
                 lines
                     .into_iter()
-                    .map(|line| Text::from(line.text.to_string()))
+                    .map(|line| Text::from(line.text))
                     .collect()
             }
             "ledger" | "commands" if rest.is_empty() => report::ledger(state),

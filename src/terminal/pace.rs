@@ -72,6 +72,15 @@ impl Pace {
         }
     }
 
+    /// The pace of a screen that nobody reads.
+    pub fn unread() -> Self {
+        Self {
+            interval: Duration::ZERO,
+            hearing: Hearing::Deaf,
+            ..Self::new(1)
+        }
+    }
+
     /// How long a frame has to wait still; zero means now. A question that is answered meanwhile may shorten it.
     pub fn wait(&self, now: Duration) -> Duration {
         let Some(drawn_at) = self.drawn_at else {

@@ -150,7 +150,7 @@ impl Terminal {
     }
 
     /// Waits until the program's log is as wanted, without reading the screen.
-    pub fn wait_for_log(&mut self, log: &Path, what: &str, wanted: impl Fn(&str) -> bool) {
+    pub fn wait_for_log(log: &Path, what: &str, wanted: impl Fn(&str) -> bool) {
         let deadline = Instant::now() + PATIENCE;
         loop {
             let written = std::fs::read_to_string(log).unwrap_or_default();

@@ -41,7 +41,7 @@ fn a_terminal_that_stops_reading_holds_up_no_command_and_has_no_backlog_afterwar
     ] {
         terminal.press(":").press(line).press("\r");
         let ended = format!("{line}: effect seen");
-        terminal.wait_for_log(&log, &format!("{verb} of four vehicles"), |log| {
+        Terminal::wait_for_log(&log, &format!("{verb} of four vehicles"), |log| {
             log.matches(&ended).count() == 4
         });
     }
@@ -70,7 +70,7 @@ fn a_terminal_that_reads_a_kilobyte_a_second_gets_the_newest_state_and_is_told_t
     // Another size is another screen altogether: some seconds of such a line.
     terminal.resize(118, 38);
     terminal.press(":").press("all guided").press("\r");
-    terminal.wait_for_log(&log, "guided of four vehicles", |log| {
+    Terminal::wait_for_log(&log, "guided of four vehicles", |log| {
         log.matches("all guided: effect seen").count() == 4
     });
     terminal
