@@ -9,7 +9,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-use tokio::signal::unix::{Signal, SignalKind, signal};
 use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
@@ -30,8 +29,10 @@ use crate::vehicle::{Severity, VehicleId};
 
 pub mod plain;
 mod session;
+mod signals;
 
 use session::{Backend, Plan, Running};
+use signals::{Happened, Signals};
 
 /// The time between two ticks, at which telemetry is collected and missions are stepped.
 const TICK: Duration = Duration::from_millis(100);
@@ -137,53 +138,6 @@ async fn hear_last_answer(screen: &Screen, keyboard: &mut Keyboard) {
     };
     // Past that it is no use: the terminal has stalled.
     drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
-}
-
-/// What the operating system can tell the console.
-enum Happened {
-    End,
-    Resized,
-    Stopped,
-    Continued,
-}
-
-/// Signals; Ctrl-C, Ctrl-\ and Ctrl-Z are keys in raw mode, so that all of these come from elsewhere.
-struct Signals {
-    ends: [Signal; 4],
-    resized: Signal,
-    stopped: Signal,
-    continued: Signal,
-}
-
-impl Signals {
-    fn new() -> io::Result<Self> {
-        use rustix::process::Signal as Number;
-        let numbered = |number: Number| signal(SignalKind::from_raw(number.as_raw()));
-        Ok(Self {
-            ends: [
-                signal(SignalKind::terminate())?,
-                signal(SignalKind::hangup())?,
-                signal(SignalKind::interrupt())?,
-                signal(SignalKind::quit())?,
-            ],
-            resized: signal(SignalKind::window_change())?,
-            stopped: numbered(Number::TSTP)?,
-            continued: numbered(Number::CONT)?,
-        })
-    }
-
-    async fn next(&mut self) -> Happened {
-        let [terminated, hung_up, interrupted, quit] = &mut self.ends;
-        tokio::select! {
-            _ = terminated.recv() => Happened::End,
-            _ = hung_up.recv() => Happened::End,
-            _ = interrupted.recv() => Happened::End,
-            _ = quit.recv() => Happened::End,
-            _ = self.resized.recv() => Happened::Resized,
-            _ = self.stopped.recv() => Happened::Stopped,
-            _ = self.continued.recv() => Happened::Continued,
-        }
-    }
 }
 
 /// Runs the console without a terminal and without a user, for measurements: at each of the given times a line
