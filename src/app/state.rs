@@ -75,6 +75,8 @@ pub struct State {
     pub history: VecDeque<String>,
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
+    /// What the line to the terminal carries in bytes per second, while it cannot keep up.
+    pub slow_line: Option<u32>,
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,
@@ -119,6 +121,7 @@ impl State {
             keymap: Keymap::default(),
             history: VecDeque::new(),
             size: SMALLEST,
+            slow_line: None,
             message: None,
             revision: 0,
         }

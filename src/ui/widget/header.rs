@@ -56,6 +56,10 @@ fn title(activity: &Activity, look: &Look) -> String {
 /// The figures; in a few letters where there is little room.
 fn right_part(state: &State, look: &Look, short: bool) -> String {
     let mut parts = Vec::new();
+    if let Some(bytes_per_s) = state.slow_line {
+        let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);
+        parts.push(text!("terminal-slow", rate = rate));
+    }
     let dropped = state.notices.dropped;
     if dropped > 0 {
         parts.push(if short {
