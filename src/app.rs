@@ -11,6 +11,7 @@ pub mod effect;
 pub mod event;
 pub mod keymap;
 pub mod room;
+pub mod setting;
 pub mod state;
 mod update;
 

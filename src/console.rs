@@ -205,6 +205,7 @@ impl Console {
             return Ok(());
         }
         self.drawn = Some(revision);
+        self.look.locale = Arc::clone(&self.state.locale);
         screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 

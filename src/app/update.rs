@@ -6,6 +6,7 @@ use super::state::State;
 
 pub(super) mod act;
 mod keys;
+mod offer;
 mod order;
 mod palette;
 mod telemetry;

@@ -9,6 +9,7 @@ use crate::fixtures;
 use crate::harness::Console;
 
 mod command_line;
+mod palette;
 mod panes;
 
 fn selection(console: &Console) -> Vec<u16> {

@@ -7,6 +7,8 @@ use super::{Groups, LinkSummary, Selection};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::Progress;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
 
@@ -62,11 +64,11 @@ pub enum Activity {
 
 impl Activity {
     /// What the header says.
-    pub fn title(&self) -> String {
+    pub fn title(&self) -> Text {
         match self {
-            Self::Mission { title, .. } => title.clone(),
-            Self::Free => "free flight".to_owned(),
-            Self::Connected { addresses } => addresses.join(" "),
+            Self::Mission { title, .. } => title.as_str().into(),
+            Self::Free => text!("session-free"),
+            Self::Connected { addresses } => addresses.join(" ").into(),
         }
     }
 }
@@ -110,13 +112,13 @@ impl Session {
     }
 
     /// What a vehicle is called: what it is.
-    pub fn name(vehicle: &Vehicle) -> &'static str {
+    pub fn name(vehicle: &Vehicle) -> Text {
         match vehicle.heartbeat.map(|heartbeat| heartbeat.class) {
-            Some(VehicleClass::Copter) => "copter",
-            Some(VehicleClass::Plane) => "plane",
-            Some(VehicleClass::Rover) => "rover",
-            Some(VehicleClass::Sub) => "sub",
-            Some(VehicleClass::Other) | None => "vehicle",
+            Some(VehicleClass::Copter) => text!("class-copter"),
+            Some(VehicleClass::Plane) => text!("class-plane"),
+            Some(VehicleClass::Rover) => text!("class-rover"),
+            Some(VehicleClass::Sub) => text!("class-sub"),
+            Some(VehicleClass::Other) | None => text!("class-vehicle"),
         }
     }
 

@@ -263,7 +263,7 @@ fn id(row: &Row<'_>) -> (String, Role) {
 }
 
 fn name(row: &Row<'_>) -> (String, Role) {
-    (Session::name(row.vehicle).to_owned(), Role::Muted)
+    (Session::name(row.vehicle).to_string(), Role::Muted)
 }
 
 fn mode(row: &Row<'_>) -> (String, Role) {
