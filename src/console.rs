@@ -233,6 +233,7 @@ impl Console {
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
         state.config = preferences.config.clone();
+        state.locale = Arc::clone(&options.look.locale);
         state.keymap = preferences.keymap.clone();
         if let Some(history) = &preferences.history {
             match history.read() {
@@ -305,6 +306,7 @@ impl Console {
             update(&mut self.state, Event::SlowLine(slow));
         }
         self.drawn = Some(self.state.revision());
+        self.look.locale = Arc::clone(&self.state.locale);
         screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 

@@ -8,6 +8,7 @@ use super::state::State;
 pub(super) mod act;
 mod keys;
 mod links;
+mod offer;
 pub(super) mod order;
 mod palette;
 mod swarm;

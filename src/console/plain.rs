@@ -15,7 +15,7 @@ use tokio::time::MissedTickBehavior;
 
 use super::{Console, Happened, Opening, Options, Running, Signals, TICK, key};
 use crate::app::event::Event;
-use crate::app::state::{Overlay, Room, help_lines};
+use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Pilot, PilotEvent, Script};
 use crate::text::{Text, text};
@@ -270,7 +270,7 @@ impl Plain {
         let texts = match verb {
             "status" => report::status(state, rest.trim()),
             "objectives" if rest.is_empty() => report::objectives(state),
-            "help" if rest.is_empty() => report::help(&help_lines(&state.keymap)),
+            "help" if rest.is_empty() => report::help(state),
             "links" if rest.is_empty() => report::links(state),
             "ledger" | "commands" if rest.is_empty() => report::ledger(state),
             "notices" if rest.is_empty() => report::notices(state),

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::app::state::{HelpLine, NoticeLine, Session, State, alert, parse_ranges, ranges};
+use crate::app::state::{
+    HelpLine, NoticeLine, Session, State, alert, help_lines, parse_ranges, ranges,
+};
 use crate::ledger::{Entry, EntryId};
 use crate::mission::{ObjectiveProgress, ObjectiveState};
 use crate::notice::Notice;
@@ -273,8 +275,9 @@ pub fn notices(state: &State) -> Vec<Text> {
 }
 
 /// The part of the help that is about lines rather than keys.
-pub fn help(lines: &[HelpLine]) -> Vec<Text> {
-    let grammar = text!("help-commands");
+pub fn help(state: &State) -> Vec<Text> {
+    let lines = help_lines(&state.keymap, &state.locale);
+    let grammar = state.locale.say("help-commands");
     let is_start = |line: &&HelpLine| matches!(line, HelpLine::Title(title) if *title == grammar);
     let start = lines.iter().position(|line| is_start(&line)).unwrap_or(0);
     let own = [
@@ -283,10 +286,10 @@ pub fn help(lines: &[HelpLine]) -> Vec<Text> {
         text!("plain-help-wait"),
     ];
     let general = lines[start..].iter().map(|line| match line {
-        HelpLine::Title(title) => title.clone(),
+        HelpLine::Title(title) => title.as_str().into(),
         HelpLine::Entry(what, meaning) if meaning.is_empty() => what.as_str().into(),
         HelpLine::Entry(what, meaning) => {
-            Text::joined(": ", vec![what.as_str().into(), meaning.clone()])
+            Text::joined(": ", vec![what.as_str().into(), meaning.as_str().into()])
         }
         HelpLine::Note(note) => format!("  {note}").into(),
         HelpLine::Blank => Text::default(),

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Activity, Room, State};
+use crate::app::state::{Room, State};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -18,7 +18,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
     buffer.set_style(header, look.style(Role::Header));
     let name = format!(" {} ", look.text(&state.room.title()).to_uppercase());
     let activity = state.session.activity.as_ref();
-    let title = activity.map_or_else(String::new, |activity| title(activity, look));
+    let title = activity.map_or_else(String::new, |activity| look.text(&activity.title()));
     let room = usize::from(area.width);
     let left = width(&name) + 1;
     // The figures give way to the title as long as they lose no meaning by it.
@@ -43,13 +43,6 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
         y: area.y + 1,
         height: area.height.saturating_sub(2),
         ..area
-    }
-}
-
-fn title(activity: &Activity, look: &Look) -> String {
-    match activity {
-        Activity::Free => look.say("header-free"),
-        Activity::Mission { .. } | Activity::Connected { .. } => activity.title(),
     }
 }
 
