@@ -445,7 +445,7 @@ impl Console {
     fn set_theme(&mut self, name: &str) {
         match self.options.preferences.themes.named(name) {
             Ok(theme) => {
-                self.look.theme = theme.for_colours(Environment::of_process().colour_depth())
+                self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
             }
             // Nothing that a failure causes is an effect.
             Err(error) => drop(update(

@@ -122,7 +122,7 @@ struct Plain {
 impl Plain {
     fn greet(&mut self) {
         if let Some(activity) = &self.console.state.session.activity {
-            self.say(&Text::from(activity.title()));
+            self.say(&activity.title());
         }
         self.say(&text!("plain-greeting"));
         if self.console.state.flown_mission().is_some() {

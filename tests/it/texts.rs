@@ -151,8 +151,15 @@ fn from_tables() -> BTreeSet<String> {
     let verbs = CONSOLE_VERBS
         .iter()
         .map(|verb| format!("console-{}", verb.name));
+    let classes =
+        ["copter", "plane", "rover", "sub", "vehicle"].map(|class| format!("class-{class}"));
     let settings = Setting::NAMES.iter().map(|name| format!("setting-{name}"));
-    actions.chain(rooms).chain(verbs).chain(settings).collect()
+    actions
+        .chain(rooms)
+        .chain(verbs)
+        .chain(settings)
+        .chain(classes)
+        .collect()
 }
 
 #[test]

@@ -268,7 +268,7 @@ fn console_line(
         }
         ConsoleLine::Group { name, targets } => {
             let ids = targeted(state, &targets).map_err(at_last_word)?;
-            group(state, name, ids).map_err(|text| at_last_word(text.into()))?;
+            group(state, name, ids).map_err(at_last_word)?;
         }
         ConsoleLine::Show(room) => act::show(state, room),
         ConsoleLine::Fly(mission) => {
@@ -385,7 +385,7 @@ pub fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, Text> {
                 let members = state.session.groups.get(name).cloned();
                 members.ok_or_else(|| text!("group-unknown", name = name))
             }
-            None => parse_ranges(word).map_err(Text::from),
+            None => parse_ranges(word),
         },
     }
 }

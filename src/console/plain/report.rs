@@ -188,7 +188,7 @@ pub fn status(state: &State, targets: &str) -> Vec<Text> {
             Some(group) => state.session.groups.get(group).cloned().unwrap_or_default(),
             None => match parse_ranges(targets) {
                 Ok(ids) => ids,
-                Err(fault) => return vec![fault.into()],
+                Err(fault) => return vec![fault],
             },
         },
     };
