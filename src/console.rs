@@ -218,6 +218,8 @@ struct Console {
     /// The revision of the state that was drawn last.
     /// The revision of the state that was drawn last.
     drawn: Option<u64>,
+    /// A new limit for frames, until the screen has heard of it.
+    fps: Option<u8>,
     bell: bool,
     note: Option<String>,
     over: bool,
@@ -233,6 +235,7 @@ impl Console {
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
         state.config = preferences.config.clone();
+        state.config.symbols = Some(options.look.symbols);
         state.locale = Arc::clone(&options.look.locale);
         state.keymap = preferences.keymap.clone();
         if let Some(history) = &preferences.history {
@@ -257,6 +260,7 @@ impl Console {
             state,
             running: None,
             drawn: None,
+            fps: None,
             bell: false,
             note: None,
             over: false,
@@ -294,6 +298,9 @@ impl Console {
         if self.next_frame_in(screen) != Some(Duration::ZERO) {
             return Ok(());
         }
+        if let Some(fps) = self.fps.take() {
+            screen.limit(fps);
+        }
         // A bell that waits is one bell, however often it was to ring.
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
@@ -307,6 +314,7 @@ impl Console {
         }
         self.drawn = Some(self.state.revision());
         self.look.locale = Arc::clone(&self.state.locale);
+        self.look.symbols = self.state.config.symbols.unwrap_or_default();
         screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 
@@ -409,6 +417,7 @@ impl Console {
             }
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
+            Effect::SetFps(fps) => return self.fps = Some(fps),
             Effect::FetchParameters(_)
             | Effect::ReadParameters { .. }
             | Effect::SaveParameters { .. } => return self.parameters(effect),
