@@ -87,3 +87,56 @@ fn foreign_text_cannot_break_the_page() {
 fn a_whole_debrief_reads_like_this() {
     insta::assert_snapshot!(text(&fly_the_cells(1).report()));
 }
+
+/// Comes home late, with an empty battery, beside the pad, after a forced arm.
+fn late_flight() -> Report {
+    let mut pilot = Pilot::new(2);
+    pilot.command("1 long COMPONENT_ARM_DISARM 1 2989", RowState::Done);
+    pilot.command("1 kill", RowState::TimedOut);
+    pilot.command("1 rtl", RowState::Done);
+    pilot.command("1 rtl", RowState::Done);
+    pilot.take_off(20.0);
+    pilot.goto(40.0, -20.0, 5.0);
+    pilot.wait(6.0);
+    pilot.hear("Battery 1 is low 10.70V used 341 mAh");
+    pilot.hear("GCS Failsafe");
+    pilot.wait(330.0);
+    pilot.goto(7.0, 0.0, 5.0);
+    pilot.land();
+    pilot.report()
+}
+
+fn hard_landing() -> Report {
+    let mut pilot = Pilot::new(3);
+    pilot.take_off(20.0);
+    pilot.hear("Battery 1 is critical 9.60V used 554 mAh");
+    pilot.wait(1.0);
+    pilot.hear("SIM Hit ground at 13.6 m/s");
+    pilot.wait(1.0);
+    pilot.report()
+}
+
+fn flights() -> [(&'static str, Report); 5] {
+    [
+        ("good", fly_the_cells(1).report()),
+        ("idle", do_nothing().report()),
+        ("bad", bad_flight()),
+        ("late", late_flight()),
+        ("hard", hard_landing()),
+    ]
+}
+
+#[test]
+fn programs_read_the_same_english_words_whatever_people_read() {
+    for (name, report) in flights() {
+        let json = serde_json::to_string_pretty(&report).expect("plain data");
+        insta::assert_snapshot!(format!("json_{name}"), json);
+    }
+}
+
+#[test]
+fn debriefs_of_flights_that_went_wrong_read_like_this() {
+    for (name, report) in flights() {
+        insta::assert_snapshot!(format!("english_{name}"), text(&report));
+    }
+}
