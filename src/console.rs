@@ -328,11 +328,7 @@ fn listings() -> Vec<MissionListing> {
     store::missions()
         .into_iter()
         .filter_map(|source| match Mission::parse(&source.text) {
-            Ok(mission) => Some(MissionListing {
-                id: mission.id,
-                title: mission.title,
-                brief: mission.brief,
-            }),
+            Ok(mission) => Some(mission.listing()),
             Err(faults) => {
                 for fault in faults {
                     tracing::warn!("{}", fault.one_line(&source.name, &source.text));

@@ -34,5 +34,7 @@ home-starting-simulator = starting the simulator ...
 help-commands = commands: [targets] verb [arguments]
 help-console = the console itself
 
+session-free = free flight
+
 mission-none = no mission is being flown
 debrief-none = No debrief yet: it opens when a mission is over.

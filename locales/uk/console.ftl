@@ -35,5 +35,7 @@ home-starting-simulator = симулятор запускається ...
 help-commands = команди: [цілі] дієслово [аргументи]
 help-console = сама консоль
 
+session-free = вільний політ
+
 mission-none = зараз немає завдання
 debrief-none = Розбору ще немає: він відкриється після завдання.

@@ -8,7 +8,7 @@ use crossterm::event::KeyEvent;
 use super::state::{Activity, LinkSummary};
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
-use crate::mission::Progress;
+use crate::mission::{Listing, Progress};
 use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::text::Text;
@@ -58,6 +58,8 @@ pub enum Event {
 pub struct Started {
     /// What is being done.
     pub activity: Activity,
+    /// The mission, if it is one.
+    pub mission: Option<Box<Listing>>,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
 }

@@ -12,6 +12,8 @@ use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source, StoreError};
+use crate::text;
+use crate::text::{Language, Locale};
 use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
@@ -58,6 +60,7 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
 pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
     let mission = Arc::new(load_mission(&options.mission)?);
     let script = load_script(&options.pilot, &mission)?;
+    let locale = Locale::new(language_of_the_shell());
     let started = Instant::now();
     let mut exercise = Exercise::new(mission, options.seed, script);
     while !exercise.is_over() {
@@ -67,13 +70,14 @@ pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
             std::thread::sleep(due.saturating_sub(started.elapsed()));
         }
         for notice in exercise.take_notices() {
-            let vehicle = notice
-                .vehicle
-                .map_or(String::new(), |id| format!("vehicle {id}: "));
-            let line = format!("{} {vehicle}{}", clock(notice.at), notice.text);
-            tracing::info!("{line}");
+            let words = match notice.vehicle {
+                Some(id) => text!("debrief-vehicle", vehicle = id, what = &notice.text),
+                None => notice.text,
+            };
+            let at = clock(notice.at);
+            tracing::info!("{at} {words}");
             if !options.json {
-                eprintln!("{line}");
+                eprintln!("{at} {}", locale.text(&words));
             }
         }
     }
@@ -83,13 +87,22 @@ pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
         report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
         say!("{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        say!("{}", debrief::text(&report).trim_end())?;
+        say!("{}", debrief::text(&report, &locale).trim_end())?;
     }
     Ok(if report.passed {
         ExitCode::SUCCESS
     } else {
         ExitCode::from(1)
     })
+}
+
+/// The language that the shell's environment asks for; the first of these variables that is set decides.
+fn language_of_the_shell() -> Language {
+    let set = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
+    let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find_map(set);
+    locale
+        .and_then(|name| Language::of(&name))
+        .unwrap_or_default()
 }
 
 fn clock(at: Duration) -> String {

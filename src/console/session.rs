@@ -129,6 +129,7 @@ impl Running {
             ended: false,
         });
         Ok(Started {
+            mission: Some(Box::new(mission.listing())),
             places: mission.places(),
             ..started(Activity::Mission {
                 id: mission.id.clone(),
@@ -308,6 +309,7 @@ impl Drop for Running {
 fn started(activity: Activity) -> Started {
     Started {
         activity,
+        mission: None,
         places: BTreeMap::new(),
     }
 }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};
+use crate::text::Language;
 
 fn bad_flight() -> Report {
     let mut pilot = Pilot::new(1);
@@ -19,17 +20,31 @@ fn bad_flight() -> Report {
 }
 
 #[test]
-fn no_line_is_wider_than_the_page() {
-    for report in [
-        fly_the_cells(1).report(),
-        do_nothing().report(),
-        bad_flight(),
-    ] {
-        let text = text(&report);
-        for line in text.lines() {
-            assert!(line.chars().count() <= WIDTH, "{line}");
+fn no_line_is_wider_than_the_page_in_any_language() {
+    for language in Language::ALL {
+        for (_, report) in flights() {
+            let text = text(&report, &Locale::new(language));
+            for line in text.lines() {
+                assert!(line.width() <= WIDTH, "{line}");
+            }
         }
     }
+}
+
+#[test]
+fn wide_and_combining_letters_leave_the_columns_straight() {
+    for (words, fitted) in [
+        ("дім", "дім  "),
+        ("日本", "日本 "),
+        ("日本語", "日本~"),
+        ("дiм за лісом", "дiм ~"),
+        ("и\u{306}о\u{301}", "и\u{306}о\u{301}   "),
+    ] {
+        assert_eq!(fit(words, 5), fitted);
+        assert_eq!(fit(words, 5).width(), 5, "{words}");
+    }
+    assert_eq!(right("日本", 5), " 日本");
+    assert_eq!(pieces("日本語", 3), ["日", "本", "語"]);
 }
 
 #[test]
@@ -54,7 +69,7 @@ fn the_components_add_up_to_the_score() {
 
 #[test]
 fn every_rule_broken_and_every_rejection_stands_in_the_timeline() {
-    let text = text(&bad_flight());
+    let text = text(&bad_flight(), &Locale::default());
     for words in [
         "r 1 arm: refused",
         "x drone 1: above 60 m",
@@ -79,13 +94,8 @@ fn improvements_stand_by_their_gain() {
 #[test]
 fn foreign_text_cannot_break_the_page() {
     let mut report = do_nothing().report();
-    report.events[0].text = "a\u{1b}[2Jb\nc".to_owned();
-    assert!(!text(&report).contains('\u{1b}'));
-}
-
-#[test]
-fn a_whole_debrief_reads_like_this() {
-    insta::assert_snapshot!(text(&fly_the_cells(1).report()));
+    report.events[0].text = "a\u{1b}[2Jb\nc".into();
+    assert!(!text(&report, &Locale::default()).contains('\u{1b}'));
 }
 
 /// Comes home late, with an empty battery, beside the pad, after a forced arm.
@@ -137,6 +147,12 @@ fn programs_read_the_same_english_words_whatever_people_read() {
 #[test]
 fn debriefs_of_flights_that_went_wrong_read_like_this() {
     for (name, report) in flights() {
-        insta::assert_snapshot!(format!("english_{name}"), text(&report));
+        for (language, code) in [
+            (Language::English, "english"),
+            (Language::Ukrainian, "ukrainian"),
+        ] {
+            let text = text(&report, &Locale::new(language));
+            insta::assert_snapshot!(format!("{code}_{name}"), text);
+        }
     }
 }

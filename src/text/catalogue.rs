@@ -16,7 +16,10 @@ macro_rules! catalogue {
 catalogue! {
     "common",
     "console",
+    "debrief",
+    "mission",
     "rooms",
+    "scoring",
 }
 
 /// The message files of a language: subject and contents.

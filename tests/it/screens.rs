@@ -46,7 +46,7 @@ fn busy() -> Console {
     let mut console = Console::new();
     console.start(Activity::Mission {
         id: "m01".to_owned(),
-        title: "Air sample at the yard".to_owned(),
+        title: "Air sample at the yard".into(),
     });
     let mut lost: Vehicle = fixtures::airborne(3, 120.0, 31.5);
     lost.link.lost = true;

@@ -6,7 +6,9 @@ use std::time::Duration;
 use super::{Groups, LinkSummary, Selection};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
-use crate::mission::Progress;
+use crate::mission::{Listing, Progress};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
 
@@ -27,6 +29,8 @@ pub struct Session {
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
     pub links: Vec<LinkSummary>,
+    /// The mission that is flown, if one is.
+    pub listing: Option<Box<Listing>>,
     /// The mission's progress, if one is flown.
     pub mission: Option<Progress>,
     /// Whether the mission is over: its debrief is there.
@@ -49,7 +53,7 @@ pub enum Activity {
         /// Its id.
         id: String,
         /// Its name.
-        title: String,
+        title: Text,
     },
     /// Simulated vehicles without a task.
     Free,
@@ -62,11 +66,11 @@ pub enum Activity {
 
 impl Activity {
     /// What the header says.
-    pub fn title(&self) -> String {
+    pub fn title(&self) -> Text {
         match self {
             Self::Mission { title, .. } => title.clone(),
-            Self::Free => "free flight".to_owned(),
-            Self::Connected { addresses } => addresses.join(" "),
+            Self::Free => text!("session-free"),
+            Self::Connected { addresses } => addresses.join(" ").into(),
         }
     }
 }

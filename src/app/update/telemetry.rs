@@ -7,9 +7,8 @@ use crate::app::event::Started;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::state::{NoticeLog, Overlay, Session, State};
-use crate::debrief;
 use crate::mission::Progress;
-use crate::notice::{Notice, sanitised};
+use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
@@ -36,6 +35,7 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
 
 pub fn started(state: &mut State, started: Started) {
     let mut session = Session::new(started.activity, started.places);
+    session.listing = started.mission;
     session.began_at = state.now;
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
@@ -69,9 +69,7 @@ pub fn progress(state: &mut State, progress: Progress) {
 /// Shows the debrief. The command line stays open over it, or the rest of a line that is being typed
 /// would be taken as keys of the debrief.
 pub fn ended(state: &mut State, report: Box<Report>) {
-    let text = debrief::text(&report);
     state.rooms.debrief = Some(Debrief {
-        lines: text.lines().map(sanitised).collect(),
         report,
         scroll: 0,
         since: state.now,

@@ -29,7 +29,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 
 /// Draws what is below the table: where telemetry and mission leave rows free, the notices take them.
 fn draw_panes(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let middle = side_height(state, area.width).max(area.height / 2);
+    let middle = side_height(state, look, area.width).max(area.height / 2);
     let bottom = area.height.saturating_sub(middle);
     let panes = if bottom < NOTICES_LEAST {
         area
@@ -48,13 +48,13 @@ fn draw_panes(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Rows that telemetry and mission need.
-fn side_height(state: &State, width: u16) -> u16 {
+fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     let telemetry = telemetry::height(state, SIDE_WIDTH).max(TELEMETRY_LEAST);
     match &state.session.mission {
         Some(progress) if width >= THREE_COLUMNS => {
-            telemetry.max(mission::height(progress, MISSION_WIDTH))
+            telemetry.max(mission::height(progress, MISSION_WIDTH, look))
         }
-        Some(progress) => telemetry + mission::height(progress, SIDE_WIDTH),
+        Some(progress) => telemetry + mission::height(progress, SIDE_WIDTH, look),
         None => telemetry,
     }
 }
@@ -74,7 +74,7 @@ fn draw_side(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rec
     }
     let left = side
         .height
-        .saturating_sub(mission::height(progress, side.width));
+        .saturating_sub(mission::height(progress, side.width, look));
     let most = telemetry::height(state, side.width).max(TELEMETRY_LEAST);
     let rows = left.clamp(TELEMETRY_LEAST, most);
     telemetry::draw(state, look, upper(side, rows), buffer);

@@ -43,7 +43,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = list(state);
+    let lines = list(state, look);
     let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
     let inner = titled("sortie", look, area, buffer);
     let rows = usize::from(inner.height);
@@ -67,7 +67,7 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
 }
 
 /// The lines of the list: items with their number, headings and blanks without.
-fn list(state: &State) -> Vec<(Option<usize>, String)> {
+fn list(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
     for (at, item) in items(state).into_iter().enumerate() {
         let heading = match item {
@@ -81,7 +81,7 @@ fn list(state: &State) -> Vec<(Option<usize>, String)> {
             }
             lines.push((None, heading.to_owned()));
         }
-        lines.push((Some(at), name(state, item)));
+        lines.push((Some(at), name(state, item, look)));
     }
     lines
 }
@@ -90,8 +90,8 @@ fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mu
     let Some(item) = items(state).get(cursor).copied() else {
         return;
     };
-    let inner = titled(&name(state, item), look, area, buffer);
-    let text = about(state, item);
+    let inner = titled(&name(state, item, look), look, area, buffer);
+    let text = about(state, item, look);
     let mut row = 0;
     for line in wrap(&reflow(&text), usize::from(inner.width)) {
         put(buffer, inner, row, &Line::raw(line));
@@ -104,18 +104,18 @@ fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mu
     put(buffer, inner, row + 1, &enter);
 }
 
-fn name(state: &State, item: HomeItem) -> String {
+fn name(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => state.missions[at].title.clone(),
+        HomeItem::Mission(at) => look.text(&state.missions[at].title),
         HomeItem::Free => "Free flight".to_owned(),
         HomeItem::Connect => "Connect to vehicles".to_owned(),
         HomeItem::Quit => "Quit".to_owned(),
     }
 }
 
-fn about(state: &State, item: HomeItem) -> String {
+fn about(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => state.missions[at].brief.clone(),
+        HomeItem::Mission(at) => look.locale.text(&state.missions[at].brief),
         HomeItem::Free => FREE_FLIGHT.to_owned(),
         HomeItem::Connect => "Command real drones or a simulator elsewhere: anything that speaks \
                               MAVLink over TCP, UDP or a serial port."

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Activity, Room, State};
+use crate::app::state::{Room, State};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -16,7 +16,11 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
     buffer.set_style(header, look.style(Role::Header));
     let right = right_part(state, look, area.width);
     let left_width = usize::from(area.width).saturating_sub(right.width() + 4);
-    let title = state.session.activity.as_ref().map(Activity::title);
+    let title = state
+        .session
+        .activity
+        .as_ref()
+        .map(|it| look.text(&it.title()));
     let name = format!(" {} ", look.text(&state.room.title()).to_uppercase());
     let title = clip(
         &title.unwrap_or_default(),

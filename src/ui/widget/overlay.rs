@@ -147,12 +147,18 @@ fn draw_brief(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     };
     let width = 76.min(area.width);
     let lines = wrap(
-        &reflow(&mission.brief),
+        &reflow(&look.locale.text(&mission.brief)),
         usize::from(width).saturating_sub(4),
     );
     let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
     let place = centred(width, height, area);
-    let inner = boxed(&mission.title, Role::Accent, look, place, buffer);
+    let inner = boxed(
+        &look.text(&mission.title),
+        Role::Accent,
+        look,
+        place,
+        buffer,
+    );
     for (row, line) in lines.into_iter().enumerate() {
         put(buffer, inner, row as u16, &Line::raw(line));
     }
