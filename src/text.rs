@@ -12,9 +12,11 @@ use std::fmt;
 use std::sync::LazyLock;
 
 mod catalogue;
+mod layout;
 mod locale;
 
 pub use catalogue::messages;
+pub use layout::{reflow, wrap};
 pub use locale::Locale;
 
 /// A language that the program speaks.

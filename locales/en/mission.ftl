@@ -73,3 +73,31 @@ mission-hint = hint: { $hint }
 mission-more-cells = more cells on a larger screen
 # At most 6 columns.
 mission-cell-done = done
+
+# The room of the mission.
+mission-begin = Enter flies it   Esc goes back
+mission-under-way = time { $elapsed } of { $limit }   score { $score }
+mission-ended = over after { $elapsed }   score { $score }   D shows the debrief
+mission-objectives = objectives
+mission-required = required
+mission-hints = hints so far
+mission-rules = rules
+mission-rule-time = time
+mission-rule-time-is = { $limit } at most, par is { $par }
+mission-rule-energy = energy
+mission-rule-energy-is = par is { $par } Wh
+mission-rule-height = height
+mission-rule-height-is = at most { $height } m above the pads
+mission-rule-battery = battery
+mission-rule-battery-is = land with { $percent } % or more
+mission-rule-wind = wind
+mission-rule-wind-is = { $speed } m/s from { $direction } deg
+mission-rule-calm = calm
+mission-rule-drones = drones
+mission-rule-sensors = sensors
+mission-scoring = scoring, 1000 points
+mission-weights = points
+mission-medals = medals
+mission-medals-are = gold from { $gold }, silver from { $silver }, bronze from { $bronze }
+mission-gold-needs = gold needs
+mission-lines = lines { $first } to { $last } of { $count }   j k scroll

@@ -80,3 +80,31 @@ mission-hint = порада: { $hint }
 mission-more-cells = решта клітинок на більшому екрані
 # Щонайбільше 6 колонок.
 mission-cell-done = є
+
+# Екран завдання.
+mission-begin = Enter - почати   Esc - назад
+mission-under-way = час { $elapsed } з { $limit }   бали { $score }
+mission-ended = завершено за { $elapsed }   бали { $score }   D показує розбір
+mission-objectives = цілі
+mission-required = обов'язкова
+mission-hints = поради досі
+mission-rules = правила
+mission-rule-time = час
+mission-rule-time-is = щонайбільше { $limit }, норма { $par }
+mission-rule-energy = енергія
+mission-rule-energy-is = норма { $par } Вт·год
+mission-rule-height = висота
+mission-rule-height-is = щонайбільше { $height } м над майданчиками
+mission-rule-battery = акумулятор
+mission-rule-battery-is = сідати із зарядом від { $percent } %
+mission-rule-wind = вітер
+mission-rule-wind-is = { $speed } м/с, звідки { $direction } град
+mission-rule-calm = штиль
+mission-rule-drones = дрони
+mission-rule-sensors = датчики
+mission-scoring = оцінювання, 1000 балів
+mission-weights = бали
+mission-medals = медалі
+mission-medals-are = золото від { $gold }, срібло від { $silver }, бронза від { $bronze }
+mission-gold-needs = для золота
+mission-lines = рядки { $first }-{ $last } з { $count }   j k гортають

@@ -1,11 +1,12 @@
 //! Everything that the console shows. Only [`update`](super::update()) changes it; drawing reads it.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::sync::Arc;
 use std::time::Duration;
 
 use crate::config::Config;
 use crate::language::Context;
-use crate::text::Text;
+use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
@@ -52,6 +53,8 @@ pub struct State {
     pub typed: String,
     /// What the user has set.
     pub config: Config,
+    /// The words of the language in use.
+    pub locale: Arc<Locale>,
     /// What was said.
     pub notices: NoticeLog,
     /// The missions on offer.
@@ -90,6 +93,7 @@ impl State {
             rooms: Rooms::default(),
             typed: String::new(),
             config: Config::default(),
+            locale: Arc::default(),
             overlay: None,
             session: Session::default(),
             notices: NoticeLog::default(),

@@ -17,6 +17,7 @@ catalogue! {
     "common",
     "console",
     "debrief",
+    "home",
     "mission",
     "rooms",
     "scoring",

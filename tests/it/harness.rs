@@ -1,6 +1,7 @@
 //! A console without terminal, clock or vehicles: tests press keys and read the screen.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -149,7 +150,10 @@ impl Console {
     pub fn screen(&self, width: u16, height: u16) -> String {
         let backend = TestBackend::new(width, height);
         let mut terminal = Terminal::new(backend).expect("a test terminal");
-        let look = Look::default();
+        let look = Look {
+            locale: Arc::clone(&self.state.locale),
+            ..Look::default()
+        };
         terminal
             .draw(|frame| ui::draw(&self.state, &look, frame))
             .expect("a test terminal");

@@ -10,6 +10,8 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod mission;
+
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 
 fn check(name: &str, console: &Console) {
@@ -172,13 +174,12 @@ fn the_command_line_offers_and_marks() {
 }
 
 #[test]
-fn questions_help_links_and_brief() {
+fn questions_help_and_links() {
     let mut console = busy();
     check("confirm", console.give("1-3 kill"));
     insta::assert_snapshot!("cancelled_80x24", console.press("x").screen(80, 24));
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").give("links"));
-    check("brief", console.press("esc").press("b"));
     check("ledger", console.press("esc").press("c"));
     check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(

@@ -53,9 +53,9 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
     // Scrolling ends with the last page; the header and the footer take a row each.
     let rows = usize::from(state.size.1).saturating_sub(2);
     if let Some(debrief) = &mut state.rooms.debrief {
-        let lines = debrief.lines(&Locale::default()).len();
+        let lines = debrief.lines(&state.locale).len();
         let positions = (lines + 1).saturating_sub(rows).max(1);
-        debrief.scroll = step.apply(debrief.scroll, positions);
+        debrief.scroll = step.apply(debrief.scroll.min(positions - 1), positions);
     }
     Some(Vec::new())
 }

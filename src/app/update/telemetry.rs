@@ -62,6 +62,7 @@ pub fn notice(state: &mut State, notice: &Notice) -> Vec<Effect> {
 
 pub fn progress(state: &mut State, progress: Progress) {
     if state.session.activity.is_some() {
+        state.rooms.mission.hear(&progress);
         state.session.mission = Some(progress);
     }
 }
