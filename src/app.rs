@@ -10,7 +10,9 @@ pub mod console;
 pub mod effect;
 pub mod event;
 pub mod keymap;
+pub mod lines;
 pub mod room;
+pub mod setting;
 pub mod state;
 mod update;
 

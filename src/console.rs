@@ -1,43 +1,53 @@
 //! The running console: terminal, keys, time and the session, brought together.
 //!
 //! One loop feeds [`update`] with events, carries its effects out, and draws when something visible has
-//! changed: at most once per tick, so that any amount of telemetry costs one frame.
+//! changed and the terminal can take a frame. Time, telemetry and missions go on at their own pace.
 
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crossterm::event::{
-    Event as TerminalEvent, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers,
-};
-use futures_util::{FutureExt as _, StreamExt as _};
-use tokio::signal::unix::{SignalKind, signal};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
 use crate::app::event::Event;
-use crate::app::state::{MissionListing, State};
+use crate::app::keymap::Keymap;
+use crate::app::room::messages;
+use crate::app::state::State;
 use crate::app::update;
+use crate::config::Config;
 use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
+use crate::notice::sanitised;
 use crate::session::Order;
-use crate::store;
-use crate::terminal::Screen;
-use crate::ui::{self, Look, Theme};
-use crate::vehicle::VehicleId;
+use crate::store::{self, History, Source, StoreError};
+use crate::terminal::input::Input;
+use crate::terminal::{self, Environment, Keyboard, Screen};
+use crate::text;
+use crate::text::Text;
+use crate::ui::{self, Look, Themes};
+use crate::vehicle::{Severity, VehicleId};
 
+mod missions;
+pub mod plain;
 mod session;
+mod signals;
 
+use missions::listings;
 use session::{Backend, Plan, Running};
+use signals::{Happened, Signals};
 
-/// The time between two ticks: ten frames a second.
+/// The time between two ticks, at which telemetry is collected and missions are stepped.
 const TICK: Duration = Duration::from_millis(100);
 
 /// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
 const KEYS_PER_FRAME: usize = 64;
+/// How long the end of the program waits for what the terminal has yet to answer.
+const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 
 /// What the console begins with.
 #[derive(Debug, Clone)]
@@ -65,6 +75,23 @@ pub struct Options {
     pub speedup: f64,
     /// What it looks like.
     pub look: Look,
+    /// What its user has set.
+    pub preferences: Preferences,
+}
+
+/// What a user brings along.
+#[derive(Debug, Clone, Default)]
+pub struct Preferences {
+    /// The settings.
+    pub config: Config,
+    /// What the keys mean.
+    pub keymap: Keymap,
+    /// The themes on offer.
+    pub themes: Themes,
+    /// Where the lines of the command line are kept; nowhere for measurements.
+    pub history: Option<History>,
+    /// What has to be said at the start: what is wrong with the user's files.
+    pub warnings: Vec<Text>,
 }
 
 /// Runs the console until the user leaves it or the terminal goes away.
@@ -72,50 +99,68 @@ pub struct Options {
 /// # Errors
 /// There is no terminal, or it has gone away.
 pub async fn run(options: Options) -> anyhow::Result<()> {
+    let mut signals = Signals::new()?;
+    let mut screen = Screen::open(
+        options.preferences.config.fps,
+        options.preferences.config.mouse,
+    )?;
     let mut console = Console::new(options);
-    let mut screen = Screen::open()?;
-    if let Ok((columns, rows)) = crossterm::terminal::size() {
-        console.feed(Event::Resize { columns, rows }).await;
-    }
+    console.measure().await;
     console.draw(&mut screen)?;
     console.begin().await;
-    let mut keys = EventStream::new();
+    let mut keyboard = Keyboard::open()?;
     let mut ticks = tokio::time::interval(TICK);
     ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
-    let mut terminated = signal(SignalKind::terminate())?;
-    let mut hung_up = signal(SignalKind::hangup())?;
-    // Ctrl-C is a key in raw mode; these come from elsewhere.
-    let mut interrupted = signal(SignalKind::interrupt())?;
-    let mut quit = signal(SignalKind::quit())?;
     while !console.over {
+        let frame = console.next_frame_in(&mut screen);
         tokio::select! {
             biased;
-            _ = terminated.recv() => break,
-            _ = hung_up.recv() => break,
-            _ = interrupted.recv() => break,
-            _ = quit.recv() => break,
-            _ = ticks.tick() => {
-                console.tick().await;
-                console.draw(&mut screen)?;
-            }
-            event = keys.next() => match event {
-                Some(Ok(event)) => {
-                    console.hear(event).await;
+            happened = signals.next() => match happened {
+                Happened::End => break,
+                Happened::Resized => console.measure().await,
+                Happened::Stopped => {
+                    screen.leave();
+                    terminal::stop();
+                }
+                Happened::Continued => {
+                    screen.take_again()?;
+                    console.measure().await;
+                    console.drawn = None;
+                }
+            },
+            _ = ticks.tick() => console.tick().await,
+            input = keyboard.next() => match input {
+                Some(input) => {
+                    console.hear(input, &mut screen).await;
                     // What was typed meanwhile is one frame with it.
                     for _ in 0..KEYS_PER_FRAME {
-                        let Some(Some(Ok(event))) = keys.next().now_or_never() else {
+                        let Some(input) = keyboard.ready() else {
                             break;
                         };
-                        console.hear(event).await;
+                        console.hear(input, &mut screen).await;
                     }
-                    // A key is answered at once, not at the next tick.
-                    console.draw(&mut screen)?;
                 }
-                Some(Err(_)) | None => break,
+                None => break,
             },
+            () = tokio::time::sleep(frame.unwrap_or_default()), if frame.is_some() => {}
         }
+        console.draw(&mut screen)?;
     }
+    hear_last_answer(&screen, &mut keyboard).await;
     Ok(())
+}
+
+/// An answer of the terminal that comes after us would be typed into the shell.
+async fn hear_last_answer(screen: &Screen, keyboard: &mut Keyboard) {
+    let answer = async {
+        while screen.expects_answer() {
+            if matches!(keyboard.next().await, None | Some(Input::Answer)) {
+                break;
+            }
+        }
+    };
+    // Past that it is no use: the terminal has stalled.
+    drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
 }
 
 /// Runs the console without a terminal and without a user, for measurements: at each of the given times a line
@@ -152,6 +197,10 @@ pub async fn drive(
     }
 }
 
+fn is_suspend(key: KeyEvent) -> bool {
+    key.code == KeyCode::Char('z') && key.modifiers == KeyModifiers::CONTROL
+}
+
 fn key(code: KeyCode) -> Event {
     Event::Key(KeyEvent::new(code, KeyModifiers::NONE))
 }
@@ -162,16 +211,46 @@ struct Console {
     state: State,
     look: Look,
     running: Option<Running>,
+    /// What has to be said at the start.
+    warnings: Vec<Text>,
+    /// The last line of the history that its file has.
+    kept: Option<String>,
+    /// The revision of the state that was drawn last.
+    /// The revision of the state that was drawn last.
     drawn: Option<u64>,
     bell: bool,
+    note: Option<String>,
     over: bool,
 }
 
 impl Console {
     fn new(options: Options) -> Self {
-        let themes = Theme::names().map(str::to_owned).collect();
-        let state = State::new(listings(), themes, options.look.theme.name().to_owned());
+        let preferences = &options.preferences;
+        let themes = preferences.themes.names().map(str::to_owned).collect();
+        let theme = options.look.theme.name().to_owned();
+        let (missions, doubles) = listings();
+        let mut warnings = preferences.warnings.clone();
+        warnings.extend(doubles);
+        let mut state = State::new(missions, themes, theme);
+        state.config = preferences.config.clone();
+        state.locale = Arc::clone(&options.look.locale);
+        state.keymap = preferences.keymap.clone();
+        if let Some(history) = &preferences.history {
+            match history.read() {
+                Ok(lines) => lines.iter().for_each(|line| state.remember(line)),
+                Err(error) => {
+                    let (path, error) = (history.path().display(), error.to_string());
+                    warnings.push(text!(
+                        "history-unreadable",
+                        path = path.to_string(),
+                        error = error
+                    ));
+                }
+            }
+        }
         Self {
+            warnings,
+            kept: state.history.back().cloned(),
             look: options.look.clone(),
             options,
             clock: Clock::start(),
@@ -179,11 +258,20 @@ impl Console {
             running: None,
             drawn: None,
             bell: false,
+            note: None,
             over: false,
         }
     }
 
     async fn begin(&mut self) {
+        self.open().await;
+        // The first one last, because it is the one that stays on the last line of the screen.
+        for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
+            self.feed(Event::Failed(warning)).await;
+        }
+    }
+
+    async fn open(&mut self) {
         let plan = match &self.options.opening {
             Opening::Home => return,
             Opening::Mission(mission) => Plan::Mission(Arc::clone(mission)),
@@ -195,27 +283,56 @@ impl Console {
         }
     }
 
-    /// Draws if something changed and the terminal has taken the last frame.
+    /// How long the frame that is wanted has to wait; `None` if none is wanted or only the terminal can tell.
+    fn next_frame_in(&self, screen: &mut Screen) -> Option<Duration> {
+        let wanted = self.bell || self.note.is_some() || self.drawn != Some(self.state.revision());
+        wanted.then(|| screen.next_frame_in()).flatten()
+    }
+
+    /// Draws if something changed and the terminal can take a frame.
     fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
+        if self.next_frame_in(screen) != Some(Duration::ZERO) {
+            return Ok(());
+        }
+        // A bell that waits is one bell, however often it was to ring.
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
         }
-        let revision = self.state.revision();
-        if self.drawn == Some(revision) || !screen.is_ready() {
-            return Ok(());
+        if let Some(note) = self.note.take() {
+            screen.notify(&note)?;
         }
-        self.drawn = Some(revision);
+        let slow = screen.slow_bytes_per_s().map(|rate| rate as u32);
+        if slow != self.state.slow_line {
+            update(&mut self.state, Event::SlowLine(slow));
+        }
+        self.drawn = Some(self.state.revision());
+        self.look.locale = Arc::clone(&self.state.locale);
         screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 
-    async fn hear(&mut self, event: TerminalEvent) {
-        let event = match event {
-            TerminalEvent::Key(key) if key.kind != KeyEventKind::Release => Event::Key(key),
-            TerminalEvent::Paste(text) => Event::Paste(text),
-            TerminalEvent::Resize(columns, rows) => Event::Resize { columns, rows },
-            _ => return,
-        };
-        self.feed(event).await;
+    async fn hear(&mut self, input: Input, screen: &mut Screen) {
+        match input {
+            Input::Answer => screen.answered(),
+            Input::Key(key) if is_suspend(key) => self.suspend(),
+            Input::Key(key) => self.feed(Event::Key(key)).await,
+            Input::Paste(text) => self.feed(Event::Paste(text)).await,
+        }
+    }
+
+    /// The size of the terminal may have changed.
+    async fn measure(&mut self) {
+        if let Ok((columns, rows)) = crossterm::terminal::size() {
+            self.feed(Event::Resize { columns, rows }).await;
+        }
+    }
+
+    fn suspend(&mut self) {
+        if terminal::can_be_suspended() {
+            terminal::suspend_group();
+        } else {
+            self.state.say(Severity::Notice, text!("terminal-no-shell"));
+            self.state.touch();
+        }
     }
 
     async fn tick(&mut self) {
@@ -225,8 +342,10 @@ impl Console {
             return;
         };
         for event in running.collect(now) {
+            self.log(&event);
             self.feed(event).await;
         }
+        self.look_at_messages(now).await;
         // The mission sees what has just been collected.
         let flown = match &mut self.running {
             Some(running) => running.fly(now, &self.state.session),
@@ -237,9 +356,47 @@ impl Console {
         }
     }
 
+    /// Keeps what became of commands in the log.
+    fn log(&self, event: &Event) {
+        let Event::Row(row) = event else { return };
+        if row.state.is_final()
+            && let Some(entry) = self.state.session.ledger.entry(row.entry)
+        {
+            let (vehicle, line, state) = (row.vehicle, &entry.line, row.state);
+            tracing::info!("vehicle {vehicle}: {line}: {state}");
+        }
+    }
+
+    async fn look_at_messages(&mut self, now: Duration) {
+        let wanted = messages::wanted(&self.state);
+        if let Some(running) = &mut self.running
+            && let Some(event) = running.inspect(wanted.as_ref(), now)
+        {
+            self.feed(event).await;
+        }
+    }
+
     async fn feed(&mut self, event: Event) {
         for effect in update(&mut self.state, event) {
             self.carry_out(effect).await;
+        }
+        self.keep_line();
+    }
+
+    /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
+    fn keep_line(&mut self) {
+        let newest = self.state.history.back();
+        let Some(history) = self.options.preferences.history.clone() else {
+            return;
+        };
+        if let Some(line) = newest.filter(|line| self.kept.as_ref() != Some(*line)) {
+            let line = line.clone();
+            self.kept = Some(line.clone());
+            tokio::task::spawn_blocking(move || {
+                if let Err(error) = history.add(&line) {
+                    tracing::warn!(%error, "the history of the command line was not written");
+                }
+            });
         }
     }
 
@@ -247,15 +404,24 @@ impl Console {
         let plan = match effect {
             Effect::Quit => return self.over = true,
             Effect::Bell => return self.bell = true,
+            Effect::Notify(text) => {
+                return self.note = Some(sanitised(&self.look.locale.text(&text)));
+            }
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
+            Effect::FetchParameters(_)
+            | Effect::ReadParameters { .. }
+            | Effect::SaveParameters { .. } => return self.parameters(effect),
             Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),
             Effect::Command {
                 entry,
                 targets,
                 verb,
                 command,
-            } => return self.command(&targets, &Order::new(entry, verb, command)),
+            } => {
+                let order = Order::new(entry, verb, command);
+                return self.command(&targets, &order).await;
+            }
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
                 .map_err(Into::into),
@@ -277,13 +443,49 @@ impl Console {
     }
 
     fn set_theme(&mut self, name: &str) {
-        if let Some(theme) = Theme::named(name) {
-            self.look.theme = theme.for_colours(crate::terminal::colour_depth());
+        match self.options.preferences.themes.named(name) {
+            Ok(theme) => {
+                self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
+            }
+            // Nothing that a failure causes is an effect.
+            Err(error) => drop(update(
+                &mut self.state,
+                Event::Failed(error.to_string().into()),
+            )),
         }
     }
 
+    /// Asks for parameters, or reads or writes a file of them. What comes of it is never an effect.
+    fn parameters(&mut self, effect: Effect) {
+        let event = match effect {
+            Effect::FetchParameters(vehicles) => {
+                return self
+                    .running
+                    .iter()
+                    .for_each(|running| running.fetch_parameters(&vehicles));
+            }
+            Effect::ReadParameters { path } => {
+                match store::read(&store::user_path(&path), "parameter file") {
+                    Ok(Source { text, .. }) => Event::ParametersRead { path, text },
+                    Err(error) => Event::Failed(error.to_string().into()),
+                }
+            }
+            Effect::SaveParameters {
+                path,
+                text,
+                replace,
+            } => match store::write(&store::user_path(&path), &text, replace) {
+                Ok(()) => Event::ParametersSaved { path },
+                Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
+                Err(error) => Event::Failed(error.to_string().into()),
+            },
+            _ => return,
+        };
+        update(&mut self.state, event);
+    }
+
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
-    fn command(&mut self, targets: &[VehicleId], order: &Order) {
+    async fn command(&mut self, targets: &[VehicleId], order: &Order) {
         for &vehicle in targets {
             let given = match &self.running {
                 Some(running) => running.order(vehicle, order.clone()),
@@ -297,7 +499,8 @@ impl Console {
                     format!("not sent: {error}"),
                     now,
                 );
-                update(&mut self.state, Event::Row(row));
+                // Others may have waited for the end of this one.
+                Box::pin(self.feed(Event::Row(row))).await;
             }
         }
     }
@@ -321,20 +524,4 @@ impl Console {
 
 fn parse(addresses: &[String]) -> Result<Vec<Address>, AddressError> {
     addresses.iter().map(|address| address.parse()).collect()
-}
-
-/// The missions that can be flown; one that is faulty is left out and logged.
-fn listings() -> Vec<MissionListing> {
-    store::missions()
-        .into_iter()
-        .filter_map(|source| match Mission::parse(&source.text) {
-            Ok(mission) => Some(mission.listing()),
-            Err(faults) => {
-                for fault in faults {
-                    tracing::warn!("{}", fault.one_line(&source.name, &source.text));
-                }
-                None
-            }
-        })
-        .collect()
 }

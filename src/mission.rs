@@ -44,6 +44,7 @@ use crate::scoring;
 use crate::sim::{Start, WorldConfig};
 use crate::text::Text;
 
+mod area;
 mod craft;
 mod file;
 mod flight;
@@ -56,6 +57,7 @@ mod survey;
 mod zone;
 
 pub use crate::scoring::Report;
+pub use area::{Area, AreaKind};
 pub use flight::{Flight, Outcome};
 pub use listing::{Listing, ObjectiveListing};
 pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};

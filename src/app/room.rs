@@ -95,6 +95,16 @@ impl Room {
         matches!(self, Self::Fly | Self::Vehicle | Self::Map)
     }
 
+    /// The room of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|room| room.name() == name)
+    }
+
+    /// What it is for.
+    pub fn explained(self) -> Text {
+        Text::new(format!("action-{}", self.name()), Vec::new())
+    }
+
     /// What the header calls it.
     pub fn title(self) -> Text {
         Text::new(format!("room-{}", self.name()), Vec::new())
@@ -106,6 +116,8 @@ impl Room {
 pub struct Rooms {
     /// Where to begin.
     pub home: home::Home,
+    /// The swarm in flight.
+    pub fly: fly::Fly,
     /// Everything about one vehicle.
     pub vehicle: vehicle::Vehicle,
     /// Where everything is.
@@ -129,6 +141,7 @@ impl Rooms {
     pub fn forget_session(&mut self) {
         *self = Self {
             home: std::mem::take(&mut self.home),
+            map: self.map.for_next_session(),
             ..Self::default()
         };
     }
@@ -173,5 +186,25 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
+        Purpose::Filter(room) => {
+            filter(state, *room, entered);
+            Ok(Vec::new())
+        }
+        Purpose::Parameter { name, vehicles } => {
+            parameters::entered(state, name, (vehicles, entered))
+        }
+        Purpose::SaveParameters => parameters::save(state, entered),
+        Purpose::LoadParameters | Purpose::CompareParameters => parameters::load(state, entered),
+    }
+}
+
+/// Shows only those lines of a room that fit.
+fn filter(state: &mut State, room: Room, entered: &str) {
+    match room {
+        Room::Parameters => entered.clone_into(&mut state.rooms.parameters.filter),
+        Room::Messages => messages::filter(state, entered),
+        Room::Fly => fly::filter(state, entered),
+        Room::Ledger => ledger::filter(state, entered),
+        _ => {}
     }
 }

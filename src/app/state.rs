@@ -4,14 +4,20 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::console::Names;
 use crate::config::Config;
 use crate::language::Context;
 use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
+mod alarms;
 mod alert;
+mod bell;
+mod column;
+mod filter;
 mod help;
+mod history;
 mod ids;
 mod links;
 mod notices;
@@ -21,10 +27,15 @@ mod session;
 pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
 pub use crate::mission::Listing as MissionListing;
-pub use alert::{Alert, alert};
+pub use alarms::{Alarms, Pressing, Standing};
+pub use alert::{Alert, AlertKind, alert, alerts};
+pub use bell::{Call, Due};
+pub use column::{Column, Key, Sort};
+pub use filter::Filter;
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
+pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
-pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
+pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
 pub use session::{Activity, Session};
@@ -55,6 +66,8 @@ pub struct State {
     pub config: Config,
     /// The words of the language in use.
     pub locale: Arc<Locale>,
+    /// Lines of a macro that wait for the answer to a question.
+    pub pending: VecDeque<String>,
     /// What was said.
     pub notices: NoticeLog,
     /// The missions on offer.
@@ -69,6 +82,8 @@ pub struct State {
     pub history: VecDeque<String>,
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
+    /// What the line to the terminal carries in bytes per second, while it cannot keep up.
+    pub slow_line: Option<u32>,
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,
@@ -94,6 +109,7 @@ impl State {
             typed: String::new(),
             config: Config::default(),
             locale: Arc::default(),
+            pending: VecDeque::new(),
             overlay: None,
             session: Session::default(),
             notices: NoticeLog::default(),
@@ -103,6 +119,7 @@ impl State {
             keymap: Keymap::default(),
             history: VecDeque::new(),
             size: SMALLEST,
+            slow_line: None,
             message: None,
             revision: 0,
         }
@@ -132,7 +149,6 @@ impl State {
     /// How many entries a log has.
     pub fn log_length(&self, log: Log) -> usize {
         match log {
-            Log::Ledger => self.session.ledger.entries().len(),
             Log::Notices => self.notices.lines().len(),
         }
     }
@@ -170,12 +186,25 @@ impl State {
     /// Runs `work` with what the grammar has to know: groups, places, vehicles.
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
+        let first = self.addressed().first().copied();
+        let parameters = first.and_then(|id| self.rooms.parameters.lists.get(&id));
         work(&Context {
             groups: &self.session.groups,
             places: Some(&self.session.places),
             vehicles: &vehicles,
             class: self.class(),
+            parameters: parameters.map(|known| known.list.as_ref()),
         })
+    }
+
+    /// The names that words of the console's own lines may be.
+    pub fn names(&self) -> Names<'_> {
+        Names {
+            themes: &self.themes,
+            missions: &self.missions,
+            macros: &self.config.macros,
+            groups: &self.session.groups,
+        }
     }
 
     /// Keeps a line that was given, once.

@@ -1,5 +1,6 @@
 //! `sortie run`: a pilot script flies a mission.
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -18,6 +19,10 @@ use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie run 01 --pilot 01-air-sample\n  \
+    sortie run my.toml --pilot my.pilot --json --no-timing\n  \
+    sortie run 01 --pilot my.pilot --seed 3 --speedup 10")]
 pub(super) struct RunArguments {
     /// A mission file, or the name or number of an embedded mission.
     mission: String,
@@ -57,10 +62,10 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
 }
 
 /// Flies and prints. The exit code tells whether the mission was passed.
-pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
+pub(super) fn run(options: &RunArguments, language: Language) -> Result<ExitCode, Failure> {
     let mission = Arc::new(load_mission(&options.mission)?);
     let script = load_script(&options.pilot, &mission)?;
-    let locale = Locale::new(language_of_the_shell());
+    let locale = Locale::new(language);
     let started = Instant::now();
     let mut exercise = Exercise::new(mission, options.seed, script);
     while !exercise.is_over() {
@@ -96,15 +101,6 @@ pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
     })
 }
 
-/// The language that the shell's environment asks for; the first of these variables that is set decides.
-fn language_of_the_shell() -> Language {
-    let set = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
-    let locale = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find_map(set);
-    locale
-        .and_then(|name| Language::of(&name))
-        .unwrap_or_default()
-}
-
 fn clock(at: Duration) -> String {
     let seconds = at.as_secs();
     format!("{:02}:{:02}", seconds / 60, seconds % 60)
@@ -112,10 +108,19 @@ fn clock(at: Duration) -> String {
 
 /// A mission by path, name or number, with its faults explained.
 pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
-    store::mission(path_or_name).map_err(|error| match error {
+    let mission = store::mission(path_or_name).map_err(|error| match error {
         StoreError::Faulty { file, faults } => explain(&file, &faults),
         error => invalid(&error),
-    })
+    })?;
+    let is_path = Path::new(path_or_name).is_file();
+    if let ([flown, others @ ..], false) = (&store::missions_with_id(&mission.id)[..], is_path) {
+        for other in others {
+            let id = &mission.id;
+            let text = text!("mission-twice", id = id, flown = flown, other = other);
+            eprintln!("sortie: {text}");
+        }
+    }
+    Ok(mission)
 }
 
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {

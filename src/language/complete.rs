@@ -13,6 +13,7 @@ use super::parse::{Head, head};
 use super::read::{mode_names, mode_warning};
 use super::verb::{Form, Verb};
 use super::{Context, Targets, verbs};
+use crate::text::Text;
 
 /// How many completions are worth showing.
 const SHOWN: usize = 200;
@@ -23,7 +24,7 @@ pub struct Completion {
     /// The word as it would be inserted.
     pub text: String,
     /// What it means.
-    pub hint: String,
+    pub hint: Text,
     /// What it takes the place of, in bytes of the line; empty where a new word begins.
     pub replaces: Range<usize>,
 }
@@ -51,7 +52,7 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         .take(SHOWN)
         .map(|(text, hint)| Completion {
             text,
-            hint,
+            hint: hint.into(),
             replaces: replaces.clone(),
         })
         .collect()

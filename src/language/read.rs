@@ -7,6 +7,7 @@ use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use crate::commands::{command_by_name, command_names};
 use crate::geo::LatLon;
+use crate::parameters::{Parameters, shown};
 use crate::vehicle::{Mode, VehicleClass};
 
 /// Message ids have 24 bits.
@@ -139,7 +140,13 @@ impl Kind {
                 .iter()
                 .map(|(number, name)| ((*name).to_owned(), format!("command {number}")))
                 .collect(),
-            Self::Flag | Self::Number(..) | Self::Whole(..) | Self::Parameter => Vec::new(),
+            Self::Parameter => context
+                .parameters
+                .into_iter()
+                .flat_map(Parameters::iter)
+                .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value))))
+                .collect(),
+            Self::Flag | Self::Number(..) | Self::Whole(..) => Vec::new(),
         }
     }
 }

@@ -14,13 +14,24 @@ macro_rules! catalogue {
 }
 
 catalogue! {
+    "alerts",
     "common",
+    "config",
     "console",
     "debrief",
+    "doctor",
+    "fly",
     "home",
+    "links",
+    "map",
+    "messages",
     "mission",
+    "parameters",
+    "plain",
     "rooms",
     "scoring",
+    "terminal",
+    "vehicle",
 }
 
 /// The message files of a language: subject and contents.

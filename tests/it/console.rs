@@ -8,8 +8,15 @@ use sortie::vehicle::Severity;
 use crate::fixtures;
 use crate::harness::Console;
 
+mod alerts;
 mod command_line;
+mod commands;
+mod keymap;
+mod map;
+mod palette;
 mod panes;
+pub mod parameters;
+mod swarm;
 
 fn selection(console: &Console) -> Vec<u16> {
     console.state.session.selection.iter().copied().collect()
@@ -277,6 +284,14 @@ const KEYS: &[&str] = &[
     ",",
     "@",
     "ж",
+    "/",
+    "s",
+    "S",
+    "x",
+    "C",
+    "F",
+    "o",
+    "v",
     "ctrl-c",
     "ctrl-p",
     "ctrl-w",

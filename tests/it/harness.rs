@@ -54,6 +54,7 @@ impl Console {
                 .then(|| Box::new(fixtures::listing())),
             activity,
             places: BTreeMap::new(),
+            areas: Vec::new(),
         })));
     }
 
@@ -83,6 +84,7 @@ impl Console {
             "up" => plain(KeyCode::Up),
             "down" => plain(KeyCode::Down),
             "left" => plain(KeyCode::Left),
+            "right" => plain(KeyCode::Right),
             "end" => plain(KeyCode::End),
             "home" => plain(KeyCode::Home),
             "page-up" => plain(KeyCode::PageUp),

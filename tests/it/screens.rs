@@ -10,7 +10,13 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod fly;
+mod inspector;
+mod link_room;
+mod map;
 mod mission;
+mod parameters;
+mod vehicle;
 
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 
@@ -181,6 +187,7 @@ fn questions_help_and_links() {
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").give("links"));
     check("ledger", console.press("esc").press("c"));
+    console.press("F");
     check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(
         "leave_80x24",
@@ -215,6 +222,9 @@ fn no_size_of_terminal_panics() {
         ["b", "j"],
         ["c", "k"],
         ["n", "k"],
+        ["C", "enter"],
+        ["/", "x"],
+        ["s", "S"],
         ["*", "j"],
     ] {
         let mut console = busy();

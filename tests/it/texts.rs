@@ -6,6 +6,8 @@ use std::path::Path;
 
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
 use sortie::app::action::Action;
+use sortie::app::console::CONSOLE_VERBS;
+use sortie::app::setting::Setting;
 use sortie::app::state::Room;
 use sortie::text::{Language, Locale, messages};
 
@@ -146,7 +148,18 @@ fn name(part: &str) -> Option<String> {
 fn from_tables() -> BTreeSet<String> {
     let actions = Action::ALL.iter().map(|(name, _)| format!("action-{name}"));
     let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
-    actions.chain(rooms).collect()
+    let verbs = CONSOLE_VERBS
+        .iter()
+        .map(|verb| format!("console-{}", verb.name));
+    let classes =
+        ["copter", "plane", "rover", "sub", "vehicle"].map(|class| format!("class-{class}"));
+    let settings = Setting::NAMES.iter().map(|name| format!("setting-{name}"));
+    actions
+        .chain(rooms)
+        .chain(verbs)
+        .chain(settings)
+        .chain(classes)
+        .collect()
 }
 
 #[test]

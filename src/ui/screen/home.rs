@@ -123,7 +123,8 @@ fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mu
             Span::styled(format!(" {what}   "), look.style(Role::Muted)),
         ]
     });
-    put(buffer, inner, row + 1, &Line::from_iter(spans));
+    let line: Line<'_> = spans.collect();
+    put(buffer, inner, row + 1, &line);
 }
 
 fn name(state: &State, item: HomeItem, look: &Look) -> String {

@@ -1,13 +1,10 @@
-//! The overlays that are read: help, links, and the question before something dangerous.
+//! The overlays that are read: help, and the question before something dangerous.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{
-    Confirm, HelpLine, LinkLineState, LinkSummary, Overlay, SHORT_USAGE, State, help_lines,
-    link_lines,
-};
+use crate::app::state::{Confirm, HelpLine, Overlay, SHORT_USAGE, State, help_lines};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{boxed, centred, clip, put, wrap};
@@ -20,9 +17,6 @@ pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &
     match overlay {
         Overlay::Confirm(question) => draw_confirm(question, look, area, buffer),
         Overlay::Help { scroll } => draw_help(state, *scroll, look, area, buffer),
-        Overlay::Links { scroll } => {
-            draw_links(&state.session.links, *scroll, look, area, buffer);
-        }
         Overlay::Log { log, cursor } => {
             super::log::draw(state, (*log, *cursor), look, area, buffer);
         }
@@ -32,7 +26,7 @@ pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &
 
 fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer) {
     let place = centred(64, 8, area);
-    let inner = boxed("are you sure", Role::Danger, look, place, buffer);
+    let inner = boxed(&look.say("ask-sure"), Role::Danger, look, place, buffer);
     let width = usize::from(inner.width);
     let text = format!(
         "{} - {} {}",
@@ -53,32 +47,29 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
     let reason = clip(&look.text(&question.reason), width);
     put(buffer, inner, row, &Line::raw(reason));
     let typed = if question.cancelled {
-        let text = "cancelled, nothing was done   Enter or Esc goes on";
+        let text = look.say("ask-taken-back");
         Line::styled(text, look.style(Role::Warning))
     } else {
         Line::from(vec![
             Span::styled(": ", look.style(Role::Key)),
             Span::raw(format!("{}_", question.typed)),
-            Span::styled("   anything else: no", look.style(Role::Muted)),
+            Span::styled(
+                format!("   {}", look.say("ask-else")),
+                look.style(Role::Muted),
+            ),
         ])
     };
     put(buffer, inner, row + 2, &typed);
 }
 
 fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = help_lines(&state.keymap);
+    let lines = help_lines(&state.keymap, &look.locale);
     let place = centred(
         (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         area.height - 2,
         area,
     );
-    let inner = boxed(
-        "help   j k scroll   Esc closes",
-        Role::Accent,
-        look,
-        place,
-        buffer,
-    );
+    let inner = boxed(&look.say("help-title"), Role::Accent, look, place, buffer);
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));
@@ -95,47 +86,18 @@ fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut
             width: HELP_COLUMN.min(inner.right() - x),
             ..inner
         };
-        put(buffer, here, (at % rows) as u16, &help_line(&line, look));
+        put(buffer, here, (at % rows) as u16, &help_line(line, look));
     }
 }
 
-fn help_line(line: &HelpLine, look: &Look) -> Line<'static> {
+fn help_line(line: HelpLine, look: &Look) -> Line<'static> {
     match line {
-        HelpLine::Title(text) => Line::styled(look.text(text), look.style(Role::Title)),
+        HelpLine::Title(text) => Line::styled(text, look.style(Role::Title)),
         HelpLine::Note(text) => Line::styled(format!("      {text}"), look.style(Role::Muted)),
         HelpLine::Blank => Line::default(),
         HelpLine::Entry(what, meaning) => Line::from(vec![
             Span::styled(format!("  {what:SHORT_USAGE$} "), look.style(Role::Key)),
-            Span::raw(look.text(meaning)),
+            Span::raw(meaning),
         ]),
-    }
-}
-
-fn draw_links(links: &[LinkSummary], scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = link_lines(links);
-    let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
-    let place = centred(area.width.min(100), height, area);
-    let inner = boxed(
-        "links   j k scroll   Esc closes",
-        Role::Accent,
-        look,
-        place,
-        buffer,
-    );
-    let rows = usize::from(inner.height);
-    let first = scroll.min(lines.len().saturating_sub(rows));
-    for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
-        let role = match line.state {
-            LinkLineState::Up => Role::Ok,
-            LinkLineState::Down => Role::Warning,
-            LinkLineState::Detail => Role::Text,
-        };
-        let text = clip(&line.text, usize::from(inner.width));
-        put(
-            buffer,
-            inner,
-            row as u16,
-            &Line::styled(text, look.style(role)),
-        );
     }
 }

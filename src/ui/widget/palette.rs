@@ -18,6 +18,8 @@ const HEIGHT: u16 = 13;
 /// Rows of what is wrong with a word, and of how the verb is written.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
+/// Columns of a wrong word in what is said about it.
+const LONGEST_WORD: usize = 24;
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
@@ -51,9 +53,17 @@ pub fn draw(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) -> 
 
 /// What is wrong, how the verb is written, and what Enter would do.
 fn explanation(palette: &Palette, width: usize, look: &Look) -> Vec<Line<'static>> {
-    let fault = palette.fault.as_ref().map(|fault| match &fault.help {
-        Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
-        None => look.text(&fault.message),
+    let fault = palette.fault.as_ref().map(|fault| {
+        let said = match &fault.help {
+            Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
+            None => look.text(&fault.message),
+        };
+        // A word of many lines would leave no room for what is wrong with it.
+        let (_, wrong, _) = parts(palette.input.value(), Some(fault));
+        match clip(wrong, LONGEST_WORD) {
+            whole if whole == wrong => said,
+            cut => said.replace(wrong, &cut),
+        }
     });
     let hint = palette.hint.as_ref().map(|hint| look.text(hint));
     // A wrong line without a verb is not helped by the grammar.
@@ -145,6 +155,8 @@ fn draw_choices(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer)
         .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
     let widest = choices
         .iter()
+        .skip(first)
+        .take(rows)
         .map(|choice| choice.text.chars().count())
         .max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
@@ -188,7 +200,8 @@ fn choice_lines<'a>(
     let mut name = clip(&choice.text, name_width);
     // A verb without arguments has its name for a usage: once is enough.
     let said = format!("{}: ", choice.text);
-    let hint = choice.hint.strip_prefix(&said).unwrap_or(&choice.hint);
+    let hint = look.text(&choice.hint);
+    let hint = hint.strip_prefix(&said).unwrap_or(&hint);
     let room = width.saturating_sub(name_width + 4);
     let mut lines = Vec::new();
     for text in wrap(hint, room) {

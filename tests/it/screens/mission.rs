@@ -57,6 +57,10 @@ fn the_room_before_the_flight_and_during_it() {
 fn the_room_in_ukrainian() {
     let mut before = shipped(Language::Ukrainian);
     check("room_mission_uk", before.press("B"), &SIZES[..2]);
+    before.hear(Event::Resize {
+        columns: 80,
+        rows: 24,
+    });
     before.press("end");
     check("room_mission_uk_end", &mut before, &SIZES[..1]);
     before.press("H");

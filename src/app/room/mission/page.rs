@@ -6,7 +6,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use super::shown;
 use crate::app::state::State;
-use crate::mission::{Listing, ObjectiveListing, ObjectiveProgress, ObjectiveState};
+use crate::mission::{Listing, ObjectiveState};
 use crate::text;
 use crate::text::{Locale, Text, reflow, wrap};
 
@@ -14,10 +14,9 @@ use crate::text::{Locale, Text, reflow, wrap};
 const TWO_COLUMNS: u16 = 110;
 /// Longer lines are hard to read.
 const WIDEST: usize = 88;
-/// Columns for how an objective stands, for its points, and for whether it is required.
-const DETAIL: usize = 20;
+/// Columns for how an objective stands at most, and for its points.
+const DETAIL: usize = 24;
 const POINTS: usize = 7;
-const REQUIRED: usize = 11;
 
 /// How a line looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -139,50 +138,54 @@ impl Page<'_> {
 
     fn objectives(&mut self) {
         self.title(&text!("mission-objectives"));
-        let progress = self.state.session.mission.as_ref();
-        let mission = self.mission;
-        for (at, objective) in mission.objectives.iter().enumerate() {
-            let now = progress.and_then(|progress| progress.objectives.get(at));
-            self.objective(objective, now);
+        let required = self.locale.say("mission-required");
+        let rows: Vec<Row> = (0..self.mission.objectives.len())
+            .map(|at| self.row(at))
+            .collect();
+        let widest = rows.iter().map(|row| row.detail.width()).max();
+        let detail = widest.unwrap_or(0).min(DETAIL);
+        let rest = 4 + 1 + detail + 1 + POINTS + 2 + required.width();
+        let room = self.width.saturating_sub(rest);
+        for row in rows {
+            let title = wrap(&row.title, room);
+            let mut title = title.iter();
+            let line = format!(
+                "{} {} {} {:>POINTS$}  {}",
+                row.mark,
+                padded(title.next().map_or("", String::as_str), room),
+                padded(&row.detail, detail),
+                row.points,
+                if row.required { &required } else { "" }
+            );
+            self.add(row.tone, line.trim_end());
+            for rest in title {
+                self.add(row.tone, format!("    {rest}"));
+            }
         }
     }
 
-    /// One row: its mark, title, how it stands or what is asked for, points, and whether it is required.
-    fn objective(&mut self, objective: &ObjectiveListing, now: Option<&ObjectiveProgress>) {
+    /// An objective as it stands; before the flight, what is asked for.
+    fn row(&self, at: usize) -> Row {
+        let objective = &self.mission.objectives[at];
+        let progress = self.state.session.mission.as_ref();
+        let now = progress.and_then(|progress| progress.objectives.get(at));
         let (mark, tone) = match now.map(|now| now.state) {
             None | Some(ObjectiveState::Open) => ("[ ]", Tone::Plain),
             Some(ObjectiveState::Met) => ("[x]", Tone::Met),
             Some(ObjectiveState::Missed) => ("[!]", Tone::Missed),
         };
         let detail = now.map(|now| &now.detail).filter(|now| !now.is_empty());
-        let detail = self.locale.text(detail.unwrap_or(&objective.target));
-        let points = match now {
-            Some(now) => format!(
-                "{:.0}/{:.0}",
-                objective.value * now.fraction,
-                objective.value
-            ),
-            None => format!("{:.0}", objective.value),
-        };
-        let required = if objective.mandatory {
-            self.locale.say("mission-required")
-        } else {
-            String::new()
-        };
-        let room = self
-            .width
-            .saturating_sub(4 + DETAIL + POINTS + REQUIRED + 4);
-        let title = wrap(&self.locale.text(&objective.title), room);
-        let mut title = title.iter();
-        let first = title.next().map_or("", String::as_str);
-        let row = format!(
-            "{mark} {} {} {points:>POINTS$}  {required}",
-            padded(first, room),
-            padded(&detail, DETAIL)
-        );
-        self.add(tone, row.trim_end());
-        for rest in title {
-            self.add(tone, format!("    {rest}"));
+        let value = objective.value;
+        Row {
+            mark,
+            tone,
+            title: self.locale.text(&objective.title),
+            detail: self.locale.text(detail.unwrap_or(&objective.target)),
+            points: match now {
+                Some(now) => format!("{:.0}/{value:.0}", value * now.fraction),
+                None => format!("{value:.0}"),
+            },
+            required: objective.mandatory,
         }
     }
 
@@ -297,6 +300,16 @@ impl Page<'_> {
             }
         }
     }
+}
+
+/// One objective in words.
+struct Row {
+    mark: &'static str,
+    tone: Tone,
+    title: String,
+    detail: String,
+    points: String,
+    required: bool,
 }
 
 /// A text with blanks behind it, `width` columns at least.
