@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, btree_map};
 use std::time::Duration;
 
 use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
@@ -32,22 +34,35 @@ impl CommandTally {
         (1.0 - faults / (0.25 * f64::from(self.accepted) + 2.0)).max(0.0)
     }
 
-    pub(super) fn value_and_words(&self) -> (f64, String) {
+    pub(super) fn value_and_words(&self) -> (f64, Text) {
         let all = self.accepted + self.rejected + self.duplicates;
         let mut faults = Vec::new();
-        for (count, word) in [
-            (self.rejected, "rejected"),
-            (self.dangerous, "unsafe"),
-            (self.duplicates, "given twice"),
+        for (count, words) in [
+            (
+                self.rejected,
+                text!("scoring-rejected", count = self.rejected),
+            ),
+            (
+                self.dangerous,
+                text!("scoring-unsafe", count = self.dangerous),
+            ),
+            (
+                self.duplicates,
+                text!("scoring-twice", count = self.duplicates),
+            ),
         ] {
             if count > 0 {
-                faults.push(format!("{count} {word}"));
+                faults.push(words);
             }
         }
         let words = match (all, faults.is_empty()) {
-            (0, true) => "no commands".to_owned(),
-            (_, true) => format!("{all} commands, none rejected"),
-            _ => format!("{} of {all} commands", faults.join(", ")),
+            (0, true) => text!("scoring-no-commands"),
+            (_, true) => text!("scoring-commands-clean", count = all),
+            _ => text!(
+                "scoring-commands-faulty",
+                faults = Text::joined(", ", faults),
+                count = all
+            ),
         };
         (self.value(), words)
     }
@@ -69,7 +84,7 @@ pub enum CommandEvent {
         /// By which vehicle.
         vehicle: VehicleId,
         /// The line and the reason.
-        text: String,
+        text: Text,
     },
     /// Arming was forced or its checks were switched off.
     Forced {
@@ -121,11 +136,11 @@ impl CommandLog {
             .insert(key, unheard && row.state == RowState::TimedOut);
         let reason = row
             .explanation
-            .as_ref()
-            .map_or_else(|| row.state.to_string(), ToString::to_string);
+            .clone()
+            .unwrap_or_else(|| row_text(row.state));
         Some(CommandEvent::Rejected {
             vehicle: row.vehicle,
-            text: format!("{}: {reason}", entry.line),
+            text: Text::joined(": ", vec![entry.line.as_str().into(), reason]),
         })
     }
 
@@ -162,6 +177,21 @@ impl CommandLog {
             }
         }
         tally
+    }
+}
+
+/// How a command ended, in words.
+pub(crate) fn row_text(state: RowState) -> Text {
+    match state {
+        RowState::Queued => text!("scoring-state-queued"),
+        RowState::Sent => text!("scoring-state-sent"),
+        RowState::InProgress(percent) => text!("scoring-state-in-progress", percent = percent),
+        RowState::Accepted => text!("scoring-state-accepted"),
+        RowState::Done => text!("scoring-state-done"),
+        RowState::NoEffect => text!("scoring-state-no-effect"),
+        RowState::Refused => text!("scoring-state-refused"),
+        RowState::TimedOut => text!("scoring-state-timed-out"),
+        RowState::Superseded => text!("scoring-state-superseded"),
     }
 }
 
