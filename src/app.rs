@@ -10,6 +10,7 @@ pub mod console;
 pub mod effect;
 pub mod event;
 pub mod keymap;
+pub mod lines;
 pub mod room;
 pub mod state;
 mod update;

@@ -1,17 +1,15 @@
-//! The command line: what scripts rely on.
-//!
-//! Exit codes: 0 done (for `run`: mission passed), 1 the thing asked for failed (for `run`: mission not
-//! passed), 2 wrong usage or an invalid file. Errors go to standard error.
+//! The command line: what scripts rely on. Errors go to standard error.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 
 use crate::link::Address;
+use settings::{Common, Settings};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
 macro_rules! say {
@@ -23,18 +21,32 @@ macro_rules! say {
 
 mod bench;
 mod check;
+mod config;
 mod fly;
+mod manual;
 mod run;
+mod settings;
 mod sim;
+
+/// What the exit codes mean.
+const EXIT_CODES: &str = "\
+0  done; for run: the mission is passed; for check: every file is good
+1  the thing asked for failed; for run: the mission is not passed; for check: a file is faulty
+2  wrong usage or an invalid file
+";
 
 /// A terminal ground-control and training console for drone swarms.
 #[derive(Debug, Parser)]
 #[command(
     name = "sortie",
-    version,
-    after_help = "Without a command: the console's home screen, on the embedded simulator.\n\n\
-                  Examples:\n  sortie\n  sortie fly 01\n  sortie connect tcp:127.0.0.1:5760\n  \
-                  sortie run 01 --pilot 01-air-sample --json"
+    version = env!("SORTIE_VERSION"),
+    long_about = "A terminal ground-control and training console for drone swarms.\n\n\
+                  Without a command: the console's home screen, on the embedded simulator.",
+    after_help = "Examples:\n  \
+                  sortie                                     the home screen\n  \
+                  sortie fly 01                              the first mission\n  \
+                  sortie connect tcp:127.0.0.1:5760          vehicles that are there\n  \
+                  sortie run 01 --pilot 01-air-sample --json without a console"
 )]
 pub struct Arguments {
     #[command(subcommand)]
@@ -43,22 +55,16 @@ pub struct Arguments {
     common: Common,
 }
 
-/// Options of every command.
-#[derive(Debug, Args)]
-struct Common {
-    /// Write a log to FILE (levels by `SORTIE_LOG`, such as `info` or `sortie::link=debug`).
-    #[arg(long, global = true, value_name = "FILE")]
-    log: Option<PathBuf>,
-    /// The console's theme: dark, light, high-contrast, monochrome.
-    #[arg(long, global = true, value_name = "NAME")]
-    theme: Option<String>,
-}
-
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Straight into a mission, or into free flight without one.
     Fly(fly::FlyArguments),
     /// The console on vehicles that are already there.
+    #[command(after_help = "Examples:\n  \
+                            sortie connect tcp:127.0.0.1:5760 tcp:127.0.0.1:5770\n  \
+                            sortie connect udpin:0.0.0.0:14550\n  \
+                            sortie connect serial:/dev/ttyACM0:115200\n  \
+                            sortie connect flight.tlog")]
     Connect {
         /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
@@ -68,15 +74,35 @@ enum Command {
     Run(run::RunArguments),
     /// The embedded simulator as a server for any ground station.
     Sim(sim::SimArguments),
-    /// Checks missions and pilot scripts; faults are printed with their line and column.
+    /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
+    /// column.
+    #[command(after_help = "Examples:\n  \
+                            sortie check missions/*.toml missions/pilots/*.pilot\n  \
+                            sortie check ~/.config/sortie/*.toml")]
     Check {
-        /// Files ending in .toml (missions, themes) or .pilot.
+        /// Files ending in .toml, whose content tells what they are, or .pilot.
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
     },
+    /// Prints what is set and who has set it: flag, environment, file or nobody.
+    Config(config::ConfigArguments),
     /// Measurements.
     #[command(subcommand)]
     Bench(bench::Bench),
+    /// Prints what completes this command line in a shell.
+    #[command(after_help = "Examples:\n  \
+                            sortie completions bash > ~/.local/share/bash-completion/completions/sortie\n  \
+                            sortie completions zsh > ~/.zfunc/_sortie\n  \
+                            sortie completions fish > ~/.config/fish/completions/sortie.fish")]
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Prints the manual page: this command line, and the language of commands.
+    #[command(after_help = "Examples:\n  \
+                            sortie man | man -l -\n  \
+                            sortie man > ~/.local/share/man/man1/sortie.1")]
+    Man,
 }
 
 /// Why a command did not do what it was asked.
@@ -96,7 +122,10 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 
 /// Runs the program and returns its exit code.
 pub fn main(arguments: Arguments) -> ExitCode {
-    let outcome = start_log(&arguments.common).and_then(|()| dispatch(arguments));
+    let outcome = settings::gather(&arguments.common).and_then(|settings| {
+        start_log(&settings)?;
+        dispatch(arguments.command, settings)
+    });
     match outcome {
         Ok(code) => code,
         // Whoever reads our output has had enough of it: nothing to complain about.
@@ -118,35 +147,48 @@ fn is_closed_pipe(error: &anyhow::Error) -> bool {
         .is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
-fn dispatch(arguments: Arguments) -> Result<ExitCode, Failure> {
-    let theme = fly::theme(arguments.common.theme.as_deref())?;
-    match arguments.command {
-        None => fly::home(theme),
-        Some(Command::Fly(options)) => fly::fly(&options, theme),
-        Some(Command::Connect { addresses }) => fly::connect(addresses, theme),
-        Some(Command::Run(options)) => run::run(&options),
-        Some(Command::Sim(options)) => sim::serve(&options),
+fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Failure> {
+    match command {
+        None => fly::home(settings),
+        Some(Command::Fly(options)) => fly::fly(&options, settings),
+        Some(Command::Connect { addresses }) => fly::connect(addresses, settings),
+        Some(Command::Run(options)) => {
+            settings.complain();
+            run::run(&options)
+        }
+        Some(Command::Sim(options)) => {
+            settings.complain();
+            sim::serve(&options)
+        }
         Some(Command::Check { files }) => check::check(&files),
+        Some(Command::Config(options)) => config::config(&options, &settings),
         Some(Command::Bench(bench)) => bench::bench(&bench),
+        Some(Command::Completions { shell }) => manual::completions(shell),
+        Some(Command::Man) => manual::man(),
     }
 }
 
-fn start_log(common: &Common) -> Result<(), Failure> {
-    let Some(path) = &common.log else {
+fn start_log(settings: &Settings) -> Result<(), Failure> {
+    let log = &settings.config.log;
+    let Some(path) = &log.file else {
         return Ok(());
     };
-    let file = File::create(path).map_err(|error| {
-        Failure::Invalid(format!(
-            "sortie: cannot write the log {}: {error}",
-            path.display()
-        ))
+    // The folder of the state may not be there yet.
+    let state = settings
+        .folders
+        .as_ref()
+        .map(|folders| folders.state.as_path());
+    let made = match Path::new(path).parent() {
+        Some(folder) if Some(folder) == state => fs::create_dir_all(folder),
+        _ => Ok(()),
+    };
+    let file = made.and_then(|()| File::create(path)).map_err(|error| {
+        Failure::Invalid(format!("sortie: cannot write the log {path}: {error}"))
     })?;
-    let levels = tracing_subscriber::EnvFilter::try_from_env("SORTIE_LOG")
-        .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new("info"));
     tracing_subscriber::fmt()
         .with_writer(Mutex::new(file))
         .with_ansi(false)
-        .with_env_filter(levels)
+        .with_env_filter(tracing_subscriber::EnvFilter::new(&log.level))
         .init();
     Ok(())
 }

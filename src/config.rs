@@ -1,10 +1,23 @@
 //! What a user has set: the console's configuration, whatever file, variable or flag it came from.
+//!
+//! [`SETTINGS`] declares every setting once; [`Layers`] lays defaults, file, environment and flags over each other
+//! and remembers where each value came from.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 use crate::text::Language;
+
+mod layers;
+mod setting;
+mod show;
+
+#[cfg(test)]
+mod tests;
+
+pub use layers::{Layers, Origin, WordCheck};
+pub use setting::{Kind, SETTINGS, Setting};
 
 /// The settings; each has a default.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,6 +39,10 @@ pub struct Config {
     pub alerts: Alerts,
     /// Named sequences of lines of the command language.
     pub macros: BTreeMap<String, Vec<String>>,
+    /// The keymap file, if not the one in the folder of the configuration.
+    pub keymap: Option<String>,
+    /// What the program writes down about itself.
+    pub log: Log,
 }
 
 /// What a terminal can show besides letters.
@@ -63,6 +80,25 @@ pub struct Alerts {
     pub mute: Vec<String>,
 }
 
+/// What the program writes down about itself.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Log {
+    /// The file; without one nothing is written.
+    pub file: Option<String>,
+    /// What goes into it, as directives of `tracing`: `info`, `warn,sortie::link=debug`.
+    pub level: String,
+}
+
+impl Default for Log {
+    fn default() -> Self {
+        Self {
+            file: None,
+            level: "info".to_owned(),
+        }
+    }
+}
+
 impl Default for Config {
     fn default() -> Self {
         Self {
@@ -74,6 +110,8 @@ impl Default for Config {
             table: Table::default(),
             alerts: Alerts::default(),
             macros: BTreeMap::new(),
+            keymap: None,
+            log: Log::default(),
         }
     }
 }

@@ -17,20 +17,28 @@ use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
 use crate::app::event::Event;
-use crate::app::state::{MissionListing, State};
+use crate::app::keymap::Keymap;
+use crate::app::room::messages;
+use crate::app::state::State;
 use crate::app::update;
+use crate::config::Config;
 use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
+use crate::notice::sanitised;
 use crate::session::Order;
-use crate::store;
+use crate::store::{self, History, Source, StoreError};
 use crate::terminal::Screen;
-use crate::ui::{self, Look, Theme};
+use crate::text;
+use crate::text::Text;
+use crate::ui::{self, Look, Themes};
 use crate::vehicle::VehicleId;
 
+mod missions;
 mod session;
 
+use missions::listings;
 use session::{Backend, Plan, Running};
 
 /// The time between two ticks: ten frames a second.
@@ -65,6 +73,23 @@ pub struct Options {
     pub speedup: f64,
     /// What it looks like.
     pub look: Look,
+    /// What its user has set.
+    pub preferences: Preferences,
+}
+
+/// What a user brings along.
+#[derive(Debug, Clone, Default)]
+pub struct Preferences {
+    /// The settings.
+    pub config: Config,
+    /// What the keys mean.
+    pub keymap: Keymap,
+    /// The themes on offer.
+    pub themes: Themes,
+    /// Where the lines of the command line are kept; nowhere for measurements.
+    pub history: Option<History>,
+    /// What has to be said at the start: what is wrong with the user's files.
+    pub warnings: Vec<Text>,
 }
 
 /// Runs the console until the user leaves it or the terminal goes away.
@@ -162,16 +187,43 @@ struct Console {
     state: State,
     look: Look,
     running: Option<Running>,
+    /// What has to be said at the start.
+    warnings: Vec<Text>,
+    /// The last line of the history that its file has.
+    kept: Option<String>,
     drawn: Option<u64>,
     bell: bool,
+    note: Option<String>,
     over: bool,
 }
 
 impl Console {
     fn new(options: Options) -> Self {
-        let themes = Theme::names().map(str::to_owned).collect();
-        let state = State::new(listings(), themes, options.look.theme.name().to_owned());
+        let preferences = &options.preferences;
+        let themes = preferences.themes.names().map(str::to_owned).collect();
+        let theme = options.look.theme.name().to_owned();
+        let (missions, doubles) = listings();
+        let mut warnings = preferences.warnings.clone();
+        warnings.extend(doubles);
+        let mut state = State::new(missions, themes, theme);
+        state.config = preferences.config.clone();
+        state.keymap = preferences.keymap.clone();
+        if let Some(history) = &preferences.history {
+            match history.read() {
+                Ok(lines) => lines.iter().for_each(|line| state.remember(line)),
+                Err(error) => {
+                    let (path, error) = (history.path().display(), error.to_string());
+                    warnings.push(text!(
+                        "history-unreadable",
+                        path = path.to_string(),
+                        error = error
+                    ));
+                }
+            }
+        }
         Self {
+            warnings,
+            kept: state.history.back().cloned(),
             look: options.look.clone(),
             options,
             clock: Clock::start(),
@@ -179,11 +231,20 @@ impl Console {
             running: None,
             drawn: None,
             bell: false,
+            note: None,
             over: false,
         }
     }
 
     async fn begin(&mut self) {
+        self.open().await;
+        // The first one last, because it is the one that stays on the last line of the screen.
+        for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
+            self.feed(Event::Failed(warning)).await;
+        }
+    }
+
+    async fn open(&mut self) {
         let plan = match &self.options.opening {
             Opening::Home => return,
             Opening::Mission(mission) => Plan::Mission(Arc::clone(mission)),
@@ -199,6 +260,9 @@ impl Console {
     fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
+        }
+        if let Some(note) = self.note.take() {
+            screen.notify(&note)?;
         }
         let revision = self.state.revision();
         if self.drawn == Some(revision) || !screen.is_ready() {
@@ -227,6 +291,7 @@ impl Console {
         for event in running.collect(now) {
             self.feed(event).await;
         }
+        self.look_at_messages(now).await;
         // The mission sees what has just been collected.
         let flown = match &mut self.running {
             Some(running) => running.fly(now, &self.state.session),
@@ -237,9 +302,36 @@ impl Console {
         }
     }
 
+    async fn look_at_messages(&mut self, now: Duration) {
+        let wanted = messages::wanted(&self.state);
+        if let Some(running) = &mut self.running
+            && let Some(event) = running.inspect(wanted.as_ref(), now)
+        {
+            self.feed(event).await;
+        }
+    }
+
     async fn feed(&mut self, event: Event) {
         for effect in update(&mut self.state, event) {
             self.carry_out(effect).await;
+        }
+        self.keep_line();
+    }
+
+    /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
+    fn keep_line(&mut self) {
+        let newest = self.state.history.back();
+        let Some(history) = self.options.preferences.history.clone() else {
+            return;
+        };
+        if let Some(line) = newest.filter(|line| self.kept.as_ref() != Some(*line)) {
+            let line = line.clone();
+            self.kept = Some(line.clone());
+            tokio::task::spawn_blocking(move || {
+                if let Err(error) = history.add(&line) {
+                    tracing::warn!(%error, "the history of the command line was not written");
+                }
+            });
         }
     }
 
@@ -247,15 +339,24 @@ impl Console {
         let plan = match effect {
             Effect::Quit => return self.over = true,
             Effect::Bell => return self.bell = true,
+            Effect::Notify(text) => {
+                return self.note = Some(sanitised(&self.look.locale.text(&text)));
+            }
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
+            Effect::FetchParameters(_)
+            | Effect::ReadParameters { .. }
+            | Effect::SaveParameters { .. } => return self.parameters(effect),
             Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),
             Effect::Command {
                 entry,
                 targets,
                 verb,
                 command,
-            } => return self.command(&targets, &Order::new(entry, verb, command)),
+            } => {
+                let order = Order::new(entry, verb, command);
+                return self.command(&targets, &order).await;
+            }
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
                 .map_err(Into::into),
@@ -277,13 +378,47 @@ impl Console {
     }
 
     fn set_theme(&mut self, name: &str) {
-        if let Some(theme) = Theme::named(name) {
-            self.look.theme = theme.for_colours(crate::terminal::colour_depth());
+        match self.options.preferences.themes.named(name) {
+            Ok(theme) => self.look.theme = theme.for_colours(crate::terminal::colour_depth()),
+            // Nothing that a failure causes is an effect.
+            Err(error) => drop(update(
+                &mut self.state,
+                Event::Failed(error.to_string().into()),
+            )),
         }
     }
 
+    /// Asks for parameters, or reads or writes a file of them. What comes of it is never an effect.
+    fn parameters(&mut self, effect: Effect) {
+        let event = match effect {
+            Effect::FetchParameters(vehicles) => {
+                return self
+                    .running
+                    .iter()
+                    .for_each(|running| running.fetch_parameters(&vehicles));
+            }
+            Effect::ReadParameters { path } => {
+                match store::read(&store::user_path(&path), "parameter file") {
+                    Ok(Source { text, .. }) => Event::ParametersRead { path, text },
+                    Err(error) => Event::Failed(error.to_string().into()),
+                }
+            }
+            Effect::SaveParameters {
+                path,
+                text,
+                replace,
+            } => match store::write(&store::user_path(&path), &text, replace) {
+                Ok(()) => Event::ParametersSaved { path },
+                Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
+                Err(error) => Event::Failed(error.to_string().into()),
+            },
+            _ => return,
+        };
+        update(&mut self.state, event);
+    }
+
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
-    fn command(&mut self, targets: &[VehicleId], order: &Order) {
+    async fn command(&mut self, targets: &[VehicleId], order: &Order) {
         for &vehicle in targets {
             let given = match &self.running {
                 Some(running) => running.order(vehicle, order.clone()),
@@ -297,7 +432,8 @@ impl Console {
                     format!("not sent: {error}"),
                     now,
                 );
-                update(&mut self.state, Event::Row(row));
+                // Others may have waited for the end of this one.
+                Box::pin(self.feed(Event::Row(row))).await;
             }
         }
     }
@@ -321,24 +457,4 @@ impl Console {
 
 fn parse(addresses: &[String]) -> Result<Vec<Address>, AddressError> {
     addresses.iter().map(|address| address.parse()).collect()
-}
-
-/// The missions that can be flown; one that is faulty is left out and logged.
-fn listings() -> Vec<MissionListing> {
-    store::missions()
-        .into_iter()
-        .filter_map(|source| match Mission::parse(&source.text) {
-            Ok(mission) => Some(MissionListing {
-                id: mission.id,
-                title: mission.title,
-                brief: mission.brief,
-            }),
-            Err(faults) => {
-                for fault in faults {
-                    tracing::warn!("{}", fault.one_line(&source.name, &source.text));
-                }
-                None
-            }
-        })
-        .collect()
 }

@@ -43,6 +43,19 @@ impl Diagnostic {
         }
     }
 
+    /// The same fault of a line that stands as a string of `length` bytes at `quoted` of a file.
+    #[must_use]
+    pub fn in_string(mut self, quoted: Range<usize>, length: usize) -> Self {
+        // Escapes and triple quotes move what follows them: then the whole string is meant.
+        self.span = if quoted.len() == length + 2 {
+            let start = quoted.start + 1;
+            start + self.span.start..start + self.span.end
+        } else {
+            quoted
+        };
+        self
+    }
+
     /// A fault that the TOML reader found.
     pub fn from_toml(error: &toml::de::Error) -> Self {
         Self::new(error.span().unwrap_or(0..0), error.message())
@@ -70,6 +83,18 @@ impl Diagnostic {
             .as_ref()
             .map_or(String::new(), |help| format!(" ({help})"));
         format!("{file}:{line}:{column}: {}{help}", self.message)
+    }
+
+    /// The same for people, in their language.
+    pub fn text(&self, file: &str, source: &str) -> Text {
+        let (line, column) = self.line_column(source);
+        let place = Text::verbatim(format!("{file}:{line}:{column}:"));
+        let mut parts = vec![place, self.message.clone()];
+        if let Some(help) = &self.help {
+            let help = vec![Text::verbatim("("), help.clone(), Text::verbatim(")")];
+            parts.push(Text::joined("", help));
+        }
+        Text::joined(" ", parts)
     }
 
     /// The fault with the lines around it, for people to read.

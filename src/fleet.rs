@@ -12,7 +12,8 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
-use crate::link::{LinkStatus, Transport};
+use crate::link::{LinkStatus, Tap, Transport};
+use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
@@ -46,8 +47,10 @@ impl Clock {
 pub enum FleetEvent {
     /// A vehicle was heard for the first time; its state can be watched from now on.
     Appeared(watch::Receiver<Arc<Vehicle>>),
-    /// A link was opened; its state can be watched from now on.
-    Linked(watch::Receiver<LinkStatus>),
+    /// The parameters of a vehicle that was heard for the first time can be watched from now on.
+    Parameters(VehicleId, watch::Receiver<Snapshot>),
+    /// A link was opened; its state and its frames can be watched from now on.
+    Linked(watch::Receiver<LinkStatus>, Tap),
     /// A command has come further, or a human should hear of something.
     Report(Report),
     /// So many reports more were dropped because the console did not listen.
@@ -58,6 +61,7 @@ pub enum FleetEvent {
 enum Request {
     Connect(Transport),
     Order(VehicleId, Order),
+    FetchParameters(VehicleId),
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
@@ -90,6 +94,14 @@ impl Fleet {
     /// The hub has ended or cannot keep up; nothing was sent.
     pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
         self.ask(Request::Order(vehicle, order))
+    }
+
+    /// Asks a vehicle for all its parameters. They arrive at the receiver of [`FleetEvent::Parameters`].
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was asked.
+    pub fn fetch_parameters(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
+        self.ask(Request::FetchParameters(vehicle))
     }
 
     fn ask(&self, request: Request) -> Result<(), Unreachable> {

@@ -4,6 +4,12 @@
 //! Within 1 km of the reference the error is below 0.2 m, which is far less than a GPS fix is worth;
 //! ArduPilot's own spherical scale is 0.67 % off (6.7 m at 1 km).
 
+mod outline;
+mod viewport;
+
+pub use outline::Outline;
+pub use viewport::{DOTS_ACROSS, DOTS_DOWN, Extent, Viewport, Zoom, scale_bar};
+
 /// WGS-84 semi-major axis, in metres.
 const SEMI_MAJOR_AXIS_M: f64 = 6_378_137.0;
 /// WGS-84 first eccentricity squared.

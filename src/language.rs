@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 
 use crate::commands::Command;
 use crate::geo::LatLon;
+use crate::parameters::Parameters;
 use crate::vehicle::VehicleClass;
 use crate::vehicle::VehicleId;
 
@@ -52,6 +53,8 @@ pub struct Context<'a> {
     pub vehicles: &'a [VehicleId],
     /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
     pub class: VehicleClass,
+    /// The parameters of the vehicle that a line would go to first, as far as they are known.
+    pub parameters: Option<&'a Parameters>,
 }
 
 static NO_GROUPS: BTreeMap<String, Vec<VehicleId>> = BTreeMap::new();
@@ -65,6 +68,7 @@ impl Default for Context<'_> {
             places: Some(&NO_PLACES),
             vehicles: &[],
             class: VehicleClass::Copter,
+            parameters: None,
         }
     }
 }

@@ -7,7 +7,7 @@
 //! | --- | --- |
 //! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
 //! | input and output | [`fleet`] (a task per vehicle), [`link`] (transports, and the simulator as a server), [`store`] (files) |
-//! | pure | [`headless`] (a mission in lock step), [`debrief`], [`scoring`], [`mission`], [`sim`], [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`wire`] (frames), [`geo`], [`diagnostic`] |
+//! | pure | [`headless`] (a mission in lock step), [`debrief`], [`scoring`], [`mission`], [`sim`], [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`wire`] (frames), [`geo`], [`diagnostic`] |
 //!
 //! # A telemetry packet
 //! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, the hub of [`fleet`] gives the frames
@@ -33,15 +33,18 @@ pub mod config;
 pub mod console;
 pub mod debrief;
 pub mod diagnostic;
+pub mod doctor;
 pub mod fleet;
 pub mod geo;
 pub mod headless;
+pub mod inspector;
 pub mod language;
 pub mod ledger;
 pub mod link;
 pub mod messages;
 pub mod mission;
 pub mod notice;
+pub mod parameters;
 pub mod scoring;
 pub mod session;
 pub mod sim;

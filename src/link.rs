@@ -29,6 +29,7 @@ mod playback;
 mod server;
 mod simulator;
 mod stream;
+mod tap;
 mod task;
 #[cfg(test)]
 mod tests;
@@ -36,6 +37,7 @@ mod tlog;
 
 pub use address::{Address, AddressError};
 pub use simulator::{Endpoint, Simulator, SimulatorError, Started};
+pub use tap::Tap;
 pub use tlog::{TlogError, TlogReader, TlogRecord, TlogWriter};
 
 /// How many messages wait for a link before more are dropped.
@@ -215,6 +217,7 @@ pub struct LinkHandle {
     outbox: mpsc::Sender<(To, Outgoing)>,
     status: watch::Receiver<LinkStatus>,
     refused: Arc<AtomicU64>,
+    tap: Tap,
     can_send: bool,
 }
 
@@ -235,6 +238,11 @@ impl LinkHandle {
             self.refused.fetch_add(1, Ordering::Relaxed);
         }
         taken
+    }
+
+    /// Where the link's frames can be watched.
+    pub fn tap(&self) -> Tap {
+        self.tap.clone()
     }
 
     /// Follows the link's status, which is published four times a second and at every change of state.
@@ -273,7 +281,8 @@ pub fn open_with(
     let (outbox, to_send) = mpsc::channel(OUTBOX_LEN);
     let (published, status) = watch::channel(LinkStatus::new(id, name, state));
     let refused = Arc::new(AtomicU64::new(0));
-    let meter = meter::Meter::new(published, Arc::clone(&refused));
+    let tap = Tap::new();
+    let meter = meter::Meter::new(published, Arc::clone(&refused), tap.clone());
     let link = task::Link::new(id, config, meter, inbound, to_send, cancel);
     tokio::spawn(task::run(link, transport));
     LinkHandle {
@@ -281,6 +290,7 @@ pub fn open_with(
         outbox,
         status,
         refused,
+        tap,
         can_send,
     }
 }

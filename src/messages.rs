@@ -1,12 +1,14 @@
 //! Telemetry: what each `MAVLink` message changes in the model of its vehicle, and what a human should hear
 //! about it. One match chooses the handler; the handlers lie in one file per subject.
 
-use crate::text::Text;
+use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::notice::Notice;
+use crate::parameters::Parameters;
+use crate::text::Text;
 use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
 use crate::wire::{Content, Frame};
 
@@ -32,8 +34,6 @@ mod testing;
 mod version;
 mod vibration;
 
-pub use parameters::{Parameter, ParameterType, Parameters};
-
 /// The message id of HEARTBEAT.
 const HEARTBEAT_ID: u32 = 0;
 
@@ -42,7 +42,8 @@ const HEARTBEAT_ID: u32 = 0;
 #[derive(Debug, Clone, Default)]
 pub struct Inbox {
     texts: status_text::Assembly,
-    parameters: Parameters,
+    // Shared with those who look at the list; copied when it changes while somebody does.
+    parameters: Arc<Parameters>,
     clock: clock::BootClock,
     /// When the last reason not to arm came: reasons that come together replace those before.
     reasons_at: Option<Duration>,
@@ -116,12 +117,17 @@ impl Inbox {
     }
 
     /// The parameters that have passed so far.
-    pub fn parameters(&self) -> &Parameters {
+    pub fn parameters(&self) -> &Arc<Parameters> {
         &self.parameters
     }
 
+    /// Forgets which places of the list have passed: it is about to come again.
+    pub fn expect_parameters_again(&mut self) {
+        Arc::make_mut(&mut self.parameters).expect_again();
+    }
+
     /// Does what only time can tell: gives out chunked texts whose rest never came (after 1 s), with `...`
-    /// in place of what is missing. Call it a few times a second.
+    /// in place of what is missing, and forgets a target that is not sent any more. Call it a few times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = Report {
             vehicle: vehicle.id,
@@ -131,6 +137,7 @@ impl Inbox {
         for text in self.texts.expire(now) {
             self.take_text(vehicle, &text, &mut report);
         }
+        target::expire(vehicle, now);
     }
 
     /// One handler per kind of message.
@@ -172,7 +179,7 @@ impl Inbox {
             M::RC_CHANNELS(data) => outputs::apply_rc(vehicle, data),
             M::SERVO_OUTPUT_RAW(data) => outputs::apply_servos(vehicle, data),
             M::AUTOPILOT_VERSION(data) => version::apply(vehicle, data),
-            M::PARAM_VALUE(data) => self.parameters.note(data),
+            M::PARAM_VALUE(data) => parameters::apply(Arc::make_mut(&mut self.parameters), data),
             _ => {}
         }
     }

@@ -42,6 +42,7 @@ use crate::geo::LatLon;
 use crate::scoring;
 use crate::sim::{Start, WorldConfig};
 
+mod area;
 mod craft;
 mod file;
 mod flight;
@@ -53,6 +54,7 @@ mod survey;
 mod zone;
 
 pub use crate::scoring::Report;
+pub use area::{Area, AreaKind};
 pub use flight::{Flight, Outcome};
 pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
 

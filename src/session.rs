@@ -7,17 +7,23 @@
 
 use crate::text::Text;
 use std::collections::VecDeque;
+use std::sync::Arc;
 use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::commands::Command;
 use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::messages::{Inbox, Parameters};
+use crate::messages::Inbox;
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
 mod acknowledgement;
+mod download;
+mod plans;
 mod precedence;
 mod streams;
 #[cfg(test)]
@@ -26,6 +32,8 @@ mod timesync;
 mod transaction;
 
 use acknowledgement::{Acknowledgement, OwedAcks};
+use download::Download;
+use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
 use transaction::{Progress, Transaction};
@@ -115,6 +123,7 @@ pub struct Session {
     loss: LossMeter,
     streams: Streams,
     timesync: Timesync,
+    plans: PlanReader,
     /// Orders that wait for the line to be free, with the time they were given.
     queue: VecDeque<(Order, Duration)>,
     /// The one whose answer is awaited.
@@ -122,6 +131,7 @@ pub struct Session {
     /// Those that were accepted and whose effect is awaited.
     watched: Vec<Transaction>,
     owed: OwedAcks,
+    download: Download,
     output: Output,
 }
 
@@ -135,10 +145,12 @@ impl Session {
             loss: LossMeter::default(),
             streams: Streams::new(now),
             timesync: Timesync::default(),
+            plans: PlanReader::default(),
             queue: VecDeque::new(),
             active: None,
             watched: Vec::new(),
             owed: OwedAcks::default(),
+            download: Download::new(),
             output: Output::default(),
         }
     }
@@ -148,9 +160,22 @@ impl Session {
         &self.vehicle
     }
 
-    /// The parameters that have passed so far.
-    pub fn parameters(&self) -> &Parameters {
-        self.inbox.parameters()
+    /// The parameters that have passed so far, and how far their download is. Costs nothing: no value is copied.
+    pub fn parameters(&self) -> Snapshot {
+        Snapshot {
+            list: Arc::clone(self.inbox.parameters()),
+            fetching: self.download.fetching(),
+        }
+    }
+
+    /// Asks the vehicle for all its parameters, also for those that have come before; a download that is under way
+    /// goes on as it is.
+    pub fn fetch_parameters(&mut self, now: Duration) {
+        if !self.download.fetching().is_under_way() {
+            self.download.start();
+            self.inbox.expect_parameters_again();
+        }
+        self.poll(now);
     }
 
     /// Says by which link, by number, the vehicle is heard from now on. Also to be called when that link has
@@ -158,6 +183,8 @@ impl Session {
     pub fn heard_via(&mut self, link: u16, now: Duration) {
         self.vehicle.link.via = Some(link);
         self.streams.forget(now);
+        self.plans.forget();
+        self.download.resume(now);
     }
 
     /// Takes in one frame from this vehicle's system. Only its autopilot counts as being heard: a companion
@@ -183,6 +210,8 @@ impl Session {
         self.advance(now);
         if self.vehicle.link.reboots > reboots {
             self.streams.forget(now);
+            self.plans.forget();
+            self.download.resume(now);
             // What was meant for the vehicle before must not reach the one that has just booted.
             self.clear_the_line("the reboot", now);
             self.supersede_movements("the reboot", now);
@@ -196,6 +225,11 @@ impl Session {
         }
         if self.queue.len() >= MOST_WAITING {
             let reason = format!("not sent: {MOST_WAITING} commands wait for this vehicle already");
+            self.output
+                .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
+            return;
+        }
+        if let Err(reason) = self.fits(&order.command) {
             self.output
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
@@ -219,13 +253,16 @@ impl Session {
                 self.output.messages.push(message);
                 self.owed.add(command, 1, now);
             }
+            self.read_plans(now);
+            self.download(now);
         }
         self.advance(now);
     }
 
     /// How long the session may be left alone if nothing arrives.
     pub fn patience(&self) -> Duration {
-        if self.active.is_some() || !self.watched.is_empty() {
+        let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
+        if self.active.is_some() || !self.watched.is_empty() || is_fetching {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -260,7 +297,32 @@ impl Session {
                 now,
             );
             self.streams.forget(now);
+            self.download.resume(now);
         }
+    }
+
+    fn download(&mut self, now: Duration) {
+        if self.download.is_to_restart(self.inbox.parameters()) {
+            self.download.start();
+            self.inbox.expect_parameters_again();
+        }
+        let requests = self
+            .download
+            .poll(self.inbox.parameters(), &self.vehicle, now);
+        self.output.messages.extend(requests);
+    }
+
+    /// Whether the vehicle could take a parameter's new value, as far as its type is known. `ArduPilot` itself would
+    /// cut it down to something else.
+    fn fits(&self, command: &Command) -> Result<(), Text> {
+        let Command::SetParameter { name, value } = command else {
+            return Ok(());
+        };
+        let Some(known) = self.inbox.parameters().get(name) else {
+            return Ok(());
+        };
+        let checked = known.kind.check(f64::from(*value));
+        checked.map(drop).map_err(|unfit| unfit.text(name))
     }
 
     /// Looks for answers to what we asked, and for questions to us.
@@ -272,6 +334,10 @@ impl Session {
                 self.vehicle.link.round_trip = round_trip;
             }
         }
+        let mut messages = Vec::new();
+        self.plans
+            .receive(&mut self.vehicle, frame, now, &mut messages);
+        self.send(messages);
         let ack = Acknowledgement::from_frame(frame);
         if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
             return;
@@ -279,6 +345,20 @@ impl Session {
         if let Some(active) = &mut self.active {
             active.receive(frame, now, &mut self.output);
         }
+    }
+
+    /// A command that waits for its answer goes before a list that nobody waits for.
+    fn read_plans(&mut self, now: Duration) {
+        if self.active.is_none() || self.plans.is_busy() {
+            let mut messages = Vec::new();
+            self.plans.poll(&mut self.vehicle, now, &mut messages);
+            self.send(messages);
+        }
+    }
+
+    fn send(&mut self, messages: Vec<MavMessage>) {
+        let messages = messages.into_iter().map(Outgoing::from);
+        self.output.messages.extend(messages);
     }
 
     fn watch_silence(&mut self, now: Duration) {
@@ -347,6 +427,8 @@ impl Session {
             }
             if active.moves_the_vehicle() {
                 self.supersede_movements(active.verb(), now);
+                // Where it was heading says nothing any more; the next message of it does.
+                self.vehicle.target = None;
             }
             if progress == Progress::Watching {
                 self.watched.push(active);

@@ -5,14 +5,18 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
-use std::io::Read as _;
+use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use etcetera::BaseStrategy as _;
-
 use crate::diagnostic::Diagnostic;
 use crate::mission::Mission;
+
+mod folders;
+mod history;
+
+pub use folders::Folders;
+pub use history::History;
 
 /// Missions, by file name without its ending.
 const MISSIONS: &[(&str, &str)] = &[(
@@ -40,7 +44,7 @@ pub struct Source {
 
 impl Source {
     /// The name without folder and ending.
-    fn stem(&self) -> &str {
+    pub fn stem(&self) -> &str {
         let stem = Path::new(&self.name).file_stem();
         stem.and_then(OsStr::to_str).unwrap_or_default()
     }
@@ -64,6 +68,20 @@ pub enum StoreError {
         path: PathBuf,
         /// What was expected.
         kind: &'static str,
+    },
+    /// It could not be written.
+    #[error("cannot write {path}: {error}")]
+    Unwritable {
+        /// The path.
+        path: PathBuf,
+        /// Why not.
+        error: io::Error,
+    },
+    /// There is a file already, which is not to be lost.
+    #[error("{path} exists already")]
+    Exists {
+        /// The path.
+        path: PathBuf,
     },
     /// Neither a file nor a known name.
     #[error("there is no {kind} `{name}`: give a path, or one of {known}")]
@@ -113,6 +131,49 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
     })
 }
 
+/// Writes a text file whole or not at all: whoever reads it meanwhile finds the old one or the new one.
+///
+/// # Errors
+/// It cannot be written, or it exists already and is not to be replaced.
+pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
+    let unwritable = |error| StoreError::Unwritable {
+        path: path.to_owned(),
+        error,
+    };
+    let Some(name) = path.file_name().filter(|_| !path.is_dir()) else {
+        return Err(unwritable(io::ErrorKind::IsADirectory.into()));
+    };
+    let mut beside = OsStr::new(".").to_owned();
+    beside.push(name);
+    beside.push(format!(".{}.part", std::process::id()));
+    let beside = path.with_file_name(beside);
+    let written = fs::File::create(&beside).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        // A link to an existing name fails, where renaming would replace what is there.
+        if replace {
+            fs::rename(&beside, path)
+        } else {
+            fs::hard_link(&beside, path)
+        }
+    });
+    if !replace || written.is_err() {
+        drop(fs::remove_file(&beside));
+    }
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(StoreError::Exists {
+            path: path.to_owned(),
+        }),
+        written => written.map_err(unwritable),
+    }
+}
+
+/// A path as a person writes it: `~/` is their home folder.
+pub fn user_path(written: &str) -> PathBuf {
+    let in_home = written.strip_prefix("~/").zip(etcetera::home_dir().ok());
+    in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))
+}
+
 /// The mission of a path, else of the id that it gives itself, else of a name or number.
 /// `missions/01-air-sample.toml`, `01-air-sample` and `01` all do.
 ///
@@ -135,6 +196,14 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
     })
 }
 
+/// The names of the missions that give themselves an id, apart from those that lie elsewhere. The first is the one
+/// that the id finds.
+pub fn missions_with_id(id: &str) -> Vec<String> {
+    let all = missions().into_iter();
+    let same = all.filter(|it| Mission::parse(&it.text).is_ok_and(|mission| mission.id == id));
+    same.map(|source| source.name).collect()
+}
+
 /// The pilot script of a path, else of a name or number.
 ///
 /// # Errors
@@ -151,6 +220,32 @@ pub fn missions() -> Vec<Source> {
     merged("mission", MISSIONS, "missions", "toml")
 }
 
+/// The themes of the user's folder.
+pub fn themes() -> Vec<Source> {
+    let folder = Folders::find().map(|folders| folders.themes());
+    folder.map_or(Vec::new(), |folder| files(&folder, "theme", "toml"))
+}
+
+/// The files in a folder with that ending, by name; those that cannot be read are left out and logged.
+pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|found| found == ending))
+        .collect();
+    paths.sort();
+    let mut sources = Vec::new();
+    for path in paths {
+        match read(&path, kind) {
+            Ok(source) => sources.push(source),
+            Err(error) => tracing::warn!(%error, "a file of the user's folder is left out"),
+        }
+    }
+    sources
+}
+
 /// The file of that path, if there is one. A folder is none: it may be called like a mission.
 fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
     let path = Path::new(path);
@@ -163,17 +258,9 @@ fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str
         .iter()
         .map(|&(name, text)| (name.to_owned(), embedded(name, ending, text)))
         .collect();
-    let folder = user_folder().map(|user| user.join(folder));
-    for entry in folder.iter().flat_map(fs::read_dir).flatten().flatten() {
-        let path = entry.path();
-        let name = path.file_stem().and_then(|stem| stem.to_str());
-        if let Some(name) = name
-            && path.extension().is_some_and(|found| found == ending)
-        {
-            match read(&path, kind) {
-                Ok(source) => drop(all.insert(name.to_owned(), source)),
-                Err(error) => tracing::warn!(%error, "a file of the user's folder is left out"),
-            }
+    if let Some(folders) = Folders::find() {
+        for source in files(&folders.config.join(folder), kind, ending) {
+            all.insert(source.stem().to_owned(), source);
         }
     }
     all.into_values().collect()
@@ -210,12 +297,6 @@ fn embedded(name: &str, ending: &str, text: &str) -> Source {
     }
 }
 
-/// The user's configuration folder (XDG on Unix), if there is a home folder at all.
-fn user_folder() -> Option<PathBuf> {
-    let folders = etcetera::choose_base_strategy().ok()?;
-    Some(folders.config_dir().join("sortie"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -241,6 +322,33 @@ mod tests {
             read(&path, "mission"),
             Err(StoreError::TooLarge { .. })
         ));
+    }
+
+    #[test]
+    fn a_file_is_written_whole_and_replaced_only_when_asked() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("quad.parm");
+        write(&path, "A,1\n", false).expect("there is none yet");
+        let again = write(&path, "A,2\n", false).expect_err("there is one");
+        assert!(matches!(again, StoreError::Exists { .. }), "{again}");
+        let text = |path: &Path| read(path, "parameter file").expect("it is there").text;
+        assert_eq!(text(&path), "A,1\n");
+        write(&path, "A,3\n", true).expect("it may be replaced");
+        assert_eq!(text(&path), "A,3\n");
+        let left = fs::read_dir(folder.path()).expect("a folder").count();
+        assert_eq!(left, 1, "nothing half-written stays");
+    }
+
+    #[test]
+    fn what_cannot_be_written_says_so_and_leaves_nothing() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        for path in [folder.path().to_owned(), folder.path().join("no/such.parm")] {
+            for replace in [false, true] {
+                let error = write(&path, "A,1\n", replace).expect_err("it cannot");
+                assert!(matches!(error, StoreError::Unwritable { .. }), "{error}");
+            }
+        }
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
     }
 
     #[test]

@@ -139,6 +139,26 @@ impl Screen {
         writer.write_all(b"\x07")?;
         Write::flush(writer)
     }
+
+    /// Asks the terminal for a note on the desktop: by OSC 9 (iTerm2, kitty, `WezTerm`, Windows Terminal), or by
+    /// OSC 777 where the terminal is known to want that. The Linux console would show either as garbage.
+    ///
+    /// # Errors
+    /// The terminal is gone.
+    pub fn notify(&mut self, note: &str) -> io::Result<()> {
+        let term = std::env::var("TERM").unwrap_or_default();
+        let writer = self.terminal.backend_mut();
+        match term.as_str() {
+            "linux" | "dumb" | "" => return Ok(()),
+            term if term.starts_with("rxvt") || term.starts_with("foot") => {
+                // A semicolon would end the title or the text.
+                let note = note.replace(';', ",");
+                write!(writer, "\x1b]777;notify;sortie;{note}\x1b\\")?;
+            }
+            _ => write!(writer, "\x1b]9;sortie: {note}\x1b\\")?,
+        }
+        Write::flush(writer)
+    }
 }
 
 impl Drop for Screen {

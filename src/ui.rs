@@ -10,7 +10,7 @@ mod theme;
 mod widget;
 
 pub use look::Look;
-pub use theme::{ColourDepth, Role, Theme};
+pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
 
 /// Draws the whole console.
 pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {

@@ -6,15 +6,22 @@
 
 use crate::wire::{ComponentId, SystemId};
 
+mod limits;
 mod mode;
+mod plan;
 mod readings;
 mod status;
 
+pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
+pub use plan::{
+    FenceArea, FencePlan, FenceShape, HeightFrame, Plan, PlanItem, PlanKind, Plans, RallyPlan,
+    RallyPoint, Stored, Transfer,
+};
 pub use readings::{
-    Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, Health, Heartbeat, Hud,
-    LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText, Target, Vibration,
-    Wind,
+    Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,
+    Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText,
+    Target, Vibration, Wind,
 };
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 
@@ -48,6 +55,8 @@ pub struct Vehicle {
     pub target: Option<Target>,
     /// `GPS_RAW_INT`.
     pub gps: Option<Gps>,
+    /// `GPS_RAW_INT`, where the receiver knows its own errors.
+    pub gps_accuracy: Option<GpsAccuracy>,
     /// `VFR_HUD`.
     pub hud: Option<Hud>,
     /// `SYS_STATUS`.
@@ -62,6 +71,8 @@ pub struct Vehicle {
     pub landed: LandedState,
     /// `MISSION_CURRENT` and `MISSION_ITEM_REACHED`.
     pub plan: PlanProgress,
+    /// The plan, the fence and the rally points on board, as far as they have been read.
+    pub plans: Plans,
     /// `FENCE_STATUS`; `None` while no fence is enabled.
     pub fence: Option<Fence>,
     /// RANGEFINDER or `DISTANCE_SENSOR` facing down: metres to the ground.
@@ -101,6 +112,7 @@ impl Vehicle {
             home: None,
             target: None,
             gps: None,
+            gps_accuracy: None,
             hud: None,
             health: None,
             batteries: Vec::new(),
@@ -108,6 +120,7 @@ impl Vehicle {
             vibration: None,
             landed: LandedState::Undefined,
             plan: PlanProgress::default(),
+            plans: Plans::default(),
             fence: None,
             rangefinder_m: None,
             wind: None,

@@ -9,10 +9,12 @@ use mavlink::dialects::ardupilotmega::{
 };
 use mavlink::{MavlinkVersion, Message as _};
 
+mod anatomy;
 mod decoder;
 mod encoder;
 mod loss;
 
+pub use anatomy::Anatomy;
 pub use decoder::{Counters, Decoder};
 pub use encoder::{Encoder, Outgoing};
 pub use loss::LossMeter;

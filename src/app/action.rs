@@ -11,10 +11,6 @@ pub enum Action {
     CommandLine,
     /// Open or close the help.
     Help,
-    /// What the links count.
-    Links,
-    /// Look back through the commands.
-    Ledger,
     /// Look back through the notices.
     Notices,
     /// Show the mission's brief again.
@@ -47,6 +43,70 @@ pub enum Action {
     Newer,
     /// Show only what contains some letters.
     Filter,
+    /// Come closer to what is under the cursor.
+    ZoomIn,
+    /// Go away from it.
+    ZoomOut,
+    /// Show everything.
+    Fit,
+    /// Let the view follow the vehicle under the cursor, or stop that.
+    Follow,
+    /// Put what is under the cursor into the middle.
+    Centre,
+    /// Measure from here, or stop measuring.
+    Ruler,
+    /// Write a command that sends vehicles to the place under the cursor.
+    GotoHere,
+    /// The next vehicle by number.
+    NextVehicle,
+    /// The vehicle before.
+    PreviousVehicle,
+    /// Show or hide where the vehicles have been.
+    Trails,
+    /// Show or hide what the signs mean.
+    Legend,
+    /// Show what the next sensor has found.
+    NextSensor,
+    /// Look further back in time.
+    Window,
+    /// Show what the screen has no room for at the same time.
+    NextPage,
+    /// Show only the parameters that have changed, or all.
+    ChangedParameters,
+    /// Write a vehicle's parameters into a file.
+    SaveParameters,
+    /// Compare with a file, to set what differs.
+    LoadParameters,
+    /// Compare with a file or another vehicle.
+    CompareParameters,
+    /// Set the parameters that are marked.
+    ApplyParameters,
+    /// Ask the vehicle for all its parameters again.
+    FetchParameters,
+    /// Open a branch, or go into what is under the cursor.
+    Expand,
+    /// Close a branch, or go back.
+    Collapse,
+    /// Close all branches, or open them.
+    FoldAll,
+    /// To the other half of the screen.
+    OtherSide,
+    /// Let the picture stand still, or go on.
+    Pause,
+    /// Draw what is under the cursor as a graph, or no longer.
+    Pin,
+    /// Show bytes, or what they mean.
+    Hex,
+    /// Order by something else.
+    Sort,
+    /// Turn the order round.
+    SortReverse,
+    /// Take note of the alerts.
+    Acknowledge,
+    /// Show only what ended in the next way.
+    NextOutcome,
+    /// Show only what concerns the vehicle under the cursor, or the selected ones.
+    OwnVehicles,
     /// Leave the program.
     Quit,
 }
@@ -58,6 +118,10 @@ pub enum Step {
     Up,
     /// One line down.
     Down,
+    /// One column to the left.
+    Left,
+    /// One column to the right.
+    Right,
     /// Ten lines up.
     PageUp,
     /// Ten lines down.
@@ -83,12 +147,12 @@ impl Action {
         ("debrief", Self::Show(Room::Debrief)),
         ("command-line", Self::CommandLine),
         ("help", Self::Help),
-        ("count-links", Self::Links),
-        ("look-back-commands", Self::Ledger),
         ("look-back-notices", Self::Notices),
         ("brief", Self::Brief),
         ("up", Self::Move(Step::Up)),
         ("down", Self::Move(Step::Down)),
+        ("left", Self::Move(Step::Left)),
+        ("right", Self::Move(Step::Right)),
         ("page-up", Self::Move(Step::PageUp)),
         ("page-down", Self::Move(Step::PageDown)),
         ("first", Self::Move(Step::First)),
@@ -106,6 +170,38 @@ impl Action {
         ("older", Self::Older),
         ("newer", Self::Newer),
         ("filter", Self::Filter),
+        ("zoom-in", Self::ZoomIn),
+        ("zoom-out", Self::ZoomOut),
+        ("fit", Self::Fit),
+        ("follow", Self::Follow),
+        ("centre", Self::Centre),
+        ("ruler", Self::Ruler),
+        ("goto-here", Self::GotoHere),
+        ("next-vehicle", Self::NextVehicle),
+        ("previous-vehicle", Self::PreviousVehicle),
+        ("trails", Self::Trails),
+        ("legend", Self::Legend),
+        ("next-sensor", Self::NextSensor),
+        ("window", Self::Window),
+        ("next-page", Self::NextPage),
+        ("changed-parameters", Self::ChangedParameters),
+        ("save-parameters", Self::SaveParameters),
+        ("load-parameters", Self::LoadParameters),
+        ("compare-parameters", Self::CompareParameters),
+        ("apply-parameters", Self::ApplyParameters),
+        ("fetch-parameters", Self::FetchParameters),
+        ("expand", Self::Expand),
+        ("collapse", Self::Collapse),
+        ("fold-all", Self::FoldAll),
+        ("other-side", Self::OtherSide),
+        ("pause", Self::Pause),
+        ("pin", Self::Pin),
+        ("hex", Self::Hex),
+        ("sort", Self::Sort),
+        ("sort-reverse", Self::SortReverse),
+        ("acknowledge", Self::Acknowledge),
+        ("next-outcome", Self::NextOutcome),
+        ("own-vehicles", Self::OwnVehicles),
         ("quit", Self::Quit),
     ];
 
@@ -131,6 +227,7 @@ impl Step {
         match self {
             Self::Up => at.saturating_sub(1),
             Self::Down => at.saturating_add(1).min(last),
+            Self::Left | Self::Right => at.min(last),
             Self::PageUp => at.saturating_sub(10),
             Self::PageDown => at.saturating_add(10).min(last),
             Self::First => 0,

@@ -4,6 +4,11 @@ use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
+use crate::text;
+
+pub mod swarm;
+
+use swarm::{SwarmLine, SwarmVerb};
 
 /// One thing the console itself can do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +27,21 @@ enum Kind {
     Select,
     Group,
     Theme,
+    Params,
+    Swarm(SwarmVerb),
     Plain(Deed),
+}
+
+impl Kind {
+    /// How many words may follow.
+    fn most_arguments(self) -> usize {
+        match self {
+            Self::Plain(_) | Self::Params => 0,
+            Self::Group => 2,
+            Self::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => usize::MAX,
+            Self::Select | Self::Theme | Self::Swarm(_) => 1,
+        }
+    }
 }
 
 /// A line that the console carries out itself.
@@ -39,8 +58,25 @@ pub enum ConsoleLine {
     },
     /// Draw with a theme.
     Theme(String),
+    /// Something about the parameters of the vehicle under the cursor.
+    Params(ParamsDeed),
+    /// One about the table or its alerts.
+    Swarm(SwarmLine),
     /// One without arguments.
     Plain(Deed),
+}
+
+/// What the console does with parameters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ParamsDeed {
+    /// Shows them.
+    Show,
+    /// Asks the vehicle for all of them again.
+    Fetch,
+    /// Saves them to a file.
+    Save(String),
+    /// Loads a file, or compares with one or with another vehicle: first the differences show.
+    Compare(String),
 }
 
 /// Console lines without arguments.
@@ -71,7 +107,7 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
     verb(
         "select",
         "select TARGETS",
-        "select vehicles: 1-4,7  @red  all  none",
+        "select vehicles: 1-4,7  @red  all  none  filter  invert",
         Kind::Select,
     ),
     verb(
@@ -79,6 +115,54 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
         "group NAME [TARGETS]",
         "call vehicles @NAME from now on",
         Kind::Group,
+    ),
+    verb(
+        "params",
+        "params [fetch | save FILE | load FILE | diff FILE|N]",
+        "the parameters: ask again, save, load, compare",
+        Kind::Params,
+    ),
+    verb(
+        "ungroup",
+        "ungroup NAME",
+        "forget a group's name",
+        Kind::Swarm(SwarmVerb::Ungroup),
+    ),
+    verb(
+        "sort",
+        "sort [[-]COLUMN]",
+        "order the table; - puts the largest first",
+        Kind::Swarm(SwarmVerb::Sort),
+    ),
+    verb(
+        "filter",
+        "filter [WORDS]",
+        "show only: 1-4  @red  armed  air  alert  bat<30  !land",
+        Kind::Swarm(SwarmVerb::Filter),
+    ),
+    verb(
+        "columns",
+        "columns [COLUMNS]",
+        "the table's columns; none: as many as fit",
+        Kind::Swarm(SwarmVerb::Columns),
+    ),
+    verb(
+        "ack",
+        "ack [KIND|TARGETS]",
+        "take note of the worst alerts, or of these",
+        Kind::Swarm(SwarmVerb::Acknowledge),
+    ),
+    verb(
+        "mute",
+        "mute [KIND]",
+        "alerts of a kind stay silent; none: which are",
+        Kind::Swarm(SwarmVerb::Mute),
+    ),
+    verb(
+        "unmute",
+        "unmute [KIND]",
+        "alerts of a kind ring again; none: all do",
+        Kind::Swarm(SwarmVerb::Unmute),
     ),
     verb("theme", "theme NAME", "change the colours", Kind::Theme),
     verb("help", "help", "keys and verbs", Kind::Plain(Deed::Help)),
@@ -146,7 +230,10 @@ pub fn parse(line: &str, themes: &[String]) -> Option<Result<ConsoleLine, Diagno
     let words = words(line);
     let (first, arguments) = words.split_first()?;
     let verb = find(&line[first.clone()])?;
-    Some(read(verb, line, arguments, themes))
+    Some(match verb.kind {
+        Kind::Params => params(verb, line, arguments).map(ConsoleLine::Params),
+        _ => read(verb, line, arguments, themes),
+    })
 }
 
 /// The usage of the console's own verb that a line begins with.
@@ -172,6 +259,17 @@ pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion>
         return fitting
             .map(|verb| completion(verb.name, verb.summary))
             .collect();
+    }
+    if head.trim() == "params" {
+        let deeds = ["fetch", "save", "load", "diff"].into_iter();
+        let fitting = deeds.filter(|deed| deed.starts_with(word));
+        return fitting.map(|deed| completion(deed, "")).collect();
+    }
+    let verb = head.split_whitespace().next().and_then(find);
+    if let Some(Kind::Swarm(verb)) = verb.map(|verb| verb.kind) {
+        let choices = swarm::choices(verb).into_iter();
+        let fitting = choices.filter(|choice| choice.starts_with(word));
+        return fitting.map(|choice| completion(choice, "")).collect();
     }
     if head.trim() != "theme" {
         return Vec::new();
@@ -207,12 +305,7 @@ fn read(
     arguments: &[Range<usize>],
     themes: &[String],
 ) -> Result<ConsoleLine, Diagnostic> {
-    let most = match verb.kind {
-        Kind::Plain(_) => 0,
-        Kind::Select | Kind::Theme => 1,
-        Kind::Group => 2,
-    };
-    if let Some(extra) = arguments.get(most) {
+    if let Some(extra) = arguments.get(verb.kind.most_arguments()) {
         return Err(
             Diagnostic::new(extra.clone(), "nothing more is expected here")
                 .with_help(format!("usage: {}", verb.usage)),
@@ -226,6 +319,15 @@ fn read(
     };
     match verb.kind {
         Kind::Plain(deed) => Ok(ConsoleLine::Plain(deed)),
+        Kind::Params => Ok(ConsoleLine::Params(ParamsDeed::Show)),
+        Kind::Swarm(SwarmVerb::Ungroup) if arguments.is_empty() => Err(missing()),
+        Kind::Swarm(verb) => {
+            let words = arguments.iter();
+            let words: Vec<_> = words
+                .map(|span| (&line[span.clone()], span.clone()))
+                .collect();
+            swarm::read(verb, &words).map(ConsoleLine::Swarm)
+        }
         Kind::Select => text(0).map(ConsoleLine::Select).ok_or_else(missing),
         Kind::Group => {
             let name = text(0).ok_or_else(missing)?;
@@ -237,6 +339,34 @@ fn read(
         Kind::Theme => {
             let name = text(0).ok_or_else(missing)?;
             theme(name, arguments[0].clone(), themes)
+        }
+    }
+}
+
+/// The rest of the line after the second word is the file's name, which may have blanks in it.
+fn params(
+    verb: &ConsoleVerb,
+    line: &str,
+    arguments: &[Range<usize>],
+) -> Result<ParamsDeed, Diagnostic> {
+    let [deed, rest @ ..] = arguments else {
+        return Ok(ParamsDeed::Show);
+    };
+    let usage = text!("console-usage", usage = verb.usage);
+    let named = || {
+        if let (Some(first), Some(last)) = (rest.first(), rest.last()) {
+            return Ok(line[first.start..last.end].to_owned());
+        }
+        let end = line.trim_end().len();
+        Err(Diagnostic::new(end..end, text!("parameters-no-path")).with_help(usage.clone()))
+    };
+    match &line[deed.clone()] {
+        "fetch" if rest.is_empty() => Ok(ParamsDeed::Fetch),
+        "save" => named().map(ParamsDeed::Save),
+        "load" | "diff" => named().map(ParamsDeed::Compare),
+        word => {
+            let unknown = text!("parameters-no-deed", word = word);
+            Err(Diagnostic::new(deed.clone(), unknown).with_help(usage))
         }
     }
 }

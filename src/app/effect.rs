@@ -3,6 +3,7 @@
 use crate::commands::Command;
 use crate::language::Verb;
 use crate::ledger::EntryId;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Work for the run loop.
@@ -21,6 +22,22 @@ pub enum Effect {
         /// What to do.
         command: Command,
     },
+    /// Ask vehicles for all their parameters.
+    FetchParameters(Vec<VehicleId>),
+    /// Read a parameter file.
+    ReadParameters {
+        /// Its path, as it was written.
+        path: String,
+    },
+    /// Write a parameter file.
+    SaveParameters {
+        /// Its path, as it was written.
+        path: String,
+        /// What it shall say.
+        text: String,
+        /// Whether it may take the place of one that is there.
+        replace: bool,
+    },
     /// Start a mission, by id.
     StartMission(String),
     /// Start free flight with simulated vehicles.
@@ -37,4 +54,6 @@ pub enum Effect {
     SetTheme(String),
     /// Ring the terminal's bell.
     Bell,
+    /// Ask the terminal for a note on the desktop.
+    Notify(Text),
 }

@@ -5,14 +5,17 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
+use super::room::messages::LinkTraffic;
 use super::state::{Activity, LinkSummary};
+use crate::doctor::Finding;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
-use crate::mission::Progress;
+use crate::mission::{Area, Progress};
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::scoring::Report;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{Vehicle, VehicleId};
 
 /// Something that the console reacts to.
 #[derive(Debug, Clone)]
@@ -37,6 +40,32 @@ pub enum Event {
     Started(Box<Started>),
     /// A vehicle's telemetry changed.
     Vehicle(Box<Vehicle>),
+    /// A vehicle's parameters, or how far their download is, changed.
+    Parameters {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// What is known of them now.
+        snapshot: Snapshot,
+    },
+    /// A parameter file was read.
+    ParametersRead {
+        /// Its path, as it was written.
+        path: String,
+        /// What it says.
+        text: String,
+    },
+    /// A parameter file was written.
+    ParametersSaved {
+        /// Its path, as it was written.
+        path: String,
+    },
+    /// A parameter file was not written because there is one already.
+    ParametersExist {
+        /// Its path, as it was written.
+        path: String,
+        /// What would be written.
+        text: String,
+    },
     /// Something to tell.
     Notice(Notice),
     /// So many notices were dropped so far because the console was busy.
@@ -45,6 +74,10 @@ pub enum Event {
     Row(RowUpdate),
     /// How the links are doing.
     Links(Vec<LinkSummary>),
+    /// What the link doctor has found, once a second.
+    Findings(Vec<Finding>),
+    /// A look at the messages on the links.
+    Traffic(Vec<LinkTraffic>),
     /// How the mission is going.
     Mission(Box<Progress>),
     /// The mission is over.
@@ -60,4 +93,6 @@ pub struct Started {
     pub activity: Activity,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
+    /// The areas of the mission that are known from the start.
+    pub areas: Vec<Area>,
 }

@@ -2,12 +2,18 @@
 
 use std::borrow::Cow;
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use crossterm::event::{KeyCode, KeyEvent};
 
 use super::action::{Action, Step};
 use super::room::{self, Room};
 use crate::text;
 use crate::text::Text;
+
+mod file;
+mod press;
+mod show;
+
+pub use press::Press;
 
 /// Where a binding holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,17 +56,6 @@ impl Place {
             Self::Reader => text!("keys-reader"),
         }
     }
-}
-
-/// A key or a family of keys.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Press {
-    /// A key alone; for characters, as they are written (`?`, `G`).
-    Plain(KeyCode),
-    /// A letter with Ctrl.
-    Control(char),
-    /// A character of a vehicle list: a digit, `-` or `,`.
-    Number,
 }
 
 /// What a key leads to.
@@ -106,6 +101,8 @@ pub struct Binding {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Keymap {
     bindings: Vec<Binding>,
+    /// Keys that mean nothing in a place, whatever they mean anywhere.
+    silent: Vec<(Press, Place)>,
 }
 
 impl Keymap {
@@ -118,7 +115,7 @@ impl Keymap {
                 .map(|binding| &binding.meaning)
         };
         at(place).or_else(|| match place {
-            Place::In(_) => at(Place::Anywhere),
+            Place::In(_) if !self.is_silent(key, place) => at(Place::Anywhere),
             _ => None,
         })
     }
@@ -135,39 +132,10 @@ impl Keymap {
     pub fn bindings(&self) -> &[Binding] {
         &self.bindings
     }
-}
 
-impl Press {
-    /// Whether a key that was pressed is meant.
-    pub fn is(self, key: KeyEvent) -> bool {
-        let control = key.modifiers.contains(KeyModifiers::CONTROL);
-        let alt = key.modifiers.contains(KeyModifiers::ALT);
-        match (self, key.code) {
-            (Self::Plain(code), pressed) => code == pressed && !control && !alt,
-            (Self::Control(letter), KeyCode::Char(pressed)) => {
-                control && pressed.eq_ignore_ascii_case(&letter)
-            }
-            (Self::Number, KeyCode::Char(pressed)) => {
-                (pressed.is_ascii_digit() || matches!(pressed, '-' | ',')) && !control && !alt
-            }
-            _ => false,
-        }
-    }
-
-    /// What is printed on the key.
-    pub fn label(self) -> String {
-        match self {
-            Self::Control(letter) => format!("Ctrl-{}", letter.to_ascii_uppercase()),
-            Self::Number => "3-9 1,4".to_owned(),
-            Self::Plain(KeyCode::Char(' ')) => "Space".to_owned(),
-            Self::Plain(KeyCode::Char(c)) => c.to_string(),
-            Self::Plain(KeyCode::Up) => "Up".to_owned(),
-            Self::Plain(KeyCode::Down) => "Down".to_owned(),
-            Self::Plain(KeyCode::PageUp) => "PgUp".to_owned(),
-            Self::Plain(KeyCode::PageDown) => "PgDn".to_owned(),
-            Self::Plain(KeyCode::BackTab) => "Shift-Tab".to_owned(),
-            Self::Plain(code) => code.to_string(),
-        }
+    fn is_silent(&self, key: KeyEvent, place: Place) -> bool {
+        let mut silent = self.silent.iter();
+        silent.any(|(press, silent_in)| *silent_in == place && press.is(key))
     }
 }
 
@@ -197,7 +165,10 @@ impl Default for Keymap {
         add(Place::Prompt, PROMPT);
         add(Place::Reader, READER);
         add(Place::Reader, MOVES);
-        Self { bindings }
+        Self {
+            bindings,
+            silent: Vec::new(),
+        }
     }
 }
 
@@ -227,7 +198,7 @@ const GENERAL: &[Row] = &[
     does(key('?'), Action::Help),
     does(Press::Plain(KeyCode::F(1)), Action::Help),
     does(key('n'), Action::Notices),
-    does(key('c'), Action::Ledger),
+    does(key('c'), Action::Show(Room::Ledger)),
     does(key('b'), Action::Brief),
     does(Press::Control('c'), Action::Quit),
 ];
@@ -286,6 +257,8 @@ const VEHICLES: &[Row] = &[
 
 #[cfg(test)]
 mod tests {
+    use crossterm::event::KeyModifiers;
+
     use super::*;
 
     fn press(code: KeyCode, modifiers: KeyModifiers, place: Place) -> Option<Meaning> {

@@ -106,6 +106,8 @@ impl Room {
 pub struct Rooms {
     /// Where to begin.
     pub home: home::Home,
+    /// The swarm in flight.
+    pub fly: fly::Fly,
     /// Everything about one vehicle.
     pub vehicle: vehicle::Vehicle,
     /// Where everything is.
@@ -129,6 +131,7 @@ impl Rooms {
     pub fn forget_session(&mut self) {
         *self = Self {
             home: std::mem::take(&mut self.home),
+            map: self.map.for_next_session(),
             ..Self::default()
         };
     }
@@ -173,5 +176,25 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
+        Purpose::Filter(room) => {
+            filter(state, *room, entered);
+            Ok(Vec::new())
+        }
+        Purpose::Parameter { name, vehicles } => {
+            parameters::entered(state, name, (vehicles, entered))
+        }
+        Purpose::SaveParameters => parameters::save(state, entered),
+        Purpose::LoadParameters | Purpose::CompareParameters => parameters::load(state, entered),
+    }
+}
+
+/// Shows only those lines of a room that fit.
+fn filter(state: &mut State, room: Room, entered: &str) {
+    match room {
+        Room::Parameters => entered.clone_into(&mut state.rooms.parameters.filter),
+        Room::Messages => messages::filter(state, entered),
+        Room::Fly => fly::filter(state, entered),
+        Room::Ledger => ledger::filter(state, entered),
+        _ => {}
     }
 }

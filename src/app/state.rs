@@ -9,8 +9,13 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
+mod alarms;
 mod alert;
+mod bell;
+mod column;
+mod filter;
 mod help;
+mod history;
 mod ids;
 mod links;
 mod notices;
@@ -19,10 +24,15 @@ mod session;
 
 pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
-pub use alert::{Alert, alert};
+pub use alarms::{Alarms, Pressing, Standing};
+pub use alert::{Alert, AlertKind, alert, alerts};
+pub use bell::{Call, Due};
+pub use column::{Column, Key, Sort};
+pub use filter::Filter;
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
+pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
-pub use links::{LinkLine, LinkLineState, LinkSummary, link_lines};
+pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
 pub use session::{Activity, Session};
@@ -138,7 +148,6 @@ impl State {
     /// How many entries a log has.
     pub fn log_length(&self, log: Log) -> usize {
         match log {
-            Log::Ledger => self.session.ledger.entries().len(),
             Log::Notices => self.notices.lines().len(),
         }
     }
@@ -176,11 +185,14 @@ impl State {
     /// Runs `work` with what the grammar has to know: groups, places, vehicles.
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
+        let first = self.addressed().first().copied();
+        let parameters = first.and_then(|id| self.rooms.parameters.lists.get(&id));
         work(&Context {
             groups: &self.session.groups,
             places: Some(&self.session.places),
             vehicles: &vehicles,
             class: self.class(),
+            parameters: parameters.map(|known| known.list.as_ref()),
         })
     }
 

@@ -2,23 +2,40 @@
 
 use super::effect::Effect;
 use super::event::Event;
+use super::room::parameters;
 use super::state::State;
 
 pub(super) mod act;
 mod keys;
-mod order;
+mod links;
+pub(super) mod order;
 mod palette;
+mod swarm;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
 pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
+    let mut effects = react(state, event);
+    effects.extend(telemetry::signals(state));
+    effects
+}
+
+fn react(state: &mut State, event: Event) -> Vec<Effect> {
     match event {
         Event::Tick { now } => {
             telemetry::tick(state, now);
-            return Vec::new();
+            return parameters::wanted(state);
         }
         Event::Vehicle(vehicle) => {
             telemetry::vehicle(state, *vehicle);
+            return Vec::new();
+        }
+        Event::Findings(findings) => {
+            links::findings(state, findings);
+            return Vec::new();
+        }
+        Event::Traffic(traffic) => {
+            links::traffic(state, traffic);
             return Vec::new();
         }
         _ => state.touch(),
@@ -27,15 +44,23 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Key(key) => return keys::press(state, key),
         Event::Paste(text) => keys::paste(state, &text),
         Event::Started(started) => telemetry::started(state, *started),
-        Event::Notice(notice) => return telemetry::notice(state, &notice),
+        Event::Notice(notice) => telemetry::notice(state, &notice),
         Event::NoticesDropped(count) => state.notices.dropped = count,
-        Event::Row(row) => state.session.ledger.apply(&row),
+        Event::Parameters { vehicle, snapshot } => parameters::arrived(state, vehicle, snapshot),
+        Event::ParametersRead { path, text } => parameters::read(state, path, &text),
+        Event::ParametersSaved { path } => parameters::saved(state, &path),
+        Event::ParametersExist { path, text } => parameters::exists(state, path, text),
+        Event::Row(row) => {
+            state.session.ledger.apply(&row);
+            state.rooms.ledger.spoil();
+            return parameters::advance(state);
+        }
         Event::Links(links) => state.session.links = links,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Failed(text) => telemetry::failed(state, text),
         Event::Resize { columns, rows } => keys::resize(state, columns, rows),
-        Event::Tick { .. } | Event::Vehicle(_) => {}
+        Event::Tick { .. } | Event::Vehicle(_) | Event::Findings(_) | Event::Traffic(_) => {}
     }
     Vec::new()
 }

@@ -3,33 +3,46 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::Failure;
-use crate::diagnostic::Diagnostic;
+use toml::de::DeTable;
+
+use super::{Failure, settings};
+use crate::app::keymap::{Keymap, Place};
+use crate::config::SETTINGS;
+use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::{Context, Script};
 use crate::mission::Mission;
-use crate::store;
-use crate::ui::Theme;
+use crate::store::{self, Source};
 
-/// What a file is meant to be, by its name.
+/// What a file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Mission,
     Theme,
+    Keymap,
+    Configuration,
     Script,
 }
+
+/// What every mission has.
+const MISSION_KEYS: &[&str] = &[
+    "schema",
+    "id",
+    "title",
+    "brief",
+    "fleet",
+    "objectives",
+    "scoring",
+];
 
 /// Prints what is wrong with each file; exit code 1 when anything is.
 pub(super) fn check(files: &[PathBuf]) -> Result<ExitCode, Failure> {
     let mut faulty = false;
     // Names are the caller's to put right, so nothing is checked before all are understood.
-    let kinds: Vec<Kind> = files
-        .iter()
-        .map(|path| kind(path))
-        .collect::<Result<_, _>>()?;
-    for (path, kind) in files.iter().zip(kinds) {
-        match store::read(path, "mission, theme or script") {
+    files.iter().try_for_each(|path| has_known_ending(path))?;
+    for path in files {
+        match store::read(path, "mission, theme, keymap, configuration or script") {
             Ok(source) => {
-                let faults = faults(kind, &source.text);
+                let faults = faults(kind(path, &source.text), path, &source);
                 for fault in &faults {
                     say!("{}", fault.one_line(&source.name, &source.text))?;
                 }
@@ -47,15 +60,9 @@ pub(super) fn check(files: &[PathBuf]) -> Result<ExitCode, Failure> {
     Ok(ExitCode::from(u8::from(faulty)))
 }
 
-fn kind(path: &Path) -> Result<Kind, Failure> {
-    let is_theme = path
-        .parent()
-        .and_then(Path::file_name)
-        .is_some_and(|folder| folder == "themes");
+fn has_known_ending(path: &Path) -> Result<(), Failure> {
     match path.extension().and_then(|ending| ending.to_str()) {
-        Some("toml") if is_theme => Ok(Kind::Theme),
-        Some("toml") => Ok(Kind::Mission),
-        Some("pilot") => Ok(Kind::Script),
+        Some("toml" | "pilot") => Ok(()),
         _ => Err(Failure::Invalid(format!(
             "sortie: cannot tell what {} is: expected a name ending in .toml or .pilot",
             path.display()
@@ -63,9 +70,67 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
     }
 }
 
-fn faults(kind: Kind, text: &str) -> Vec<Diagnostic> {
+/// What a file is: of the kinds that are TOML, the one that most of its first-level keys belong to. Its name and its
+/// folder decide where the keys do not, and in doubt it is a mission.
+fn kind(path: &Path, text: &str) -> Kind {
+    if path.extension().is_some_and(|ending| ending == "pilot") {
+        return Kind::Script;
+    }
+    // A file with a fault still shows what it was meant to be.
+    let (table, _) = DeTable::parse_recoverable(text);
+    let keys: Vec<&str> = table
+        .get_ref()
+        .keys()
+        .map(|key| key.get_ref().as_ref())
+        .collect();
+    let folder = path.parent().and_then(Path::file_name);
+    let settings: Vec<&str> = SETTINGS
+        .iter()
+        .map(|it| it.name.split('.').next().unwrap_or_default())
+        .collect();
+    let contexts: Vec<&str> = Place::all().map(Place::name).collect();
+    let kinds: [(Kind, &str, &[&str]); 4] = [
+        (Kind::Mission, "missions", MISSION_KEYS),
+        (Kind::Theme, "themes", &["inherits", "roles"]),
+        (Kind::Keymap, "keymap", &contexts),
+        (Kind::Configuration, "config", &settings),
+    ];
+    let likeness = |&(_, place, known): &(Kind, &str, &[&str])| {
+        // A slip of the finger still tells more than nothing.
+        let weight = |key: &&str| match nearest(key, known.iter().copied()) {
+            Some(name) if name == *key => 2,
+            Some(_) => 1,
+            None => 0,
+        };
+        let count: usize = keys.iter().map(weight).sum();
+        let is_folder = folder.is_some_and(|folder| folder == place);
+        let hint = is_folder || path.file_stem().is_some_and(|stem| stem == place);
+        (count, hint)
+    };
+    let best = kinds.iter().rev().max_by_key(|kind| likeness(kind));
+    best.map_or(Kind::Mission, |&(kind, ..)| kind)
+}
+
+fn faults(kind: Kind, path: &Path, source: &Source) -> Vec<Diagnostic> {
+    let text = &source.text;
     let faults = match kind {
-        Kind::Theme => Theme::parse(text).err(),
+        Kind::Theme => {
+            let mut themes = settings::themes();
+            let folder = path
+                .parent()
+                .filter(|folder| !folder.as_os_str().is_empty());
+            // It may inherit from those beside it, wherever they lie.
+            settings::add_themes(
+                &mut themes,
+                store::files(folder.unwrap_or(Path::new(".")), "theme", "toml"),
+            );
+            themes.read(source.stem(), text).err()
+        }
+        Kind::Keymap => {
+            let themes = settings::theme_names(&settings::themes());
+            Keymap::default().overlay(text, &themes).err()
+        }
+        Kind::Configuration => settings::faults_in(source, &settings::themes()),
         Kind::Mission => Mission::parse(text).err(),
         Kind::Script => {
             // Which mission it will fly, nobody has said: its places may have any name.

@@ -6,18 +6,24 @@ use std::sync::Arc;
 
 use clap::Args;
 
+use super::settings::Settings;
 use super::{Failure, parse_speedup, runtime};
-use crate::console::{self, Opening, Options};
-use crate::diagnostic::nearest;
+use crate::console::{self, Opening, Options, Preferences};
 use crate::link::Address;
+use crate::store::History;
 use crate::terminal;
-use crate::ui::{Look, Theme};
+use crate::text::Locale;
+use crate::ui::Look;
 
 /// Simulated vehicles in free flight, unless told otherwise.
 const VEHICLES: u8 = 4;
 
 /// Options of `sortie fly`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie fly 01\n  \
+    sortie fly --vehicles 8 --speedup 4\n  \
+    sortie fly missions/my-mission.toml --seed 7")]
 pub(super) struct FlyArguments {
     /// A mission file, or the name or number of an embedded mission; free flight without one.
     mission: Option<String>,
@@ -36,12 +42,12 @@ pub(super) struct FlyArguments {
 }
 
 /// The home screen.
-pub(super) fn home(theme: Theme) -> Result<ExitCode, Failure> {
-    open(Opening::Home, theme, VEHICLES, 1, 1.0)
+pub(super) fn home(settings: Settings) -> Result<ExitCode, Failure> {
+    open(Opening::Home, settings, VEHICLES, 1, 1.0)
 }
 
 /// A mission or free flight.
-pub(super) fn fly(options: &FlyArguments, theme: Theme) -> Result<ExitCode, Failure> {
+pub(super) fn fly(options: &FlyArguments, settings: Settings) -> Result<ExitCode, Failure> {
     let opening = match &options.mission {
         _ if !options.connect.is_empty() => Opening::Connect(options.connect.clone()),
         Some(mission) => {
@@ -52,7 +58,7 @@ pub(super) fn fly(options: &FlyArguments, theme: Theme) -> Result<ExitCode, Fail
     };
     open(
         opening,
-        theme,
+        settings,
         options.vehicles,
         options.seed,
         options.speedup,
@@ -60,25 +66,8 @@ pub(super) fn fly(options: &FlyArguments, theme: Theme) -> Result<ExitCode, Fail
 }
 
 /// Vehicles that are already there.
-pub(super) fn connect(addresses: Vec<Address>, theme: Theme) -> Result<ExitCode, Failure> {
-    open(Opening::Connect(addresses), theme, VEHICLES, 1, 1.0)
-}
-
-/// The theme of that name, in the colours that the terminal has.
-pub(super) fn theme(name: Option<&str>) -> Result<Theme, Failure> {
-    let theme = match name {
-        None => Theme::default(),
-        Some(name) => Theme::named(name).ok_or_else(|| {
-            let names: Vec<&str> = Theme::names().collect();
-            let guess = nearest(name, names.iter().copied())
-                .map_or(String::new(), |guess| format!("; did you mean `{guess}`?"));
-            Failure::Invalid(format!(
-                "sortie: there is no theme `{name}`: choose one of {}{guess}",
-                names.join(", ")
-            ))
-        })?,
-    };
-    Ok(theme.for_colours(terminal::colour_depth()))
+pub(super) fn connect(addresses: Vec<Address>, settings: Settings) -> Result<ExitCode, Failure> {
+    open(Opening::Connect(addresses), settings, VEHICLES, 1, 1.0)
 }
 
 /// A recording that is not there will not appear later, so it is no case for trying again.
@@ -94,9 +83,29 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
     Ok(())
 }
 
+fn look(settings: &Settings) -> Look {
+    let config = &settings.config;
+    Look {
+        theme: settings.theme.for_colours(terminal::colour_depth()),
+        locale: Arc::new(Locale::new(config.lang.unwrap_or_default())),
+        symbols: config.symbols.unwrap_or_default(),
+    }
+}
+
+fn preferences(settings: Settings) -> Preferences {
+    let folders = settings.folders.as_ref();
+    Preferences {
+        history: folders.map(|folders| History::within(&folders.state)),
+        warnings: settings.warnings(),
+        config: settings.config,
+        keymap: settings.keymap,
+        themes: settings.themes,
+    }
+}
+
 fn open(
     opening: Opening,
-    theme: Theme,
+    settings: Settings,
     vehicles: u8,
     seed: u64,
     speedup: f64,
@@ -111,15 +120,15 @@ fn open(
             check_recording(address)?;
         }
     }
+    // Under the console, so that it is there when the console is left.
+    settings.complain();
     let options = Options {
         opening,
         vehicles,
         seed,
         speedup,
-        look: Look {
-            theme,
-            ..Look::default()
-        },
+        look: look(&settings),
+        preferences: preferences(settings),
     };
     let runtime = runtime()?;
     let outcome = runtime.block_on(console::run(options));

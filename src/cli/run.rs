@@ -1,5 +1,6 @@
 //! `sortie run`: a pilot script flies a mission.
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -12,10 +13,15 @@ use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source, StoreError};
+use crate::text;
 use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie run 01 --pilot 01-air-sample\n  \
+    sortie run my.toml --pilot my.pilot --json --no-timing\n  \
+    sortie run 01 --pilot my.pilot --seed 3 --speedup 10")]
 pub(super) struct RunArguments {
     /// A mission file, or the name or number of an embedded mission.
     mission: String,
@@ -99,10 +105,19 @@ fn clock(at: Duration) -> String {
 
 /// A mission by path, name or number, with its faults explained.
 pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
-    store::mission(path_or_name).map_err(|error| match error {
+    let mission = store::mission(path_or_name).map_err(|error| match error {
         StoreError::Faulty { file, faults } => explain(&file, &faults),
         error => invalid(&error),
-    })
+    })?;
+    let is_path = Path::new(path_or_name).is_file();
+    if let ([flown, others @ ..], false) = (&store::missions_with_id(&mission.id)[..], is_path) {
+        for other in others {
+            let id = &mission.id;
+            let text = text!("mission-twice", id = id, flown = flown, other = other);
+            eprintln!("sortie: {text}");
+        }
+    }
+    Ok(mission)
 }
 
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {

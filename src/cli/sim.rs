@@ -13,6 +13,9 @@ use crate::sim::{Start, World, WorldConfig};
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie sim --vehicles 4\n  \
+    sortie sim --udp 127.0.0.1:14550 --home 50.45,30.52,180,90")]
 pub(super) struct SimArguments {
     /// How many vehicles; their system ids are 1 and up.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=250))]

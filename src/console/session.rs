@@ -8,15 +8,21 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::app::event::{Event, Started};
+use crate::app::room::messages::Wanted;
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
 use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
 use crate::mission::{self, Flight, Mission};
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+mod inspection;
+
+use inspection::Inspection;
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -53,7 +59,9 @@ pub(super) struct Running {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
+    parameters: Vec<(VehicleId, watch::Receiver<Snapshot>)>,
     links: Vec<watch::Receiver<LinkStatus>>,
+    inspection: Inspection,
     links_said: Vec<LinkNews>,
     /// How many of the links had ended when they were shown last.
     links_ended: usize,
@@ -85,7 +93,9 @@ impl Running {
             fleet,
             events,
             vehicles: Vec::new(),
+            parameters: Vec::new(),
             links: Vec::new(),
+            inspection: Inspection::default(),
             links_said: Vec::new(),
             links_ended: 0,
             dropped: 0,
@@ -130,6 +140,7 @@ impl Running {
         });
         Ok(Started {
             places: mission.places(),
+            areas: mission.areas(),
             ..started(Activity::Mission {
                 id: mission.id.clone(),
                 title: mission.title.clone(),
@@ -161,6 +172,15 @@ impl Running {
         self.fleet.order(vehicle, order)
     }
 
+    /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again by who wants them.
+    pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
+        for &vehicle in vehicles {
+            if self.fleet.fetch_parameters(vehicle).is_err() {
+                return;
+            }
+        }
+    }
+
     /// Ends the mission; its report comes with the next tick.
     pub fn abandon(&mut self) {
         if let Some(mission) = &mut self.mission {
@@ -174,7 +194,11 @@ impl Running {
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
-                Ok(FleetEvent::Linked(link)) => self.links.push(link),
+                Ok(FleetEvent::Parameters(id, list)) => self.parameters.push((id, list)),
+                Ok(FleetEvent::Linked(link, tap)) => {
+                    self.inspection.add(&link, tap);
+                    self.links.push(link);
+                }
                 Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));
@@ -192,6 +216,7 @@ impl Running {
                 collected.push(Event::Vehicle(Box::new(snapshot)));
             }
         }
+        collected.extend(self.changed_parameters());
         collected.extend(self.hear_links(now).map(Event::Notice));
         // A link that has ended has changed for the last time; its last state still has to be shown.
         let links_ended = self.links.iter().filter(|link| link.has_changed().is_err());
@@ -206,7 +231,24 @@ impl Running {
             });
             collected.push(Event::Links(links.collect()));
         }
+        collected.extend(self.inspection.examine(&self.links, now));
         collected
+    }
+
+    /// The lists that have changed.
+    fn changed_parameters(&mut self) -> impl Iterator<Item = Event> + '_ {
+        self.parameters
+            .iter_mut()
+            .filter(|(_, parameters)| parameters.has_changed().unwrap_or(false))
+            .map(|(vehicle, parameters)| Event::Parameters {
+                vehicle: *vehicle,
+                snapshot: parameters.borrow_and_update().clone(),
+            })
+    }
+
+    /// A look at the links' messages, if one is wanted and due.
+    pub fn inspect(&mut self, wanted: Option<&Wanted>, now: Duration) -> Option<Event> {
+        self.inspection.look(&self.links, wanted?, now)
     }
 
     /// What a human should hear of the links: that one is down and why, and that it is up again.
@@ -309,6 +351,7 @@ fn started(activity: Activity) -> Started {
     Started {
         activity,
         places: BTreeMap::new(),
+        areas: Vec::new(),
     }
 }
 

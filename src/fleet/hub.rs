@@ -8,11 +8,12 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use super::vehicle_task::{ToVehicle, VehicleTask};
+use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{Clock, FleetEvent, Request};
 use crate::ledger::RowState;
 use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
 use crate::notice::Notice;
+use crate::parameters::Snapshot;
 use crate::session::{LOST_AFTER, Order, Report, Session};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, SystemId};
@@ -37,6 +38,24 @@ struct Route {
     heard_at: Duration,
     conflict_said_at: Option<Duration>,
     inbox: mpsc::Sender<ToVehicle>,
+}
+
+impl Route {
+    fn new(
+        (link, peer): (LinkId, Peer),
+        component: ComponentId,
+        heard_at: Duration,
+        inbox: mpsc::Sender<ToVehicle>,
+    ) -> Self {
+        Self {
+            link,
+            peer,
+            component,
+            heard_at,
+            conflict_said_at: None,
+            inbox,
+        }
+    }
 }
 
 struct Hub {
@@ -71,6 +90,7 @@ pub(super) async fn run(
             request = requests.recv() => match request {
                 Some(Request::Connect(transport)) => hub.connect(transport).await,
                 Some(Request::Order(vehicle, order)) => hub.order(vehicle, order).await,
+                Some(Request::FetchParameters(vehicle)) => hub.fetch_parameters(vehicle),
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
@@ -82,9 +102,9 @@ impl Hub {
     async fn connect(&mut self, transport: Transport) {
         let id = LinkId(self.links.len() as u16);
         let link = link::open(id, transport, self.inbound.clone(), self.cancel.clone());
-        let status = link.status();
+        let news = FleetEvent::Linked(link.status(), link.tap());
         self.links.push(link);
-        self.tell(FleetEvent::Linked(status)).await;
+        self.tell(news).await;
     }
 
     /// Hands an order on; one that cannot be handed on is answered here, so that no row waits for ever.
@@ -100,6 +120,14 @@ impl Hub {
         let now = self.clock.now();
         let row = order.unsent(vehicle, RowState::Refused, reason, now);
         self.tell(FleetEvent::Report(Report::Row(row))).await;
+    }
+
+    /// A vehicle whose task does not keep up has no time for its parameters either: they can be asked for again.
+    fn fetch_parameters(&self, vehicle: VehicleId) {
+        let system = SystemId::try_from(vehicle).ok();
+        if let Some(route) = system.and_then(|system| self.routes.get(&system)) {
+            drop(route.inbox.try_send(ToVehicle::FetchParameters));
+        }
     }
 
     /// Gives each vehicle its frames, those of one vehicle together.
@@ -190,6 +218,7 @@ impl Hub {
         };
         let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
+        let (parameters, parameters_out) = watch::channel(Snapshot::default());
         let mut session = Session::new(system, component, now);
         session.heard_via(link_id.0, now);
         let task = VehicleTask {
@@ -199,24 +228,18 @@ impl Hub {
             route: (link.clone(), peer),
             reconnects: link.status().borrow().reconnects,
             state,
+            parameters: ParameterFeed::new(parameters),
             events: self.events.clone(),
             backlog: VecDeque::new(),
             dropped: 0,
         };
         tokio::spawn(task.run(self.cancel.clone()));
         tracing::info!(system, link = link_id.0, "a vehicle is heard");
-        self.routes.insert(
-            system,
-            Route {
-                link: link_id,
-                peer,
-                component,
-                heard_at: now,
-                conflict_said_at: None,
-                inbox,
-            },
-        );
+        let route = Route::new((link_id, peer), component, now, inbox);
+        self.routes.insert(system, route);
         self.tell(FleetEvent::Appeared(state_out)).await;
+        let id = VehicleId::from(system);
+        self.tell(FleetEvent::Parameters(id, parameters_out)).await;
     }
 
     /// Two senders with one system id: commands would reach whichever listens. Say so, and keep to the first.

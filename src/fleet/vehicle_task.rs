@@ -2,18 +2,22 @@
 
 use std::collections::VecDeque;
 use std::sync::Arc;
+use std::time::Duration;
 
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::{Clock, FleetEvent};
 use crate::link::{LinkHandle, Peer, To};
+use crate::parameters::{Fetching, Snapshot};
 use crate::session::{Order, Report, Session};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
 /// Reports that a task keeps while the console is not listening.
 const BACKLOG: usize = 1000;
+/// While parameters are coming, they are given out so often.
+const PARAMETERS_EVERY: Duration = Duration::from_millis(200);
 
 /// What the hub sends to a vehicle's task.
 pub(super) enum ToVehicle {
@@ -21,6 +25,8 @@ pub(super) enum ToVehicle {
     Frames(Vec<Frame>),
     /// A command.
     Order(Order),
+    /// All its parameters are wanted.
+    FetchParameters,
     /// The vehicle is reached by another way from now on.
     Route(LinkHandle, Peer),
 }
@@ -34,10 +40,39 @@ pub(super) struct VehicleTask {
     /// How often the link had come up again when we looked last.
     pub reconnects: u32,
     pub state: watch::Sender<Arc<Vehicle>>,
+    pub parameters: ParameterFeed,
     pub events: mpsc::Sender<FleetEvent>,
     pub backlog: VecDeque<Report>,
     /// Reports dropped since the console was last told.
     pub dropped: u64,
+}
+
+/// Gives out parameters as they come: a whole list of them a few times a second, not one by one.
+pub(super) struct ParameterFeed {
+    sender: watch::Sender<Snapshot>,
+    published: (u64, Fetching),
+    at: Duration,
+}
+
+impl ParameterFeed {
+    pub fn new(sender: watch::Sender<Snapshot>) -> Self {
+        Self {
+            sender,
+            published: (0, Fetching::NotAsked),
+            at: Duration::ZERO,
+        }
+    }
+
+    fn publish(&mut self, news: Snapshot, now: Duration) {
+        let state = (news.list.revision(), news.fetching);
+        // While a snapshot is looked at, the next change of the list copies it.
+        let is_due = !news.fetching.is_under_way() || now >= self.at + PARAMETERS_EVERY;
+        if state != self.published && is_due {
+            self.published = state;
+            self.at = now;
+            self.sender.send_replace(news);
+        }
+    }
 }
 
 impl VehicleTask {
@@ -80,6 +115,7 @@ impl VehicleTask {
                 }
             }
             ToVehicle::Order(order) => self.session.order(order, now),
+            ToVehicle::FetchParameters => self.session.fetch_parameters(now),
             ToVehicle::Route(link, peer) => {
                 self.session.heard_via(link.id().0, now);
                 self.reconnects = link.status().borrow().reconnects;
@@ -96,7 +132,9 @@ impl VehicleTask {
         }
     }
 
-    fn publish(&self) {
+    fn publish(&mut self) {
+        self.parameters
+            .publish(self.session.parameters(), self.clock.now());
         let vehicle = self.session.vehicle();
         self.state.send_if_modified(|state| {
             let changed = **state != *vehicle;

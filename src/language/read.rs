@@ -7,6 +7,7 @@ use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use crate::commands::{command_by_name, command_names};
 use crate::geo::LatLon;
+use crate::parameters::{Parameters, shown};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, VehicleClass};
@@ -146,7 +147,13 @@ impl Kind {
                 .iter()
                 .map(|(number, name)| ((*name).to_owned(), text!("grammar-mav-command", number = *number)))
                 .collect(),
-            Self::Flag | Self::Number(..) | Self::Whole(..) | Self::Parameter => Vec::new(),
+            Self::Parameter => context
+                .parameters
+                .into_iter()
+                .flat_map(Parameters::iter)
+                .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value)).into()))
+                .collect(),
+            Self::Flag | Self::Number(..) | Self::Whole(..) => Vec::new(),
         }
     }
 }

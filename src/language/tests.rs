@@ -28,6 +28,7 @@ pub(super) fn context<'a>(
         places: Some(places),
         vehicles: &[1, 2, 3, 4, 5, 6, 7, 8],
         class: VehicleClass::Copter,
+        parameters: None,
     }
 }
 

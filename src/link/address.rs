@@ -179,27 +179,40 @@ fn socket(text: &str) -> Result<(String, u16), String> {
     Ok((host.to_owned(), port))
 }
 
-/// `PATH:BAUD`, `PATH,BAUD` or `PATH`. A path may hold colons (`/dev/serial/by-path/…`), so only digits after
-/// the last one are a rate.
+/// `PATH:BAUD`, `PATH,BAUD` or `PATH`. A path may hold colons (`/dev/serial/by-path/pci-0:2:1.0-port0`), so what
+/// is behind the last one is a rate unless a part of such a path stands there.
 fn serial(text: &str) -> Result<Address, String> {
     let split = text.rsplit_once(',').or_else(|| {
         text.rsplit_once(':')
-            .filter(|(_, tail)| !tail.is_empty() && tail.bytes().all(|byte| byte.is_ascii_digit()))
+            .filter(|(_, tail)| !is_part_of_path(tail))
     });
     let (path, baud) = match split {
-        Some((path, baud)) => (path, baud.parse().unwrap_or(0)),
+        Some((path, baud)) => (path, rate(baud)?),
         None => (text, DEFAULT_BAUD),
     };
     if path.is_empty() {
         return Err("the serial port's path is missing".into());
     }
-    if baud == 0 {
-        return Err("the baud rate is not a positive number".into());
-    }
     Ok(Address::Serial {
         path: path.to_owned(),
         baud,
     })
+}
+
+/// Whether what follows a colon goes on with a device's path: `1.0-port0` and `1.0/tty` do, `57600` and `abc`
+/// do not.
+fn is_part_of_path(tail: &str) -> bool {
+    tail.contains(['/', '.']) || tail.rfind('-').is_some_and(|at| at > 0)
+}
+
+fn rate(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(baud) if baud > 0 => Ok(baud),
+        _ if text.is_empty() => Err("the baud rate is missing after the colon".into()),
+        _ => Err(format!(
+            "the baud rate \"{text}\" is not a positive number such as 57600 or 115200"
+        )),
+    }
 }
 
 #[cfg(test)]
@@ -255,7 +268,13 @@ mod tests {
             ("tcp:[::1:5760", "closing bracket"),
             ("serial:", "path is missing"),
             ("serial:/dev/ttyACM0:0", "baud rate"),
-            ("/dev/ttyACM0,fast", "baud rate"),
+            ("/dev/ttyACM0,fast", "baud rate \"fast\" is not"),
+            ("serial:/dev/ttyACM0:abc", "baud rate \"abc\" is not"),
+            ("serial:/dev/ttyACM0:57600x", "baud rate \"57600x\" is not"),
+            ("serial:/dev/ttyACM0:-9600", "baud rate \"-9600\" is not"),
+            ("serial:/dev/ttyACM0:", "baud rate is missing"),
+            ("COM3:fast", "baud rate \"fast\" is not"),
+            ("serial:/dev/ttyACM0:4294967296", "baud rate"),
             ("file:", "file is missing"),
         ];
         for (text, problem) in table {

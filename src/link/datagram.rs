@@ -120,7 +120,7 @@ impl Peers {
         peers.target = target.map(|address| {
             peers.admit(Remote {
                 address,
-                stream: PeerStream::new(&config),
+                stream: PeerStream::new(&config, Peer(0)),
                 heard_at: None,
             })
         });
@@ -168,7 +168,9 @@ impl Peers {
     ) -> Option<(Peer, Vec<Frame>)> {
         let now = Instant::now();
         let known = self.strangers.remove(&from);
-        let mut stream = known.unwrap_or_else(|| PeerStream::new(&self.config));
+        // Should it become a peer, it will be this one.
+        let mut stream = known.unwrap_or_else(|| PeerStream::new(&self.config, Peer(self.next)));
+        stream.belongs_to(Peer(self.next));
         let ending = match self.strangers.len() {
             STRANGER_CAP.. => Ending::Closed,
             _ => ending,
@@ -189,6 +191,7 @@ impl Peers {
             stream,
             heard_at: Some(now),
         });
+        meter.tap.name_peer(peer, from);
         meter.set_peers(self.heard());
         Some((peer, frames))
     }
@@ -259,7 +262,7 @@ impl Remote {
         meter: &mut Meter,
     ) -> Result<(), String> {
         let mut datagram = Vec::new();
-        self.stream.encode(outgoing, &mut datagram);
+        self.stream.encode(outgoing, &mut datagram, meter);
         match socket.send_to(&datagram, self.address).await {
             Ok(len) => meter.sent(1, len),
             Err(error) if is_icmp(&error) => meter.sent(1, datagram.len()),

@@ -9,7 +9,7 @@ use std::time::Duration;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
-use super::{LinkState, LinkStatus, Rates};
+use super::{LinkState, LinkStatus, Rates, Tap};
 use crate::wire::{ComponentId, Counters, Frame, SystemId};
 
 /// Over how long the rates are taken.
@@ -19,6 +19,7 @@ const RATE_WINDOW: Duration = Duration::from_secs(2);
 #[derive(Debug)]
 pub(super) struct Meter {
     status: LinkStatus,
+    pub(super) tap: Tap,
     published: watch::Sender<LinkStatus>,
     /// Counted by the handles, which drop without asking the task.
     refused: Arc<AtomicU64>,
@@ -39,10 +40,15 @@ struct Sample {
 }
 
 impl Meter {
-    pub(super) fn new(published: watch::Sender<LinkStatus>, refused: Arc<AtomicU64>) -> Self {
+    pub(super) fn new(
+        published: watch::Sender<LinkStatus>,
+        refused: Arc<AtomicU64>,
+        tap: Tap,
+    ) -> Self {
         let status = published.borrow().clone();
         Self {
             status,
+            tap,
             published,
             refused,
             dropped: 0,

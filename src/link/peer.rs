@@ -2,14 +2,15 @@
 
 use mavlink::MavlinkVersion;
 
-use super::LinkConfig;
 use super::meter::Meter;
+use super::{LinkConfig, Peer};
 use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing};
 
 /// What is kept per peer. Each has an encoder of its own, so that the numbering that it sees has no gaps where
 /// a message was for another peer.
 #[derive(Debug)]
 pub(super) struct PeerStream {
+    peer: Peer,
     decoder: Decoder,
     loss: LossMeter,
     encoder: Encoder,
@@ -29,8 +30,9 @@ pub(super) enum Ending {
 }
 
 impl PeerStream {
-    pub(super) fn new(config: &LinkConfig) -> Self {
+    pub(super) fn new(config: &LinkConfig, peer: Peer) -> Self {
         Self {
+            peer,
             decoder: Decoder::new(),
             loss: LossMeter::default(),
             encoder: Encoder::new(config.system, config.component),
@@ -53,6 +55,9 @@ impl PeerStream {
         self.decoder.push(bytes);
         self.take_frames(ending, meter, &mut frames);
         meter.decoded(before, self.decoder.counters());
+        if frames.is_empty() && !bytes.is_empty() {
+            meter.tap.noise(bytes);
+        }
         frames
     }
 
@@ -63,6 +68,8 @@ impl PeerStream {
         } {
             let change = self.loss.note(&frame);
             meter.lost(&frame, change);
+            let bytes = self.decoder.bytes_of(&frame);
+            meter.tap.received(self.peer, bytes, frame.is_verified());
             if frame.is_verified() {
                 self.answer_in(frame.version);
             }
@@ -85,8 +92,15 @@ impl PeerStream {
         });
     }
 
+    /// Says that the frames to come are those of another peer.
+    pub(super) fn belongs_to(&mut self, peer: Peer) {
+        self.peer = peer;
+    }
+
     /// Appends a message's frame to what is to be sent.
-    pub(super) fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>) {
+    pub(super) fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>, meter: &Meter) {
+        let from = bytes.len();
         self.encoder.encode(outgoing, bytes);
+        meter.tap.sent(self.peer, &bytes[from..]);
     }
 }

@@ -29,7 +29,7 @@ pub(super) async fn play(link: &mut Link, path: &Path) -> Option<String> {
     let path = PathBuf::from(path);
     tokio::task::spawn_blocking(move || read_ahead(&path, &read));
     let mut player = Player {
-        stream: PeerStream::new(&link.config),
+        stream: PeerStream::new(&link.config, PEER),
         pace: Pace::new(link.config.playback),
         damage: Damage::default(),
         has_records: false,

@@ -57,12 +57,14 @@ pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
                 }
             }
             accepted = listener.accept(), if clients.len() < CLIENT_CAP => match accepted {
-                Ok((socket, _)) => {
+                Ok((socket, from)) => {
                     let peer = Peer(next);
+                    link.meter.tap.name_peer(peer, from);
                     next += 1;
                     let socket = Arc::new(socket);
                     readable.push(wait_for_data(peer, Arc::clone(&socket), None));
-                    clients.insert(peer, Client::new(socket, PeerStream::new(&link.config)));
+                    let stream = PeerStream::new(&link.config, peer);
+                    clients.insert(peer, Client::new(socket, stream));
                     link.meter.set_peers(clients.len());
                 }
                 Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
@@ -116,7 +118,7 @@ impl Client {
             return;
         }
         let before = self.output.len();
-        self.stream.encode(outgoing, &mut self.output);
+        self.stream.encode(outgoing, &mut self.output, &link.meter);
         link.meter.sent(1, self.output.len() - before);
     }
 

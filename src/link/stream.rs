@@ -22,7 +22,7 @@ where
     S: AsyncRead + AsyncWrite,
 {
     let (mut reader, mut writer) = tokio::io::split(stream);
-    let mut peer = PeerStream::new(&link.config);
+    let mut peer = PeerStream::new(&link.config, PEER);
     let mut input = vec![0; READ_LEN];
     let mut output = Vec::new();
     let mut last_read = None;
@@ -37,7 +37,7 @@ where
                 Chore::Nothing => {}
                 Chore::Send(batch) => {
                     for (_, outgoing) in &batch {
-                        peer.encode(outgoing, &mut output);
+                        peer.encode(outgoing, &mut output, &link.meter);
                     }
                     link.meter.sent(batch.len() as u64, output.len());
                 }

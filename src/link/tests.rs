@@ -16,6 +16,7 @@ use super::*;
 use crate::wire::{Content, Decoder, Encoder};
 
 mod playback;
+mod tap;
 mod tcp;
 mod udp;
 
@@ -71,7 +72,7 @@ impl Rig {
 /// A meter that nobody reads.
 pub(super) fn meter() -> meter::Meter {
     let (published, _) = watch::channel(LinkStatus::new(LinkId(1), "test".into(), LinkState::Up));
-    meter::Meter::new(published, Arc::default())
+    meter::Meter::new(published, Arc::default(), Tap::new())
 }
 
 pub(super) fn heartbeat(system: u8) -> Vec<u8> {

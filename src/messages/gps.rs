@@ -3,7 +3,7 @@
 use mavlink::dialects::ardupilotmega::GPS_RAW_INT_DATA;
 
 use super::Report;
-use crate::vehicle::{FixType, Gps, Severity, Vehicle};
+use crate::vehicle::{FixType, Gps, GpsAccuracy, Severity, Vehicle};
 
 /// Applies `GPS_RAW_INT` and says when the fix is lost or found. Its own position is left out: before the
 /// fix it is made up.
@@ -14,6 +14,11 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut
         hdop: (data.eph != u16::MAX).then(|| f32::from(data.eph) * 0.01),
         at: report.now,
     };
+    // 0 is what senders without the extension fields say.
+    vehicle.gps_accuracy = (data.h_acc != 0 && data.v_acc != 0).then_some(GpsAccuracy {
+        horizontal_m: data.h_acc as f32 * 1e-3,
+        vertical_m: data.v_acc as f32 * 1e-3,
+    });
     let Some(before) = vehicle.gps.replace(gps) else {
         return;
     };

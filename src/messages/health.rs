@@ -6,6 +6,9 @@ use mavlink::dialects::ardupilotmega::{MavSysStatusSensor, SYS_STATUS_DATA};
 
 use crate::vehicle::{Health, Vehicle};
 
+/// A load that the autopilot does not know.
+const UNKNOWN_LOAD: u16 = u16::MAX;
+
 /// Applies the health bits of `SYS_STATUS`. Reasons not to arm go when the pre-arm bit turns healthy, and the
 /// fence goes when it is switched off: its own message then merely stops.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &SYS_STATUS_DATA, now: Duration) {
@@ -13,7 +16,10 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &SYS_STATUS_DATA, now: Duration
         present: data.onboard_control_sensors_present.bits(),
         enabled: data.onboard_control_sensors_enabled.bits(),
         healthy: data.onboard_control_sensors_health.bits(),
-        load_percent: f32::from(data.load) * 0.1,
+        load_percent: match data.load {
+            UNKNOWN_LOAD => f32::NAN,
+            permille => f32::from(permille) * 0.1,
+        },
         at: now,
     };
     let before = vehicle.health.replace(health);

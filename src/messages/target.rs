@@ -11,6 +11,10 @@ use super::position::point;
 use crate::geo::LatLon;
 use crate::vehicle::{Place, Target, Vehicle};
 
+/// Targets are asked for once a second; some of them may be lost. It is longer than what makes a link count as
+/// lost: the last target of a vehicle that has fallen silent stays known.
+const SILENT: Duration = Duration::from_millis(3500);
+
 // `MAV_FRAME` numbers; the two that end in INT are deprecated but still sent.
 const FRAME_GLOBAL: u8 = 0;
 const FRAME_RELATIVE: u8 = 3;
@@ -71,6 +75,15 @@ pub(super) fn apply_local(
         velocity_m_s: uses.velocity([data.vx, data.vy, data.vz]),
         at: now,
     });
+}
+
+/// Forgets a target of which nothing has been heard for long: autopilots do not say that they have none, they
+/// merely stop to send it (`ArduCopter` under a velocity command, in LOITER, on the ground).
+pub(super) fn expire(vehicle: &mut Vehicle, now: Duration) {
+    let is_over = |target: Target| now.saturating_sub(target.at) >= SILENT;
+    if !vehicle.link.lost && vehicle.target.is_some_and(is_over) {
+        vehicle.target = None;
+    }
 }
 
 /// Which parts of a target its type mask leaves in.

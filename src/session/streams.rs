@@ -54,7 +54,10 @@ const WINDOW: Duration = Duration::from_secs(4);
 /// The first look is earlier, so that a new vehicle shows its telemetry soon.
 const FIRST_LOOK: Duration = Duration::from_millis(150);
 /// A message is asked for this often before it is left alone.
-const TRIES: u8 = 3;
+const TRIES: u32 = 3;
+/// A home that is not known is asked for at ever longer pauses, but at least every so many windows: it is set when
+/// the position is found, which may take long.
+const HOME_EVERY: u32 = 16;
 /// What arrives at this share of the wanted rate is good enough.
 const GOOD_ENOUGH: f64 = 0.7;
 
@@ -62,7 +65,7 @@ const GOOD_ENOUGH: f64 = 0.7;
 #[derive(Debug)]
 pub(super) struct Streams {
     arrived: BTreeMap<u32, u32>,
-    asked: BTreeMap<u32, u8>,
+    asked: BTreeMap<u32, u32>,
     window_start: Duration,
     next_look: Duration,
 }
@@ -130,7 +133,46 @@ impl Streams {
 
     fn may_ask(&mut self, message: u32) -> bool {
         let asked = self.asked.entry(message).or_default();
-        *asked += 1;
-        *asked <= TRIES || message == HOME_POSITION
+        *asked = asked.saturating_add(1);
+        if message == HOME_POSITION {
+            return asked.is_power_of_two() || asked.is_multiple_of(HOME_EVERY);
+        }
+        *asked <= TRIES
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mavlink::dialects::ardupilotmega::MavMessage;
+
+    #[test]
+    fn a_home_that_stays_unknown_is_asked_for_ever_more_seldom_but_never_given_up() {
+        let vehicle = Vehicle::new(1, 1);
+        let mut streams = Streams::new(Duration::ZERO);
+        let is_for_home = |(message, _): &(Outgoing, u16)| match message {
+            Outgoing::Message(MavMessage::COMMAND_LONG(long)) => {
+                long.param1.to_bits() == 242f32.to_bits()
+            }
+            Outgoing::Message(MavMessage::COMMAND_INT(int)) => {
+                int.param1.to_bits() == 242f32.to_bits()
+            }
+            Outgoing::Raw { payload, .. } => payload.starts_with(&242f32.to_le_bytes()),
+            Outgoing::Message(_) => false,
+        };
+        let mut asked_at = Vec::new();
+        for second in 1..3600 {
+            let requests = streams.poll(&vehicle, Duration::from_secs(second));
+            if requests.iter().any(is_for_home) {
+                asked_at.push(second);
+            }
+        }
+        let first_minute = asked_at.iter().filter(|at| **at <= 60).count();
+        assert_eq!(first_minute, 4, "{asked_at:?}");
+        let pauses: Vec<u64> = asked_at.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert!(
+            pauses.is_sorted() && pauses.last() == Some(&64),
+            "{pauses:?}"
+        );
     }
 }

@@ -10,8 +10,10 @@ use mavlink::dialects::ardupilotmega::{
 use super::*;
 use crate::commands::{Destination, Heading};
 
+mod download;
 mod hearing;
 mod orders;
+mod targets;
 
 const GUIDED: u32 = 4;
 const STABILIZE: u32 = 0;

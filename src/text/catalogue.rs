@@ -14,9 +14,18 @@ macro_rules! catalogue {
 }
 
 catalogue! {
+    "alerts",
     "common",
+    "config",
     "console",
+    "map",
+    "parameters",
+    "doctor",
+    "links",
+    "messages",
+    "fly",
     "rooms",
+    "vehicle",
 }
 
 /// The message files of a language: subject and contents.

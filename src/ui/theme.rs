@@ -1,16 +1,17 @@
 //! Themes: what the roles of the console look like. A widget asks for a role ("warning"), never for a
-//! colour; a theme file gives each role a style and may inherit the rest from another theme.
+//! colour; a theme file gives each role a style and may inherit the rest from another theme. One that inherits
+//! nothing has to give every role.
 
 use std::collections::BTreeMap;
 
 use ratatui::style::{Color, Modifier, Style};
 
-use crate::diagnostic::Diagnostic;
-
 mod colour;
 mod file;
+mod library;
 
 pub use colour::ColourDepth;
+pub use library::{ThemeError, ThemeFile, Themes};
 
 /// The themes that are part of the program: name and file.
 const EMBEDDED: [(&str, &str); 4] = [
@@ -92,24 +93,7 @@ impl Theme {
     /// One of the themes that are part of the program.
     pub fn named(name: &str) -> Option<Self> {
         let (name, source) = EMBEDDED.iter().find(|(known, _)| *known == name)?;
-        let theme = Self::parse(source).ok()?;
-        Some(Self {
-            name: (*name).to_owned(),
-            ..theme
-        })
-    }
-
-    /// Reads a theme file. `inherits` may name any theme that is part of the program; a theme that
-    /// inherits nothing has to give every role.
-    ///
-    /// # Errors
-    /// Every fault of the file, each at its place.
-    pub fn parse(source: &str) -> Result<Self, Vec<Diagnostic>> {
-        let styles = file::read(source)?;
-        Ok(Self {
-            name: "custom".to_owned(),
-            styles,
-        })
+        Themes::default().read(name, source).ok()
     }
 
     /// The same with the colours that a terminal can show; without any colour it becomes the
@@ -119,10 +103,21 @@ impl Theme {
         if depth == ColourDepth::None {
             return Self::named("monochrome").unwrap_or_else(|| self.stripped());
         }
-        self.mapped(|colour| depth.map(colour))
+        let mut theme = self.mapped(|colour| depth.map(colour));
+        let ground = |theme: &Self, role| theme.style(role).bg;
+        for (&role, style) in &mut theme.styles {
+            // Where its own background has become that of all text, the line under the cursor would not show.
+            let is_lost = ground(self, role) != ground(self, Role::Text)
+                && style.bg.is_some()
+                && style.bg == self.style(Role::Text).bg.map(|colour| depth.map(colour));
+            if is_lost {
+                *style = style.add_modifier(Modifier::REVERSED);
+            }
+        }
+        theme
     }
 
-    /// The theme's name; `custom` for one that is not part of the program.
+    /// The theme's name.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -12,10 +12,13 @@ use super::theme::Role;
 use crate::ledger::RowState;
 use crate::vehicle::Severity;
 
+pub mod alerts;
+pub mod curve;
 pub mod footer;
 pub mod header;
 pub mod ledger;
 pub mod log;
+pub mod map;
 pub mod mission;
 pub mod notices;
 pub mod overlay;
@@ -146,6 +149,22 @@ pub fn clip(text: &str, width: usize) -> String {
     clipped
 }
 
+/// Columns that a text takes on the screen.
+pub fn width(text: &str) -> usize {
+    Span::raw(text).width()
+}
+
+/// A text cut or filled up to a width.
+pub fn aligned(text: &str, columns: usize, right: bool) -> String {
+    let text = clip(text, columns);
+    let blanks = " ".repeat(columns.saturating_sub(width(&text)));
+    if right {
+        blanks + &text
+    } else {
+        text + &blanks
+    }
+}
+
 /// A text broken into lines of at most `width` columns, between words where possible. Line breaks in the text stay.
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
     let width = width.max(1);
@@ -206,6 +225,12 @@ pub fn clock(time: Duration) -> String {
     } else {
         format!("{minutes:02}:{seconds:02}")
     }
+}
+
+/// The same without a zero in front.
+pub fn short_clock(time: Duration) -> String {
+    let text = clock(time);
+    text.strip_prefix('0').map_or(text.clone(), str::to_owned)
 }
 
 /// How a severity looks.

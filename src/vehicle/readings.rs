@@ -111,6 +111,15 @@ pub struct Gps {
     pub at: Duration,
 }
 
+/// What a GPS receiver thinks of its own errors: `GPS_RAW_INT`'s extension.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GpsAccuracy {
+    /// Horizontal error, in metres.
+    pub horizontal_m: f32,
+    /// Vertical error, in metres.
+    pub vertical_m: f32,
+}
+
 /// `VFR_HUD`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hud {
@@ -139,7 +148,7 @@ pub struct Health {
     pub enabled: u32,
     /// Bits of what works.
     pub healthy: u32,
-    /// Processor load, 0 to 100 percent.
+    /// Processor load, 0 to 100 percent; not a number where the autopilot does not know it.
     pub load_percent: f32,
     /// When it came.
     pub at: Duration,
@@ -174,7 +183,7 @@ pub struct Battery {
     pub at: Duration,
 }
 
-/// `EKF_STATUS_REPORT`.
+/// `EKF_STATUS_REPORT`. A ratio that the filter cannot tell is not a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ekf {
     /// What the filter can estimate.
@@ -191,10 +200,24 @@ pub struct Ekf {
     pub at: Duration,
 }
 
+impl Ekf {
+    /// The worst test ratio; 1 is the limit.
+    pub fn worst(&self) -> f32 {
+        let ratios = [
+            self.velocity_variance,
+            self.position_horizontal_variance,
+            self.position_vertical_variance,
+            self.compass_variance,
+        ];
+        ratios.into_iter().fold(0.0, f32::max)
+    }
+}
+
 /// VIBRATION.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vibration {
-    /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation).
+    /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation). Not a
+    /// number where a sensor does not work.
     pub level_m_s2: [f32; 3],
     /// How often each accelerometer clipped.
     pub clipping: [u32; 3],

@@ -9,11 +9,11 @@ use super::{Content, Frame};
 #[cfg(test)]
 mod tests;
 
-const STX_V1: u8 = 0xFE;
-const STX_V2: u8 = 0xFD;
+pub(super) const STX_V1: u8 = 0xFE;
+pub(super) const STX_V2: u8 = 0xFD;
 /// The only incompatibility flag that this program understands: the frame is signed.
-const FLAG_SIGNED: u8 = 0x01;
-const SIGNATURE_LEN: usize = 13;
+pub(super) const FLAG_SIGNED: u8 = 0x01;
+pub(super) const SIGNATURE_LEN: usize = 13;
 /// Consumed bytes are given back once this many have gathered.
 const COMPACT_AT: usize = 4096;
 
@@ -122,6 +122,12 @@ impl Decoder {
             }
             self.skip(1);
         }
+    }
+
+    /// The bytes of a frame that has just been returned, before anything else is asked of the decoder.
+    pub fn bytes_of(&self, frame: &Frame) -> &[u8] {
+        let from = self.position.saturating_sub(usize::from(frame.wire_len));
+        &self.buffer[from..self.position]
     }
 
     fn seek_start(&mut self) {

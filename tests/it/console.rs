@@ -8,8 +8,14 @@ use sortie::vehicle::Severity;
 use crate::fixtures;
 use crate::harness::Console;
 
+mod alerts;
 mod command_line;
+mod commands;
+mod keymap;
+mod map;
 mod panes;
+pub mod parameters;
+mod swarm;
 
 fn selection(console: &Console) -> Vec<u16> {
     console.state.session.selection.iter().copied().collect()
@@ -277,6 +283,14 @@ const KEYS: &[&str] = &[
     ",",
     "@",
     "ж",
+    "/",
+    "s",
+    "S",
+    "x",
+    "C",
+    "F",
+    "o",
+    "v",
     "ctrl-c",
     "ctrl-p",
     "ctrl-w",

@@ -12,11 +12,14 @@ use sortie::geo::LatLon;
 use sortie::language::{self, Action, Context};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Transport};
+use sortie::parameters::Snapshot;
 use sortie::session::{Order, Report};
 use sortie::sim::{Start, World, WorldConfig};
 use sortie::vehicle::{Vehicle, VehicleId};
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
+
+mod parameters;
 
 /// How long anything may take before a test gives up.
 const PATIENCE: Duration = Duration::from_secs(90);
@@ -42,6 +45,7 @@ pub struct Console {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: BTreeMap<VehicleId, watch::Receiver<Arc<Vehicle>>>,
+    parameters: BTreeMap<VehicleId, watch::Receiver<Snapshot>>,
     links: Vec<watch::Receiver<LinkStatus>>,
     rows: Vec<RowUpdate>,
     notices: Vec<String>,
@@ -55,6 +59,7 @@ impl Console {
             fleet,
             events,
             vehicles: BTreeMap::new(),
+            parameters: BTreeMap::new(),
             links: Vec::new(),
             rows: Vec::new(),
             notices: Vec::new(),
@@ -78,7 +83,16 @@ impl Console {
                     .values_mut()
                     .map(|state| changed(state).boxed());
                 let links = self.links.iter_mut().map(|state| changed(state).boxed());
-                let changes = select_all(vehicles.chain(links).chain([pending().boxed()]));
+                let parameters = self
+                    .parameters
+                    .values_mut()
+                    .map(|state| changed(state).boxed());
+                let changes = select_all(
+                    vehicles
+                        .chain(links)
+                        .chain(parameters)
+                        .chain([pending().boxed()]),
+                );
                 let event = tokio::select! {
                     Some(event) = self.events.recv() => event,
                     _ = changes => continue,
@@ -101,7 +115,8 @@ impl Console {
                 let id = vehicle.borrow().id;
                 self.vehicles.insert(id, vehicle);
             }
-            FleetEvent::Linked(link) => self.links.push(link),
+            FleetEvent::Parameters(id, parameters) => drop(self.parameters.insert(id, parameters)),
+            FleetEvent::Linked(link, _) => self.links.push(link),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
             FleetEvent::Report(Report::Notice(notice)) => {

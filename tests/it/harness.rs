@@ -55,6 +55,7 @@ impl Console {
         self.hear(Event::Started(Box::new(Started {
             activity,
             places: BTreeMap::new(),
+            areas: Vec::new(),
         })));
     }
 
@@ -84,6 +85,7 @@ impl Console {
             "up" => plain(KeyCode::Up),
             "down" => plain(KeyCode::Down),
             "left" => plain(KeyCode::Left),
+            "right" => plain(KeyCode::Right),
             "end" => plain(KeyCode::End),
             "home" => plain(KeyCode::Home),
             "page-up" => plain(KeyCode::PageUp),

@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 const PURE: &[&[&str]] = &[
     &["geo", "text"],
     &["diagnostic", "config"],
-    &["wire"],
+    &["wire", "parameters"],
+    &["inspector"],
+    &["doctor"],
     &["vehicle"],
     &["notice", "ledger"],
     &["commands", "messages"],

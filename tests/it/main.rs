@@ -3,13 +3,16 @@
 mod arducopter;
 mod command_line;
 mod console;
+mod doctor;
 mod fixtures;
 mod fleet;
 mod harness;
+mod inspector;
 mod layering;
 mod missions;
 mod pty;
 mod recordings;
 mod screens;
+mod settings;
 mod terminal;
 mod texts;

@@ -10,6 +10,13 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod fly;
+mod inspector;
+mod link_room;
+mod map;
+mod parameters;
+mod vehicle;
+
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 
 fn check(name: &str, console: &Console) {
@@ -178,8 +185,9 @@ fn questions_help_links_and_brief() {
     insta::assert_snapshot!("cancelled_80x24", console.press("x").screen(80, 24));
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").give("links"));
-    check("brief", console.press("esc").press("b"));
+    check("brief", console.press("F").press("b"));
     check("ledger", console.press("esc").press("c"));
+    console.press("F");
     check("notices", console.press("esc").press("n").press("k"));
     insta::assert_snapshot!(
         "leave_80x24",
@@ -214,6 +222,9 @@ fn no_size_of_terminal_panics() {
         ["b", "j"],
         ["c", "k"],
         ["n", "k"],
+        ["C", "enter"],
+        ["/", "x"],
+        ["s", "S"],
         ["*", "j"],
     ] {
         let mut console = busy();

@@ -1,6 +1,7 @@
 //! The real program in a real pseudo-terminal, read back as a person would see it.
 
 use std::io::{Read as _, Write as _};
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -17,6 +18,17 @@ pub fn program() -> Vec<String> {
     command.split_whitespace().map(str::to_owned).collect()
 }
 
+/// What makes a folder the home of the program's user, who speaks English.
+pub fn home_variables(home: &Path) -> [(&'static str, PathBuf); 5] {
+    [
+        ("XDG_CONFIG_HOME", home.join("config")),
+        ("XDG_DATA_HOME", home.join("data")),
+        ("XDG_STATE_HOME", home.join("state")),
+        ("LC_ALL", PathBuf::new()),
+        ("LANG", PathBuf::from("C.UTF-8")),
+    ]
+}
+
 /// A terminal with the program in it.
 pub struct Terminal {
     master: Box<dyn MasterPty + Send>,
@@ -25,6 +37,8 @@ pub struct Terminal {
     output: Receiver<Vec<u8>>,
     screen: vt100::Parser,
     raw: Vec<u8>,
+    /// Where the program finds and leaves its user's files, unless the variables say otherwise.
+    _home: tempfile::TempDir,
 }
 
 impl Terminal {
@@ -55,6 +69,10 @@ impl Terminal {
         command.cwd(env!("CARGO_MANIFEST_DIR"));
         command.env("TERM", "xterm-256color");
         command.env_remove("NO_COLOR");
+        let home = tempfile::tempdir().expect("a temporary folder");
+        for (name, value) in home_variables(home.path()) {
+            command.env(name, value);
+        }
         for (name, value) in variables {
             command.env(name, value);
         }
@@ -84,6 +102,7 @@ impl Terminal {
                 0,
             ),
             raw: Vec::new(),
+            _home: home,
         }
     }
 

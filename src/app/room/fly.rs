@@ -1,14 +1,293 @@
-//! The swarm in flight.
+//! The swarm in flight: which vehicles the table shows, and in which order.
 
-use crate::app::action::Action;
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
-use crate::app::keymap::{Row, writes};
-use crate::app::state::State;
+use crate::app::keymap::{Row, does, key, writes};
+use crate::app::room::Room;
+use crate::app::state::{AlertKind, Column, Filter, Key, Overlay, Prompt, Purpose, Sort, State};
+use crate::notice::Notice;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+
+/// The order changes at most so often, or nobody could follow a row.
+const RESORT_EVERY: Duration = Duration::from_secs(1);
+/// What the key for the order goes through where no columns have been chosen.
+const SORTS: &[Column] = &[
+    Column::Id,
+    Column::Alert,
+    Column::Mode,
+    Column::Armed,
+    Column::Altitude,
+    Column::Speed,
+    Column::Battery,
+    Column::Link,
+    Column::Home,
+    Column::Group,
+];
+
+/// What the room remembers.
+#[derive(Debug, Clone, Default)]
+pub struct Fly {
+    /// What the rows have to fit, as it was written.
+    pub filter: String,
+    /// The vehicles in the table, in the order of their rows.
+    rows: Vec<VehicleId>,
+    /// What they were ordered by last.
+    keys: BTreeMap<VehicleId, Key>,
+    ordered: Option<(Sort, Duration)>,
+}
 
 /// Its keys.
-pub const KEYS: &[Row] = &[writes('h', "hold")];
+pub const KEYS: &[Row] = &[
+    writes('h', "hold"),
+    does(key('/'), Action::Filter),
+    does(key('s'), Action::Sort),
+    does(key('S'), Action::SortReverse),
+    does(key('x'), Action::Acknowledge),
+    writes('@', "select @"),
+];
 
-/// What its actions do: nothing of their own.
-pub fn act(_state: &mut State, _action: Action) -> Option<Vec<Effect>> {
-    None
+impl Fly {
+    /// The vehicles in the table, in the order of their rows.
+    pub fn rows(&self) -> &[VehicleId] {
+        &self.rows
+    }
+
+    /// The place of a vehicle in the table; that of the first one if it is not there.
+    pub fn row_of(&self, vehicle: Option<VehicleId>) -> usize {
+        let place = self.rows.iter().position(|&id| Some(id) == vehicle);
+        place.unwrap_or(0)
+    }
+}
+
+/// Puts the cursor on another vehicle, in the order of the table.
+pub fn move_cursor(state: &mut State, step: Step) {
+    let fly = &state.rooms.fly;
+    let row = step.apply(fly.row_of(state.session.cursor), fly.rows().len());
+    if let Some(&id) = fly.rows().get(row) {
+        state.session.place_cursor(id);
+    }
+}
+
+/// What its actions do.
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Filter => {
+            let prompt = Prompt::new(Purpose::Filter(Room::Fly));
+            state.overlay = Some(Overlay::Prompt(Prompt {
+                input: state.rooms.fly.filter.clone().into(),
+                ..prompt
+            }));
+        }
+        Action::Sort => next_sort(state),
+        Action::SortReverse => {
+            let sort = sorted_by(state);
+            set_sort(
+                state,
+                Sort {
+                    reversed: !sort.reversed,
+                    ..sort
+                },
+            );
+        }
+        Action::Acknowledge => acknowledge_pressing(state),
+        // The filter goes last of what Esc takes back.
+        Action::Escape
+            if state.typed.is_empty()
+                && state.session.selection.is_empty()
+                && !state.rooms.fly.filter.is_empty() =>
+        {
+            state.hush();
+            filter(state, "");
+        }
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+/// What the table is ordered by.
+pub fn sorted_by(state: &State) -> Sort {
+    Sort::named(&state.config.table.sort).unwrap_or(Sort::BY_ID)
+}
+
+/// Orders the table.
+pub fn set_sort(state: &mut State, sort: Sort) {
+    state.config.table.sort = if sort == Sort::BY_ID {
+        String::new()
+    } else {
+        sort.name()
+    };
+    arrange(state);
+    let column = sort.column.name();
+    let text = if sort.reversed {
+        text!("fly-sorted-reversed", column = column)
+    } else {
+        text!("fly-sorted", column = column)
+    };
+    state.say(Severity::Info, text);
+}
+
+/// Shows only what fits, and puts the cursor on something that is shown.
+pub fn filter(state: &mut State, text: &str) {
+    text.trim().clone_into(&mut state.rooms.fly.filter);
+    state.rooms.fly.rows.clear();
+    arrange(state);
+    let fly = &state.rooms.fly;
+    let is_shown = state
+        .session
+        .cursor
+        .is_some_and(|id| fly.rows.contains(&id));
+    if let Some(&first) = fly.rows.first()
+        && !is_shown
+    {
+        state.session.place_cursor(first);
+    }
+}
+
+/// A vehicle is heard for the first time: it has a row at once, and its place a little later.
+pub fn heard(state: &mut State, id: VehicleId) {
+    let filter = Filter::new(&state.rooms.fly.filter);
+    let fits = |state: &State| {
+        let vehicle = state.session.vehicles.get(&id);
+        vehicle.is_some_and(|vehicle| filter.fits(vehicle, &state.session))
+    };
+    if filter.is_empty() || fits(state) {
+        let by_id = sorted_by(state) == Sort::BY_ID;
+        let rows = &mut state.rooms.fly.rows;
+        let place = rows.partition_point(|&known| known < id);
+        rows.insert(if by_id { place } else { rows.len() }, id);
+    }
+}
+
+/// Brings the rows up to date now and then; whether they have changed.
+pub fn tick(state: &mut State) -> bool {
+    let sort = sorted_by(state);
+    let fly = &state.rooms.fly;
+    let is_static = sort == Sort::BY_ID && fly.filter.is_empty();
+    let is_due = match fly.ordered {
+        Some((known, at)) if known == sort => {
+            !is_static && state.now.saturating_sub(at) >= RESORT_EVERY
+        }
+        _ => true,
+    };
+    if !is_due {
+        return false;
+    }
+    let before = state.rooms.fly.rows.clone();
+    arrange(state);
+    before != state.rooms.fly.rows
+}
+
+/// Says so where the configuration names columns or kinds of alert that there are not.
+pub fn check_names(state: &mut State) {
+    let muted = state.config.alerts.mute.iter().map(String::as_str);
+    let unknown: Vec<&str> = muted
+        .filter(|name| AlertKind::named(name).is_none())
+        .collect();
+    if !unknown.is_empty() {
+        let kinds: Vec<&str> = AlertKind::ALL.iter().map(|(name, _)| *name).collect();
+        let (words, kinds) = (unknown.join(" "), kinds.join(" "));
+        warn(state, text!("alert-no-kinds", words = words, kinds = kinds));
+    }
+
+    let table = &state.config.table;
+    let named = table.columns.iter().map(String::as_str);
+    let wrong: Vec<&str> = named.filter(|name| Column::named(name).is_none()).collect();
+    let sort = Some(table.sort.as_str()).filter(|sort| !sort.is_empty());
+    let wrong_sort = sort.filter(|sort| Sort::named(sort).is_none());
+    let wrong: Vec<&str> = wrong.into_iter().chain(wrong_sort).collect();
+    if wrong.is_empty() {
+        return;
+    }
+    let text = text!(
+        "fly-no-columns",
+        words = wrong.join(" "),
+        columns = Column::names()
+    );
+    warn(state, text);
+}
+
+fn warn(state: &mut State, text: Text) {
+    state.notices.push(Notice {
+        at: state.now,
+        vehicle: None,
+        severity: Severity::Warning,
+        text,
+    });
+}
+
+/// Takes note of what the line of alerts says.
+pub fn acknowledge_pressing(state: &mut State) {
+    let pressing = state.session.alarms.pressing();
+    let kind = pressing.map(|pressing| pressing.first.alert.kind);
+    acknowledge(state, |_, known| Some(known) == kind);
+}
+
+/// Takes note of the alerts that `which` names, and says how many there were.
+pub fn acknowledge(state: &mut State, which: impl Fn(VehicleId, AlertKind) -> bool) {
+    let count = state.session.alarms.acknowledge(which);
+    state.say(Severity::Info, text!("alert-acknowledged", count = count));
+}
+
+fn next_sort(state: &mut State) {
+    let chosen = state.config.table.columns.iter();
+    let chosen: Vec<Column> = chosen.filter_map(|name| Column::named(name)).collect();
+    let all = if chosen.is_empty() { SORTS } else { &chosen };
+    let now = sorted_by(state).column;
+    let at = all.iter().position(|column| *column == now);
+    let column = all[at.map_or(0, |at| (at + 1) % all.len())];
+    set_sort(
+        state,
+        Sort {
+            column,
+            reversed: false,
+        },
+    );
+}
+
+/// Filters and orders the rows. The vehicle under the cursor keeps its row although it fits no more: nothing may
+/// change under the hand of somebody who is about to command it. A figure that has hardly changed does not move
+/// its row either.
+fn arrange(state: &mut State) {
+    let sort = sorted_by(state);
+    let session = &state.session;
+    let fly = &mut state.rooms.fly;
+    if fly
+        .ordered
+        .is_none_or(|(known, _)| known.column != sort.column)
+    {
+        fly.keys.clear();
+    }
+    fly.ordered = Some((sort, state.now));
+    let filter = Filter::new(&fly.filter);
+    let held = session.cursor.filter(|id| fly.rows.contains(id));
+    let shown = session.vehicles.values().filter(|vehicle| {
+        held == Some(vehicle.id) || filter.is_empty() || filter.fits(vehicle, session)
+    });
+    fly.rows = shown.map(|vehicle| vehicle.id).collect();
+    if sort.column == Column::Id {
+        if sort.reversed {
+            fly.rows.reverse();
+        }
+        return;
+    }
+    let step = sort.column.step();
+    for id in &fly.rows {
+        let Some(vehicle) = session.vehicles.get(id) else {
+            continue;
+        };
+        let new = sort.column.key(vehicle, session);
+        let stays = fly.keys.get(id).is_some_and(|old| new.is_near(old, step));
+        if !stays {
+            fly.keys.insert(*id, new);
+        }
+    }
+    let keys = &fly.keys;
+    let key = |id: &VehicleId| keys.get(id).unwrap_or(&Key::Missing);
+    fly.rows
+        .sort_by(|a, b| key(a).compare(key(b), sort.reversed));
 }

@@ -1,18 +1,248 @@
-//! The room of that name.
+//! Every command so far: which of them are shown, and which one is looked at.
 
 use crate::app::action::Action;
 use crate::app::effect::Effect;
-use crate::app::keymap::Row;
-use crate::app::state::State;
+use crate::app::keymap::{ENTER, Row, does, key};
+use crate::app::room::Room;
+use crate::app::state::{Overlay, Prompt, Purpose, State, parse_ranges, ranges};
+use crate::ledger::{Entry, EntryId, RowState};
+use crate::text;
+use crate::text::Text;
 
 /// What the room remembers.
 #[derive(Debug, Clone, Default)]
-pub struct Ledger {}
+pub struct Ledger {
+    /// What the commands have to contain, as it was written.
+    pub filter: String,
+    /// How they have to have ended.
+    pub outcome: Outcome,
+    /// The command under the cursor; `None` is the newest, also when newer ones come.
+    pub cursor: Option<EntryId>,
+    /// Whether the rows of the command under the cursor have the whole screen.
+    pub opened: bool,
+    /// The first of these rows that is shown.
+    pub scroll: usize,
+    /// The commands that fit, oldest first.
+    shown: Vec<EntryId>,
+    /// Whether something has happened since they were looked for.
+    stale: bool,
+}
+
+/// Which commands are shown, by what became of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Outcome {
+    /// All of them.
+    #[default]
+    Any,
+    /// Those that went wrong with some vehicle.
+    Failed,
+    /// Those that are under way with some vehicle.
+    UnderWay,
+    /// Those that every vehicle has carried out.
+    Done,
+}
+
+impl Outcome {
+    /// What the heading says of it; nothing where all are shown.
+    pub fn title(self) -> Option<Text> {
+        match self {
+            Self::Any => None,
+            Self::Failed => Some(text!("commands-only-failed")),
+            Self::UnderWay => Some(text!("commands-only-under-way")),
+            Self::Done => Some(text!("commands-only-done")),
+        }
+    }
+
+    fn next(self) -> Self {
+        match self {
+            Self::Any => Self::Failed,
+            Self::Failed => Self::UnderWay,
+            Self::UnderWay => Self::Done,
+            Self::Done => Self::Any,
+        }
+    }
+
+    fn fits(self, entry: &Entry) -> bool {
+        let mut states = entry.rows.iter().map(|row| row.state);
+        match self {
+            Self::Any => true,
+            Self::Failed => states.any(RowState::is_failure),
+            Self::UnderWay => states.any(|state| !state.is_final()),
+            Self::Done => states.all(|state| state == RowState::Done),
+        }
+    }
+}
 
 /// Its keys.
-pub const KEYS: &[Row] = &[];
+pub const KEYS: &[Row] = &[
+    does(key('/'), Action::Filter),
+    does(key('o'), Action::NextOutcome),
+    does(key('v'), Action::OwnVehicles),
+    does(ENTER, Action::Submit),
+    does(crate::app::keymap::ESCAPE, Action::Escape),
+];
+
+impl Ledger {
+    /// The commands that fit, oldest first.
+    pub fn shown(&self) -> &[EntryId] {
+        &self.shown
+    }
+
+    /// The place of the cursor among them.
+    pub fn place(&self) -> usize {
+        let newest = self.shown.len().saturating_sub(1);
+        let Some(cursor) = self.cursor else {
+            return newest;
+        };
+        // What has fallen out or fits no more gives way to what came after it.
+        let place = self.shown.partition_point(|&id| id < cursor);
+        place.min(newest)
+    }
+
+    /// The command under the cursor.
+    pub fn under_cursor(&self) -> Option<EntryId> {
+        self.shown.get(self.place()).copied()
+    }
+
+    /// Something has happened to a command.
+    pub fn spoil(&mut self) {
+        self.stale = true;
+    }
+}
 
 /// What its actions do.
-pub fn act(_state: &mut State, _action: Action) -> Option<Vec<Effect>> {
-    None
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let room = &mut state.rooms.ledger;
+    match action {
+        Action::Filter => {
+            let prompt = Prompt::new(Purpose::Filter(Room::Ledger));
+            state.overlay = Some(Overlay::Prompt(Prompt {
+                input: room.filter.clone().into(),
+                ..prompt
+            }));
+        }
+        Action::NextOutcome => {
+            room.outcome = room.outcome.next();
+            find(state);
+        }
+        Action::OwnVehicles => {
+            let mine = ranges(state.addressed());
+            let is_on = state.rooms.ledger.filter == mine;
+            filter(state, if is_on { "" } else { &mine });
+        }
+        Action::Submit => {
+            room.opened = !room.opened && room.under_cursor().is_some();
+            room.scroll = 0;
+        }
+        Action::Move(step) if room.opened => {
+            let id = room.under_cursor();
+            let entry = id.and_then(|id| state.session.ledger.entry(id));
+            let rows = entry.map_or(0, |entry| entry.rows.len());
+            room.scroll = step.apply(room.scroll, rows);
+        }
+        Action::Move(step) => {
+            let count = room.shown.len();
+            let place = step.apply(room.place(), count);
+            let moved = room.shown.get(place).filter(|_| place + 1 < count);
+            room.cursor = moved.copied();
+        }
+        Action::Escape => escape(state),
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+/// Shows only the commands that fit.
+pub fn filter(state: &mut State, text: &str) {
+    text.trim().clone_into(&mut state.rooms.ledger.filter);
+    find(state);
+}
+
+/// Looks for the commands that fit if something has happened, and whether something had.
+pub fn tick(state: &mut State) -> bool {
+    let is_due = state.rooms.ledger.stale && state.room == Room::Ledger;
+    if is_due {
+        find(state);
+    }
+    is_due
+}
+
+/// The room is entered.
+pub fn entered(state: &mut State) {
+    find(state);
+}
+
+fn find(state: &mut State) {
+    let room = &mut state.rooms.ledger;
+    room.stale = false;
+    let terms = terms(&room.filter);
+    let entries = state.session.ledger.entries();
+    let fitting = entries
+        .filter(|entry| room.outcome.fits(entry) && terms.iter().all(|term| term.fits(entry)));
+    room.shown = fitting.map(|entry| entry.id).collect();
+}
+
+/// What was opened last is taken back first; then the room is left.
+fn escape(state: &mut State) {
+    state.hush();
+    let room = &mut state.rooms.ledger;
+    if room.opened {
+        room.opened = false;
+    } else if !room.filter.is_empty() || room.outcome != Outcome::Any {
+        room.outcome = Outcome::Any;
+        filter(state, "");
+    } else if state.session.activity.is_some() {
+        state.room = Room::Fly;
+    }
+}
+
+/// A word of the filter: all have to fit.
+enum Term {
+    /// It went to one of these vehicles.
+    Vehicles(Vec<u16>),
+    /// Its line, or what became of it, has this in it.
+    Word(String),
+}
+
+fn terms(filter: &str) -> Vec<Term> {
+    let words = filter.split_whitespace();
+    let term = |word: &str| match parse_ranges(word.trim_end_matches(['-', ','])) {
+        Ok(ids) => Term::Vehicles(ids),
+        Err(_) => Term::Word(word.to_lowercase()),
+    };
+    words.map(term).collect()
+}
+
+impl Term {
+    fn fits(&self, entry: &Entry) -> bool {
+        match self {
+            Self::Vehicles(ids) => {
+                let mut rows = entry.rows.iter();
+                rows.any(|row| ids.binary_search(&row.vehicle).is_ok())
+            }
+            Self::Word(word) => {
+                let in_line = entry.line.to_lowercase().contains(word);
+                in_line
+                    || entry
+                        .rows
+                        .iter()
+                        .any(|row| became(row.state).contains(word))
+            }
+        }
+    }
+}
+
+/// What a filter may call what became of a command.
+fn became(state: RowState) -> &'static str {
+    match state {
+        RowState::Queued => "queued",
+        RowState::Sent => "sent",
+        RowState::InProgress(_) => "in-progress",
+        RowState::Accepted => "accepted",
+        RowState::Done => "done effect-seen",
+        RowState::NoEffect => "no-effect failed",
+        RowState::Refused => "refused failed",
+        RowState::TimedOut => "timed-out failed",
+        RowState::Superseded => "superseded",
+    }
 }

@@ -1,18 +1,65 @@
-//! The room of that name.
+//! The links: what they count, how they did lately, and what ails them.
+
+use std::collections::VecDeque;
 
 use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::keymap::Row;
-use crate::app::state::State;
+use crate::app::state::{LinkSummary, State};
+
+/// Seconds that the history looks back.
+pub const HISTORY_S: usize = 60;
 
 /// What the room remembers.
 #[derive(Debug, Clone, Default)]
-pub struct Links {}
+pub struct Links {
+    /// The link under the cursor.
+    pub cursor: usize,
+    /// What every link has carried, one value a second.
+    pub history: Vec<History>,
+}
 
-/// Its keys.
+/// What a link has carried lately, newest last.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct History {
+    /// Bytes per second received.
+    pub bytes_in: VecDeque<f64>,
+    /// Bytes per second sent.
+    pub bytes_out: VecDeque<f64>,
+}
+
+/// Its keys: those that move a cursor are enough.
 pub const KEYS: &[Row] = &[];
 
 /// What its actions do.
-pub fn act(_state: &mut State, _action: Action) -> Option<Vec<Effect>> {
-    None
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let Action::Move(step) = action else {
+        return None;
+    };
+    let cursor = &mut state.rooms.links.cursor;
+    *cursor = step.apply(*cursor, state.session.links.len());
+    Some(Vec::new())
+}
+
+impl Links {
+    /// Takes in how the links are doing; to be called once a second.
+    pub fn note(&mut self, links: &[LinkSummary]) {
+        self.history.resize(links.len(), History::default());
+        for (history, link) in self.history.iter_mut().zip(links) {
+            let (bytes_in, bytes_out) = if link.up {
+                (link.bytes_in_per_s, link.bytes_out_per_s)
+            } else {
+                (0.0, 0.0)
+            };
+            push(&mut history.bytes_in, bytes_in);
+            push(&mut history.bytes_out, bytes_out);
+        }
+    }
+}
+
+fn push(history: &mut VecDeque<f64>, value: f64) {
+    history.push_back(value);
+    if history.len() > HISTORY_S {
+        history.pop_front();
+    }
 }

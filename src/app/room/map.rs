@@ -1,18 +1,300 @@
-//! The room of that name.
+//! The map: which piece of the earth is shown, where its cursor is, and what has been seen on the way.
 
-use crate::app::action::Action;
-use crate::app::effect::Effect;
-use crate::app::keymap::Row;
-use crate::app::state::State;
+use std::collections::BTreeMap;
 
-/// What the room remembers.
+use crate::geo::{LatLon, Viewport, Zoom};
+use crate::vehicle::VehicleId;
+
+mod act;
+mod overview;
+mod samples;
+mod scene;
+mod trail;
+mod watch;
+
+pub use act::{KEYS, act};
+pub use overview::Overview;
+pub use samples::{SampleField, Samples};
+pub use scene::{Sketch, SketchKind, planned, sketches};
+pub use trail::Trail;
+pub use watch::{began, heard, leg, measured, refit, tick};
+
+/// Columns and rows by which a followed vehicle may leave the middle before the map moves after it.
+const LEASH: (f64, f64) = (12.0, 4.0);
+/// How far ahead of it, as a share of that, the map then stands.
+const AHEAD: f64 = 0.7;
+
+/// A screen of at least this size has room for the legend.
+const LEGEND_LEAST: Size = (110, 30);
+/// Columns of the legend, beside the canvas, with a gap.
+pub const LEGEND_WIDTH: u16 = 35;
+/// Rows of the screen that are not the canvas: the header, the title, the line about the cursor, the footer.
+const OTHER_ROWS: u16 = 4;
+
+/// The map's own state.
 #[derive(Debug, Clone, Default)]
-pub struct Map {}
+pub struct Map {
+    /// What the view holds on to.
+    pub aim: Aim,
+    /// The place that the cursor points at; `None` is the middle of the view.
+    pub cursor: Option<LatLon>,
+    /// Where the ruler begins.
+    pub mark: Option<LatLon>,
+    /// Whether the legend is wanted; `None` leaves it to the size of the terminal.
+    pub legend: Option<bool>,
+    /// Whether the ways of the vehicles are left out.
+    pub trails_hidden: bool,
+    /// Which of the sensors is drawn, counted round.
+    pub sensor: usize,
+    /// Where each vehicle has been.
+    pub trails: BTreeMap<VehicleId, Trail>,
+    /// What the sensors have shown.
+    pub samples: Samples,
+    /// The piece of the earth with everything in it.
+    pub overview: Overview,
+}
 
-/// Its keys.
-pub const KEYS: &[Row] = &[];
+/// What the view holds on to.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Aim {
+    /// Everything, at the scale at which it fits.
+    #[default]
+    All,
+    /// A place, at a scale.
+    Place(LatLon, Zoom),
+    /// The vehicle under the cursor, at a scale; the place is where the view stands while the vehicle is near.
+    Vehicle(LatLon, Zoom),
+}
 
-/// What its actions do.
-pub fn act(_state: &mut State, _action: Action) -> Option<Vec<Effect>> {
-    None
+/// Columns and rows of a canvas.
+pub type Size = (u16, u16);
+
+impl Map {
+    /// The map of another session: what has been seen is gone, what the user wants to see stays.
+    #[must_use]
+    pub fn for_next_session(&self) -> Self {
+        Self {
+            legend: self.legend,
+            trails_hidden: self.trails_hidden,
+            ..Self::default()
+        }
+    }
+
+    /// What a canvas shows; `None` while nothing has a place.
+    pub fn view(&self, size: Size) -> Option<Viewport> {
+        let (centre, zoom) = match self.aim {
+            Aim::Place(centre, zoom) | Aim::Vehicle(centre, zoom) => (centre, zoom),
+            Aim::All => {
+                let frame = self.overview.frame()?;
+                (frame.centre(), frame.zoom(size))
+            }
+        };
+        Some(Viewport::new(centre, zoom, size))
+    }
+
+    /// The place under the cursor.
+    pub fn pointed(&self, view: &Viewport) -> LatLon {
+        let middle = (i32::from(view.columns / 2), i32::from(view.rows / 2));
+        self.cursor.unwrap_or_else(|| view.middle_of(middle))
+    }
+
+    /// Moves the cursor by cells, from the middle if it is out of sight; the view moves along by a part of its
+    /// size when the cursor comes to its edge.
+    pub fn step(&mut self, size: Size, (right, down): (i32, i32)) {
+        let Some(view) = self.view(size) else {
+            return;
+        };
+        let (column, row) = self
+            .cursor
+            .and_then(|cursor| view.cell(cursor))
+            .unwrap_or((view.columns / 2, view.rows / 2));
+        let at = (i32::from(column) + right, i32::from(row) + down);
+        self.cursor = Some(view.middle_of(at));
+        let shift = (beyond(at.0, view.columns), beyond(at.1, view.rows));
+        if shift != (0, 0) {
+            let middle = (
+                f64::from(view.columns) + f64::from(shift.0) * 2.0,
+                f64::from(view.rows * 2) + f64::from(shift.1) * 4.0,
+            );
+            self.aim = Aim::Place(view.place(middle), view.zoom);
+        }
+    }
+
+    /// Comes closer or goes away; what is under the cursor stays where it is on the screen.
+    pub fn zoom(&mut self, size: Size, closer: bool) {
+        let Some(view) = self.view(size) else {
+            return;
+        };
+        let zoom = if closer {
+            view.zoom.closer()
+        } else {
+            view.zoom.wider()
+        };
+        if let Aim::Vehicle(place, _) = self.aim {
+            self.aim = Aim::Vehicle(place, zoom);
+            return;
+        }
+        let fixed = self
+            .cursor
+            .filter(|&cursor| view.cell(cursor).is_some())
+            .unwrap_or(view.centre);
+        let (x, y) = view.dot(fixed);
+        let (across, down) = view.dots();
+        let mut centre = view.centre;
+        // The scale of a view is that of its middle, which moves: the second try is exact to a fraction of a dot.
+        for _ in 0..2 {
+            let next = Viewport::new(centre, zoom, size);
+            let (then_x, then_y) = next.dot(fixed);
+            centre = next.place((across / 2.0 + then_x - x, down / 2.0 + then_y - y));
+        }
+        self.aim = Aim::Place(centre, zoom);
+    }
+
+    /// Puts a place into the middle of the view and under the cursor.
+    pub fn centre_on(&mut self, size: Size, place: LatLon) {
+        if let Some(view) = self.view(size) {
+            self.aim = Aim::Place(place, view.zoom);
+            self.cursor = Some(place);
+        }
+    }
+
+    /// Lets the view follow a vehicle that is at this place, at the present scale.
+    pub fn follow(&mut self, size: Size, place: LatLon) {
+        if let Some(view) = self.view(size) {
+            self.aim = Aim::Vehicle(place, view.zoom);
+        }
+    }
+
+    /// The followed vehicle is here now. The view moves only when it has gone some cells, and then ahead of it.
+    pub fn followed(&mut self, place: LatLon) {
+        let Aim::Vehicle(stand, zoom) = self.aim else {
+            return;
+        };
+        let (north_m, east_m) = stand.offset_to(place);
+        let column_m = zoom.metres_per_column();
+        let (across_m, down_m) = (LEASH.0 * column_m, LEASH.1 * 2.0 * column_m);
+        if east_m.abs() > across_m || north_m.abs() > down_m {
+            let ahead = |way_m: f64, most_m: f64| (way_m * AHEAD).clamp(-most_m, most_m);
+            let stand = place.moved(
+                ahead(north_m, down_m * AHEAD),
+                ahead(east_m, across_m * AHEAD),
+            );
+            self.aim = Aim::Vehicle(stand, zoom);
+        }
+    }
+
+    /// Whether the legend is shown on a screen of some size.
+    pub fn shows_legend(&self, screen: Size) -> bool {
+        let has_room = screen.0 >= LEGEND_LEAST.0 && screen.1 >= LEGEND_LEAST.1;
+        self.legend.unwrap_or(has_room)
+    }
+
+    /// The canvas of the room on a screen of some size.
+    pub fn canvas(&self, screen: Size) -> Size {
+        let legend = if self.shows_legend(screen) {
+            LEGEND_WIDTH
+        } else {
+            0
+        };
+        (
+            screen.0.saturating_sub(legend),
+            screen.1.saturating_sub(OTHER_ROWS),
+        )
+    }
+
+    /// The sensor that is drawn, by its name, and what it has shown.
+    pub fn field(&self) -> Option<(&str, &SampleField)> {
+        let count = self.samples.fields().len();
+        self.samples.fields().nth(self.sensor.checked_rem(count)?)
+    }
+}
+
+/// By how many cells the view has to move, if a cursor at this cell is at its edge or beyond: a third of the view,
+/// or as far as the cursor went.
+fn beyond(at: i32, count: u16) -> i32 {
+    let last = i32::from(count) - 1;
+    let jump = (i32::from(count) / 3).max(1);
+    if at < 1 {
+        (at - 1).min(-jump)
+    } else if at > last - 1 {
+        (at - last + 1).max(jump)
+    } else {
+        0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const HOME: LatLon = LatLon::new(50.45, 30.52);
+    const SIZE: Size = (100, 30);
+
+    fn map() -> Map {
+        let mut map = Map::default();
+        map.overview.see(HOME);
+        map.overview.see(HOME.moved(200.0, 300.0));
+        map
+    }
+
+    #[test]
+    fn without_any_place_there_is_no_view_and_no_key_fails() {
+        let mut map = Map::default();
+        map.step(SIZE, (1, 0));
+        map.zoom(SIZE, true);
+        map.follow(SIZE, HOME);
+        assert!(map.view(SIZE).is_none());
+    }
+
+    #[test]
+    fn the_view_jumps_after_a_followed_vehicle_and_rests_in_between() {
+        let mut map = map();
+        map.follow(SIZE, HOME);
+        let mut stands = vec![map.aim];
+        for metre in 0..600 {
+            let place = HOME.moved(0.0, f64::from(metre));
+            map.followed(place);
+            let view = map.view(SIZE).expect("a view");
+            let (column, _) = view.cell(place).expect("in sight");
+            assert!((30..70).contains(&column), "{column}");
+            if stands.last() != Some(&map.aim) {
+                stands.push(map.aim);
+            }
+        }
+        let column_m = map.view(SIZE).expect("a view").zoom.metres_per_column();
+        assert!(
+            stands.len() as f64 <= 600.0 / (12.0 * column_m) + 2.0,
+            "{}",
+            stands.len()
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn the_cursor_is_always_in_sight_and_zooming_holds_it(
+            steps in proptest::collection::vec((-40i32..40, -40i32..40, 0u8..4), 1..60),
+        ) {
+            let mut map = map();
+            for (right, down, key) in steps {
+                match key {
+                    0 => map.step(SIZE, (right.signum(), down.signum())),
+                    1 => map.step(SIZE, (right, down)),
+                    _ => {
+                        let before = map.view(SIZE).expect("a view");
+                        let cursor = map.pointed(&before);
+                        map.cursor = Some(cursor);
+                        let (x, y) = before.dot(cursor);
+                        map.zoom(SIZE, key == 2);
+                        let (then_x, then_y) = map.view(SIZE).expect("a view").dot(cursor);
+                        prop_assert!((x - then_x).abs() < 0.6 && (y - then_y).abs() < 0.6);
+                    }
+                }
+                let view = map.view(SIZE).expect("a view");
+                let cursor = map.pointed(&view);
+                prop_assert!(view.cell(cursor).is_some(), "{cursor:?} {view:?}");
+            }
+        }
+    }
 }

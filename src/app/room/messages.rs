@@ -1,18 +1,365 @@
-//! The room of that name.
+//! The inspector: every message on the links, by link, system, component and message.
 
-use crate::app::action::Action;
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
-use crate::app::keymap::Row;
-use crate::app::state::State;
+use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
+use crate::app::state::{Overlay, Prompt, Purpose, Room, State};
+use crate::inspector::{Census, Key, Reading, Tally, Watched, name_of, read};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+use crate::wire::Anatomy;
+use crossterm::event::KeyCode;
+
+use crate::app::keymap::Press;
+
+mod pin;
+mod tree;
+
+pub use pin::{GRAPH_SPAN, Pin};
+pub use tree::{Branch, Node};
+
+/// Graphs that fit below the fields.
+const MOST_PINS: usize = 4;
 
 /// What the room remembers.
 #[derive(Debug, Clone, Default)]
-pub struct Messages {}
+pub struct Messages {
+    /// The links as they were looked at last.
+    pub traffic: Vec<LinkTraffic>,
+    /// Whether the picture stands still.
+    pub paused: bool,
+    /// Only messages whose name or number contains this are shown.
+    pub filter: String,
+    /// What the messages of a component are ordered by.
+    pub sort: Sort,
+    /// The line under the cursor; `None` is the first.
+    pub cursor: Option<Node>,
+    /// The field under the cursor, while the fields have it.
+    pub field: Option<usize>,
+    /// Whether the last frame is shown byte by byte.
+    pub hex: bool,
+    /// The fields that are drawn as graphs.
+    pub pins: Vec<Pin>,
+    /// Branches that are not as they are by default: open ones closed, closed ones opened.
+    turned: BTreeSet<Node>,
+}
+
+/// What came by one link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkTraffic {
+    /// The link's address.
+    pub name: String,
+    /// When this was, on the clock of the link's census.
+    pub now: Duration,
+    /// The counts; `None` where only graphs wanted something.
+    pub census: Option<Census>,
+    /// The frames of the fields with a graph.
+    pub watched: Vec<Watched>,
+}
+
+/// What the room wants to see of the links.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Wanted {
+    /// The counts of all messages.
+    pub census: bool,
+    /// Kinds of which every frame is wanted, with the number of the link.
+    pub watched: BTreeSet<(usize, Key)>,
+}
+
+/// The message under the cursor.
+#[derive(Debug, Clone, Copy)]
+pub struct Selected<'a> {
+    /// The number of its link.
+    pub link: usize,
+    /// Which message from whom.
+    pub key: Key,
+    /// What is known of it.
+    pub tally: &'a Tally,
+    /// The time of the look, on the link's clock.
+    pub now: Duration,
+}
+
+/// What messages are ordered by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sort {
+    /// By their numbers.
+    #[default]
+    Number,
+    /// By their names.
+    Name,
+    /// The most frequent first.
+    Rate,
+    /// The newest first.
+    Age,
+}
 
 /// Its keys.
-pub const KEYS: &[Row] = &[];
+pub const KEYS: &[Row] = &[
+    does(key('/'), Action::Filter),
+    does(ENTER, Action::Submit),
+    does(Press::Plain(KeyCode::Right), Action::Expand),
+    does(Press::Plain(KeyCode::Left), Action::Collapse),
+    does(Press::Plain(KeyCode::Tab), Action::OtherSide),
+    does(key('z'), Action::FoldAll),
+    does(key('p'), Action::Pause),
+    does(key('g'), Action::Pin),
+    does(key('x'), Action::Hex),
+    does(key('s'), Action::Sort),
+    does(ESCAPE, Action::Escape),
+];
 
 /// What its actions do.
-pub fn act(_state: &mut State, _action: Action) -> Option<Vec<Effect>> {
-    None
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let room = &mut state.rooms.messages;
+    match action {
+        Action::Filter => {
+            let filter = room.filter.clone();
+            state.overlay = Some(Overlay::Prompt(Prompt {
+                input: filter.into(),
+                ..Prompt::new(Purpose::Filter(Room::Messages))
+            }));
+        }
+        Action::Pin => {
+            if let Err(reason) = room.pin() {
+                state.say(Severity::Notice, reason);
+            }
+        }
+        Action::Escape if room.field.is_none() => {
+            room.filter.clear();
+            state.hush();
+        }
+        _ => return room.act(action).then(Vec::new),
+    }
+    Some(Vec::new())
+}
+
+/// Takes the filter that is being written.
+pub fn filter(state: &mut State, entered: &str) {
+    entered.trim().clone_into(&mut state.rooms.messages.filter);
+}
+
+/// What the room wants to see now; `None` is nothing.
+pub fn wanted(state: &State) -> Option<Wanted> {
+    let room = &state.rooms.messages;
+    let census = state.room == Room::Messages;
+    if room.paused || !census && room.pins.is_empty() {
+        return None;
+    }
+    let watched = room.pins.iter().map(|pin| (pin.link, pin.key)).collect();
+    Some(Wanted { census, watched })
+}
+
+impl Sort {
+    fn next(self) -> Self {
+        match self {
+            Self::Number => Self::Name,
+            Self::Name => Self::Rate,
+            Self::Rate => Self::Age,
+            Self::Age => Self::Number,
+        }
+    }
+
+    /// Its name on the screen.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Number => text!("messages-by-number"),
+            Self::Name => text!("messages-by-name"),
+            Self::Rate => text!("messages-by-rate"),
+            Self::Age => text!("messages-by-age"),
+        }
+    }
+}
+
+impl Messages {
+    /// Takes a look at the links in.
+    pub fn take(&mut self, traffic: Vec<LinkTraffic>) {
+        for (link, seen) in traffic.iter().enumerate() {
+            for pin in self.pins.iter_mut().filter(|pin| pin.link == link) {
+                pin.take(seen);
+            }
+        }
+        if traffic.iter().any(|link| link.census.is_some()) {
+            self.traffic = traffic;
+        }
+    }
+
+    /// The message under the cursor.
+    pub fn selected(&self) -> Option<Selected<'_>> {
+        self.selected_in(&self.branches())
+    }
+
+    /// The same, where the lines are known.
+    pub fn selected_in(&self, branches: &[Branch]) -> Option<Selected<'_>> {
+        let Node::Message(link, key) = branches.get(self.cursor_row(branches))?.node else {
+            return None;
+        };
+        let traffic = self.traffic.get(link)?;
+        Some(Selected {
+            link,
+            key,
+            tally: traffic.census.as_ref()?.tally(key)?,
+            now: traffic.now,
+        })
+    }
+
+    /// What the last frame of the message under the cursor says.
+    pub fn reading(&self) -> Option<Reading> {
+        let last = &self.selected()?.tally.last;
+        Anatomy::of(last).map(|frame| read(&frame))
+    }
+
+    /// The line under the cursor: the one it was put on, else the one that took its place.
+    pub fn cursor_branch(&self) -> Option<Branch> {
+        let branches = self.branches();
+        let at = self.cursor_row(&branches);
+        branches.into_iter().nth(at)
+    }
+
+    /// The number of the line under the cursor.
+    pub fn cursor_row(&self, branches: &[Branch]) -> usize {
+        let Some(cursor) = self.cursor else {
+            return 0;
+        };
+        let exact = branches.iter().position(|branch| branch.node == cursor);
+        // It is folded away or filtered out: the branch that hides it, if there is one.
+        exact.unwrap_or_else(|| {
+            let hides = |branch: &Branch| cursor.is_below(branch.node);
+            branches.iter().rposition(hides).unwrap_or(0)
+        })
+    }
+
+    /// Does what concerns the room alone; false if the action is none of its own.
+    fn act(&mut self, action: Action) -> bool {
+        match action {
+            Action::Move(step) => self.go(step),
+            Action::Submit => self.submit(),
+            Action::Expand => self.expand(),
+            Action::Collapse => self.collapse(),
+            Action::OtherSide | Action::Escape if self.field.is_some() => self.field = None,
+            Action::OtherSide => self.enter_fields(),
+            Action::FoldAll => self.fold_all(),
+            Action::Pause => self.paused = !self.paused,
+            Action::Hex => self.hex = !self.hex,
+            Action::Sort => self.sort = self.sort.next(),
+            _ => return false,
+        }
+        true
+    }
+
+    fn submit(&mut self) {
+        match self.cursor_branch() {
+            Some(branch) if branch.is_open.is_some() => self.turn(branch.node),
+            Some(_) => self.enter_fields(),
+            None => {}
+        }
+    }
+
+    fn go(&mut self, step: Step) {
+        if let Some(field) = self.field {
+            let count = self.reading().map_or(0, |reading| reading.values.len());
+            self.field = Some(step.apply(field, count));
+            return;
+        }
+        let branches = self.branches();
+        let at = step.apply(self.cursor_row(&branches), branches.len());
+        self.cursor = branches.get(at).map(|branch| branch.node);
+    }
+
+    fn enter_fields(&mut self) {
+        let has_fields = self.reading().is_some_and(|it| !it.values.is_empty());
+        self.field = has_fields.then_some(0);
+        if has_fields {
+            self.hex = false;
+        }
+    }
+
+    fn expand(&mut self) {
+        match self.cursor_branch() {
+            Some(branch) if branch.is_open == Some(false) => self.turn(branch.node),
+            Some(branch) if branch.is_open == Some(true) => self.go(Step::Down),
+            Some(_) => self.enter_fields(),
+            None => {}
+        }
+    }
+
+    fn collapse(&mut self) {
+        if self.field.take().is_some() {
+            return;
+        }
+        match self.cursor_branch() {
+            Some(branch) if branch.is_open == Some(true) => self.turn(branch.node),
+            Some(branch) => self.cursor = branch.node.parent().or(self.cursor),
+            None => {}
+        }
+    }
+
+    fn turn(&mut self, node: Node) {
+        if !self.turned.remove(&node) {
+            self.turned.insert(node);
+        }
+        self.cursor = Some(node);
+    }
+
+    /// Closes all systems, or opens them if all are closed.
+    fn fold_all(&mut self) {
+        let branches = self.branches();
+        let systems = branches
+            .iter()
+            .filter(|branch| matches!(branch.node, Node::System(..)));
+        let is_any_open = systems.clone().any(|branch| branch.is_open == Some(true));
+        let to_turn: Vec<Node> = systems
+            .filter(|branch| branch.is_open == Some(is_any_open))
+            .map(|branch| branch.node)
+            .collect();
+        let cursor = self.cursor;
+        for node in to_turn {
+            self.turn(node);
+        }
+        self.cursor = cursor;
+    }
+
+    /// Draws the field under the cursor as a graph from now on, or no longer.
+    fn pin(&mut self) -> Result<(), Text> {
+        let choose = || text!("messages-choose-field");
+        let (Some(field), Some(selected)) = (self.field, self.selected()) else {
+            return Err(choose());
+        };
+        let Selected { link, key, now, .. } = selected;
+        let is_it = |pin: &Pin| (pin.link, pin.key, pin.field) == (link, key, field);
+        if self.pins.iter().any(is_it) {
+            self.pins.retain(|pin| !is_it(pin));
+            return Ok(());
+        }
+        let reading = self.reading();
+        let value = reading
+            .as_ref()
+            .and_then(|reading| reading.values.get(field));
+        let value = value.ok_or_else(choose)?;
+        if value.text.is_some() {
+            return Err(text!("messages-no-number", field = value.name));
+        }
+        let pin = Pin {
+            link,
+            key,
+            field,
+            title: format!("{}.{}", name_of(key.message), value.name),
+            unit: value.unit,
+            points: value
+                .number()
+                .map(|number| (now, number))
+                .into_iter()
+                .collect(),
+            now,
+            dropped: 0,
+        };
+        if self.pins.len() == MOST_PINS {
+            self.pins.remove(0);
+        }
+        self.pins.push(pin);
+        Ok(())
+    }
 }

@@ -1,18 +1,221 @@
-//! The room of that name.
+//! The vehicles' parameters: list, search, edit, files, differences.
+//!
+//! The list is that of the vehicle under the cursor; a value that is set goes where every command goes, to the
+//! selection if there is one.
 
-use crate::app::action::Action;
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::Duration;
+
+use crossterm::event::KeyCode;
+
+use crate::app::action::{Action, Step};
+use crate::app::console::ParamsDeed;
 use crate::app::effect::Effect;
-use crate::app::keymap::Row;
-use crate::app::state::State;
+use crate::app::keymap::{ENTER, ESCAPE, Press, Row as Key, does, key};
+use crate::app::room::{Room, fly};
+use crate::app::state::{Overlay, Prompt, Purpose, State};
+use crate::app::update::act::show;
+use crate::ledger::EntryId;
+use crate::parameters::{Parameter, Snapshot, shown};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+
+mod batch;
+mod compare;
+mod demand;
+mod edit;
+mod files;
+mod rows;
+
+pub use batch::{Batch, Setting, advance, begin};
+pub use compare::{Comparison, Other};
+pub use demand::wanted;
+pub use edit::{Edit, entered, note_order};
+pub use files::{exists, load, read, save, saved};
+pub use rows::{Row, extra, rows};
 
 /// What the room remembers.
 #[derive(Debug, Clone, Default)]
-pub struct Parameters {}
+pub struct Parameters {
+    /// What is known of each vehicle's parameters.
+    pub lists: BTreeMap<VehicleId, Snapshot>,
+    /// The name under the cursor; where it is not shown, the next one is.
+    pub cursor: String,
+    /// Only names with these letters are shown.
+    pub filter: String,
+    /// Only what has changed, or was to be changed, is shown.
+    pub changed_only: bool,
+    /// What the list is compared with.
+    pub comparison: Option<Comparison>,
+    /// The newest value that was asked of each vehicle for each parameter.
+    pub edits: BTreeMap<VehicleId, BTreeMap<String, Edit>>,
+    /// Values that are being set one after the other.
+    pub batch: Option<Batch>,
+    /// Vehicles whose lists are to come anew.
+    anew: BTreeSet<VehicleId>,
+    /// Vehicles that were asked and have not begun yet, with the time.
+    asked: BTreeMap<VehicleId, Duration>,
+}
 
 /// Its keys.
-pub const KEYS: &[Row] = &[];
+pub const KEYS: &[Key] = &[
+    does(ENTER, Action::Submit),
+    does(key('/'), Action::Filter),
+    does(key('o'), Action::ChangedParameters),
+    does(key('s'), Action::SaveParameters),
+    does(key('l'), Action::LoadParameters),
+    does(key('d'), Action::CompareParameters),
+    does(key(' '), Action::Toggle),
+    does(key('*'), Action::SelectAll),
+    does(key('!'), Action::Invert),
+    does(key('a'), Action::ApplyParameters),
+    does(key('r'), Action::FetchParameters),
+    does(Press::Plain(KeyCode::Left), Action::PreviousVehicle),
+    does(key('['), Action::PreviousVehicle),
+    does(Press::Plain(KeyCode::Right), Action::NextVehicle),
+    does(key(']'), Action::NextVehicle),
+    does(ESCAPE, Action::Escape),
+];
+
+impl Parameters {
+    /// A parameter of a vehicle, if it is known.
+    pub fn get(&self, vehicle: VehicleId, name: &str) -> Option<&Parameter> {
+        self.lists.get(&vehicle)?.list.get(name)
+    }
+
+    /// The entry of the ledger that last set a parameter of a vehicle, and what it asked for.
+    pub fn edit(&self, vehicle: VehicleId, name: &str) -> Option<Edit> {
+        self.edits.get(&vehicle)?.get(name).copied()
+    }
+}
 
 /// What its actions do.
-pub fn act(_state: &mut State, _action: Action) -> Option<Vec<Effect>> {
-    None
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Move(step) => {
+            let rows = rows(state);
+            let at = step.apply(cursor_row(state, &rows), rows.len());
+            if let Some(name) = rows.get(at).map(|row| row.name.to_owned()) {
+                state.rooms.parameters.cursor = name;
+            }
+        }
+        Action::Submit => edit_under_cursor(state),
+        Action::Filter => {
+            let filter = state.rooms.parameters.filter.clone();
+            ask(state, Purpose::Filter(Room::Parameters), filter);
+        }
+        Action::ChangedParameters => {
+            let room = &mut state.rooms.parameters;
+            match &mut room.comparison {
+                Some(comparison) => comparison.lists_extra = !comparison.lists_extra,
+                None => room.changed_only = !room.changed_only,
+            }
+        }
+        Action::SaveParameters => {
+            let name = state.session.cursor.map(|id| format!("vehicle-{id}.parm"));
+            ask(state, Purpose::SaveParameters, name.unwrap_or_default());
+        }
+        Action::LoadParameters => ask(state, Purpose::LoadParameters, String::new()),
+        Action::CompareParameters => ask(state, Purpose::CompareParameters, String::new()),
+        Action::Toggle | Action::SelectAll | Action::Invert => compare::mark(state, action),
+        Action::ApplyParameters => compare::apply(state),
+        Action::FetchParameters => fetch(state),
+        Action::NextVehicle | Action::PreviousVehicle => change_vehicle(state, action),
+        Action::Escape => return close(state).then(Vec::new),
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+/// What a line of the console's own does with parameters.
+///
+/// # Errors
+/// Why it cannot.
+pub fn line(state: &mut State, deed: ParamsDeed) -> Result<Vec<Effect>, Text> {
+    match deed {
+        ParamsDeed::Save(path) => return save(state, &path),
+        ParamsDeed::Compare(other) => return load(state, &other),
+        ParamsDeed::Fetch => fetch(state),
+        ParamsDeed::Show => {}
+    }
+    show(state, Room::Parameters);
+    Ok(Vec::new())
+}
+
+/// The row under the cursor.
+pub fn cursor_row(state: &State, rows: &[Row<'_>]) -> usize {
+    let name = state.rooms.parameters.cursor.as_str();
+    let at = rows.partition_point(|row| row.name < name);
+    at.min(rows.len().saturating_sub(1))
+}
+
+/// Has the lists of the vehicles come anew.
+pub fn fetch(state: &mut State) {
+    let vehicles: Vec<VehicleId> = state.session.cursor.into_iter().collect();
+    state.rooms.parameters.anew.extend(vehicles);
+}
+
+/// Takes over what is known of a vehicle's parameters. What comes after the session has ended belongs to nobody.
+pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: Snapshot) {
+    if state.session.activity.is_none() {
+        return;
+    }
+    let room = &mut state.rooms.parameters;
+    room.asked.remove(&vehicle);
+    room.lists.insert(vehicle, snapshot);
+}
+
+/// How a command of the ledger stands with a vehicle.
+pub fn outcome(state: &State, entry: EntryId, vehicle: VehicleId) -> Option<&crate::ledger::Row> {
+    let entry = state.session.ledger.entry(entry)?;
+    entry.rows.iter().find(|row| row.vehicle == vehicle)
+}
+
+pub(super) fn ask(state: &mut State, purpose: Purpose, entered: String) {
+    state.overlay = Some(Overlay::Prompt(Prompt {
+        input: entered.into(),
+        ..Prompt::new(purpose)
+    }));
+}
+
+fn edit_under_cursor(state: &mut State) {
+    let rows = rows(state);
+    let Some(row) = rows.get(cursor_row(state, &rows)) else {
+        return;
+    };
+    // Of what is compared, the other value is what one would want to set.
+    let value = row.other().or(row.now.map(|now| now.value));
+    let (name, value) = (row.name.to_owned(), value.map_or_else(String::new, shown));
+    let vehicles = state.addressed();
+    ask(state, Purpose::Parameter { name, vehicles }, value);
+}
+
+fn change_vehicle(state: &mut State, action: Action) {
+    let step = match action {
+        Action::NextVehicle => Step::Down,
+        _ => Step::Up,
+    };
+    fly::move_cursor(state, step);
+}
+
+/// Stops setting values; else takes back the last thing that narrows the list. False if there is neither.
+fn close(state: &mut State) -> bool {
+    state.hush();
+    let room = &mut state.rooms.parameters;
+    let stopped = room.batch.as_mut().map_or(0, Batch::stop);
+    if stopped > 0 {
+        state.say(
+            Severity::Notice,
+            text!("parameters-stopped", count = stopped),
+        );
+    } else if !room.filter.is_empty() {
+        room.filter.clear();
+    } else if room.comparison.take().is_some() {
+    } else if room.changed_only {
+        room.changed_only = false;
+    } else {
+        return false;
+    }
+    true
 }

@@ -1,7 +1,8 @@
-//! The most serious thing that is wrong with a vehicle right now.
+//! What is wrong with a vehicle right now.
 
 use std::time::Duration;
 
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, SystemStatus, Vehicle};
 
@@ -17,9 +18,107 @@ const EKF_LIMIT: f32 = 0.8;
 /// Above this vibration spoils the estimates (ArduPilot's documentation of VIBRATION), in m/s2.
 const VIBRATION_LIMIT: f32 = 60.0;
 
+/// What an alert is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum AlertKind {
+    /// It has come down hard, or its motors have stopped in the air.
+    Crash,
+    /// Nothing is heard of it.
+    LinkLost,
+    /// Its autopilot acts on a failure.
+    Failsafe,
+    /// It does not know its position by satellites.
+    Gps,
+    /// Its filter's estimates contradict its sensors.
+    Ekf,
+    /// Its charge ends.
+    Battery,
+    /// It is outside its fence.
+    Fence,
+    /// It shakes too much.
+    Vibration,
+    /// It would refuse to arm.
+    Prearm,
+    /// A serious text about none of these.
+    Message,
+}
+
+impl AlertKind {
+    /// Every kind with its name in the configuration and on the command line.
+    pub const ALL: &[(&'static str, Self)] = &[
+        ("crash", Self::Crash),
+        ("link-lost", Self::LinkLost),
+        ("failsafe", Self::Failsafe),
+        ("gps", Self::Gps),
+        ("ekf", Self::Ekf),
+        ("battery", Self::Battery),
+        ("fence", Self::Fence),
+        ("vibration", Self::Vibration),
+        ("prearm", Self::Prearm),
+        ("message", Self::Message),
+    ];
+
+    /// Its name in the configuration and on the command line.
+    pub fn name(self) -> &'static str {
+        let mut all = Self::ALL.iter();
+        all.find(|(_, kind)| *kind == self)
+            .map_or("", |(name, _)| name)
+    }
+
+    /// The kind of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.iter();
+        all.find(|(known, _)| *known == name).map(|(_, kind)| *kind)
+    }
+
+    /// What is said of several vehicles at once.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Crash => text!("alert-kind-crash"),
+            Self::LinkLost => text!("alert-link-lost"),
+            Self::Failsafe => text!("alert-failsafe"),
+            Self::Gps => text!("alert-kind-gps"),
+            Self::Ekf => text!("alert-kind-ekf"),
+            Self::Battery => text!("alert-kind-battery"),
+            Self::Fence => text!("alert-fence"),
+            Self::Vibration => text!("alert-kind-vibration"),
+            Self::Prearm => text!("alert-prearm"),
+            Self::Message => text!("alert-kind-message"),
+        }
+    }
+
+    /// What a text from a vehicle or about it is about.
+    pub fn of_text(words: &str) -> Self {
+        let has = |part: &str| words.contains(part);
+        if has("link lost") {
+            Self::LinkLost
+        } else if has("PreArm") {
+            Self::Prearm
+        } else if has("Crash") || crash(words).is_some() {
+            Self::Crash
+        } else if has("ailsafe") {
+            Self::Failsafe
+        } else if has("EKF") {
+            Self::Ekf
+        } else if has("GPS") {
+            Self::Gps
+        } else if has("attery") {
+            Self::Battery
+        } else if has("ence breach") {
+            Self::Fence
+        } else if has("ibration") {
+            Self::Vibration
+        } else {
+            Self::Message
+        }
+    }
+}
+
 /// A condition that holds now.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alert {
+    /// What it is about.
+    pub kind: AlertKind,
     /// How serious it is.
     pub severity: Severity,
     /// In a few words, the most telling first.
@@ -28,18 +127,28 @@ pub struct Alert {
 
 /// The most serious present condition of a vehicle, if anything is wrong.
 pub fn alert(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
-    crashed(vehicle)
-        .or_else(|| link_lost(vehicle, now))
-        .or_else(|| failsafe(vehicle, now))
-        .or_else(|| estimate(vehicle))
-        .or_else(|| battery(vehicle))
-        .or_else(|| fence(vehicle))
-        .or_else(|| vibration(vehicle))
-        .or_else(|| prearm(vehicle))
+    alerts(vehicle, now).min_by_key(|alert| alert.severity)
 }
 
-fn condition(severity: Severity, text: impl Into<Text>) -> Alert {
+/// Everything that is wrong with a vehicle now, one of a kind at most.
+pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
+    let found = [
+        crashed(vehicle),
+        link_lost(vehicle),
+        failsafe(vehicle, now),
+        gps(vehicle),
+        filter(vehicle),
+        battery(vehicle),
+        fence(vehicle),
+        vibration(vehicle),
+        prearm(vehicle),
+    ];
+    found.into_iter().flatten()
+}
+
+fn condition(kind: AlertKind, severity: Severity, text: impl Into<Text>) -> Alert {
     Alert {
+        kind,
         severity,
         text: text.into(),
     }
@@ -59,7 +168,11 @@ fn crashed(vehicle: &Vehicle) -> Option<Alert> {
         return None;
     }
     if vehicle.heartbeat.is_some() && vehicle.landed == LandedState::InAir {
-        return Some(condition(Severity::Emergency, "MOTORS STOPPED in the air"));
+        return Some(condition(
+            AlertKind::Crash,
+            Severity::Emergency,
+            text!("alert-motors-stopped"),
+        ));
     }
     let since_armed = vehicle
         .texts
@@ -69,28 +182,28 @@ fn crashed(vehicle: &Vehicle) -> Option<Alert> {
     let mut found = since_armed.filter_map(|line| crash(&line.text));
     found
         .next()
-        .map(|text| condition(Severity::Emergency, text))
+        .map(|text| condition(AlertKind::Crash, Severity::Emergency, text))
 }
 
 /// What a status text says about a crash: ArduPilot's crash check, or the simulator about the ground.
-fn crash(text: &str) -> Option<String> {
+fn crash(text: &str) -> Option<Text> {
     if text.contains("Crash: Disarming") {
-        return Some("CRASHED, disarmed".to_owned());
+        return Some(text!("alert-crashed"));
     }
     let speed = text.strip_prefix("SIM Hit ground at ")?;
     let speed: f32 = speed.split_whitespace().next()?.parse().ok()?;
-    (speed > HARD_LANDING_M_S).then(|| format!("CRASHED at {speed:.0} m/s"))
+    (speed > HARD_LANDING_M_S).then(|| text!("alert-crashed-at", speed = format!("{speed:.0}")))
 }
 
-fn link_lost(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
-    if !vehicle.link.lost {
-        return None;
-    }
-    let silent = now.saturating_sub(vehicle.link.last_heard.unwrap_or_default());
-    Some(condition(
-        Severity::Alert,
-        format!("LINK LOST {} s", silent.as_secs()),
-    ))
+fn link_lost(vehicle: &Vehicle) -> Option<Alert> {
+    let lost = || {
+        condition(
+            AlertKind::LinkLost,
+            Severity::Alert,
+            text!("alert-link-lost"),
+        )
+    };
+    vehicle.link.lost.then(lost)
 }
 
 fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
@@ -99,49 +212,65 @@ fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         return None;
     }
     let reason = recent_text(vehicle, now, &["ailsafe"]);
-    Some(condition(
-        Severity::Critical,
-        reason.unwrap_or("FAILSAFE active"),
-    ))
+    let text = reason.map_or_else(|| text!("alert-failsafe"), Text::from);
+    Some(condition(AlertKind::Failsafe, Severity::Critical, text))
 }
 
-fn estimate(vehicle: &Vehicle) -> Option<Alert> {
+fn gps(vehicle: &Vehicle) -> Option<Alert> {
+    let says = |text| Some(condition(AlertKind::Gps, Severity::Critical, text));
     if !vehicle.armed() {
         return None;
     }
     if vehicle.gps.is_some_and(|gps| gps.fix < FixType::Fix3d) {
-        return Some(condition(Severity::Critical, "GPS lost"));
+        return says(text!("alert-gps-lost"));
     }
-    let ekf = vehicle.ekf?;
-    if ekf.flags.has(EkfFlags::GPS_GLITCHING) {
-        return Some(condition(Severity::Critical, "GPS glitch"));
+    let glitching = |ekf: crate::vehicle::Ekf| ekf.flags.has(EkfFlags::GPS_GLITCHING);
+    if vehicle.ekf.is_some_and(glitching) {
+        return says(text!("alert-gps-glitch"));
     }
+    None
+}
+
+fn filter(vehicle: &Vehicle) -> Option<Alert> {
+    let ekf = vehicle.ekf.filter(|_| vehicle.armed())?;
     if !ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE) {
-        return Some(condition(Severity::Critical, "EKF no position"));
+        let text = text!("alert-ekf-position");
+        return Some(condition(AlertKind::Ekf, Severity::Critical, text));
     }
     let parts = [
-        ("velocity", ekf.velocity_variance),
-        ("position", ekf.position_horizontal_variance),
-        ("height", ekf.position_vertical_variance),
-        ("compass", ekf.compass_variance),
+        (text!("alert-ekf-velocity"), ekf.velocity_variance),
+        (text!("alert-ekf-where"), ekf.position_horizontal_variance),
+        (text!("alert-ekf-height"), ekf.position_vertical_variance),
+        (text!("alert-ekf-compass"), ekf.compass_variance),
     ];
-    let (part, worst) = parts.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let known = parts.into_iter().filter(|(_, ratio)| ratio.is_finite());
+    let (part, worst) = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
     if worst < EKF_LIMIT {
         return None;
     }
-    Some(condition(Severity::Error, format!("EKF {part} {worst:.1}")))
+    let ratio = if worst.is_finite() {
+        format!("{worst:.1}")
+    } else {
+        "-".to_owned()
+    };
+    let text = text!("alert-ekf", part = part, ratio = ratio);
+    Some(condition(AlertKind::Ekf, Severity::Error, text))
 }
 
 fn battery(vehicle: &Vehicle) -> Option<Alert> {
     let left = vehicle.battery()?.remaining_percent?;
+    let says = |severity, text| Some(condition(AlertKind::Battery, severity, text));
     if left <= BATTERY_CRITICAL {
-        return Some(condition(Severity::Critical, format!("BATTERY {left} %")));
+        return says(
+            Severity::Critical,
+            text!("alert-battery-critical", percent = left),
+        );
     }
     if left <= BATTERY_LOW {
-        return Some(condition(
+        return says(
             Severity::Warning,
-            format!("battery low {left} %"),
-        ));
+            text!("alert-battery-low", percent = left),
+        );
     }
     None
 }
@@ -150,140 +279,34 @@ fn fence(vehicle: &Vehicle) -> Option<Alert> {
     if !vehicle.fence?.breached {
         return None;
     }
-    Some(condition(Severity::Error, "outside fence"))
+    Some(condition(
+        AlertKind::Fence,
+        Severity::Error,
+        text!("alert-fence"),
+    ))
 }
 
 fn vibration(vehicle: &Vehicle) -> Option<Alert> {
     let level = vehicle.vibration?.level_m_s2;
-    let worst = level.into_iter().fold(0.0, f32::max);
+    let known = level.into_iter().filter(|level| level.is_finite());
+    let worst = known.fold(0.0, f32::max);
     if !vehicle.armed() || worst < VIBRATION_LIMIT {
         return None;
     }
-    Some(condition(
-        Severity::Warning,
-        format!("vibration {worst:.0}"),
-    ))
+    let text = text!("alert-vibration", level = format!("{worst:.0}"));
+    Some(condition(AlertKind::Vibration, Severity::Warning, text))
 }
 
 fn prearm(vehicle: &Vehicle) -> Option<Alert> {
     if vehicle.armed() || vehicle.health.is_none_or(|health| health.prearm_ok()) {
         return None;
     }
-    match vehicle.prearm.last() {
-        Some(reason) => Some(condition(Severity::Warning, reason.clone())),
-        None => Some(condition(Severity::Notice, "not ready to arm")),
-    }
+    let (severity, text) = match vehicle.prearm.last() {
+        Some(reason) => (Severity::Warning, reason.as_str().into()),
+        None => (Severity::Notice, text!("alert-prearm")),
+    };
+    Some(condition(AlertKind::Prearm, severity, text))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::vehicle::{Battery, Fence, Health, StatusText};
-
-    fn vehicle() -> Vehicle {
-        let mut vehicle = Vehicle::new(1, 1);
-        vehicle.health = Some(Health {
-            present: 0,
-            enabled: 0,
-            healthy: Health::PREARM,
-            load_percent: 0.0,
-            at: Duration::ZERO,
-        });
-        vehicle
-    }
-
-    fn text_of(vehicle: &Vehicle) -> Option<String> {
-        alert(vehicle, Duration::from_secs(10)).map(|alert| alert.text.to_string())
-    }
-
-    #[test]
-    fn a_healthy_vehicle_has_no_alert() {
-        assert_eq!(text_of(&vehicle()), None);
-        assert_eq!(
-            text_of(&Vehicle::new(1, 1)),
-            None,
-            "nothing known is nothing wrong"
-        );
-    }
-
-    #[test]
-    fn the_most_serious_condition_wins() {
-        let mut vehicle = vehicle();
-        vehicle.health = vehicle.health.map(|health| Health {
-            healthy: 0,
-            ..health
-        });
-        assert_eq!(text_of(&vehicle).as_deref(), Some("not ready to arm"));
-        vehicle.prearm.push("Need Position Estimate".to_owned());
-        assert_eq!(text_of(&vehicle).as_deref(), Some("Need Position Estimate"));
-        vehicle.fence = Some(Fence {
-            breached: true,
-            breaches: 1,
-            breach_type: 1,
-        });
-        assert_eq!(text_of(&vehicle).as_deref(), Some("outside fence"));
-        vehicle.batteries.push(Battery {
-            id: 0,
-            voltage_v: None,
-            current_a: None,
-            consumed_mah: None,
-            consumed_wh: None,
-            remaining_percent: Some(9),
-            at: Duration::ZERO,
-        });
-        assert_eq!(text_of(&vehicle).as_deref(), Some("BATTERY 9 %"));
-        vehicle.link.lost = true;
-        vehicle.link.last_heard = Some(Duration::from_secs(4));
-        assert_eq!(text_of(&vehicle).as_deref(), Some("LINK LOST 6 s"));
-        vehicle.texts.push(StatusText {
-            severity: Severity::Critical,
-            text: "Crash: Disarming: AngErr=179>30".to_owned(),
-            at: Duration::from_secs(9),
-        });
-        assert_eq!(text_of(&vehicle).as_deref(), Some("CRASHED, disarmed"));
-    }
-
-    #[test]
-    fn a_crash_is_shown_until_the_vehicle_is_armed_again() {
-        let hear = |vehicle: &mut Vehicle, text: &str| {
-            vehicle.texts.push(StatusText {
-                severity: Severity::Critical,
-                text: text.to_owned(),
-                at: Duration::ZERO,
-            });
-        };
-        let long_after = Duration::from_secs(1000);
-        let shown =
-            |vehicle: &Vehicle| alert(vehicle, long_after).map(|alert| alert.text.to_string());
-        let mut vehicle = vehicle();
-        hear(&mut vehicle, "SIM Hit ground at 0.48 m/s");
-        assert_eq!(shown(&vehicle), None, "a landing");
-        hear(&mut vehicle, "SIM Hit ground at 15.97 m/s");
-        hear(&mut vehicle, "Disarming motors");
-        assert_eq!(shown(&vehicle).as_deref(), Some("CRASHED at 16 m/s"));
-        hear(&mut vehicle, "Arming motors");
-        assert_eq!(shown(&vehicle), None);
-    }
-
-    #[test]
-    fn a_vehicle_that_falls_says_so() {
-        let mut vehicle = vehicle();
-        vehicle.landed = LandedState::InAir;
-        assert_eq!(text_of(&vehicle), None, "whether it is armed is not known");
-        vehicle.heartbeat = Some(crate::vehicle::Heartbeat {
-            mav_type: 2,
-            autopilot: 3,
-            class: crate::vehicle::VehicleClass::Copter,
-            mode: crate::vehicle::VehicleClass::Copter
-                .mode("GUIDED")
-                .expect("a mode"),
-            armed: false,
-            status: SystemStatus::Active,
-            at: Duration::ZERO,
-        });
-        assert_eq!(
-            text_of(&vehicle).as_deref(),
-            Some("MOTORS STOPPED in the air")
-        );
-    }
-}
+mod tests;

@@ -1,4 +1,4 @@
-//! The notices that are shown, newest last, equal ones that follow each other folded into one line.
+//! The notices that are shown, newest last, equal ones of a moment folded into one line.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::time::Duration;
@@ -10,6 +10,9 @@ use crate::vehicle::VehicleId;
 pub const LINES_KEPT: usize = 1000;
 /// How long after its first notice a line takes in equal ones.
 const FOLD_TIME: Duration = Duration::from_secs(10);
+
+/// Lines that are looked through for an equal one, so that a flood of different ones costs little.
+const LINES_SEARCHED: usize = 50;
 
 /// One line: a text, how often it came, and from whom.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,14 +34,10 @@ pub struct NoticeLog {
 }
 
 impl NoticeLog {
-    /// Adds a notice. One that says the same as the newest line, soon after it, joins that line; the line keeps its
-    /// time, so that the order of events stays readable.
+    /// Adds a notice. One that says the same as a line of a moment ago joins that line, unless its vehicle has said
+    /// something else since: the order of what one vehicle says stays readable. The line keeps its time and place.
     pub fn push(&mut self, notice: Notice) {
-        if let Some(line) = self.lines.back_mut()
-            && line.notice.text == notice.text
-            && line.notice.severity == notice.severity
-            && notice.at.saturating_sub(line.notice.at) <= FOLD_TIME
-        {
+        if let Some(line) = self.open_line(&notice) {
             line.count += 1;
             line.vehicles.extend(notice.vehicle);
             return;
@@ -51,6 +50,27 @@ impl NoticeLog {
         if self.lines.len() > LINES_KEPT {
             self.lines.pop_front();
         }
+    }
+
+    /// The line that a notice joins.
+    fn open_line(&mut self, notice: &Notice) -> Option<&mut NoticeLine> {
+        let is_recent =
+            |line: &&mut NoticeLine| notice.at.saturating_sub(line.notice.at) <= FOLD_TIME;
+        let newest_first = self.lines.iter_mut().rev().take(LINES_SEARCHED);
+        for line in newest_first.take_while(is_recent) {
+            let alike = line.notice.text == notice.text && line.notice.severity == notice.severity;
+            if alike && line.notice.vehicle.is_some() == notice.vehicle.is_some() {
+                return Some(line);
+            }
+            let is_since = match notice.vehicle {
+                Some(vehicle) => line.vehicles.contains(&vehicle),
+                None => line.vehicles.is_empty(),
+            };
+            if is_since {
+                return None;
+            }
+        }
+        None
     }
 
     /// The lines, oldest first.
@@ -74,9 +94,9 @@ mod tests {
     }
 
     #[test]
-    fn equal_texts_that_follow_each_other_become_one_line() {
+    fn equal_texts_of_interleaved_vehicles_become_one_line() {
         let mut log = NoticeLog::default();
-        for (vehicle, text) in [(1, "a"), (2, "a"), (1, "a"), (2, "b"), (3, "a")] {
+        for (vehicle, text) in [(1, "a"), (2, "a"), (1, "a"), (2, "b"), (3, "a"), (2, "a")] {
             log.push(notice(vehicle, text));
         }
         let counts: Vec<_> = log
@@ -92,7 +112,8 @@ mod tests {
         let counted = |text: &str, count, vehicles| (text.to_owned(), count, vehicles);
         assert_eq!(
             counts,
-            [counted("a", 3, 2), counted("b", 1, 1), counted("a", 1, 1)]
+            [counted("a", 4, 3), counted("b", 1, 1), counted("a", 1, 1)],
+            "2 has said something else before it said that again"
         );
     }
 

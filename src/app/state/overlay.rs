@@ -3,6 +3,8 @@
 use tui_input::Input;
 
 use crate::app::effect::Effect;
+use crate::app::room::Room;
+use crate::app::room::parameters::Setting;
 use crate::commands::Command;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
@@ -23,12 +25,7 @@ pub enum Overlay {
         /// The first line shown.
         scroll: usize,
     },
-    /// What the links count.
-    Links {
-        /// The first line shown.
-        scroll: usize,
-    },
-    /// All commands, or all notices.
+    /// All notices.
     Log {
         /// Which of them.
         log: Log,
@@ -42,8 +39,6 @@ pub enum Overlay {
 /// What can be looked back through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
-    /// The commands.
-    Ledger,
     /// The notices.
     Notices,
 }
@@ -98,6 +93,8 @@ pub enum Consequence {
     Order(Order),
     /// The shell does something.
     Effect(Effect),
+    /// Parameters are set one after the other.
+    Parameters(Vec<Setting>),
 }
 
 /// A command with its targets, ready to go out.
@@ -140,13 +137,26 @@ impl Prompt {
 pub enum Purpose {
     /// The addresses of vehicles, with blanks between them.
     Connect,
+    /// What the names of a room's list have to contain.
+    Filter(Room),
+    /// A parameter's new value.
+    Parameter {
+        /// The parameter.
+        name: String,
+        /// The vehicles that shall take it.
+        vehicles: Vec<VehicleId>,
+    },
+    /// The file that parameters are saved to.
+    SaveParameters,
+    /// The file that parameters are loaded from.
+    LoadParameters,
+    /// The file or the vehicle that parameters are compared with.
+    CompareParameters,
 }
 
 impl Purpose {
     /// Whether every key counts, and not only Enter.
     pub fn is_live(&self) -> bool {
-        match self {
-            Self::Connect => false,
-        }
+        matches!(self, Self::Filter(_))
     }
 }

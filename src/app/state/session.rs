@@ -1,12 +1,13 @@
 //! What is being flown: forgotten as a whole when the session ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use super::{Groups, LinkSummary, Selection};
+use super::{Alarms, Groups, Histories, LinkSummary, Selection};
+use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
-use crate::mission::Progress;
+use crate::mission::{Area, Progress};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
 
@@ -19,14 +20,22 @@ pub struct Session {
     pub began_at: Duration,
     /// The vehicles, as their telemetry said last.
     pub vehicles: BTreeMap<VehicleId, Vehicle>,
+    /// What their readings were.
+    pub histories: Histories,
     /// The vehicles that commands go to; none selected means the one under the cursor.
     pub selection: Selection,
     /// The vehicle under the cursor.
     pub cursor: Option<VehicleId>,
+    /// What is wrong with them.
+    pub alarms: Alarms,
     /// All commands of the session.
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
     pub links: Vec<LinkSummary>,
+    /// What the link doctor has found, worst first.
+    pub findings: Vec<Finding>,
+    /// Findings that were told already, by link and name.
+    pub told: BTreeSet<(usize, &'static str)>,
     /// The mission's progress, if one is flown.
     pub mission: Option<Progress>,
     /// Whether the mission is over: its debrief is there.
@@ -35,6 +44,8 @@ pub struct Session {
     pub groups: Groups,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
+    /// The areas of the mission that are known from the start.
+    pub areas: Vec<Area>,
     /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
     /// Whether the user has put the cursor somewhere.
@@ -120,6 +131,13 @@ impl Session {
         }
     }
 
+    /// Why nothing is heard, as far as the link doctor knows; a link that is not open says so itself.
+    pub fn worst_finding(&self) -> Option<&Finding> {
+        let worst = self.findings.first()?;
+        let is_told = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
+        is_told.then_some(worst)
+    }
+
     /// How many vehicles are armed.
     pub fn armed(&self) -> usize {
         self.vehicles
@@ -128,17 +146,11 @@ impl Session {
             .count()
     }
 
-    /// The place of the cursor in the list of vehicles.
-    pub fn cursor_row(&self) -> usize {
-        self.cursor
-            .map_or(0, |cursor| self.vehicles.range(..cursor).count())
-    }
-
-    /// Puts the cursor on a row of the list.
-    pub fn set_cursor_row(&mut self, row: usize) {
-        if let Some(&id) = self.vehicles.keys().nth(row) {
-            self.place_cursor(id);
-        }
+    /// The names of the groups that a vehicle belongs to.
+    pub fn groups_of(&self, vehicle: VehicleId) -> Vec<&str> {
+        let mine = |members: &[VehicleId]| members.contains(&vehicle);
+        let groups = self.groups.iter().filter(|(_, members)| mine(members));
+        groups.map(|(name, _)| name.as_str()).collect()
     }
 
     /// Puts the cursor on a vehicle, where it stays.

@@ -1,9 +1,9 @@
 //! What actions mean where a room has no meaning of its own for them.
 
 use super::{order, palette};
-use crate::app::action::{Action, Step};
+use crate::app::action::Action;
 use crate::app::effect::Effect;
-use crate::app::room::{self, Room};
+use crate::app::room::{self, Room, fly};
 use crate::app::state::{Confirm, Consequence, Log, Overlay, Session, State, parse_ranges, ranges};
 use crate::text;
 use crate::text::Text;
@@ -20,11 +20,9 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Show(room) => show(state, room),
         Action::CommandLine => open_palette(state, ""),
         Action::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Action::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
-        Action::Ledger => look_back(state, Log::Ledger),
         Action::Notices => look_back(state, Log::Notices),
         Action::Brief => brief(state),
-        Action::Move(step) => go(state, step),
+        Action::Move(step) => fly::move_cursor(state, step),
         Action::Toggle | Action::SelectAll | Action::Invert => pick(state, action),
         Action::Erase => drop(state.typed.pop()),
         Action::Submit => submit(state),
@@ -32,11 +30,8 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Again => return restart(state),
         Action::Leave => return leave(state),
         Action::Quit => return quit(state),
-        Action::Complete
-        | Action::CompleteBack
-        | Action::Older
-        | Action::Newer
-        | Action::Filter => {}
+        // Only prompts and single rooms know the others.
+        _ => {}
     }
     Vec::new()
 }
@@ -45,6 +40,9 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
 pub fn show(state: &mut State, room: Room) {
     state.hush();
     state.room = room;
+    if room == Room::Ledger {
+        room::ledger::entered(state);
+    }
 }
 
 /// Shows a log, its newest entry first of all.
@@ -163,14 +161,10 @@ pub fn open_palette(state: &mut State, words: &str) {
     palette::open(state, line);
 }
 
-fn go(state: &mut State, step: Step) {
-    let row = step.apply(state.session.cursor_row(), state.session.vehicles.len());
-    state.session.set_cursor_row(row);
-}
-
 fn pick(state: &mut State, action: Action) {
     let session = &mut state.session;
-    let all = session.vehicles.keys().copied();
+    // What a filter hides is never selected unseen.
+    let all = state.rooms.fly.rows().iter().copied();
     match action {
         Action::SelectAll => session.selection = all.collect(),
         Action::Invert => {

@@ -5,10 +5,11 @@ use tui_input::{Input, InputRequest};
 
 use super::{act, order, palette};
 use crate::app::action::Action;
+use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::{Meaning, Place};
 use crate::app::room;
-use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines, link_lines};
+use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -65,7 +66,10 @@ pub fn paste(state: &mut State, text: &str) {
             insert(&mut prompt.input, &text);
             state.overlay = Some(Overlay::Prompt(prompt));
         }
-        other => state.overlay = other,
+        other => {
+            state.overlay = other;
+            state.say(Severity::Notice, text!("footer-paste-dropped"));
+        }
     }
 }
 
@@ -119,7 +123,10 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
             act::open_palette(state, &words);
             Vec::new()
         }
-        Some(Meaning::Give(line)) => palette::give(state, &line),
+        Some(Meaning::Give(line)) => {
+            let line = addressed(state, &line);
+            palette::give(state, &line)
+        }
         Some(Meaning::Type) => {
             if let KeyCode::Char(c) = key.code {
                 act::type_ids(state, c);
@@ -127,6 +134,19 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
             Vec::new()
         }
         None => Vec::new(),
+    }
+}
+
+/// A line that a key gives: to the vehicle list that was being typed, unless it says itself to whom.
+fn addressed(state: &mut State, line: &str) -> String {
+    let typed = std::mem::take(&mut state.typed);
+    let first = line.split_whitespace().next().unwrap_or_default();
+    let names_targets =
+        first == "all" || first.starts_with(|c: char| c == '@' || c.is_ascii_digit());
+    if typed.is_empty() || names_targets || console::usage(line).is_some() {
+        line.to_owned()
+    } else {
+        format!("{typed} {line}")
     }
 }
 
@@ -206,15 +226,9 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
                 let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
                 *cursor = Some(at).filter(|at| at + 1 < count);
             }
-            let (scroll, count) = match &mut reader {
-                Overlay::Help { scroll } => (scroll, help_lines(&state.keymap).len()),
-                Overlay::Links { scroll } => (scroll, link_lines(&state.session.links).len()),
-                _ => {
-                    state.overlay = Some(reader);
-                    return Vec::new();
-                }
-            };
-            *scroll = step.apply(*scroll, count);
+            if let Overlay::Help { scroll } = &mut reader {
+                *scroll = step.apply(*scroll, help_lines(&state.keymap).len());
+            }
         }
         _ => {}
     }

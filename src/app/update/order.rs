@@ -2,6 +2,7 @@
 
 use super::act;
 use crate::app::effect::Effect;
+use crate::app::room::parameters;
 use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
@@ -73,6 +74,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
             }
             return vec![effect];
         }
+        Consequence::Parameters(settings) => return parameters::begin(state, settings),
     };
     let now = state.now;
     let given = Given {
@@ -81,6 +83,8 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
         risk: order.command.risk(),
     };
     let entry = state.session.open(now, given, &order.targets);
+    parameters::note_order(state, &order, entry);
+    state.rooms.ledger.spoil();
     vec![Effect::Command {
         entry,
         targets: order.targets,

@@ -3,11 +3,13 @@
 use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-use super::{act, keys, order};
+use super::{act, keys, order, swarm};
 use crate::app::action::Action;
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
+use crate::app::room::Room;
+use crate::app::room::parameters;
 use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language;
@@ -206,7 +208,7 @@ fn console_line(
     line: &str,
     own: ConsoleLine,
 ) -> Result<Vec<Effect>, Diagnostic> {
-    let at_last_word = |text: String| {
+    let at_last_word = |text: Text| {
         let end = line.trim_end().len();
         let start = console::last_word(&line[..end]);
         Diagnostic::new(start..end, text)
@@ -218,12 +220,18 @@ fn console_line(
         }
         ConsoleLine::Group { name, targets } => {
             let ids = targeted(state, &targets).map_err(at_last_word)?;
-            group(state, name, ids).map_err(at_last_word)?;
+            group(state, name, ids).map_err(|text| at_last_word(text.into()))?;
         }
         ConsoleLine::Theme(name) => {
             state.theme.clone_from(&name);
             return Ok(vec![Effect::SetTheme(name)]);
         }
+        ConsoleLine::Params(deed) => {
+            let end = line.trim_end().len();
+            let last = console::last_word(&line[..end])..end;
+            return parameters::line(state, deed).map_err(|text| Diagnostic::new(last, text));
+        }
+        ConsoleLine::Swarm(own) => swarm::carry_out(state, own).map_err(at_last_word)?,
         ConsoleLine::Plain(deed) => return Ok(plain(state, deed)),
     }
     Ok(Vec::new())
@@ -232,8 +240,8 @@ fn console_line(
 fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
     match deed {
         Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Deed::Links => state.overlay = Some(Overlay::Links { scroll: 0 }),
-        Deed::Ledger => act::look_back(state, Log::Ledger),
+        Deed::Links => act::show(state, Room::Links),
+        Deed::Ledger => act::show(state, Room::Ledger),
         Deed::Notices => act::look_back(state, Log::Notices),
         Deed::Brief => act::brief(state),
         Deed::Abandon => return act::abandon(state),
@@ -282,17 +290,23 @@ fn recipients(state: &State, line: &str) -> Text {
 }
 
 /// The vehicles that a word names; nothing means those that a command would go to.
-fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, String> {
+pub fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, Text> {
     match word {
         "" => Ok(state.addressed()),
         "none" => Ok(Vec::new()),
+        "filter" => Ok(state.rooms.fly.rows().to_vec()),
+        "invert" => {
+            let shown = state.rooms.fly.rows().iter().copied();
+            let others = shown.filter(|id| !state.session.selection.contains(id));
+            Ok(others.collect())
+        }
         "all" => Ok(state.session.vehicles.keys().copied().collect()),
         _ => match word.strip_prefix('@') {
             Some(name) => {
                 let members = state.session.groups.get(name).cloned();
-                members.ok_or_else(|| format!("no group is named `{name}`"))
+                members.ok_or_else(|| text!("fly-no-group", name = name))
             }
-            None => parse_ranges(word),
+            None => parse_ranges(word).map_err(Text::from),
         },
     }
 }

@@ -6,7 +6,9 @@ use crate::app::effect::Effect;
 use crate::app::event::Started;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
-use crate::app::state::{NoticeLog, Overlay, Session, State};
+use crate::app::room::map;
+use crate::app::room::{fly, ledger};
+use crate::app::state::{AlertKind, Call, NoticeLog, Overlay, Session, State};
 use crate::debrief;
 use crate::mission::Progress;
 use crate::notice::{Notice, sanitised};
@@ -19,6 +21,16 @@ pub fn tick(state: &mut State, now: Duration) {
     // else on the screen depends on time.
     let before = (state.now.as_secs(), state.is_deaf());
     state.now = now;
+    map::tick(state);
+    if before.0 != now.as_secs() {
+        watch(state);
+    }
+    let session = &mut state.session;
+    let is_sampled = session.histories.sample(&session.vehicles, now);
+    let is_curve_longer = is_sampled && state.room == Room::Vehicle;
+    if fly::tick(state) | ledger::tick(state) | is_curve_longer {
+        state.touch();
+    }
     if before != (now.as_secs(), state.is_deaf()) {
         state.touch();
     }
@@ -30,13 +42,39 @@ pub fn vehicle(state: &mut State, vehicle: Vehicle) {
     if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&vehicle) {
         return;
     }
+    let id = vehicle.id;
+    session.alarms.observe(&vehicle, state.now);
+    let is_new = !session.vehicles.contains_key(&id);
     session.insert(vehicle);
+    map::heard(state, id);
+    if is_new {
+        fly::heard(state, id);
+    }
     state.touch();
+}
+
+/// Looks at all vehicles again: some alerts end by themselves.
+fn watch(state: &mut State) {
+    let session = &mut state.session;
+    session.alarms.mute(&state.config.alerts.mute);
+    for vehicle in session.vehicles.values() {
+        session.alarms.observe(vehicle, state.now);
+    }
+}
+
+/// What makes itself noticed now.
+pub fn signals(state: &mut State) -> Vec<Effect> {
+    let due = state.session.alarms.due(state.now);
+    let alerts = &state.config.alerts;
+    let ring = (due.ring && alerts.bell).then_some(Effect::Bell);
+    let note = due.note.filter(|_| alerts.notify).map(Effect::Notify);
+    ring.into_iter().chain(note).collect()
 }
 
 pub fn started(state: &mut State, started: Started) {
     let mut session = Session::new(started.activity, started.places);
     session.began_at = state.now;
+    session.areas = started.areas;
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
     if session.activity == state.session.activity {
@@ -44,24 +82,32 @@ pub fn started(state: &mut State, started: Started) {
     }
     state.session = session;
     state.rooms.forget_session();
+    map::began(state);
     state.typed.clear();
     state.room = Room::Fly;
     state.overlay = None;
     state.hush();
+    state.session.alarms.mute(&state.config.alerts.mute);
+    fly::check_names(state);
 }
 
-pub fn notice(state: &mut State, notice: &Notice) -> Vec<Effect> {
-    let serious = notice.severity <= Severity::Critical;
+pub fn notice(state: &mut State, notice: &Notice) {
     state.notices.push(notice.clone());
-    if serious {
-        vec![Effect::Bell]
-    } else {
-        Vec::new()
+    if notice.severity <= Severity::Critical {
+        let call = Call {
+            kind: AlertKind::of_text(&notice.text.to_string()),
+            severity: notice.severity,
+            vehicle: notice.vehicle,
+            text: notice.text.clone(),
+            worse: false,
+        };
+        state.session.alarms.hear(state.now, call);
     }
 }
 
 pub fn progress(state: &mut State, progress: Progress) {
     if state.session.activity.is_some() {
+        map::measured(state, &progress);
         state.session.mission = Some(progress);
     }
 }

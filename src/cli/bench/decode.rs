@@ -31,6 +31,9 @@ const ROUNDS: usize = 7;
 
 /// Options of `sortie bench decode`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie bench decode\n  \
+    sortie bench decode flight.tlog --json")]
 pub(in crate::cli) struct DecodeArguments {
     /// A recording (tlog); without one, a flight of the embedded simulator is recorded first.
     file: Option<PathBuf>,

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::super::Failure;
 use crate::app::event::{Event, Started};
-use crate::app::state::{Activity, State};
+use crate::app::state::{Activity, Room, State};
 use crate::app::update;
 use crate::geo::LatLon;
 use crate::terminal::Screen;
@@ -28,6 +28,9 @@ const ONE_IN: u32 = 10;
 
 /// Options of `sortie bench frame`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie bench frame\n  \
+    sortie bench frame --width 200 --height 50 --json")]
 pub(in crate::cli) struct FrameArguments {
     /// Columns of the screen.
     #[arg(long, default_value_t = 120, value_parser = clap::value_parser!(u16).range(80..=1000))]
@@ -35,6 +38,9 @@ pub(in crate::cli) struct FrameArguments {
     /// Rows of the screen.
     #[arg(long, default_value_t = 40, value_parser = clap::value_parser!(u16).range(24..=1000))]
     height: u16,
+    /// The room of the map instead of the flight screen.
+    #[arg(long)]
+    map: bool,
     /// One JSON document instead of the table.
     #[arg(long)]
     json: bool,
@@ -82,6 +88,11 @@ fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Fa
     let look = Look::default();
     let mut screen = Screen::nowhere(options.width, options.height)?;
     let mut state = swarm(vehicles);
+    if options.map {
+        state.room = Room::Map;
+    }
+    let (columns, rows) = (options.width, options.height);
+    update(&mut state, Event::Resize { columns, rows });
     let mut drawing = Duration::ZERO;
     let mut bytes_before = 0;
     for frame in 0..FRAMES {
@@ -126,6 +137,7 @@ fn swarm(vehicles: VehicleId) -> State {
     let started = Started {
         activity: Activity::Free,
         places: std::collections::BTreeMap::new(),
+        areas: Vec::new(),
     };
     update(&mut state, Event::Started(Box::new(started)));
     for id in 1..=vehicles {

@@ -9,7 +9,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::super::{Failure, runtime};
-use crate::console::{self, Opening, Options};
+use crate::console::{self, Opening, Options, Preferences};
 use crate::ui::Look;
 
 /// The vehicles are on their way by now.
@@ -19,6 +19,8 @@ const SIZE: (u16, u16) = (120, 40);
 
 /// Options of `sortie bench load`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie bench load --vehicles 32 --seconds 20")]
 pub(in crate::cli) struct LoadArguments {
     /// How many vehicles fly.
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u8).range(1..=250))]
@@ -55,6 +57,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         seed: 1,
         speedup: 1.0,
         look: Look::default(),
+        preferences: Preferences::default(),
     };
     let seconds = |seconds| Duration::from_secs(seconds);
     // A kilometre at 10 m/s lasts longer than the measurement.

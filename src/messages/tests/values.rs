@@ -8,8 +8,8 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use super::super::testing::Bench;
-use super::super::{Parameter, ParameterType};
 use super::{global, health};
+use crate::parameters::{Parameter, ParameterType};
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 #[test]
@@ -262,6 +262,7 @@ fn parameters_are_counted_and_what_is_missing_is_known() {
         rtl,
         &Parameter {
             value: 2000.0,
+            original: 1500.0,
             kind: ParameterType::Int16,
             index: Some(0)
         }

@@ -1,10 +1,258 @@
-//! The room of that name.
+//! Every command so far, and what became of it with each vehicle.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
 
 use crate::app::state::State;
+use crate::ledger::{Entry, Row};
+use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::ledger::{entry_role, summary};
+use crate::ui::widget::{
+    aligned, below, clip, clock, columns, put, row_of, row_role, titled, upper, wrap,
+};
 
-/// Draws it.
-pub fn draw(_state: &State, _look: &Look, _area: Rect, _buffer: &mut Buffer) {}
+/// From this width on the rows of a command stand beside the list.
+const BESIDE: u16 = 150;
+/// Columns of the fixed parts of a line: mark, time, vehicles, answer, tries.
+const TIME_WIDTH: usize = 7;
+const COUNT_WIDTH: usize = 5;
+const ANSWER_WIDTH: usize = 8;
+const TRIES_WIDTH: usize = 5;
+/// Columns of what became of a command, where there is room for more than its line.
+const OUTCOME_LEAST: usize = 24;
+/// Columns of a vehicle's state.
+const STATE_WIDTH: usize = 16;
+
+/// Draws the list, and the rows of the command under the cursor.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let room = &state.rooms.ledger;
+    let entry = room.under_cursor();
+    let entry = entry.and_then(|id| state.session.ledger.entry(id));
+    let Some(entry) = entry else {
+        draw_list(state, look, area, buffer);
+        return;
+    };
+    if room.opened {
+        draw_rows(state, entry, look, area, buffer);
+    } else if area.width >= BESIDE {
+        let half = area.width * 3 / 5;
+        draw_list(state, look, columns(area, 0, half), buffer);
+        draw_rows(
+            state,
+            entry,
+            look,
+            columns(area, half + 1, area.width),
+            buffer,
+        );
+    } else {
+        // A third of the screen at most: the rest is one key away.
+        let wanted = 2 + lines(entry, look, usize::from(area.width)).len() as u16;
+        let rows = wanted.clamp(4, (area.height / 3).max(4));
+        let list = area.height.saturating_sub(rows);
+        draw_list(state, look, upper(area, list), buffer);
+        draw_rows(state, entry, look, below(area, list), buffer);
+    }
+}
+
+fn draw_list(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let room = &state.rooms.ledger;
+    let inner = titled(&title(state, look), look, area, buffer);
+    let width = usize::from(inner.width);
+    put(buffer, inner, 0, &headings(look, width));
+    let list = below(inner, 1);
+    if room.shown().is_empty() {
+        let nothing = if state.session.ledger.entries().len() == 0 {
+            look.say("commands-none")
+        } else {
+            look.say("commands-none-fit")
+        };
+        let line = Line::styled(format!("  {nothing}"), look.style(Role::Muted));
+        put(buffer, list, 0, &line);
+        return;
+    }
+    let rows = usize::from(list.height);
+    let place = room.place();
+    // The cursor stays in the middle while the list scrolls under it.
+    let first = place
+        .saturating_sub(rows / 2)
+        .min(room.shown().len().saturating_sub(rows));
+    let seen = room.shown().iter().enumerate().skip(first).take(rows);
+    for (row, (at, &id)) in seen.enumerate() {
+        let Some(entry) = state.session.ledger.entry(id) else {
+            continue;
+        };
+        let line = entry_line(entry, state, (at == place, width), look);
+        put(buffer, list, row as u16, &line);
+        if at == place {
+            buffer.set_style(row_of(list, row as u16), look.style(Role::Cursor));
+        }
+    }
+}
+
+fn title(state: &State, look: &Look) -> String {
+    let room = &state.rooms.ledger;
+    let all = state.session.ledger.entries().len();
+    let shown = room.shown().len();
+    let mut parts = vec![text!("commands-pane")];
+    if shown > 0 {
+        parts.push(text!("fly-place", at = room.place() + 1, count = shown));
+    }
+    if !room.filter.is_empty() {
+        let filter = clip(&room.filter, 24);
+        parts.push(text!(
+            "fly-filtered",
+            shown = shown,
+            all = all,
+            filter = filter
+        ));
+    }
+    parts.extend(room.outcome.title());
+    if room.cursor.is_none() && shown > 0 {
+        parts.push(text!("commands-follows"));
+    }
+    look.text(&Text::joined("  ", parts))
+}
+
+/// Columns of the line of a command, and of what became of it.
+fn split(width: usize) -> (usize, usize) {
+    let fixed = 2 + TIME_WIDTH + COUNT_WIDTH + ANSWER_WIDTH + TRIES_WIDTH + 2;
+    let free = width.saturating_sub(fixed);
+    let outcome = (free / 2).max(OUTCOME_LEAST).min(free);
+    (free - outcome, outcome)
+}
+
+fn headings(look: &Look, width: usize) -> Line<'static> {
+    let (line, outcome) = split(width);
+    let text = format!(
+        "  {}{} {}{} {}{}",
+        aligned(&look.say("commands-time"), TIME_WIDTH, false),
+        aligned(&look.say("commands-line"), line, false),
+        aligned(&look.say("commands-to"), COUNT_WIDTH, true),
+        aligned(&look.say("commands-answer"), ANSWER_WIDTH, true),
+        aligned(
+            &format!(" {}", look.say("commands-outcome")),
+            outcome,
+            false
+        ),
+        aligned(&look.say("commands-tries"), TRIES_WIDTH, true),
+    );
+    Line::styled(text, look.style(Role::Muted))
+}
+
+fn entry_line(
+    entry: &Entry,
+    state: &State,
+    (under_cursor, width): (bool, usize),
+    look: &Look,
+) -> Line<'static> {
+    let (line, outcome) = split(width);
+    let muted = look.style(Role::Muted);
+    let mark = if under_cursor { "> " } else { "  " };
+    let time = clock(state.session.time(entry.at));
+    let slowest = entry.rows.iter().filter_map(|row| row.answered_after).max();
+    let answer = slowest.map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
+    let tries = entry.rows.iter().map(|row| row.tries).max().unwrap_or(0);
+    let count = entry.rows.len().to_string();
+    Line::from(vec![
+        Span::raw(mark),
+        Span::styled(aligned(&time, TIME_WIDTH, false), muted),
+        Span::raw(aligned(&entry.line, line, false)),
+        Span::styled(format!(" {}", aligned(&count, COUNT_WIDTH, true)), muted),
+        Span::styled(aligned(&answer, ANSWER_WIDTH, true), muted),
+        Span::styled(
+            format!(
+                " {}",
+                aligned(&format!(" {}", summary(entry, false)), outcome, false)
+            ),
+            look.style(entry_role(entry)),
+        ),
+        Span::styled(aligned(&tries.to_string(), TRIES_WIDTH, true), muted),
+    ])
+}
+
+/// Seconds with as many decimals as matter.
+fn seconds(time_s: f64) -> String {
+    if time_s < 10.0 {
+        format!("{time_s:.2} s")
+    } else {
+        format!("{time_s:.0} s")
+    }
+}
+
+/// Draws what became of one command with each vehicle, what went wrong first.
+fn draw_rows(state: &State, entry: &Entry, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let time = clock(state.session.time(entry.at));
+    let title = format!("{time} {}", entry.line);
+    let inner = titled(&title, look, area, buffer);
+    let lines = lines(entry, look, usize::from(inner.width));
+    let rows = usize::from(inner.height);
+    let scroll = if state.rooms.ledger.opened {
+        state.rooms.ledger.scroll
+    } else {
+        0
+    };
+    let first = scroll.min(lines.len().saturating_sub(rows));
+    let hidden = lines.len().saturating_sub(first + rows);
+    for (row, line) in lines.into_iter().skip(first).take(rows).enumerate() {
+        put(buffer, inner, row as u16, &line);
+    }
+    if hidden > 0 && rows > 0 {
+        let last = row_of(inner, rows as u16 - 1);
+        let text = look.text(&text!("commands-more", count = hidden + 1));
+        let text = aligned(&text, usize::from(last.width), false);
+        put(
+            buffer,
+            last,
+            0,
+            &Line::styled(text, look.style(Role::Muted)),
+        );
+    }
+}
+
+fn lines(entry: &Entry, look: &Look, width: usize) -> Vec<Line<'static>> {
+    let mut rows: Vec<&Row> = entry.rows.iter().collect();
+    rows.sort_by_key(|row| {
+        let state = row.state;
+        (!state.is_failure(), state.is_final(), row.vehicle)
+    });
+    let lines = rows.into_iter();
+    lines.flat_map(|row| row_lines(row, look, width)).collect()
+}
+
+/// One vehicle: its state, its answer, its tries, and the reason in full.
+fn row_lines(row: &Row, look: &Look, width: usize) -> Vec<Line<'static>> {
+    let muted = look.style(Role::Muted);
+    let answer = row.answered_after;
+    let answer = answer.map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
+    let state = aligned(&row.state.to_string(), STATE_WIDTH, false);
+    let tries = text!("commands-sent-times", count = row.tries);
+    let head = Line::from(vec![
+        Span::raw(format!("{:>5}  ", row.vehicle)),
+        Span::styled(state, look.style(row_role(row.state))),
+        Span::styled(aligned(&answer, ANSWER_WIDTH, true), muted),
+        Span::styled(
+            format!("  {}", aligned(&look.text(&tries), 10, false)),
+            muted,
+        ),
+    ]);
+    let reason = row.explanation.as_ref().map(|text| look.text(text));
+    let reason = reason.unwrap_or_default();
+    let free = width.saturating_sub(head.width() + 1);
+    if reason.is_empty() {
+        return vec![head];
+    }
+    let said = |text: String| Span::styled(text, look.style(row_role(row.state)));
+    if Span::raw(&reason).width() <= free {
+        let mut line = head;
+        line.push_span(said(format!(" {reason}")));
+        return vec![line];
+    }
+    let indent = " ".repeat(7);
+    let reasons = wrap(&reason, width.saturating_sub(indent.len())).into_iter();
+    let reasons = reasons.map(|text| Line::from(vec![Span::raw(indent.clone()), said(text)]));
+    std::iter::once(head).chain(reasons).collect()
+}

@@ -1,10 +1,277 @@
-//! The room of that name.
+//! The links: a line for each, and of the one under the cursor what the doctor says and everything it counts.
+
+use std::collections::VecDeque;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
 
-use crate::app::state::State;
+use crate::app::room::links::{HISTORY_S, History};
+use crate::app::state::{LinkSummary, State};
+use crate::doctor::{Finding, Weight};
+use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::curve::{self, Curve};
+use crate::ui::widget::{below, clip, columns, put, row_of, titled, upper, wrap};
+
+/// Keys that the last line of the screen names.
+pub const HINTS: &[(&str, &str)] = &[
+    (":", "links-key-command"),
+    ("?", "links-key-help"),
+    ("j k", "links-key-choose"),
+    ("I", "links-key-messages"),
+    ("F", "links-key-fly"),
+];
+/// Columns of a label.
+const LABEL: usize = 16;
+/// Rows of a history curve.
+const CURVE_ROWS: u16 = 2;
 
 /// Draws it.
-pub fn draw(_state: &State, _look: &Look, _area: Rect, _buffer: &mut Buffer) {}
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let links = &state.session.links;
+    if links.is_empty() {
+        let inner = titled(&look.say("room-links"), look, area, buffer);
+        let line = Line::styled(look.say("links-none"), look.style(Role::Muted));
+        put(buffer, inner, 0, &line);
+        return;
+    }
+    let cursor = state.rooms.links.cursor.min(links.len() - 1);
+    let wanted = links.len() as u16 + 2;
+    let rows = wanted.min((area.height / 3).max(4));
+    draw_list(state, cursor, look, upper(area, rows), buffer);
+    let rest = below(area, rows);
+    let rest = draw_doctor(state, cursor, look, rest, buffer);
+    draw_link(state, cursor, look, rest, buffer);
+}
+
+/// The lines of all links.
+fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let links = &state.session.links;
+    let inner = titled(&look.say("room-links"), look, area, buffer);
+    let name_width = usize::from(inner.width).saturating_sub(46);
+    let head = format!(
+        "{:>3} {:name_width$} {:>8} {:>8} {:>6}  {}",
+        "#",
+        look.say("links-address"),
+        look.say("links-in"),
+        look.say("links-out"),
+        look.say("links-lost"),
+        look.say("links-state")
+    );
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::styled(head, look.style(Role::Muted)),
+    );
+    let inner = below(inner, 1);
+    let rows = usize::from(inner.height);
+    let first = cursor
+        .saturating_sub(rows / 2)
+        .min(links.len().saturating_sub(rows));
+    for (row, (at, link)) in links.iter().enumerate().skip(first).take(rows).enumerate() {
+        let worst = state.session.findings.iter().find(|it| it.link == at);
+        let line = list_line(at, link, worst, name_width, look);
+        put(buffer, inner, row as u16, &line);
+        if at == cursor {
+            buffer.set_style(row_of(inner, row as u16), look.style(Role::Cursor));
+        }
+    }
+}
+
+fn list_line(
+    at: usize,
+    link: &LinkSummary,
+    worst: Option<&Finding>,
+    name_width: usize,
+    look: &Look,
+) -> Line<'static> {
+    let lost: u64 = link.lost.iter().map(|(_, count)| count).sum();
+    let (sign, role) = worst.map_or((String::new(), Role::Text), |finding| {
+        let (sign, role) = signed(finding.cause.weight());
+        (look.say(sign), role)
+    });
+    let state = if link.up {
+        look.say("links-up")
+    } else {
+        look.say("links-down")
+    };
+    let state_role = if link.up { Role::Ok } else { Role::Danger };
+    let figures = format!(
+        "{:>3} {:name_width$} {:>8.0} {:>8.0} {lost:>6}  ",
+        at + 1,
+        clip(&link.name, name_width),
+        link.bytes_in_per_s,
+        link.bytes_out_per_s
+    );
+    Line::from(vec![
+        Span::raw(figures),
+        Span::styled(format!("{state:9}"), look.style(state_role)),
+        Span::styled(sign, look.style(role)),
+    ])
+}
+
+/// The word and the colour of a weight.
+fn signed(weight: Weight) -> (&'static str, Role) {
+    match weight {
+        Weight::Fatal => ("links-fatal", Role::Danger),
+        Weight::Fault => ("links-fault", Role::Warning),
+        Weight::Remark => ("links-remark", Role::Accent),
+        Weight::Fine => ("links-fine", Role::Ok),
+    }
+}
+
+/// What the doctor says of a link; returns what is left below.
+fn draw_doctor(state: &State, link: usize, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
+    let inner = titled(&look.say("links-doctor"), look, area, buffer);
+    let width = usize::from(inner.width).saturating_sub(2);
+    let mine = state.session.findings.iter().filter(|it| it.link == link);
+    let mut row = 0;
+    for finding in mine {
+        let (sign, role) = signed(finding.cause.weight());
+        let says = format!("{}: {}", look.say(sign), look.text(&finding.cause.says()));
+        let advice = look.text(&finding.advice());
+        let advice = wrap(&advice, width).into_iter().filter(|it| !it.is_empty());
+        let lines = wrap(&says, width).into_iter().map(|line| (line, role));
+        for (line, role) in lines.chain(advice.map(|line| (format!("  {line}"), Role::Text))) {
+            put(buffer, inner, row, &Line::styled(line, look.style(role)));
+            row += 1;
+        }
+    }
+    if row == 0 {
+        let line = Line::styled(look.say("doctor-listening"), look.style(Role::Muted));
+        put(buffer, inner, 0, &line);
+    }
+    below(inner, row.max(1))
+}
+
+/// Everything that a link counts, and what it carried lately.
+fn draw_link(state: &State, at: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let link = &state.session.links[at];
+    let inner = titled(&format!("{} {}", at + 1, link.name), look, area, buffer);
+    let lines = counters(link, look);
+    let mut row = 0;
+    for (label, words) in lines {
+        let label = look.text(&label);
+        let wrapped = wrap(&words, usize::from(inner.width).saturating_sub(LABEL + 1));
+        for (count, line) in wrapped.into_iter().enumerate() {
+            let label = if count == 0 { label.as_str() } else { "" };
+            let line = Line::from(vec![
+                Span::styled(format!("{label:LABEL$} "), look.style(Role::Muted)),
+                Span::raw(line),
+            ]);
+            put(buffer, inner, row, &line);
+            row += 1;
+        }
+    }
+    if let Some(history) = state.rooms.links.history.get(at) {
+        draw_history(history, look, below(inner, row), buffer);
+    }
+}
+
+/// The counters with their labels.
+fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
+    let mut lines = vec![(text!("links-state"), link.state.clone())];
+    lines.extend(
+        link.error
+            .iter()
+            .map(|it| (text!("links-error"), it.clone())),
+    );
+    let traffic = |bytes: f64, messages: f64| {
+        let (bytes, messages) = (format!("{bytes:.0}"), format!("{messages:.0}"));
+        text!("links-rates", bytes = bytes, messages = messages)
+    };
+    let round_trip = link
+        .round_trip
+        .map(|trip| format!("{} ms", trip.as_millis()));
+    let passed_over = text!(
+        "links-dropped-figures",
+        crc = link.bad_crc,
+        skipped = link.skipped_bytes,
+        unknown = link.unknown,
+        undecoded = link.undecoded
+    );
+    let others = text!(
+        "links-other-figures",
+        peers = link.peers,
+        reconnects = link.reconnects,
+        unsent = link.unsent
+    );
+    let received = traffic(link.bytes_in_per_s, link.messages_in_per_s);
+    let sent = traffic(link.bytes_out_per_s, link.messages_out_per_s);
+    lines.extend([
+        (text!("links-received"), look.text(&received)),
+        (text!("links-sent"), look.text(&sent)),
+        (
+            text!("links-round-trip"),
+            round_trip.unwrap_or_else(|| "-".to_owned()),
+        ),
+        (text!("links-dropped"), look.text(&passed_over)),
+        (text!("links-missing"), losses(link)),
+        (text!("links-others"), look.text(&others)),
+    ]);
+    lines
+}
+
+/// Losses per sender, as `3/1: 12`; senders that lost nothing are left out.
+fn losses(link: &LinkSummary) -> String {
+    let parts: Vec<String> = link
+        .lost
+        .iter()
+        .filter(|(_, count)| *count > 0)
+        .map(|((system, component), count)| format!("{system}/{component}: {count}"))
+        .collect();
+    if parts.is_empty() {
+        "0".to_owned()
+    } else {
+        parts.join(", ")
+    }
+}
+
+fn draw_history(history: &History, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let half = area.width / 2;
+    let sides = [
+        (text!("links-in"), &history.bytes_in, 0),
+        (text!("links-out"), &history.bytes_out, half),
+    ];
+    for (label, values, from) in sides {
+        let most = values.iter().copied().fold(0.0, f64::max);
+        let title = look.text(&text!(
+            "links-history",
+            way = label,
+            most = format!("{most:.0}"),
+            seconds = HISTORY_S
+        ));
+        let side = columns(area, from, half.saturating_sub(1));
+        let title = clip(&title, side.width.into());
+        put(
+            buffer,
+            side,
+            0,
+            &Line::styled(title, look.style(Role::Muted)),
+        );
+        let area = upper(below(side, 1), CURVE_ROWS.max(side.height.min(8) / 2));
+        let values = spread(values, curve::steps(area.width, look.symbols));
+        let style = look.style(Role::Accent);
+        let curve = Curve {
+            values: &values,
+            low: 0.0,
+            high: most.max(1.0),
+            style,
+        };
+        curve::draw(&curve, look.symbols, area, buffer);
+    }
+}
+
+/// The history over a number of columns, the newest at the right edge.
+fn spread(history: &VecDeque<f64>, count: usize) -> Vec<Option<f64>> {
+    let value = |column: usize| {
+        let ago = (count - 1 - column) * HISTORY_S / count.max(1);
+        let at = history.len().checked_sub(ago + 1)?;
+        history.get(at).copied()
+    };
+    (0..count).map(value).collect()
+}

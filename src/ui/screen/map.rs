@@ -1,10 +1,88 @@
-//! The room of that name.
+//! The room of the map: the canvas, its cursor, and what there is to say of the place under it.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
 
+use crate::app::room::map::LEGEND_WIDTH;
 use crate::app::state::State;
+use crate::geo::{LatLon, Viewport};
 use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
+use crate::ui::widget::{below, columns, put, row_of, upper};
 
 /// Draws it.
-pub fn draw(_state: &State, _look: &Look, _area: Rect, _buffer: &mut Buffer) {}
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let map = &state.rooms.map;
+    let pane = upper(area, area.height.saturating_sub(1));
+    let (pane, legend) = if map.shows_legend(state.size) {
+        let width = area.width.saturating_sub(LEGEND_WIDTH);
+        (
+            columns(pane, 0, width),
+            columns(pane, width + 1, LEGEND_WIDTH),
+        )
+    } else {
+        (pane, columns(pane, 0, 0))
+    };
+    draw_map(state, look, pane, buffer);
+    if legend.width > 0 {
+        draw_legend(state, look, legend, buffer);
+    }
+    let canvas = below(pane, 1);
+    if let Some(view) = map.view((canvas.width, canvas.height)) {
+        let cursor = map.pointed(&view);
+        draw_cursor(&view, cursor, look, canvas, buffer);
+        let line = place_line(state, look, cursor);
+        put(
+            buffer,
+            row_of(area, area.height.saturating_sub(1)),
+            0,
+            &line,
+        );
+    }
+}
+
+fn draw_cursor(view: &Viewport, cursor: LatLon, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let cell = view.cell(cursor);
+    let found = cell.and_then(|(column, row)| buffer.cell_mut((area.x + column, area.y + row)));
+    if let Some(cell) = found {
+        if cell.symbol() == " " {
+            cell.set_char('┼');
+        }
+        cell.set_style(look.style(Role::Cursor));
+    }
+}
+
+/// Where the cursor is: on the earth, from home, from the vehicle, from the mark.
+fn place_line(state: &State, look: &Look, cursor: LatLon) -> Line<'static> {
+    let muted = |id: &str| Span::styled(format!("{} ", look.say(id)), look.style(Role::Muted));
+    let way = |from: LatLon| {
+        let bearing = from.bearing_deg(cursor).round() % 360.0;
+        format!("{} {bearing:03.0}°   ", length(from.distance_m(cursor)))
+    };
+    let mut spans = vec![Span::raw(format!(
+        "{:.6} {:.6}   ",
+        cursor.lat_deg, cursor.lon_deg
+    ))];
+    let vehicle = state.session.under_cursor();
+    let homes = state.session.vehicles.values().find_map(|it| it.home);
+    if let Some(home) = vehicle.and_then(|it| it.home).or(homes) {
+        let (north_m, east_m) = home.at_point.offset_to(cursor);
+        spans.push(muted("map-from-home"));
+        spans.push(Span::raw(format!("n {north_m:.0} e {east_m:.0} m   ")));
+    }
+    if let Some((vehicle, global)) = vehicle.and_then(|it| Some((it, it.global?))) {
+        spans.push(muted("map-from-vehicle"));
+        spans.push(Span::raw(format!(
+            "{} {}",
+            vehicle.id,
+            way(global.at_point)
+        )));
+    }
+    if let Some(mark) = state.rooms.map.mark {
+        spans.push(muted("map-ruler"));
+        spans.push(Span::styled(way(mark), look.style(Role::Key)));
+    }
+    Line::from(spans)
+}

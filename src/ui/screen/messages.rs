@@ -1,10 +1,229 @@
-//! The room of that name.
+//! The inspector: the tree of all messages on the left, what the one under the cursor says on the right.
+
+use std::time::Duration;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
 
+use crate::app::room::messages::{Branch, Messages, Node};
 use crate::app::state::State;
+use crate::inspector::{Direction, Rate, Source, Tally, name_of, read};
+use crate::text;
 use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, clip, columns, put, row_of, titled, upper};
+use crate::wire::Anatomy;
+
+mod fields;
+mod graph;
+
+/// Keys that the last line of the screen names.
+pub const HINTS: &[(&str, &str)] = &[
+    ("?", "messages-key-help"),
+    ("Enter", "messages-key-open"),
+    ("Tab", "messages-key-fields"),
+    ("g", "messages-key-graph"),
+    ("x", "messages-key-bytes"),
+    ("/", "messages-key-filter"),
+    ("s", "messages-key-sort"),
+    ("p", "messages-key-pause"),
+    ("z", "messages-key-fold"),
+];
+/// Columns of the tree with rate and age, and with bytes and count besides.
+const NARROW_TREE: u16 = 43;
+const WIDE_TREE: u16 = 62;
+/// From this width on, the tree is wide.
+const WIDE: u16 = 112;
 
 /// Draws it.
-pub fn draw(_state: &State, _look: &Look, _area: Rect, _buffer: &mut Buffer) {}
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let room = &state.rooms.messages;
+    let tree_width = if area.width >= WIDE {
+        WIDE_TREE
+    } else {
+        NARROW_TREE
+    };
+    let branches = room.branches();
+    draw_tree(room, &branches, look, columns(area, 0, tree_width), buffer);
+    let right = columns(area, tree_width + 1, area.width);
+    let graphs = graph::height(room, right.height);
+    let top = upper(right, right.height - graphs);
+    fields::draw(room, room.selected_in(&branches), look, top, buffer);
+    graph::draw(room, look, below(right, top.height), buffer);
+}
+
+fn draw_tree(room: &Messages, branches: &[Branch], look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = titled(&tree_title(room, look), look, area, buffer);
+    let is_wide = area.width >= WIDE_TREE;
+    let head = heading(is_wide, inner.width, look);
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::styled(head, look.style(Role::Muted)),
+    );
+    let inner = below(inner, 1);
+    if branches.is_empty() {
+        let text = if room.filter.is_empty() {
+            look.say("messages-none")
+        } else {
+            look.say("messages-none-found")
+        };
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled(text, look.style(Role::Muted)),
+        );
+        return;
+    }
+    let rows = usize::from(inner.height);
+    let cursor = room.cursor_row(branches);
+    let middle = cursor.saturating_sub(rows / 2);
+    let first = middle.min(branches.len().saturating_sub(rows));
+    for (row, branch) in branches.iter().skip(first).take(rows).enumerate() {
+        let line = tree_line(room, branch, is_wide, inner.width, look);
+        put(buffer, inner, row as u16, &line);
+        if first + row == cursor {
+            let role = if room.field.is_some() {
+                Role::Selected
+            } else {
+                Role::Cursor
+            };
+            buffer.set_style(row_of(inner, row as u16), look.style(role));
+        }
+    }
+}
+
+fn tree_title(room: &Messages, look: &Look) -> String {
+    let mut title = look.text(&room.sort.title());
+    if !room.filter.is_empty() {
+        title = format!("/{}  {title}", room.filter);
+    }
+    if room.paused {
+        title = format!("{}  {title}", look.say("messages-paused"));
+    }
+    title
+}
+
+fn heading(is_wide: bool, width: u16, look: &Look) -> String {
+    let figures = if is_wide {
+        let count = look.say("messages-count");
+        format!(
+            "{:>7}{:>8}{count:>9}{:>6}",
+            "Hz",
+            "B/s",
+            look.say("messages-age")
+        )
+    } else {
+        format!("{:>7}{:>6}", "Hz", look.say("messages-age"))
+    };
+    format!("{figures:>width$}", width = usize::from(width))
+}
+
+fn tree_line(
+    room: &Messages,
+    branch: &Branch,
+    is_wide: bool,
+    width: u16,
+    look: &Look,
+) -> Line<'static> {
+    let Rate { hz, bytes_s } = branch.rate;
+    let age = branch.age.map_or_else(|| "-".to_owned(), age);
+    let figures = if is_wide {
+        let count = branch.count;
+        format!("{:>7}{bytes_s:>8.0}{count:>9}{age:>6}", hertz(hz))
+    } else {
+        format!("{:>7}{age:>6}", hertz(hz))
+    };
+    let marker = match branch.is_open {
+        Some(true) => "- ",
+        Some(false) => "+ ",
+        None => "",
+    };
+    let room_left = usize::from(width).saturating_sub(figures.len() + 1);
+    let indent = " ".repeat(branch.node.depth());
+    let label = format!("{indent}{marker}{}", label(room, branch.node, look));
+    let label = clip(&label, room_left);
+    let padding = room_left.saturating_sub(Span::raw(label.as_str()).width()) + 1;
+    let is_stale = branch.age.is_none_or(|age| age > Duration::from_secs(5));
+    let role = match branch.node {
+        Node::Link(_) => Role::Title,
+        Node::System(..) | Node::Component(..) => Role::Accent,
+        Node::Message(..) if is_stale => Role::Muted,
+        Node::Message(..) => Role::Text,
+    };
+    Line::from(vec![
+        Span::styled(label, look.style(role)),
+        Span::raw(" ".repeat(padding)),
+        Span::styled(
+            figures,
+            look.style(if is_stale { Role::Muted } else { Role::Text }),
+        ),
+    ])
+}
+
+/// What a line of the tree is called.
+fn label(room: &Messages, node: Node, look: &Look) -> String {
+    let traffic = room.traffic.get(node.link());
+    match node {
+        Node::Link(link) => {
+            let name = traffic.map_or("", |traffic| &traffic.name);
+            format!("{} {name}", link + 1)
+        }
+        Node::System(_, direction, peer, system) => {
+            let census = traffic.and_then(|traffic| traffic.census.as_ref());
+            let peer = census.and_then(|census| census.peer_name(peer));
+            let name = look.text(&text!("messages-system", system = system));
+            let way = match (direction, peer) {
+                (Direction::In, Some(peer)) => peer.to_owned(),
+                (Direction::In, None) => look.say("messages-received"),
+                (Direction::Out, Some(peer)) => {
+                    return look.text(&text!("messages-to", system = system, peer = peer));
+                }
+                (Direction::Out, None) => look.say("messages-sent"),
+            };
+            format!("{name} {way}")
+        }
+        Node::Component(_, source) => {
+            let component = source.component;
+            let name = look.text(&text!("messages-component", component = component));
+            format!("{name} {}", kind(room, node.link(), source))
+        }
+        Node::Message(_, key) => name_of(key.message),
+    }
+}
+
+/// What a component says it is, by its last heartbeat.
+fn kind(room: &Messages, link: usize, source: Source) -> String {
+    let census = room.traffic.get(link).and_then(|it| it.census.as_ref());
+    let heartbeat = census.and_then(|census| census.of(source).find(|(id, _)| *id == 0));
+    let kind = |tally: &Tally| {
+        let reading = read(&Anatomy::of(&tally.last)?);
+        let kind = reading.values.iter().find(|value| value.name == "type")?;
+        kind.names.first().cloned()
+    };
+    heartbeat
+        .and_then(|(_, tally)| kind(tally))
+        .unwrap_or_default()
+}
+
+/// A rate with as many digits as it deserves.
+fn hertz(hz: f64) -> String {
+    if hz >= 99.95 {
+        format!("{hz:.0}")
+    } else {
+        format!("{hz:.1}")
+    }
+}
+
+/// An age in at most five columns.
+fn age(age: Duration) -> String {
+    match age.as_secs() {
+        0..=9 => format!("{:.1}s", age.as_secs_f64()),
+        seconds @ 10..=99 => format!("{seconds}s"),
+        seconds @ 100..=5999 => format!("{}min", seconds / 60),
+        seconds => format!("{}h", seconds / 3600),
+    }
+}

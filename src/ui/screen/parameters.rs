@@ -1,10 +1,114 @@
-//! The room of that name.
+//! The parameters of the vehicle under the cursor: how much of the list has come, the list itself, and below it
+//! what the parameter under the cursor is on every vehicle that a new value would go to.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
 
+use crate::app::room::parameters::{Edit, Row, cursor_row, outcome, rows};
 use crate::app::state::State;
+use crate::ledger::RowState;
+use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, put, row_of, upper};
+use crate::vehicle::VehicleId;
 
-/// Draws it.
-pub fn draw(_state: &State, _look: &Look, _area: Rect, _buffer: &mut Buffer) {}
+mod detail;
+mod list;
+mod status;
+
+/// Keys for the last line of the screen, and the messages that say what they do.
+pub const HINTS: &[(&str, &str)] = &[
+    ("Enter", "parameters-hint-set"),
+    ("/", "parameters-hint-search"),
+    ("o", "parameters-hint-changed"),
+    ("s", "parameters-hint-save"),
+    ("l", "parameters-hint-load"),
+    ("d", "parameters-hint-compare"),
+    ("← →", "parameters-hint-vehicle"),
+    ("?", "parameters-hint-help"),
+];
+/// The same while lists are compared.
+pub const COMPARISON_HINTS: &[(&str, &str)] = &[
+    ("Space", "parameters-hint-mark"),
+    ("* !", "parameters-hint-mark-all"),
+    ("a", "parameters-hint-apply"),
+    ("o", "parameters-hint-extra"),
+    ("/", "parameters-hint-search"),
+    ("Esc", "parameters-hint-close"),
+    ("?", "parameters-hint-help"),
+];
+
+/// Rows of the status above the list.
+const STATUS_ROWS: u16 = 2;
+/// The list keeps at least so many rows.
+const LIST_LEAST: u16 = 8;
+
+/// Draws the room.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let Some(vehicle) = state.session.cursor else {
+        let line = Line::styled(look.say("parameters-no-vehicle"), look.style(Role::Muted));
+        put(buffer, below(area, 1), 0, &line);
+        return;
+    };
+    let rows = rows(state);
+    let (status, rest) = (upper(area, STATUS_ROWS), below(area, STATUS_ROWS));
+    status::draw(state, vehicle, (&rows, look), status, buffer);
+    let at = cursor_row(state, &rows);
+    let Some(row) = rows.get(at) else {
+        return draw_nothing(state, vehicle, look, rest, buffer);
+    };
+    let told = detail::lines(state, vehicle, row, (look, usize::from(area.width)));
+    let most = rest.height.saturating_sub(LIST_LEAST);
+    let list_rows = rest.height - most.min(told.len() as u16 + 1);
+    let list = upper(rest, list_rows);
+    list::draw(state, vehicle, (&rows, at), look, list, buffer);
+    detail::draw(row.name, &told, look, below(rest, list_rows), buffer);
+}
+
+/// Why the list is empty.
+fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let room = &state.rooms.parameters;
+    let known = room.lists.get(&vehicle);
+    let id = if known.is_none_or(|known| known.list.is_empty()) {
+        "parameters-none-yet"
+    } else if !room.filter.is_empty() {
+        "parameters-none-fit"
+    } else if room.comparison.is_some() {
+        "parameters-none-differ"
+    } else {
+        "parameters-none-changed"
+    };
+    let line = Line::styled(format!(" {}", look.say(id)), look.style(Role::Muted));
+    put(buffer, row_of(area, 1), 0, &line);
+}
+
+/// What became of a value that was asked for, in a word and its colour.
+fn edited(state: &State, edit: Edit, vehicle: VehicleId) -> Option<(Text, Role, Option<Text>)> {
+    let row = outcome(state, edit.entry, vehicle)?;
+    let (word, role) = match row.state {
+        RowState::Queued => (text!("parameters-state-waiting"), Role::Muted),
+        RowState::Sent | RowState::InProgress(_) | RowState::Accepted => {
+            (text!("parameters-state-sent"), Role::Accent)
+        }
+        RowState::Done | RowState::NoEffect => (text!("parameters-state-confirmed"), Role::Ok),
+        RowState::Refused => (text!("parameters-state-refused"), Role::Danger),
+        RowState::TimedOut => (text!("parameters-state-unanswered"), Role::Danger),
+        RowState::Superseded => (text!("parameters-state-replaced"), Role::Muted),
+    };
+    let is_failure = row.state.is_failure();
+    Some((word, role, row.explanation.clone().filter(|_| is_failure)))
+}
+
+/// A text filled up to a width, or cut to it.
+fn cell(text: &str, width: usize, right: bool) -> String {
+    let text = crate::ui::widget::clip(text, width);
+    let blanks = " ".repeat(width.saturating_sub(Span::raw(&text).width()));
+    if right {
+        blanks + &text
+    } else {
+        text + &blanks
+    }
+}

@@ -1,10 +1,188 @@
-//! The room of that name.
+//! Everything about one vehicle. A large screen shows all panes at once, a smaller one shows them page by page.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
 
-use crate::app::state::State;
+use crate::app::state::{Session, State};
+use crate::text;
 use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, columns, put, titled, upper};
+use crate::vehicle::Vehicle;
 
-/// Draws it.
-pub fn draw(_state: &State, _look: &Look, _area: Rect, _buffer: &mut Buffer) {}
+mod curves;
+mod estimate;
+mod horizon;
+mod outputs;
+mod plan;
+mod row;
+mod sensors;
+mod spark;
+mod state;
+mod tape;
+mod texts;
+
+/// From this size on everything is shown at once.
+const WHOLE: (u16, u16) = (110, 34);
+/// Pages on smaller screens.
+const PAGES: usize = 3;
+/// Rows of the curves at one row each, with their title.
+const CURVES_ROWS: u16 = 8;
+/// Rows of the list of sensors where it stands over the whole width.
+const SENSORS_ROWS: u16 = 9;
+/// Rows of the outputs below others.
+const OUTPUTS_ROWS: u16 = 8;
+/// Columns of the attitude indicator on a small screen.
+const ATTITUDE_COLUMNS: u16 = 33;
+/// Rows of the heading tape, and of the line with the angles.
+const TAPE_ROWS: u16 = 3;
+
+/// What the panes are drawn from.
+struct Subject<'a> {
+    vehicle: &'a Vehicle,
+    state: &'a State,
+    look: &'a Look,
+}
+
+/// Draws the vehicle under the cursor.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let Some(vehicle) = state.session.under_cursor() else {
+        let line = Line::styled(look.say("vehicle-none"), look.style(Role::Muted));
+        put(buffer, below(area, 1), 0, &line);
+        return;
+    };
+    let subject = Subject {
+        vehicle,
+        state,
+        look,
+    };
+    let is_whole = area.width >= WHOLE.0 && area.height >= WHOLE.1;
+    let page = state.rooms.vehicle.page % PAGES;
+    draw_name(&subject, (!is_whole).then_some(page), area, buffer);
+    let area = below(area, 1);
+    match page {
+        _ if is_whole => draw_whole(&subject, area, buffer),
+        0 => draw_flight(&subject, area, buffer),
+        1 => draw_condition(&subject, area, buffer),
+        _ => draw_reports(&subject, area, buffer),
+    }
+}
+
+/// Which vehicle it is, and what the keys of the room do.
+fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mut Buffer) {
+    let (session, look) = (&subject.state.session, subject.look);
+    let place = look.text(&text!(
+        "vehicle-place",
+        row = subject.state.rooms.fly.row_of(session.cursor) + 1,
+        count = session.vehicles.len()
+    ));
+    let mut line = Line::from(vec![
+        Span::styled(
+            format!(" {} {}", subject.vehicle.id, Session::name(subject.vehicle)),
+            look.style(Role::Title),
+        ),
+        Span::styled(format!("  {place}"), look.style(Role::Muted)),
+    ]);
+    let mut keys = vec![("[ ]", look.say("vehicle-key-next"))];
+    let window = text!(
+        "vehicle-key-window",
+        seconds = subject.state.rooms.vehicle.window.seconds()
+    );
+    keys.push(("w", look.text(&window)));
+    if let Some(page) = page {
+        let page = text!("vehicle-key-page", page = page + 1, count = PAGES);
+        keys.push(("Tab", look.text(&page)));
+    }
+    for (key, meaning) in keys {
+        line.push_span(Span::styled(format!("   {key} "), look.style(Role::Key)));
+        line.push_span(Span::styled(meaning, look.style(Role::Muted)));
+    }
+    put(buffer, area, 0, &line);
+}
+
+/// Three columns and three rows of panes.
+fn draw_whole(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let left = area.width * 3 / 10;
+    let middle = area.width * 35 / 100;
+    let thirds = |area: Rect| {
+        [
+            columns(area, 0, left - 1),
+            columns(area, left, middle - 1),
+            columns(area, left + middle, area.width),
+        ]
+    };
+    let top = (area.height * 2 / 5).clamp(14, 20);
+    let curve_rows = if area.height >= top + 28 { 2 } else { 1 };
+    let curves = curve_rows * (CURVES_ROWS - 1) + 1;
+    let [attitude, state, estimate] = thirds(upper(area, top));
+    draw_attitude(subject, attitude, buffer);
+    state::draw(subject, state, buffer);
+    estimate::draw(subject, estimate, buffer);
+    let lower = below(area, top);
+    let [_, _, right] = thirds(lower);
+    let beside = columns(lower, 0, left + middle - 1);
+    curves::draw(subject, upper(beside, curves), buffer);
+    plan::draw(subject, upper(right, curves), buffer);
+    let [outputs, sensors, texts] = thirds(below(lower, curves));
+    outputs::draw(subject, outputs, buffer);
+    sensors::draw(subject, sensors, buffer);
+    texts::draw(subject, texts, buffer);
+}
+
+/// First page: how it flies.
+fn draw_flight(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let spare = area.height.saturating_sub(CURVES_ROWS);
+    let curve_rows = if spare >= 28 { 2 } else { 1 };
+    let curves = curve_rows * (CURVES_ROWS - 1) + 1;
+    let top = upper(area, area.height.saturating_sub(curves));
+    let left = ATTITUDE_COLUMNS.max(area.width * 2 / 5 - 1);
+    draw_attitude(subject, columns(top, 0, left), buffer);
+    state::draw(subject, columns(top, left + 1, area.width), buffer);
+    curves::draw(subject, below(area, top.height), buffer);
+}
+
+/// Second page: its sensors' quality, its plan, its outputs.
+fn draw_condition(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let top = upper(area, area.height.saturating_sub(OUTPUTS_ROWS));
+    let half = area.width / 2;
+    estimate::draw(subject, columns(top, 0, half), buffer);
+    plan::draw(subject, columns(top, half + 1, area.width), buffer);
+    outputs::draw(subject, below(area, top.height), buffer);
+}
+
+/// Third page: what it reports.
+fn draw_reports(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    sensors::draw(subject, upper(area, SENSORS_ROWS), buffer);
+    texts::draw(subject, below(area, SENSORS_ROWS), buffer);
+}
+
+/// The horizon above the heading tape.
+fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let inner = titled(&look.say("vehicle-attitude"), look, area, buffer);
+    let Some(attitude) = &subject.vehicle.attitude else {
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled("-", look.style(Role::Muted)),
+        );
+        return;
+    };
+    // An odd number of rows, so that the horizon can lie in the row of the vehicle itself.
+    let rows = inner.height.saturating_sub(TAPE_ROWS + 1);
+    let view = upper(inner, rows - u16::from(rows > 0 && rows.is_multiple_of(2)));
+    horizon::draw(attitude, look, view, buffer);
+    // Adding zero turns a rounded -0 into +0, which does not flicker.
+    let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
+    let angles = text!(
+        "vehicle-angles",
+        roll = format!("{roll:+.0}"),
+        pitch = format!("{pitch:+.0}")
+    );
+    let angles = Line::styled(look.text(&angles), look.style(Role::Text)).centered();
+    let rest = below(inner, view.height);
+    row::centred(buffer, rest, &angles);
+    tape::draw(attitude.yaw_deg, look, below(rest, 1), buffer);
+}

@@ -34,6 +34,8 @@ const BASIC: [(Color, [u8; 3]); 16] = [
     (Color::LightCyan, [0, 255, 255]),
     (Color::White, [255, 255, 255]),
 ];
+/// Colours whose channels differ by less than this are greys.
+const LEAST_CHROMA: i32 = 48;
 /// The steps of one channel in xterm's colour cube.
 const CUBE_STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
 
@@ -57,9 +59,44 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
         .sum()
 }
 
+/// A grey becomes the nearest grey, and a colour the basic one of its hue: by distance alone, a soft red would be
+/// a dark grey.
 fn nearest_basic(rgb: [u8; 3]) -> Color {
-    let nearest = BASIC.iter().min_by_key(|(_, basic)| distance(rgb, *basic));
+    let nearest = match hue_deg(rgb) {
+        None => {
+            let greys = BASIC.iter().filter(|(_, basic)| hue_deg(*basic).is_none());
+            greys.min_by_key(|(_, basic)| distance(rgb, *basic))
+        }
+        Some(hue) => {
+            let hued = BASIC
+                .iter()
+                .filter_map(|basic| Some((hue_deg(basic.1)?, basic)));
+            let nearest = hued.min_by_key(|(other, (_, basic))| {
+                let turn = hue.abs_diff(*other);
+                (turn.min(360 - turn), distance(rgb, *basic))
+            });
+            nearest.map(|(_, basic)| basic)
+        }
+    };
     nearest.map_or(Color::Reset, |&(colour, _)| colour)
+}
+
+/// The angle of a colour on the HSV circle, 0 to 359 degrees; none for greys.
+fn hue_deg(rgb: [u8; 3]) -> Option<u32> {
+    let [r, g, b] = rgb.map(i32::from);
+    let (most, least) = (r.max(g).max(b), r.min(g).min(b));
+    let chroma = most - least;
+    if chroma < LEAST_CHROMA {
+        return None;
+    }
+    let degrees = if most == r {
+        60 * (g - b) / chroma
+    } else if most == g {
+        120 + 60 * (b - r) / chroma
+    } else {
+        240 + 60 * (r - g) / chroma
+    };
+    u32::try_from(degrees.rem_euclid(360)).ok()
 }
 
 fn nearest_indexed(rgb: [u8; 3]) -> u8 {

@@ -7,12 +7,15 @@ use ratatui::style::{Color, Modifier, Style};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{EMBEDDED, Role};
+use super::{Role, Theme, ThemeFile, Themes};
 use crate::diagnostic::Diagnostic;
+use crate::text;
+
+type Styles = BTreeMap<Role, Style>;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ThemeFile {
+struct Document {
     inherits: Option<Spanned<String>>,
     #[serde(default)]
     roles: BTreeMap<Spanned<String>, StyleEntry>,
@@ -34,22 +37,102 @@ struct StyleEntry {
     reverse: bool,
 }
 
+/// The themes that are being read, each inherited by the one before it.
+pub struct Lineage<'a> {
+    themes: &'a Themes,
+    names: Vec<String>,
+}
+
+impl<'a> Lineage<'a> {
+    pub fn new(themes: &'a Themes, name: &str) -> Self {
+        let names = vec![name.to_owned()];
+        Self { themes, names }
+    }
+
+    /// The styles that the last theme inherits from `parent`, or why there are none.
+    fn inherited(&self, parent: &Spanned<String>) -> Result<Styles, Diagnostic> {
+        let name = parent.get_ref();
+        if let Some(circle) = self.circle(name) {
+            let text = text!("theme-circle", circle = circle);
+            return Err(Diagnostic::new(parent.span(), text));
+        }
+        let is_itself = self.names.last() == Some(name);
+        if let Some(file) = self.own(name) {
+            let further = Self {
+                themes: self.themes,
+                names: [&self.names[..], std::slice::from_ref(name)].concat(),
+            };
+            return read(&file.text, &further).map_err(|faults| {
+                let first = faults.first();
+                let first = first.map(|fault| fault.text(&file.path, &file.text));
+                let text = text!("theme-faulty-parent", name = name);
+                Diagnostic::new(parent.span(), text).with_help(first.unwrap_or_default())
+            });
+        }
+        // An embedded theme knows only embedded ones.
+        let embedded = Theme::named(name).map(|theme| theme.styles);
+        embedded.ok_or_else(|| {
+            let text = if is_itself {
+                text!("theme-inherits-itself", name = name)
+            } else {
+                text!("theme-unknown", name = name)
+            };
+            let known = self.themes.names();
+            let others = known.filter(|known| !self.names.iter().any(|name| name == known));
+            Diagnostic::new(parent.span(), text).with_nearest(name, others)
+        })
+    }
+
+    /// The user's file that the last theme means by `name`. A user's `dark` that inherits `dark` means the embedded one.
+    fn own(&self, name: &str) -> Option<&'a ThemeFile> {
+        let is_itself = self.names.last().is_some_and(|last| last == name);
+        self.themes.own(name).filter(|_| !is_itself)
+    }
+
+    /// The themes that lead from the last one by way of `parent` to one that has been passed already.
+    fn circle(&self, parent: &str) -> Option<String> {
+        let mut names = self.names.clone();
+        let mut next = parent.to_owned();
+        loop {
+            let here = Self {
+                themes: self.themes,
+                names,
+            };
+            let file = here.own(&next)?;
+            names = here.names;
+            let is_passed = names.contains(&next);
+            names.push(next);
+            if is_passed {
+                return Some(names.join(" -> "));
+            }
+            let document: Document = toml::from_str(&file.text).ok()?;
+            next = document.inherits?.into_inner();
+        }
+    }
+}
+
 /// The styles of a theme file, with the inherited ones.
-pub fn read(source: &str) -> Result<BTreeMap<Role, Style>, Vec<Diagnostic>> {
-    let file: ThemeFile =
+pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnostic>> {
+    let file: Document =
         toml::from_str(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
     let mut faults = Vec::new();
     let mut styles = match &file.inherits {
-        Some(parent) => inherited(parent, &mut faults),
-        None => BTreeMap::new(),
+        Some(parent) => lineage.inherited(parent).unwrap_or_else(|fault| {
+            faults.push(fault);
+            Styles::new()
+        }),
+        None => Styles::new(),
     };
     for (name, entry) in &file.roles {
         let known = Role::ALL.iter().find(|(known, _)| *known == name.get_ref());
         let Some(&(_, role)) = known else {
             let names = Role::ALL.iter().map(|&(name, _)| name);
             faults.push(
-                Diagnostic::new(name.span(), format!("unknown role `{}`", name.get_ref()))
-                    .with_nearest(name.get_ref(), names),
+                Diagnostic::new(
+                    name.span(),
+                    text!("theme-unknown-role", name = name.get_ref()),
+                )
+                .with_nearest(name.get_ref(), names),
             );
             continue;
         };
@@ -58,8 +141,8 @@ pub fn read(source: &str) -> Result<BTreeMap<Role, Style>, Vec<Diagnostic>> {
     for (name, role) in Role::ALL {
         if faults.is_empty() && !styles.contains_key(&role) {
             faults.push(
-                Diagnostic::new(0..0, format!("the role `{name}` has no style"))
-                    .with_help("give it one under [roles], or inherit it: inherits = \"dark\""),
+                Diagnostic::new(0..0, text!("theme-no-style", name = name))
+                    .with_help(text!("theme-no-style-advice")),
             );
         }
     }
@@ -68,20 +151,6 @@ pub fn read(source: &str) -> Result<BTreeMap<Role, Style>, Vec<Diagnostic>> {
     } else {
         Err(faults)
     }
-}
-
-fn inherited(parent: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> BTreeMap<Role, Style> {
-    let name = parent.get_ref();
-    let source = EMBEDDED.iter().find(|(known, _)| known == name);
-    let styles = source.and_then(|(_, source)| read(source).ok());
-    styles.unwrap_or_else(|| {
-        let names = EMBEDDED.iter().map(|&(name, _)| name);
-        faults.push(
-            Diagnostic::new(parent.span(), format!("no theme is named `{name}`"))
-                .with_nearest(name, names),
-        );
-        BTreeMap::new()
-    })
 }
 
 fn style(entry: &StyleEntry, faults: &mut Vec<Diagnostic>) -> Style {
@@ -103,12 +172,15 @@ fn style(entry: &StyleEntry, faults: &mut Vec<Diagnostic>) -> Style {
     style
 }
 
-fn colour(text: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<Color> {
-    let parsed = Color::from_str(text.get_ref()).ok();
+fn colour(written: &Spanned<String>, faults: &mut Vec<Diagnostic>) -> Option<Color> {
+    let parsed = Color::from_str(written.get_ref()).ok();
     if parsed.is_none() {
         faults.push(
-            Diagnostic::new(text.span(), format!("`{}` is no colour", text.get_ref()))
-                .with_help("write \"#rrggbb\", a name such as \"light-red\", or 0 to 255 as text"),
+            Diagnostic::new(
+                written.span(),
+                text!("theme-no-colour", word = written.get_ref()),
+            )
+            .with_help(text!("theme-no-colour-advice")),
         );
     }
     parsed

@@ -1,5 +1,20 @@
 use super::*;
 
+mod vision;
+
+/// A library with these files of the user's: name and text.
+fn library(files: &[(&str, &str)]) -> Themes {
+    let mut themes = Themes::default();
+    for &(name, text) in files {
+        let file = ThemeFile {
+            path: format!("{name}.toml"),
+            text: text.to_owned(),
+        };
+        themes.add(name.to_owned(), file);
+    }
+    themes
+}
+
 #[test]
 fn every_embedded_theme_gives_every_role() {
     for name in Theme::names() {
@@ -10,8 +25,12 @@ fn every_embedded_theme_gives_every_role() {
 
 #[test]
 fn a_theme_changes_only_what_it_names() {
-    let mine =
-        Theme::parse("inherits = \"light\"\n[roles]\nok = { fg = \"blue\" }").expect("it is right");
+    let mine = Themes::default()
+        .read(
+            "mine",
+            "inherits = \"light\"\n[roles]\nok = { fg = \"blue\" }",
+        )
+        .expect("it is right");
     let light = Theme::named("light").expect("embedded");
     assert_eq!(mine.style(Role::Ok).fg, Some(Color::Blue));
     assert_eq!(mine.style(Role::Danger), light.style(Role::Danger));
@@ -52,7 +71,7 @@ fn faults_are_told_at_their_place() {
         ),
     ];
     for (source, place, message, help) in cases {
-        let faults = Theme::parse(source).expect_err(source);
+        let faults = Themes::default().read("x", source).expect_err(source);
         let line = faults[0].one_line("x.toml", source);
         assert!(
             line.starts_with(&format!("x.toml:{place}: {message}")),
@@ -100,4 +119,100 @@ fn colours_map_to_their_nearest() {
     for (depth, colour, expected) in cases {
         assert_eq!(depth.map(colour), expected, "{depth:?} {colour:?}");
     }
+}
+
+#[test]
+fn the_users_themes_inherit_from_each_other_and_from_embedded_ones() {
+    let themes = library(&[
+        (
+            "mine",
+            "inherits = \"base\"\n[roles]\nok = { fg = \"blue\" }",
+        ),
+        (
+            "base",
+            "inherits = \"light\"\n[roles]\ninfo = { fg = \"red\" }",
+        ),
+        // It stands before the embedded one of its name, which it builds on.
+        (
+            "dark",
+            "inherits = \"dark\"\n[roles]\nok = { fg = \"cyan\" }",
+        ),
+    ]);
+    let names: Vec<&str> = themes.names().collect();
+    assert_eq!(
+        names,
+        [
+            "dark",
+            "light",
+            "high-contrast",
+            "monochrome",
+            "base",
+            "mine"
+        ]
+    );
+    let mine = themes.named("mine").expect("it is right");
+    let light = Theme::named("light").expect("embedded");
+    assert_eq!(mine.style(Role::Ok).fg, Some(Color::Blue));
+    assert_eq!(mine.style(Role::Info).fg, Some(Color::Red));
+    assert_eq!(mine.style(Role::Danger), light.style(Role::Danger));
+    let dark = themes.named("dark").expect("it is right");
+    assert_eq!(dark.style(Role::Ok).fg, Some(Color::Cyan));
+    assert_eq!(
+        dark.style(Role::Danger),
+        Theme::default().style(Role::Danger)
+    );
+}
+
+#[test]
+fn what_cannot_be_inherited_is_pointed_at() {
+    let themes = library(&[
+        ("a", "inherits = \"b\""),
+        ("b", "inherits = \"c\""),
+        ("c", "inherits = \"a\""),
+        ("self", "inherits = \"self\""),
+        ("wrong", "inherits = \"dark\"\n[roles]\nokk = {}"),
+        ("child", "inherits = \"wrong\""),
+        ("slip", "inherits = \"chld\""),
+    ]);
+    let cases = [
+        ("a", "circle: a -> b -> c -> a"),
+        ("self", "self.toml:1:12: the theme `self` inherits itself"),
+        (
+            "child",
+            "child.toml:1:12: the theme `wrong` is faulty itself (wrong.toml:3:1: unknown role `okk`",
+        ),
+        (
+            "slip",
+            "slip.toml:1:12: no theme is named `chld` (did you mean `child`?)",
+        ),
+        ("chil", "there is no theme `chil`: choose one of dark,"),
+    ];
+    for (name, said) in cases {
+        let error = themes.named(name).expect_err(name).to_string();
+        assert!(error.contains(said), "{name}: {error}");
+    }
+}
+
+#[test]
+fn sixteen_colours_are_enough_to_tell_states_and_the_cursor() {
+    for name in Theme::names() {
+        let theme = Theme::named(name).expect("embedded");
+        let theme = theme.for_colours(ColourDepth::Sixteen);
+        let told_apart = [
+            (Role::Warning, Role::Danger),
+            (Role::Ok, Role::Warning),
+            (Role::Ok, Role::Danger),
+            (Role::Info, Role::Danger),
+            (Role::Text, Role::Cursor),
+            (Role::Text, Role::Header),
+        ];
+        for (a, b) in told_apart {
+            assert_ne!(theme.style(a), theme.style(b), "{name}: {a:?} {b:?}");
+        }
+    }
+    let dark = Theme::default().for_colours(ColourDepth::Sixteen);
+    assert_eq!(dark.style(Role::Danger).fg, Some(Color::LightRed));
+    assert_eq!(dark.style(Role::Warning).fg, Some(Color::Yellow));
+    let is_reversed = |role| dark.style(role).add_modifier.contains(Modifier::REVERSED);
+    assert!(is_reversed(Role::Cursor) && !is_reversed(Role::Danger));
 }

@@ -6,33 +6,60 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Room, State};
 use crate::ui::look::Look;
+use crate::ui::screen::{links, messages, parameters};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
 const HOME: &[(&str, &str)] = &[
-    ("j k", "move"),
-    ("Enter", "take"),
-    (":", "command"),
-    ("?", "help"),
-    ("q", "quit"),
+    ("j k", "hint-move"),
+    ("Enter", "hint-take"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("q", "hint-quit"),
 ];
 const FLY: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("Space", "hint-select"),
+    ("3-9 Enter", "hint-list"),
+    ("*", "hint-all"),
+    ("/", "hint-filter"),
+    ("s", "hint-sort"),
+    ("x", "hint-acknowledge"),
+    ("Esc", "hint-none"),
+    ("j k", "hint-move"),
+    ("c n", "hint-look-back"),
+    ("M V P I L", "hint-rooms"),
+];
+const LEDGER: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("j k", "hint-move"),
+    ("Enter", "hint-open"),
+    ("/", "hint-filter"),
+    ("o", "hint-outcome"),
+    ("v", "hint-own"),
+    ("Esc", "hint-back"),
+];
+const MAP: &[(&str, &str)] = &[
     (":", "command"),
     ("?", "help"),
-    ("j k", "move"),
-    ("Space", "select"),
-    ("3-9 Enter", "list"),
-    ("*", "all"),
-    ("Esc", "none"),
-    ("c n", "look back"),
-    ("L", "links"),
+    ("hjkl", "cursor"),
+    ("+ -", "zoom"),
+    ("z", "all"),
+    ("f", "follow"),
+    ("g", "goto"),
+    ("u", "ruler"),
+    ("Tab", "vehicle"),
+    ("i", "signs"),
+    ("w", "trails"),
 ];
 const DEBRIEF: &[(&str, &str)] = &[
-    ("j k", "scroll"),
-    ("r", "fly again"),
-    ("h", "home screen"),
-    (":", "command"),
-    ("?", "help"),
+    ("j k", "hint-scroll"),
+    ("r", "hint-again"),
+    ("h", "hint-home"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
 ];
 
 /// Draws the footer into the last row of the screen.
@@ -42,37 +69,49 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
+    let muted = |text: String| Span::styled(text, look.style(Role::Muted));
     if !state.typed.is_empty() {
         return Line::from(vec![
-            Span::styled(" vehicles ", look.style(Role::Muted)),
+            muted(format!(" {} ", look.say("footer-vehicles"))),
             Span::styled(state.typed.as_str(), look.style(Role::Selected)),
-            Span::styled(
-                "_  Enter selects   a t g m h l r commands them   Esc drops",
-                look.style(Role::Muted),
-            ),
+            muted(format!("_  {}", look.say("footer-list"))),
         ]);
     }
     if state.is_deaf() {
-        return Line::styled(" keys work in a moment", look.style(Role::Muted));
+        return Line::from(muted(format!(" {}", look.say("footer-deaf"))));
     }
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);
         return Line::styled(format!(" {}", look.text(&message.text)), look.style(role));
     }
-    let hints = match state.room {
-        Room::Home => HOME,
-        Room::Debrief => DEBRIEF,
-        _ => FLY,
-    };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    for (key, what) in hints {
-        used += key.len() + what.len() + 3;
+    for (key, what) in hints(state) {
+        // Those that are no message yet are said as they are.
+        let what = look.say(what);
+        used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
             break;
         }
         spans.push(Span::styled(*key, look.style(Role::Key)));
-        spans.push(Span::styled(format!(" {what}  "), look.style(Role::Muted)));
+        spans.push(muted(format!(" {what}  ")));
     }
     Line::from(spans)
+}
+
+/// What the keys of a room do.
+fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
+    match state.room {
+        Room::Home => HOME,
+        Room::Ledger => LEDGER,
+        Room::Debrief => DEBRIEF,
+        Room::Map => MAP,
+        Room::Messages => messages::HINTS,
+        Room::Links => links::HINTS,
+        Room::Parameters if state.rooms.parameters.comparison.is_some() => {
+            parameters::COMPARISON_HINTS
+        }
+        Room::Parameters => parameters::HINTS,
+        _ => FLY,
+    }
 }

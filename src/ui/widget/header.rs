@@ -2,45 +2,43 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use crate::app::state::{Activity, Room, State};
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, clock, put};
+use crate::ui::widget::{clip, clock, columns, put, width};
 
 /// Draws the header and returns the area between it and the footer.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
     let header = Rect { height: 1, ..area };
     buffer.set_style(header, look.style(Role::Header));
-    let right = right_part(state, look, area.width);
-    let left_width = usize::from(area.width).saturating_sub(right.width() + 4);
-    let title = state.session.activity.as_ref().map(Activity::title);
     let name = format!(" {} ", look.text(&state.room.title()).to_uppercase());
-    let title = clip(
-        &title.unwrap_or_default(),
-        left_width.saturating_sub(name.chars().count() + 1),
-    );
-    let bold = look
-        .style(Role::Header)
-        .add_modifier(ratatui::style::Modifier::BOLD);
-    let left = Line::from(vec![
+    let activity = state.session.activity.as_ref();
+    let title = activity.map_or_else(String::new, |activity| title(activity, look));
+    let room = usize::from(area.width);
+    let left = width(&name) + 1;
+    // The figures give way to the title as long as they lose no meaning by it.
+    let fits = |right: &String| left + width(&title) + 3 + width(right) < room;
+    let long = right_part(state, look, false);
+    let right = if fits(&long) {
+        long
+    } else {
+        right_part(state, look, true)
+    };
+    let title = clip(&title, room.saturating_sub(left + width(&right) + 4));
+    let bold = look.style(Role::Header).add_modifier(Modifier::BOLD);
+    let line = Line::from(vec![
         Span::styled(name, bold),
         Span::raw(format!(" {title}")),
     ]);
-    put(buffer, header, 0, &left);
-    let start = area.width.saturating_sub(right.width() as u16 + 1);
-    put(
-        buffer,
-        Rect {
-            x: area.x + start,
-            width: area.width - start,
-            ..header
-        },
-        0,
-        &right,
-    );
+    put(buffer, header, 0, &line);
+    let start = area.width.saturating_sub(width(&right) as u16 + 1);
+    let place = columns(header, start, area.width);
+    put(buffer, place, 0, &Line::raw(right));
     Rect {
         y: area.y + 1,
         height: area.height.saturating_sub(2),
@@ -48,38 +46,69 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
     }
 }
 
-fn right_part(state: &State, look: &Look, width: u16) -> Line<'static> {
+fn title(activity: &Activity, look: &Look) -> String {
+    match activity {
+        Activity::Free => look.say("header-free"),
+        Activity::Mission { .. } | Activity::Connected { .. } => activity.title(),
+    }
+}
+
+/// The figures; in a few letters where there is little room.
+fn right_part(state: &State, look: &Look, short: bool) -> String {
     let mut parts = Vec::new();
     let dropped = state.notices.dropped;
     if dropped > 0 {
-        let what = if width < 100 { "" } else { "notices " };
-        parts.push(format!("{dropped} {what}dropped"));
+        parts.push(if short {
+            text!("header-dropped-short", count = dropped)
+        } else {
+            text!("header-dropped", count = dropped)
+        });
+    }
+    if let Some(pressing) = state.session.alarms.pressing()
+        && state.room != Room::Fly
+        && !state.session.over
+    {
+        // The flight screen has a line of its own for it.
+        let count = pressing.vehicles.len() + pressing.others;
+        parts.push(text!("alert-header", count = count));
     }
     if state.room != Room::Home {
-        let count = look.text(&text!(
-            "count-vehicles",
-            count = state.session.vehicles.len()
-        ));
-        parts.push(format!("{count}, {} armed", state.session.armed()));
-        parts.push(links(state));
+        let (armed, all) = (state.session.armed(), state.session.vehicles.len());
+        parts.push(if short {
+            text!("header-armed-short", armed = armed, all = all)
+        } else {
+            text!(
+                "header-armed",
+                vehicles = text!("count-vehicles", count = all),
+                armed = armed
+            )
+        });
+        parts.push(links(state, short));
     }
-    parts.push(clock(state.session.time(state.now)));
-    Line::raw(parts.join("   "))
+    parts.push(clock(state.session.time(state.now)).into());
+    look.text(&Text::joined("   ", parts))
 }
 
-fn links(state: &State) -> String {
+fn links(state: &State, short: bool) -> Text {
     let links = &state.session.links;
     match links.as_slice() {
-        [] => "no link".to_owned(),
+        [] => text!("header-no-link"),
         // A long address is cut rather than the word that matters.
-        [link] => format!(
-            "{} {}",
-            clip(&link.name, 24),
-            if link.up { "up" } else { "down" }
-        ),
+        [link] => {
+            let name = clip(&link.name, if short { 14 } else { 24 });
+            if link.up {
+                text!("header-link-up", name = name)
+            } else {
+                text!("header-link-down", name = name)
+            }
+        }
         links => {
             let up = links.iter().filter(|link| link.up).count();
-            format!("{up}/{} links up", links.len())
+            if short {
+                text!("header-links-short", up = up, all = links.len())
+            } else {
+                text!("header-links", up = up, all = links.len())
+            }
         }
     }
 }

@@ -19,7 +19,7 @@ const INDENT: usize = 2;
 
 /// Draws the newest entries that fit.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled("ledger", look, area, buffer);
+    let inner = titled(&look.say("commands-pane"), look, area, buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
@@ -34,7 +34,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         blocks.push(block);
     }
     if blocks.is_empty() {
-        let text = "no command yet: press : and write one";
+        let text = look.say("commands-none");
         put(
             buffer,
             inner,
@@ -94,7 +94,7 @@ fn indented<'a>(text: &str, style: Style) -> Line<'a> {
 }
 
 /// How many vehicles are in which state, in words.
-fn summary(entry: &Entry, with_count: bool) -> String {
+pub fn summary(entry: &Entry, with_count: bool) -> String {
     if let [row] = entry.rows.as_slice() {
         let again = row.state == RowState::Sent && row.tries > 1;
         let tries = if again {
@@ -146,7 +146,7 @@ fn order(state: RowState) -> u8 {
 }
 
 /// A command looks like the worst that became of it.
-fn entry_role(entry: &Entry) -> Role {
+pub fn entry_role(entry: &Entry) -> Role {
     let worst = entry
         .rows
         .iter()

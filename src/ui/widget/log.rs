@@ -1,4 +1,4 @@
-//! The ledger and the notices over the whole screen, to look back.
+//! The notices over the whole screen, to look back.
 
 use std::ops::Range;
 
@@ -6,13 +6,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use super::{ledger, notices};
+use super::notices;
 use crate::app::state::{Log, State};
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{boxed, put, row_of};
 
-/// Draws one of the two, with the entry under the cursor marked and in sight.
+/// Draws them, with the entry under the cursor marked and in sight.
 pub fn draw(
     state: &State,
     (log, cursor): (Log, Option<usize>),
@@ -23,15 +24,15 @@ pub fn draw(
     let count = state.log_length(log);
     let cursor = cursor.unwrap_or(count).min(count.saturating_sub(1));
     let name = match log {
-        Log::Ledger => "ledger",
-        Log::Notices => "notices",
+        Log::Notices => look.say("fly-notices"),
     };
     let place = if count == 0 {
         String::new()
     } else {
-        format!("{} of {count}   ", cursor + 1)
+        let text = text!("fly-place", at = cursor + 1, count = count);
+        format!("{}   ", look.text(&text))
     };
-    let title = format!("{name}   {place}j k scroll   Esc closes");
+    let title = format!("{name}   {place}{}", look.say("fly-log-keys"));
     let inner = boxed(&title, Role::Accent, look, area, buffer);
     let rows = usize::from(inner.height);
     // Every entry has a line at least: more of them than rows on either side cannot be seen.
@@ -39,7 +40,7 @@ pub fn draw(
     let before = cursor - near.start;
     let blocks = blocks(state, log, near, usize::from(inner.width), look);
     if blocks.is_empty() {
-        let text = "nothing yet";
+        let text = look.say("fly-nothing-yet");
         put(
             buffer,
             inner,
@@ -81,12 +82,6 @@ fn blocks<'a>(
     let session = &state.session;
     let count = which.len();
     match log {
-        Log::Ledger => {
-            let entries = session.ledger.entries().skip(which.start).take(count);
-            entries
-                .map(|entry| ledger::entry_lines(entry, session, width, look))
-                .collect()
-        }
         Log::Notices => {
             let notices = state.notices.lines().skip(which.start).take(count);
             notices

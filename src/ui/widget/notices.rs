@@ -5,17 +5,21 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::state::{NoticeLine, Session, State, ranges};
+use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, clock, put, severity_role, titled, wrap};
+use crate::ui::widget::{aligned, clip, clock, put, severity_role, titled, wrap};
 use crate::vehicle::Severity;
 
+/// Columns of a severity.
+const SEVERITY_WIDTH: usize = 5;
 /// Lines that a notice may take that is no error.
 const MOST_LINES: usize = 2;
 
 /// Draws the newest notices that fit.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled("notices", look, area, buffer);
+    let inner = titled(&look.say("fly-notices"), look, area, buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
@@ -47,9 +51,9 @@ pub fn lines<'a>(
         some => format!("{}: ", clip(&some, 12)),
     };
     let mut head = format!(
-        "{} {:5} {vehicles}",
+        "{} {} {vehicles}",
         clock(session.time(notice.at)),
-        word(notice.severity)
+        aligned(&look.text(&word(notice.severity)), SEVERITY_WIDTH, false)
     );
     let indent = " ".repeat(Span::raw(&head).width());
     let mut lines = Vec::new();
@@ -86,15 +90,15 @@ fn texts(line: &NoticeLine, width: usize, most: usize, look: &Look) -> Vec<Strin
 }
 
 /// A severity in five letters or fewer.
-fn word(severity: Severity) -> &'static str {
+fn word(severity: Severity) -> Text {
     match severity {
-        Severity::Emergency => "EMERG",
-        Severity::Alert => "ALERT",
-        Severity::Critical => "CRIT",
-        Severity::Error => "ERROR",
-        Severity::Warning => "WARN",
-        Severity::Notice => "note",
-        Severity::Info => "info",
-        Severity::Debug => "debug",
+        Severity::Emergency => text!("severity-emergency"),
+        Severity::Alert => text!("severity-alert"),
+        Severity::Critical => text!("severity-critical"),
+        Severity::Error => text!("severity-error"),
+        Severity::Warning => text!("severity-warning"),
+        Severity::Notice => text!("severity-notice"),
+        Severity::Info => text!("severity-info"),
+        Severity::Debug => text!("severity-debug"),
     }
 }

@@ -1,13 +1,10 @@
-//! The overlays that are read: help, links, brief, and the question before something dangerous.
+//! The overlays that are read: help, brief, and the question before something dangerous.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{
-    Confirm, HelpLine, LinkLineState, LinkSummary, Overlay, SHORT_USAGE, State, help_lines,
-    link_lines,
-};
+use crate::app::state::{Confirm, HelpLine, Overlay, SHORT_USAGE, State, help_lines};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{boxed, centred, clip, put, reflow, wrap};
@@ -20,9 +17,6 @@ pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &
     match overlay {
         Overlay::Confirm(question) => draw_confirm(question, look, area, buffer),
         Overlay::Help { scroll } => draw_help(state, *scroll, look, area, buffer),
-        Overlay::Links { scroll } => {
-            draw_links(&state.session.links, *scroll, look, area, buffer);
-        }
         Overlay::Log { log, cursor } => {
             super::log::draw(state, (*log, *cursor), look, area, buffer);
         }
@@ -109,35 +103,6 @@ fn help_line(line: &HelpLine, look: &Look) -> Line<'static> {
             Span::styled(format!("  {what:SHORT_USAGE$} "), look.style(Role::Key)),
             Span::raw(look.text(meaning)),
         ]),
-    }
-}
-
-fn draw_links(links: &[LinkSummary], scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = link_lines(links);
-    let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
-    let place = centred(area.width.min(100), height, area);
-    let inner = boxed(
-        "links   j k scroll   Esc closes",
-        Role::Accent,
-        look,
-        place,
-        buffer,
-    );
-    let rows = usize::from(inner.height);
-    let first = scroll.min(lines.len().saturating_sub(rows));
-    for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
-        let role = match line.state {
-            LinkLineState::Up => Role::Ok,
-            LinkLineState::Down => Role::Warning,
-            LinkLineState::Detail => Role::Text,
-        };
-        let text = clip(&line.text, usize::from(inner.width));
-        put(
-            buffer,
-            inner,
-            row as u16,
-            &Line::styled(text, look.style(role)),
-        );
     }
 }
 

@@ -18,6 +18,8 @@ const HEIGHT: u16 = 13;
 /// Rows of what is wrong with a word, and of how the verb is written.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
+/// Columns of a wrong word in what is said about it.
+const LONGEST_WORD: usize = 24;
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
@@ -51,9 +53,17 @@ pub fn draw(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) -> 
 
 /// What is wrong, how the verb is written, and what Enter would do.
 fn explanation(palette: &Palette, width: usize, look: &Look) -> Vec<Line<'static>> {
-    let fault = palette.fault.as_ref().map(|fault| match &fault.help {
-        Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
-        None => look.text(&fault.message),
+    let fault = palette.fault.as_ref().map(|fault| {
+        let said = match &fault.help {
+            Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
+            None => look.text(&fault.message),
+        };
+        // A word of many lines would leave no room for what is wrong with it.
+        let (_, wrong, _) = parts(palette.input.value(), Some(fault));
+        match clip(wrong, LONGEST_WORD) {
+            whole if whole == wrong => said,
+            cut => said.replace(wrong, &cut),
+        }
     });
     let hint = palette.hint.as_ref().map(|hint| look.text(hint));
     // A wrong line without a verb is not helped by the grammar.

@@ -5,7 +5,8 @@ use ratatui::layout::{Position, Rect};
 use ratatui::text::{Line, Span};
 
 use super::palette::draw_line;
-use crate::app::state::{Prompt, Purpose};
+use crate::app::state::{Prompt, Purpose, ranges};
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, boxed, centred, put, wrap};
@@ -22,10 +23,16 @@ const EXAMPLES: &[(&str, &str)] = &[
 ];
 const HEIGHT: u16 = 14;
 const WIDTH: u16 = 72;
+/// Rows of a prompt at the bottom: a frame, the line, and two lines for what is wrong with it.
+const BOTTOM_HEIGHT: u16 = 5;
 
 /// Draws the prompt and returns where the terminal's cursor belongs.
 pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Position {
-    let place = centred(WIDTH, HEIGHT, area);
+    let place = match prompt.purpose {
+        Purpose::Connect => centred(WIDTH, HEIGHT, area),
+        // What the line is about stays in sight.
+        _ => at_the_bottom(area),
+    };
     let inner = boxed(
         &title(&prompt.purpose, look),
         Role::Accent,
@@ -50,6 +57,12 @@ pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Po
     }
     match prompt.purpose {
         Purpose::Connect => draw_examples(look, below(inner, row + 1), buffer),
+        _ if prompt.fault.is_none() => {
+            let text = look.say(advice(&prompt.purpose));
+            let text = Line::styled(text, look.style(Role::Muted));
+            put(buffer, inner, 1, &text);
+        }
+        _ => {}
     }
     cursor
 }
@@ -57,6 +70,37 @@ pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Po
 fn title(purpose: &Purpose, look: &Look) -> String {
     match purpose {
         Purpose::Connect => look.say("prompt-connect"),
+        Purpose::Filter(_) => look.say("prompt-filter"),
+        Purpose::Parameter { name, vehicles } => look.text(&text!(
+            "prompt-parameter",
+            name = name,
+            vehicles = ranges(vehicles.iter().copied())
+        )),
+        Purpose::SaveParameters => look.say("prompt-save-parameters"),
+        Purpose::LoadParameters => look.say("prompt-load-parameters"),
+        Purpose::CompareParameters => look.say("prompt-compare-parameters"),
+    }
+}
+
+/// What else there is to know, below the line.
+fn advice(purpose: &Purpose) -> &'static str {
+    match purpose {
+        Purpose::Connect => "",
+        Purpose::Filter(_) => "prompt-filter-advice",
+        Purpose::Parameter { .. } => "prompt-parameter-advice",
+        Purpose::SaveParameters => "prompt-save-advice",
+        Purpose::LoadParameters => "prompt-load-advice",
+        Purpose::CompareParameters => "prompt-compare-advice",
+    }
+}
+
+/// A box over the last lines of the room.
+fn at_the_bottom(area: Rect) -> Rect {
+    let height = BOTTOM_HEIGHT.min(area.height.saturating_sub(1));
+    Rect {
+        y: area.bottom().saturating_sub(height + 1),
+        height,
+        ..area
     }
 }
 

@@ -4,111 +4,154 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Session, State, alert};
+use super::swarm::since;
+use crate::app::state::{Session, Standing, State};
+use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, severity_role, titled, wrap};
-use crate::vehicle::{EkfFlags, Vehicle};
+use crate::ui::widget::{aligned, below, put, severity_role, titled, wrap};
+use crate::vehicle::{EkfFlags, LandedState, Vehicle};
 
 /// Columns of the labels.
 const LABEL_WIDTH: usize = 9;
+/// Alerts that are told here; the rest wait until these are over.
+const MOST_ALERTS: usize = 3;
 
 /// Rows that the pane would like to have.
-pub fn height(state: &State, width: u16) -> u16 {
+pub fn height(state: &State, look: &Look, width: u16) -> u16 {
     let Some(vehicle) = state.session.under_cursor() else {
         return 1;
     };
-    let alert = alert(vehicle, state.now);
-    let alert = alert.map_or(0, |alert| {
-        wrap(&alert.text.to_string(), usize::from(width)).len()
-    });
+    let alerts = alert_lines(vehicle, state, look, usize::from(width)).len();
     let lines = lines(vehicle, state).into_iter();
     let lines = lines.filter(|(_, text)| !text.is_empty()).count();
-    (1 + alert + lines) as u16
+    (1 + alerts + lines) as u16
 }
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(vehicle) = state.session.under_cursor() else {
-        titled("telemetry", look, area, buffer);
+        titled(&look.say("telemetry-title"), look, area, buffer);
         return;
     };
-    let title = format!("vehicle {}  {}", vehicle.id, Session::name(vehicle));
+    let name = Session::name(vehicle);
+    let title = look.text(&text!(
+        "telemetry-vehicle",
+        vehicle = vehicle.id,
+        name = name
+    ));
     let mut inner = titled(&title, look, area, buffer);
-    if let Some(alert) = alert(vehicle, state.now) {
-        let style = look.style(severity_role(alert.severity));
-        for line in wrap(&look.text(&alert.text), usize::from(inner.width)) {
-            put(buffer, inner, 0, &Line::styled(line, style));
-            inner = below(inner, 1);
-        }
+    for line in alert_lines(vehicle, state, look, usize::from(inner.width)) {
+        put(buffer, inner, 0, &line);
+        inner = below(inner, 1);
     }
     let lines = lines(vehicle, state).into_iter();
-    for (row, (label, text)) in lines.filter(|(_, text)| !text.is_empty()).enumerate() {
+    let lines = lines.filter(|(_, text)| !text.is_empty());
+    for (row, (label, text)) in lines.take(usize::from(inner.height)).enumerate() {
+        let label = aligned(&look.say(label), LABEL_WIDTH, false);
         let line = Line::from(vec![
-            Span::styled(format!("{label:LABEL_WIDTH$}"), look.style(Role::Muted)),
-            Span::raw(text),
+            Span::styled(label, look.style(Role::Muted)),
+            Span::raw(look.text(&text)),
         ]);
         put(buffer, inner, row as u16, &line);
     }
 }
 
-fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, String)> {
+/// What is wrong with it and since when, the worst first.
+fn alert_lines(vehicle: &Vehicle, state: &State, look: &Look, width: usize) -> Vec<Line<'static>> {
+    let session = &state.session;
+    let mut alerts: Vec<&Standing> = session.alarms.of(vehicle.id).collect();
+    alerts.sort_by_key(|one| (session.alarms.is_calm(one), one.alert.severity));
+    let told = alerts.into_iter().take(MOST_ALERTS);
+    let lines = told.flat_map(|one| {
+        let role = if session.alarms.is_calm(one) {
+            Role::Muted
+        } else {
+            severity_role(one.alert.severity)
+        };
+        let text = since(one, session.time(one.since), look, usize::MAX);
+        let lines = wrap(&text, width).into_iter();
+        lines.map(move |line| Line::styled(line, look.style(role)))
+    });
+    lines.collect()
+}
+
+fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, Text)> {
     vec![
-        ("mode", mode(vehicle)),
-        ("height", altitude(vehicle)),
-        ("speed", speed(vehicle)),
-        ("battery", battery(vehicle)),
-        ("home", home(vehicle)),
-        ("target", target(vehicle)),
-        ("place", place(vehicle)),
-        ("GPS", gps(vehicle)),
-        ("EKF", ekf(vehicle)),
-        ("attitude", attitude(vehicle)),
-        ("link", link(vehicle, state)),
-        ("wind", wind(vehicle)),
-        ("vibe", vibration(vehicle)),
-        (
-            "ground",
-            vehicle
-                .rangefinder_m
-                .map_or(String::new(), |m| format!("{m:.1} m below")),
-        ),
-        ("plan", plan(vehicle)),
-        ("RC", channels(vehicle)),
-        ("servos", pulses(&vehicle.servos_us)),
-        ("load", load(vehicle)),
-        ("firmware", firmware(vehicle)),
+        ("telemetry-mode", mode(vehicle)),
+        ("telemetry-height", altitude(vehicle)),
+        ("telemetry-speed", speed(vehicle)),
+        ("telemetry-battery", battery(vehicle).into()),
+        ("telemetry-home", home(vehicle)),
+        ("telemetry-target", target(vehicle)),
+        ("telemetry-place", place(vehicle).into()),
+        ("telemetry-gps", gps(vehicle)),
+        ("telemetry-ekf", ekf(vehicle)),
+        ("telemetry-attitude", attitude(vehicle)),
+        ("telemetry-link", link(vehicle, state)),
+        ("telemetry-wind", wind(vehicle)),
+        ("telemetry-vibration", vibration(vehicle)),
+        ("telemetry-ground", ground(vehicle)),
+        ("telemetry-plan", plan(vehicle)),
+        ("telemetry-rc", channels(vehicle).into()),
+        ("telemetry-servos", pulses(&vehicle.servos_us).into()),
+        ("telemetry-load", load(vehicle).into()),
+        ("telemetry-firmware", firmware(vehicle).into()),
     ]
 }
 
-fn mode(vehicle: &Vehicle) -> String {
+fn mode(vehicle: &Vehicle) -> Text {
     let Some(heartbeat) = vehicle.heartbeat else {
-        return "no heartbeat yet".to_owned();
+        return text!("telemetry-no-heartbeat");
     };
-    let armed = if heartbeat.armed { "ARMED" } else { "disarmed" };
-    format!("{}  {armed}  {}", heartbeat.mode, vehicle.landed)
+    let armed = if heartbeat.armed {
+        text!("telemetry-armed")
+    } else {
+        text!("telemetry-disarmed")
+    };
+    let mode = heartbeat.mode.to_string().into();
+    Text::joined("  ", vec![mode, armed, landed(vehicle.landed)])
 }
 
-fn altitude(vehicle: &Vehicle) -> String {
+fn landed(state: LandedState) -> Text {
+    match state {
+        LandedState::Undefined => text!("landed-unknown"),
+        LandedState::OnGround => text!("landed-ground"),
+        LandedState::InAir => text!("landed-air"),
+        LandedState::Takeoff => text!("landed-takeoff"),
+        LandedState::Landing => text!("landed-landing"),
+    }
+}
+
+fn altitude(vehicle: &Vehicle) -> Text {
     let Some(global) = vehicle.global else {
-        return String::new();
+        return Text::default();
     };
     let climb = -global.down_m_s;
     // A climb of -0.0 would flicker.
     let climb = if climb.abs() < 0.05 { 0.0 } else { climb };
-    format!(
-        "{:.1} m  climb {climb:+.1}  sea {:.0} m",
-        global.altitude_m, global.altitude_amsl_m
+    text!(
+        "telemetry-altitudes",
+        altitude = format!("{:.1}", global.altitude_m),
+        climb = format!("{climb:+.1}"),
+        sea = format!("{:.0}", global.altitude_amsl_m)
     )
 }
 
-fn speed(vehicle: &Vehicle) -> String {
+fn speed(vehicle: &Vehicle) -> Text {
     let Some(speed) = vehicle.ground_speed_m_s() else {
-        return String::new();
+        return Text::default();
     };
-    let heading = vehicle.heading_deg();
-    let heading = heading.map_or(String::new(), |deg| format!("  heading {deg:.0}°"));
-    format!("{speed:.1} m/s{heading}")
+    let speed = format!("{speed:.1}");
+    match vehicle.heading_deg() {
+        Some(deg) => text!(
+            "telemetry-speed-heading",
+            speed = speed,
+            heading = format!("{deg:.0}")
+        ),
+        None => text!("telemetry-speed-alone", speed = speed),
+    }
 }
 
 fn battery(vehicle: &Vehicle) -> String {
@@ -124,30 +167,34 @@ fn battery(vehicle: &Vehicle) -> String {
     packs.collect::<Vec<_>>().join(" | ")
 }
 
-fn home(vehicle: &Vehicle) -> String {
+fn home(vehicle: &Vehicle) -> Text {
     let (Some(global), Some(home)) = (vehicle.global, vehicle.home) else {
-        return String::new();
+        return Text::default();
     };
     let bearing = global.at_point.bearing_deg(home.at_point);
     let distance = global.at_point.distance_m(home.at_point);
     if distance < 1.0 {
-        return "here".to_owned();
+        return text!("telemetry-here");
     }
-    format!("{distance:.0} m  bearing {bearing:.0}°")
+    text!(
+        "telemetry-bearing",
+        distance = format!("{distance:.0}"),
+        bearing = format!("{bearing:.0}")
+    )
 }
 
-fn target(vehicle: &Vehicle) -> String {
+fn target(vehicle: &Vehicle) -> Text {
     let (Some(global), Some(target)) = (vehicle.global, vehicle.target) else {
-        return String::new();
+        return Text::default();
     };
-    let distance = target
-        .at_point
-        .map(|to| format!("{:.0} m away", global.at_point.distance_m(to)));
-    let altitude = target
-        .altitude_m
-        .map(|altitude| format!("at {altitude:.0} m"));
-    let parts = [distance, altitude].into_iter().flatten();
-    parts.collect::<Vec<_>>().join("  ")
+    let distance = target.at_point.map(|to| {
+        let distance = global.at_point.distance_m(to);
+        text!("telemetry-away", distance = format!("{distance:.0}"))
+    });
+    let altitude = target.altitude_m;
+    let altitude =
+        altitude.map(|altitude| text!("telemetry-at", altitude = format!("{altitude:.0}")));
+    Text::joined("  ", [distance, altitude].into_iter().flatten().collect())
 }
 
 fn place(vehicle: &Vehicle) -> String {
@@ -157,85 +204,103 @@ fn place(vehicle: &Vehicle) -> String {
     })
 }
 
-fn gps(vehicle: &Vehicle) -> String {
+fn gps(vehicle: &Vehicle) -> Text {
     let Some(gps) = vehicle.gps else {
-        return String::new();
+        return Text::default();
     };
-    let satellites = gps
-        .satellites
-        .map_or(String::new(), |count| format!("  {count} satellites"));
-    let hdop = gps
-        .hdop
-        .map_or(String::new(), |hdop| format!("  HDOP {hdop:.1}"));
-    format!("{}{satellites}{hdop}", gps.fix)
+    let fix = Text::from(gps.fix.to_string());
+    let satellites = gps.satellites;
+    let satellites = satellites.map(|count| text!("telemetry-satellites", count = count));
+    let hdop = gps.hdop.map(|hdop| Text::from(format!("HDOP {hdop:.1}")));
+    let parts = [Some(fix), satellites, hdop].into_iter().flatten();
+    Text::joined("  ", parts.collect())
 }
 
-fn ekf(vehicle: &Vehicle) -> String {
+fn ekf(vehicle: &Vehicle) -> Text {
     let Some(ekf) = vehicle.ekf else {
-        return String::new();
+        return Text::default();
     };
     let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
     let state = if ekf.flags.has(position) {
-        "ok"
+        text!("telemetry-ekf-ok")
     } else {
-        "no position"
+        text!("telemetry-ekf-lost")
     };
-    format!(
-        "{state}  vel {:.2} pos {:.2} mag {:.2}",
-        ekf.velocity_variance, ekf.position_horizontal_variance, ekf.compass_variance
-    )
+    let ratios = [
+        ekf.velocity_variance,
+        ekf.position_horizontal_variance,
+        ekf.compass_variance,
+    ];
+    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, 2));
+    let figures = format!("vel {velocity} pos {position} mag {compass}");
+    Text::joined("  ", vec![state, figures.into()])
 }
 
-fn attitude(vehicle: &Vehicle) -> String {
-    let attitude = vehicle.attitude;
-    attitude.map_or(String::new(), |attitude| {
+fn attitude(vehicle: &Vehicle) -> Text {
+    vehicle.attitude.map_or_else(Text::default, |attitude| {
         // Adding zero turns a rounded -0 into +0, which does not flicker.
         let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
-        format!("roll {roll:+.0}°  pitch {pitch:+.0}°")
+        text!(
+            "telemetry-roll-pitch",
+            roll = format!("{roll:+.0}"),
+            pitch = format!("{pitch:+.0}")
+        )
     })
 }
 
-fn link(vehicle: &Vehicle, state: &State) -> String {
+fn link(vehicle: &Vehicle, state: &State) -> Text {
     let link = &vehicle.link;
     let quality = if link.lost {
-        let silent = state
-            .now
-            .saturating_sub(link.last_heard.unwrap_or_default());
-        format!("LOST {} s ago", silent.as_secs())
+        let heard = link.last_heard.unwrap_or_default();
+        let silent = state.now.saturating_sub(heard);
+        text!("telemetry-link-lost", seconds = silent.as_secs())
     } else {
-        format!("{} %", link.percent())
+        format!("{} %", link.percent()).into()
     };
     let trip = link.round_trip;
-    let trip = trip.map_or(String::new(), |trip| {
-        format!("  round trip {} ms", trip.as_millis())
-    });
-    let reboots = match link.reboots {
-        0 => String::new(),
-        count => format!("  rebooted {count}x"),
-    };
-    format!("{quality}{trip}{reboots}")
+    let trip = trip.map(|trip| text!("telemetry-round-trip", ms = trip.as_millis() as u64));
+    let reboots = Some(link.reboots).filter(|&count| count > 0);
+    let reboots = reboots.map(|count| text!("telemetry-rebooted", count = count));
+    let parts = [Some(quality), trip, reboots].into_iter().flatten();
+    Text::joined("  ", parts.collect())
 }
 
-fn wind(vehicle: &Vehicle) -> String {
+fn wind(vehicle: &Vehicle) -> Text {
     let wind = vehicle.wind.filter(|wind| wind.speed_m_s >= 0.05);
-    wind.map_or(String::new(), |wind| {
-        format!("{:.1} m/s from {:.0}°", wind.speed_m_s, wind.from_deg)
+    wind.map_or_else(Text::default, |wind| {
+        text!(
+            "telemetry-wind-from",
+            speed = format!("{:.1}", wind.speed_m_s),
+            from = format!("{:.0}", wind.from_deg)
+        )
     })
 }
 
-fn vibration(vehicle: &Vehicle) -> String {
-    let Some(vibration) = vehicle.vibration else {
-        return String::new();
-    };
-    let [x, y, z] = vibration.level_m_s2;
-    let clipped: u32 = vibration.clipping.iter().sum();
-    format!("{x:.0} {y:.0} {z:.0} m/s²  clipped {clipped}")
+fn vibration(vehicle: &Vehicle) -> Text {
+    vehicle.vibration.map_or_else(Text::default, |vibration| {
+        let [x, y, z] = vibration.level_m_s2.map(|level| figure(level, 0));
+        let clipped: u32 = vibration.clipping.iter().sum();
+        text!(
+            "telemetry-vibrations",
+            levels = format!("{x} {y} {z}"),
+            clipped = clipped
+        )
+    })
 }
 
-fn plan(vehicle: &Vehicle) -> String {
+fn ground(vehicle: &Vehicle) -> Text {
+    let metres = vehicle.rangefinder_m;
+    metres.map_or_else(Text::default, |m| {
+        text!("telemetry-below", metres = format!("{m:.1}"))
+    })
+}
+
+fn plan(vehicle: &Vehicle) -> Text {
     match vehicle.plan.total {
-        Some(total) if total > 0 => format!("item {} of {total}", vehicle.plan.current),
-        _ => String::new(),
+        Some(total) if total > 0 => {
+            text!("telemetry-item", item = vehicle.plan.current, total = total)
+        }
+        _ => Text::default(),
     }
 }
 
@@ -253,8 +318,17 @@ fn pulses(pulses_us: &[u16]) -> String {
 
 fn load(vehicle: &Vehicle) -> String {
     vehicle.health.map_or(String::new(), |health| {
-        format!("{:.0} %", health.load_percent)
+        format!("{} %", figure(health.load_percent, 0))
     })
+}
+
+/// A value with so many decimals, or a dash for what the vehicle cannot tell.
+fn figure(value: f32, decimals: usize) -> String {
+    if value.is_finite() {
+        format!("{value:.decimals$}")
+    } else {
+        "-".to_owned()
+    }
 }
 
 fn firmware(vehicle: &Vehicle) -> String {

@@ -140,7 +140,7 @@ fn the_table_shows_the_command_that_is_under_way() {
 }
 
 #[test]
-fn the_ledger_and_the_notices_can_be_looked_back_through() {
+fn the_commands_and_the_notices_can_be_looked_back_through() {
     let mut console = Console::flying(1);
     for number in 0..60 {
         console.give(&format!("1 param get P{number}_"));

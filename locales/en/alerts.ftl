@@ -1,0 +1,54 @@
+# What is wrong with vehicles, and what can be done about alerts.
+
+alert-motors-stopped = MOTORS STOPPED in the air
+alert-crashed = CRASHED, disarmed
+alert-crashed-at = CRASHED { $speed } m/s
+alert-link-lost = LINK LOST
+alert-failsafe = FAILSAFE active
+alert-gps-lost = GPS lost
+alert-gps-glitch = GPS glitch
+alert-ekf-position = EKF no position
+alert-ekf = EKF { $part } { $ratio }
+alert-ekf-velocity = velocity
+alert-ekf-where = position
+alert-ekf-height = height
+alert-ekf-compass = compass
+alert-battery-critical = BATTERY { $percent } %
+alert-battery-low = battery low { $percent } %
+alert-fence = outside fence
+alert-vibration = vibration { $level }
+alert-prearm = not ready to arm
+
+alert-kind-crash = CRASHED
+alert-kind-gps = GPS unreliable
+alert-kind-ekf = EKF unreliable
+alert-kind-battery = battery low
+alert-kind-vibration = vibration
+alert-kind-message = serious message
+
+alert-since = { $what } since { $clock }
+alert-of-one = { $vehicle }: { $what }
+alert-of-many = { $count ->
+    [one] { $count } vehicle: { $what }
+   *[other] { $count } vehicles: { $what }
+}
+alert-with-vehicles = { $what }: { $vehicles }
+alert-and-more = { $first } (+{ $count })
+alert-acknowledge-hint = x acknowledges
+alert-header = { $count ->
+    [one] { $count } alert
+   *[other] { $count } alerts
+}
+
+alert-acknowledged = { $count ->
+    [0] nothing to acknowledge
+    [one] { $count } alert acknowledged: it stays in the table until it is over
+   *[other] { $count } alerts acknowledged: they stay in the table until they are over
+}
+alert-muted = alerts of the kind { $kind } are silent now
+alert-unmuted = alerts of the kind { $kind } ring again
+alert-muted-list = silent kinds: { $kinds }
+alert-muted-none = no kind of alert is silent
+alert-no-kind = no kind of alert is named `{ $word }`
+alert-no-kinds = the configuration mutes kinds of alert that there are not: { $words }. There are: { $kinds }
+alert-kinds-are = kinds: { $kinds }

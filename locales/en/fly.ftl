@@ -1,0 +1,182 @@
+# The flight screen: table, telemetry, notices; and what stands at the edges of every screen.
+
+prompt-filter = show only
+
+fly-swarm = swarm
+fly-notices = notices
+fly-waiting = waiting for the first vehicle ...
+fly-rows = { $first }-{ $last } of { $count }
+fly-filtered = { $shown } of { $all } fit "{ $filter }"
+fly-none-fit = no vehicle fits "{ $filter }": Esc shows all again
+fly-by = by { $column }
+fly-selected = selected { $count }: { $vehicles }
+fly-selected-hidden = selected { $count } ({ $hidden } hidden): { $vehicles }
+fly-sorted = ordered by { $column }; S turns it round
+fly-sorted-reversed = ordered by { $column }, the largest first
+fly-no-column = there is no column `{ $word }`
+fly-columns-are = there are: { $columns }
+fly-no-columns = the configuration names columns that there are not: { $words }. There are: { $columns }
+fly-no-group = no group is named `{ $name }`
+fly-ungrouped = @{ $name } is no group any more
+fly-place = { $at } of { $count }
+fly-log-keys = j k scroll   Esc closes
+fly-nothing-yet = nothing yet
+
+fly-armed = ARMED
+fly-ready = ready
+fly-safe = safe
+fly-ground = ground
+fly-air = air
+fly-takeoff = takeoff
+fly-landing = landing
+fly-lost = LOST
+fly-done = done
+fly-try = try { $count }
+
+column-id = id
+column-name = name
+column-group = group
+column-mode = mode
+column-armed = armed
+column-state = state
+column-alt = alt m
+column-speed = m/s
+column-bat = bat
+column-gps = GPS
+column-link = link
+column-home = home m
+column-command = command
+column-to-go = to go m
+column-heading = hdg
+column-climb = climb
+column-volt = volt
+column-amps = amps
+column-used = mAh
+column-hdop = HDOP
+column-ping = ms
+column-ekf = EKF
+column-vibe = vibe
+column-item = item
+column-sea = sea m
+column-lat = latitude
+column-lon = longitude
+column-alert = alert
+
+severity-emergency = EMERG
+severity-alert = ALERT
+severity-critical = CRIT
+severity-error = ERROR
+severity-warning = WARN
+severity-notice = note
+severity-info = info
+severity-debug = debug
+
+telemetry-title = telemetry
+telemetry-vehicle = vehicle { $vehicle }  { $name }
+telemetry-mode = mode
+telemetry-height = height
+telemetry-speed = speed
+telemetry-battery = battery
+telemetry-home = home
+telemetry-target = target
+telemetry-place = place
+telemetry-gps = GPS
+telemetry-ekf = EKF
+telemetry-attitude = attitude
+telemetry-link = link
+telemetry-wind = wind
+telemetry-vibration = vibe
+telemetry-ground = ground
+telemetry-plan = plan
+telemetry-rc = RC
+telemetry-servos = servos
+telemetry-load = load
+telemetry-firmware = firmware
+telemetry-no-heartbeat = no heartbeat yet
+telemetry-armed = ARMED
+telemetry-disarmed = disarmed
+telemetry-altitudes = { $altitude } m  climb { $climb }  sea { $sea } m
+telemetry-speed-heading = { $speed } m/s  heading { $heading }°
+telemetry-speed-alone = { $speed } m/s
+telemetry-here = here
+telemetry-bearing = { $distance } m  bearing { $bearing }°
+telemetry-away = { $distance } m away
+telemetry-at = at { $altitude } m
+telemetry-satellites = { $count ->
+    [one] { $count } satellite
+   *[other] { $count } satellites
+}
+telemetry-ekf-ok = ok
+telemetry-ekf-lost = no position
+telemetry-roll-pitch = roll { $roll }°  pitch { $pitch }°
+telemetry-link-lost = LOST { $seconds } s ago
+telemetry-round-trip = round trip { $ms } ms
+telemetry-rebooted = rebooted { $count }x
+telemetry-wind-from = { $speed } m/s from { $from }°
+telemetry-vibrations = { $levels } m/s²  clipped { $clipped }
+telemetry-below = { $metres } m below
+telemetry-item = item { $item } of { $total }
+
+landed-unknown = unknown
+landed-ground = on ground
+landed-air = in air
+landed-takeoff = taking off
+landed-landing = landing
+
+header-free = free flight
+header-armed = { $vehicles }, { $armed } armed
+header-armed-short = { $armed }/{ $all } armed
+header-dropped = { $count } notices dropped
+header-dropped-short = { $count } dropped
+header-no-link = no link
+header-link-up = { $name } up
+header-link-down = { $name } down
+header-links = { $up }/{ $all } links up
+header-links-short = links { $up }/{ $all }
+
+footer-vehicles = vehicles
+footer-list = Enter selects   a t g m h l r commands them   Esc drops
+footer-deaf = keys work in a moment
+footer-paste-dropped = nothing was pasted: open the command line with : first
+
+hint-move = move
+hint-take = take
+hint-command = command
+hint-help = help
+hint-quit = quit
+hint-select = select
+hint-list = list
+hint-all = all
+hint-none = none
+hint-filter = filter
+hint-sort = order
+hint-acknowledge = ack
+hint-look-back = look back
+hint-rooms = rooms
+hint-open = open
+hint-outcome = outcome
+hint-own = vehicle
+hint-back = back
+hint-scroll = scroll
+hint-again = fly again
+hint-home = home screen
+
+commands-pane = commands
+commands-none = no command yet: press : and write one
+commands-none-fit = no command fits: Esc shows all again
+commands-follows = follows the newest
+commands-only-failed = only what failed
+commands-only-under-way = only what is under way
+commands-only-done = only what is done
+commands-time = time
+commands-line = command
+commands-to = to
+commands-answer = answer
+commands-outcome = outcome
+commands-tries = tries
+commands-more = ... { $count } more: Enter shows all
+commands-sent-times = { $count ->
+    [0] not sent
+    [one] sent once
+   *[other] sent { $count }x
+}

@@ -1,0 +1,47 @@
+# The map.
+
+map-title = map
+map-all = everything in view
+map-follows = follows { $vehicle }
+map-outside = { $count ->
+    [one] 1 vehicle out of view
+   *[other] { $count } vehicles out of view
+}
+map-nowhere = No position is known yet.
+map-from-home = from home
+map-from-vehicle = from
+map-ruler = ruler
+map-no-vehicle = no vehicle with a position is under the cursor
+map-no-samples = no sensor has shown anything yet
+map-shows-sensor = samples of { $sensor }
+
+map-legend = signs
+map-legend-armed = armed, its heading
+map-legend-disarmed = disarmed
+map-legend-lost = not heard any more
+map-legend-cursor = the cursor's vehicle
+map-legend-selected = selected
+map-legend-alert = alert
+map-legend-several = several in one place
+map-legend-home = home
+map-legend-trail = trail
+map-legend-target = to its target (x)
+map-legend-task = task area
+map-legend-fence = fence
+map-legend-keep-out = keep out
+map-legend-plan = plan, waypoint w3
+map-legend-rally = rally point (R1)
+map-legend-ruler = ruler
+
+action-left = left
+action-right = right
+action-zoom-in = come closer
+action-zoom-out = go away
+action-fit = show everything
+action-follow = follow the cursor's vehicle, or stop following
+action-centre = put the cursor into the middle
+action-ruler = measure from here, or stop measuring
+action-goto-here = write `goto` with the place under the cursor
+action-trails = show or hide the trails
+action-legend = show or hide the signs' meaning
+action-next-sensor = samples of the next sensor

@@ -1,0 +1,42 @@
+# The room "messages": the inspector.
+
+
+messages-fields = fields
+messages-hint = Choose a message in the tree. Enter opens a branch, Tab goes to the fields, g draws a field as a graph, x shows bytes, / filters, s sorts, p pauses, z closes or opens all systems.
+messages-none = nothing has come by any link yet
+messages-none-found = no message matches
+messages-paused = PAUSED
+messages-by-number = messages by number
+messages-by-name = messages by name
+messages-by-rate = messages by rate
+messages-by-age = messages by age
+messages-count = count
+messages-age = age
+messages-system = system { $system }
+messages-component = component { $component }
+messages-received = received
+messages-sent = sent
+messages-to = { $system } to { $peer }
+messages-signed = signed
+messages-unsigned = unsigned
+messages-figures = { $hz } Hz  { $bytes } B/s  count { $count }  age { $age }
+messages-dress = v{ $version } { $signed }, { $length } B, no. { $sequence }, { $way }
+messages-unknown = unknown ({ $value })
+messages-more = { $count } more
+messages-unknown-id = This id is in no dialect that is known here; its checksum cannot be verified.
+messages-other-layout = The checksum is wrong for this message as it is known here: another layout, or a damaged frame.
+messages-extent = now { $now }  { $seconds } s: { $low } to { $high }
+messages-not-drawn = { $count } not drawn
+messages-uncounted = frames of further kinds, for which there was no room (noise looks so): { $count }
+messages-choose-field = choose a field first: Tab goes to the fields
+messages-no-number = { $field } is text and has no graph
+
+messages-key-help = help
+messages-key-open = open
+messages-key-fields = fields
+messages-key-graph = graph
+messages-key-bytes = bytes
+messages-key-filter = filter
+messages-key-sort = sort
+messages-key-pause = pause
+messages-key-fold = fold all

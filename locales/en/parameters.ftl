@@ -1,0 +1,118 @@
+# Parameters: the room, files, and what is wrong with a value.
+
+action-changed-parameters = fewer lines: changed ones, or those of the file
+action-save-parameters = save the parameters to a file
+action-load-parameters = load a file: first see what differs
+action-compare-parameters = compare with a file or another vehicle
+action-apply-parameters = set what is marked
+action-fetch-parameters = ask the vehicle for all parameters again
+
+parameters-not-finite = not sent: { $name } takes finite numbers only
+parameters-not-whole = not sent: { $name } takes whole numbers only ({ $kind })
+parameters-out-of-range = not sent: { $name } takes { $least } to { $greatest } only ({ $kind })
+parameters-inexact = not sent: MAVLink would carry { $nearest } instead, so { $name } cannot be set to that exactly
+parameters-no-number = `{ $value }` is no number
+
+parameters-file-twice = { $name } is { $value } on line { $line } already
+parameters-file-no-value = { $name } has no value
+parameters-file-more = nothing more is expected after the value
+parameters-file-name = `{ $name }` is no parameter: names have 1 to 16 letters, digits and `_`
+parameters-file-too-large = { $value } is no number that a vehicle could take
+parameters-file-help = write NAME,VALUE on a line, and comments after a #
+parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
+    [one] (nothing was loaded)
+   *[other] (and { $count } faults in all; nothing was loaded)
+}
+
+parameters-title = vehicle { $vehicle }
+parameters-title-compared = vehicle { $vehicle } beside { $other }
+parameters-of-vehicle = vehicle { $vehicle }
+parameters-no-vehicle = No vehicle is heard yet: its parameters come here.
+parameters-asking = asking the vehicle for its parameters ...
+parameters-coming = { $received } of { $count }
+parameters-repeating = { $received } of { $count }; no answer, asked again ({ $tries })
+parameters-link-lost = { $received } of { $count }; link lost: goes on when it is back
+parameters-stalled = { $received } of { $count } came, then no answer: r asks again
+parameters-complete = { $count ->
+    [one] { $count } parameter
+   *[other] { $count } parameters
+}
+parameters-marked = { $count } differ, { $marked } marked
+parameters-hidden = { $count } only on this vehicle (o)
+parameters-filter = /{ $filter }: { $count }
+parameters-only-changed = only changed
+parameters-setting = setting: { $count } left
+parameters-sets-on = sets on { $vehicles }
+parameters-none-yet = nothing has come yet
+parameters-none-fit = no name has these letters: Esc shows all
+parameters-none-differ = nothing differs: Esc shows all
+parameters-none-changed = nothing has changed: o shows all
+
+parameters-column-name = NAME
+parameters-column-value = VALUE
+parameters-column-type = TYPE
+parameters-column-before = BEFORE
+parameters-column-other = OTHER
+parameters-column-state = STATE
+
+parameters-asked = { $value } { $state }
+parameters-state-waiting = waits
+parameters-state-sent = sent
+parameters-state-confirmed = confirmed
+parameters-state-refused = refused
+parameters-state-unanswered = not answered
+parameters-state-replaced = dropped
+parameters-differs = differs
+parameters-own = this vehicle's own
+parameters-missing = not on this vehicle
+parameters-extra = only on this vehicle
+parameters-changed = changed
+parameters-before = was { $value }
+
+parameters-set-done = { $failed ->
+    [0] parameters set: { $confirmed } confirmed
+   *[other] parameters set: { $confirmed } confirmed, { $failed } not: the list says why
+}
+parameters-stopped = stopped: { $count } not given any more
+parameters-nothing-compared = nothing to set: load a file (l) or compare (d) first
+parameters-nothing-marked = nothing is marked that could be set
+parameters-ask-apply = SET { $count ->
+    [one] { $count } parameter
+   *[other] { $count } parameters
+} on { $vehicles }
+parameters-ask-apply-reason = each is a command of its own with its outcome in the list
+parameters-nothing-to-save = no parameters have come yet
+parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: save when all are there
+parameters-no-path = write the name of a file
+parameters-no-deed = `{ $word }` is nothing that can be done with parameters
+console-usage = usage: { $usage }
+parameters-same-vehicle = vehicle { $vehicle } is the one that is shown: name another
+parameters-no-such-vehicle = there is no vehicle { $vehicle }
+parameters-saved = saved to { $path }
+parameters-ask-replace = REPLACE { $path }
+parameters-ask-replace-reason = there is a file of that name already
+
+prompt-filter = show names with
+prompt-filter-advice = several words must all occur; Enter or Esc goes back to the list
+prompt-parameter = { $name } on { $vehicles }
+prompt-parameter-advice = Enter sets it, Esc leaves it as it is
+prompt-save-parameters = save parameters to
+prompt-save-advice = a path; ~/ is your home folder. A file that is there is not replaced unasked
+prompt-load-parameters = load parameters from
+prompt-load-advice = you see what differs before anything is set
+prompt-compare-parameters = compare with
+prompt-compare-advice = a file, or the number of another vehicle
+
+parameters-hint-set = set
+parameters-hint-search = search
+parameters-hint-changed = changed
+parameters-hint-save = save
+parameters-hint-load = load
+parameters-hint-compare = compare
+parameters-hint-vehicle = vehicle
+parameters-hint-help = help
+parameters-hint-mark = mark
+parameters-hint-mark-all = all, others
+parameters-hint-extra = only here
+parameters-hint-apply = set the marked
+parameters-hint-close = back

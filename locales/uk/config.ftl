@@ -1,0 +1,40 @@
+# Помилки у файлах налаштувань, клавіш і тем.
+
+config-unknown = немає налаштування `{ $name }`
+config-wrong = для `{ $name }` потрібно { $expected }
+config-wrong-word = для { $name } потрібно { $expected }, а не `{ $word }`
+config-section = `{ $name }` — це розділ: напишіть [{ $name }] окремим рядком, а його налаштування нижче
+config-log-level = рівні журналу незрозумілі: { $error }
+config-expected-word = одне зі слів: { $choices }
+config-expected-text = текст у лапках
+config-expected-number = ціле число від { $least } до { $most }
+config-expected-flag = true або false
+config-expected-words = список слів, наприклад ["one", "two"]
+config-expected-lines = рядок мови команд у лапках або список таких рядків
+
+config-faulty = пропущено: { $fault }
+
+keymap-no-key = немає клавіші `{ $key }`
+keymap-same-key = термінал надсилає те саме для `{ $key }` і для { $other }
+keymap-no-context = немає контексту `{ $name }`
+keymap-context = `{ $name }` — це контекст: напишіть [{ $name }] окремим рядком, а його клавіші нижче
+keymap-twice = `{ $key }` уже має значення в цьому контексті, у рядку { $line }
+keymap-shadows = `{ $key }` має інше значення для всіх екранів, у рядку { $line }
+keymap-shadows-advice = оберіть для одного з них іншу клавішу
+keymap-meaning = потрібна назва дії або рядок мови команд у лапках, або false
+keymap-no-action = немає ні дії, ні команди `{ $name }`
+keymap-only-actions = клавішам контексту `{ $name }` можна надати лише дії
+keymap-is-text = `{ $key }` там — літера самого рядка
+
+history-unreadable = не вдалося прочитати історію команд із { $path }: { $error }
+mission-twice = два завдання мають id `{ $id }`: виконується { $flown }, пропущено { $other }
+
+theme-unknown = немає теми `{ $name }`
+theme-inherits-itself = тема `{ $name }` успадковує саму себе
+theme-circle = теми успадковують одна одну по колу: { $circle }
+theme-faulty-parent = у самій темі `{ $name }` є помилка
+theme-unknown-role = немає ролі `{ $name }`
+theme-no-style = для ролі `{ $name }` не задано вигляду
+theme-no-style-advice = задайте його в розділі [roles] або успадкуйте: inherits = "dark"
+theme-no-colour = `{ $word }` — не колір
+theme-no-colour-advice = напишіть "#rrggbb", назву на зразок "light-red" або число від 0 до 255 у лапках

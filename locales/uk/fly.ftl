@@ -1,0 +1,184 @@
+# Екран польоту: таблиця, телеметрія, сповіщення; і те, що стоїть по краях кожного екрана.
+
+prompt-filter = показати лише
+
+fly-swarm = рій
+fly-notices = сповіщення
+fly-waiting = очікування першого апарата ...
+fly-rows = { $first }-{ $last } з { $count }
+fly-filtered = { $shown } з { $all } за «{ $filter }»
+fly-none-fit = жоден апарат не підходить під «{ $filter }»: Esc покаже всі
+fly-by = за { $column }
+fly-selected = вибрано { $count }: { $vehicles }
+fly-selected-hidden = вибрано { $count } (приховано { $hidden }): { $vehicles }
+fly-sorted = порядок за { $column }; S обертає його
+fly-sorted-reversed = порядок за { $column }, найбільші спочатку
+fly-no-column = немає стовпця `{ $word }`
+fly-columns-are = є такі: { $columns }
+fly-no-columns = у налаштуваннях названо стовпці, яких немає: { $words }. Є такі: { $columns }
+fly-no-group = немає групи `{ $name }`
+fly-ungrouped = групу @{ $name } розпущено
+fly-place = { $at } з { $count }
+fly-log-keys = j k гортати   Esc закрити
+fly-nothing-yet = поки що нічого
+
+fly-armed = АКТИВ.
+fly-ready = готов.
+fly-safe = вимк.
+fly-ground = земля
+fly-air = повітря
+fly-takeoff = зліт
+fly-landing = посадка
+fly-lost = НЕМАЄ
+fly-done = виконано
+fly-try = спроба { $count }
+
+column-id = №
+column-name = тип
+column-group = група
+column-mode = режим
+column-armed = двиг.
+column-state = стан
+column-alt = вис. m
+column-speed = m/s
+column-bat = акум
+column-gps = GPS
+column-link = зв'яз
+column-home = дім m
+column-command = команда
+column-to-go = до цілі
+column-heading = курс
+column-climb = набір
+column-volt = V
+column-amps = A
+column-used = mAh
+column-hdop = HDOP
+column-ping = ms
+column-ekf = EKF
+column-vibe = вібр
+column-item = пункт
+column-sea = море m
+column-lat = широта
+column-lon = довгота
+column-alert = тривога
+
+severity-emergency = АВАР.
+severity-alert = ТРИВ.
+severity-critical = КРИТ.
+severity-error = ПОМИЛ
+severity-warning = УВАГА
+severity-notice = заув.
+severity-info = інфо
+severity-debug = налаг
+
+telemetry-title = телеметрія
+telemetry-vehicle = апарат { $vehicle }  { $name }
+telemetry-mode = режим
+telemetry-height = висота
+telemetry-speed = швидк.
+telemetry-battery = акумул.
+telemetry-home = дім
+telemetry-target = ціль
+telemetry-place = місце
+telemetry-gps = GPS
+telemetry-ekf = EKF
+telemetry-attitude = нахил
+telemetry-link = зв'язок
+telemetry-wind = вітер
+telemetry-vibration = вібрація
+telemetry-ground = земля
+telemetry-plan = план
+telemetry-rc = RC
+telemetry-servos = серво
+telemetry-load = ЦП
+telemetry-firmware = прошивка
+telemetry-no-heartbeat = ще немає heartbeat
+telemetry-armed = АКТИВНІ
+telemetry-disarmed = вимкнені
+telemetry-altitudes = { $altitude } m  набір { $climb }  море { $sea } m
+telemetry-speed-heading = { $speed } m/s  курс { $heading }°
+telemetry-speed-alone = { $speed } m/s
+telemetry-here = тут
+telemetry-bearing = { $distance } m  пеленг { $bearing }°
+telemetry-away = за { $distance } m
+telemetry-at = на { $altitude } m
+telemetry-satellites = { $count ->
+    [one] { $count } супутник
+    [few] { $count } супутники
+   *[many] { $count } супутників
+}
+telemetry-ekf-ok = ok
+telemetry-ekf-lost = без позиції
+telemetry-roll-pitch = крен { $roll }°  тангаж { $pitch }°
+telemetry-link-lost = НЕМАЄ вже { $seconds } s
+telemetry-round-trip = відгук { $ms } ms
+telemetry-rebooted = перезапусків: { $count }
+telemetry-wind-from = { $speed } m/s з { $from }°
+telemetry-vibrations = { $levels } m/s²  зрізів { $clipped }
+telemetry-below = { $metres } m під апаратом
+telemetry-item = пункт { $item } з { $total }
+
+landed-unknown = невідомо
+landed-ground = на землі
+landed-air = у повітрі
+landed-takeoff = злітає
+landed-landing = сідає
+
+header-free = вільний політ
+header-armed = { $vehicles }, активних { $armed }
+header-armed-short = активних { $armed }/{ $all }
+header-dropped = пропущено сповіщень: { $count }
+header-dropped-short = пропущено { $count }
+header-no-link = немає зв'язку
+header-link-up = { $name } є
+header-link-down = { $name } немає
+header-links = каналів зв'язку { $up }/{ $all }
+header-links-short = зв'язок { $up }/{ $all }
+
+footer-vehicles = апарати
+footer-list = Enter вибирає   a t g m h l r командують   Esc скасовує
+footer-deaf = клавіші запрацюють за мить
+footer-paste-dropped = нічого не вставлено: спершу відкрийте командний рядок клавішею :
+
+hint-move = рух
+hint-take = взяти
+hint-command = команда
+hint-help = довідка
+hint-quit = вихід
+hint-select = вибрати
+hint-list = перелік
+hint-all = усі
+hint-none = нікого
+hint-filter = фільтр
+hint-sort = порядок
+hint-acknowledge = до відома
+hint-look-back = журнали
+hint-rooms = екрани
+hint-open = відкрити
+hint-outcome = наслідок
+hint-own = апарат
+hint-back = назад
+hint-scroll = гортати
+hint-again = ще раз
+hint-home = початок
+
+commands-pane = команди
+commands-none = команд ще не було: натисніть : і впишіть
+commands-none-fit = жодна команда не підходить: Esc покаже всі
+commands-follows = стежить за найновішою
+commands-only-failed = лише невдалі
+commands-only-under-way = лише незавершені
+commands-only-done = лише виконані
+commands-time = час
+commands-line = команда
+commands-to = кому
+commands-answer = відгук
+commands-outcome = наслідок
+commands-tries = спроб
+commands-more = ... ще { $count }: Enter покаже всі
+commands-sent-times = { $count ->
+    [0] не надіслано
+    [one] { $count } раз
+    [few] { $count } рази
+   *[many] { $count } разів
+}

@@ -1,0 +1,48 @@
+# Карта.
+
+map-title = карта
+map-all = видно все
+map-follows = стежить за { $vehicle }
+map-outside = { $count ->
+    [one] { $count } апарат поза картою
+    [few] { $count } апарати поза картою
+   *[many] { $count } апаратів поза картою
+}
+map-nowhere = Жодної позиції ще не відомо.
+map-from-home = від дому
+map-from-vehicle = від
+map-ruler = лінійка
+map-no-vehicle = під курсором немає апарата з відомою позицією
+map-no-samples = жоден датчик ще нічого не показав
+map-shows-sensor = виміри датчика { $sensor }
+
+map-legend = позначки
+map-legend-armed = двигуни активовано, курс
+map-legend-disarmed = двигуни деактивовано
+map-legend-lost = зв'язок втрачено
+map-legend-cursor = апарат під курсором
+map-legend-selected = вибрано
+map-legend-alert = тривога
+map-legend-several = кілька в одному місці
+map-legend-home = дім
+map-legend-trail = пройдений шлях
+map-legend-target = до цілі (x)
+map-legend-task = район завдання
+map-legend-fence = межа польотів
+map-legend-keep-out = заборонена зона
+map-legend-plan = маршрут, точка w3
+map-legend-rally = запасна точка (R1)
+map-legend-ruler = лінійка
+
+action-left = ліворуч
+action-right = праворуч
+action-zoom-in = наблизити
+action-zoom-out = віддалити
+action-fit = показати все
+action-follow = стежити за апаратом під курсором або припинити
+action-centre = центрувати на курсорі
+action-ruler = міряти звідси або припинити
+action-goto-here = написати `goto` з точкою під курсором
+action-trails = показати або сховати пройдені шляхи
+action-legend = показати або сховати пояснення позначок
+action-next-sensor = виміри наступного датчика

@@ -1,0 +1,42 @@
+# Кімната «повідомлення»: інспектор.
+
+
+messages-fields = поля
+messages-hint = Виберіть повідомлення в дереві. Enter розгортає гілку, Tab переходить до полів, g малює графік поля, x показує байти, / фільтрує, s упорядковує, p зупиняє картину, z згортає чи розгортає всі системи.
+messages-none = жодним каналом ще нічого не надійшло
+messages-none-found = жодне повідомлення не підходить
+messages-paused = ПАУЗА
+messages-by-number = повідомлення за номером
+messages-by-name = повідомлення за назвою
+messages-by-rate = повідомлення за частотою
+messages-by-age = повідомлення за віком
+messages-count = разом
+messages-age = вік
+messages-system = система { $system }
+messages-component = компонент { $component }
+messages-received = від неї
+messages-sent = від нас
+messages-to = { $system } до { $peer }
+messages-signed = з підписом
+messages-unsigned = без підпису
+messages-figures = { $hz } Hz  { $bytes } B/s  разом { $count }  вік { $age }
+messages-dress = v{ $version } { $signed }, { $length } B, № { $sequence }, { $way }
+messages-unknown = невідомо ({ $value })
+messages-more = ще { $count }
+messages-unknown-id = Такого номера немає в жодному відомому тут діалекті; контрольну суму перевірити не можна.
+messages-other-layout = Контрольна сума не збігається з відомою тут будовою повідомлення: будова інша, або кадр пошкоджено.
+messages-extent = зараз { $now }  { $seconds } с: { $low } – { $high }
+messages-not-drawn = не намальовано: { $count }
+messages-uncounted = кадри інших видів, на які забракло місця (такий вигляд має шум): { $count }
+messages-choose-field = спершу виберіть поле: Tab переходить до полів
+messages-no-number = { $field } є текстом, графіка не буде
+
+messages-key-help = довідка
+messages-key-open = розгорнути
+messages-key-fields = поля
+messages-key-graph = графік
+messages-key-bytes = байти
+messages-key-filter = фільтр
+messages-key-sort = порядок
+messages-key-pause = пауза
+messages-key-fold = згорнути всі

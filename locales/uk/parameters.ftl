@@ -1,0 +1,121 @@
+# Параметри: екран, файли та вади значень.
+
+action-changed-parameters = менше рядків: лише змінені чи лише з файлу
+action-save-parameters = зберегти параметри у файл
+action-load-parameters = завантажити файл: спершу показати відмінності
+action-compare-parameters = порівняти з файлом або іншим апаратом
+action-apply-parameters = встановити позначене
+action-fetch-parameters = запитати в апарата всі параметри ще раз
+
+parameters-not-finite = не надіслано: { $name } приймає лише скінченні числа
+parameters-not-whole = не надіслано: { $name } приймає лише цілі числа ({ $kind })
+parameters-out-of-range = не надіслано: { $name } приймає лише від { $least } до { $greatest } ({ $kind })
+parameters-inexact = не надіслано: MAVLink передав би { $nearest }, тож встановити { $name } саме так неможливо
+parameters-no-number = `{ $value }` — не число
+
+parameters-file-twice = { $name } уже має значення { $value } у рядку { $line }
+parameters-file-no-value = { $name } не має значення
+parameters-file-more = після значення більше нічого не має бути
+parameters-file-name = `{ $name }` — не параметр: назва має від 1 до 16 літер, цифр і `_`
+parameters-file-too-large = { $value } — не те число, яке міг би прийняти апарат
+parameters-file-help = пишіть НАЗВА,ЗНАЧЕННЯ в рядку, а коментарі — після #
+parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
+    [one] (нічого не завантажено)
+    [few] (усього { $count } помилки; нічого не завантажено)
+   *[many] (усього { $count } помилок; нічого не завантажено)
+}
+
+parameters-title = апарат { $vehicle }
+parameters-title-compared = апарат { $vehicle } порівняно з: { $other }
+parameters-of-vehicle = апарат { $vehicle }
+parameters-no-vehicle = Жодного апарата ще не чути: його параметри з'являться тут.
+parameters-asking = запитуємо в апарата параметри ...
+parameters-coming = { $received } з { $count }
+parameters-repeating = { $received } з { $count }; відповіді немає, запит повторено ({ $tries })
+parameters-link-lost = { $received } з { $count }; зв'язок втрачено: продовжимо, коли відновиться
+parameters-stalled = надійшло { $received } з { $count }, далі відповіді немає: r запитує ще раз
+parameters-complete = { $count ->
+    [one] { $count } параметр
+    [few] { $count } параметри
+   *[many] { $count } параметрів
+}
+parameters-marked = відмінностей: { $count }, позначено: { $marked }
+parameters-hidden = лише на цьому апараті: { $count } (o)
+parameters-filter = /{ $filter }: { $count }
+parameters-only-changed = лише змінені
+parameters-setting = встановлюємо: лишилося { $count }
+parameters-sets-on = встановлює на { $vehicles }
+parameters-none-yet = ще нічого не надійшло
+parameters-none-fit = немає назв із такими літерами: Esc показує всі
+parameters-none-differ = відмінностей немає: Esc показує всі
+parameters-none-changed = нічого не змінено: o показує всі
+
+parameters-column-name = НАЗВА
+parameters-column-value = ЗНАЧЕННЯ
+parameters-column-type = ТИП
+parameters-column-before = БУЛО
+parameters-column-other = ІНШЕ
+parameters-column-state = СТАН
+
+parameters-asked = { $value } { $state }
+parameters-state-waiting = чекає
+parameters-state-sent = надіслано
+parameters-state-confirmed = підтверджено
+parameters-state-refused = відхилено
+parameters-state-unanswered = без відповіді
+parameters-state-replaced = відкинуто
+parameters-differs = відрізняється
+parameters-own = власне цього апарата
+parameters-missing = немає на цьому апараті
+parameters-extra = лише на цьому апараті
+parameters-changed = змінено
+parameters-before = було { $value }
+
+parameters-set-done = { $failed ->
+    [0] параметри встановлено: підтверджено { $confirmed }
+   *[other] параметри: підтверджено { $confirmed }, не встановлено { $failed }; причини — у списку
+}
+parameters-stopped = зупинено: ще не надіслано { $count }
+parameters-nothing-compared = нема чого встановлювати: спершу завантажте файл (l) або порівняйте (d)
+parameters-nothing-marked = не позначено нічого, що можна встановити
+parameters-ask-apply = ВСТАНОВИТИ { $count ->
+    [one] { $count } параметр
+    [few] { $count } параметри
+   *[many] { $count } параметрів
+} на { $vehicles }
+parameters-ask-apply-reason = кожен — окрема команда, її наслідок видно у списку
+parameters-nothing-to-save = параметри ще не надійшли
+parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: збережіть, коли надійдуть усі
+parameters-no-path = напишіть назву файлу
+parameters-no-deed = `{ $word }` — такого з параметрами зробити не можна
+console-usage = пишіть: { $usage }
+parameters-same-vehicle = апарат { $vehicle } саме й показано: назвіть інший
+parameters-no-such-vehicle = апарата { $vehicle } немає
+parameters-saved = збережено у { $path }
+parameters-ask-replace = ЗАМІНИТИ { $path }
+parameters-ask-replace-reason = файл із такою назвою вже є
+
+prompt-filter = показати назви з
+prompt-filter-advice = якщо слів кілька, мають траплятися всі; Enter або Esc — назад до списку
+prompt-parameter = { $name } на { $vehicles }
+prompt-parameter-advice = Enter встановлює, Esc лишає як є
+prompt-save-parameters = зберегти параметри у файл
+prompt-save-advice = шлях; ~/ — домашня тека. Наявний файл без запитання не замінюється
+prompt-load-parameters = завантажити параметри з файлу
+prompt-load-advice = спершу побачите відмінності, лише потім щось встановлюється
+prompt-compare-parameters = порівняти з
+prompt-compare-advice = файл або номер іншого апарата
+
+parameters-hint-set = встановити
+parameters-hint-search = пошук
+parameters-hint-changed = змінені
+parameters-hint-save = зберегти
+parameters-hint-load = файл
+parameters-hint-compare = порівняти
+parameters-hint-vehicle = апарат
+parameters-hint-help = довідка
+parameters-hint-mark = позначити
+parameters-hint-mark-all = усі, решту
+parameters-hint-extra = решта
+parameters-hint-apply = встановити позначене
+parameters-hint-close = назад

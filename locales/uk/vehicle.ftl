@@ -1,0 +1,141 @@
+# Екран з усім про один апарат.
+
+vehicle-none = Ще не чути жодного апарата.
+vehicle-place = { $row } з { $count }
+vehicle-key-next = інший апарат
+vehicle-key-window = { $seconds } с
+vehicle-key-page = сторінка { $page } з { $count }
+
+vehicle-attitude = просторове положення
+vehicle-angles = крен { $roll }°  тангаж { $pitch }°
+
+vehicle-state = стан
+vehicle-mode = режим
+vehicle-no-heartbeat = ще немає HEARTBEAT
+vehicle-armed = АКТИВНИЙ
+vehicle-disarmed = неактивний
+vehicle-on-ground = на землі
+vehicle-in-air = у повітрі
+vehicle-taking-off = злітає
+vehicle-landing = сідає
+vehicle-ready = готовність
+vehicle-fine = усе гаразд
+vehicle-ready-to-arm = готовий до активації двигунів
+vehicle-not-ready = готовність ще невідома
+vehicle-altitude = висота
+vehicle-heights = { $altitude } m  над морем { $sea } m
+vehicle-speed = швидкість
+vehicle-speeds = { $ground } m/s  повітряна { $air } m/s
+vehicle-battery = акумулятор
+vehicle-home = дім
+vehicle-here = тут
+vehicle-target = ціль
+vehicle-target-height = на { $altitude } m
+vehicle-target-velocity = пн { $north } сх { $east } вгору { $up } m/s
+vehicle-flight = активний
+vehicle-link = зв'язок
+vehicle-link-good = { $percent } %  туди й назад { $trip } ms
+vehicle-link-lost = ВТРАЧЕНО { $seconds } с тому
+vehicle-wind = вітер
+vehicle-wind-from = { $speed } m/s з { $from }°
+vehicle-ground = далекомір
+vehicle-place-of = координати
+vehicle-load = процесор
+vehicle-firmware = прошивка
+
+vehicle-curves = останні { $seconds } с
+vehicle-least = мін
+vehicle-most = макс
+vehicle-climb = вертикальна
+vehicle-voltage = напруга
+vehicle-current = струм
+vehicle-remaining = заряд
+vehicle-throttle = газ
+
+vehicle-estimate = GPS, EKF, вібрація
+vehicle-gps = { $fix } { $satellites } суп HDOP { $hdop }
+vehicle-gps-error = похибка GPS
+vehicle-ekf-position = місце відоме
+vehicle-ekf-lost = місце невідоме
+vehicle-ekf-velocity = швидкість
+vehicle-ekf-horizontal = місце
+vehicle-ekf-vertical = висота
+vehicle-ekf-compass = компас
+vehicle-vibration = вібрація { $axis }
+vehicle-clipping = обрізання
+vehicle-limits = межі EKF 0.6/0.8, вібрація 30/60 м/с²
+vehicle-grade-good = норма
+vehicle-grade-poor = слабко
+vehicle-grade-bad = ПОГАНО
+
+vehicle-plan = маршрут
+vehicle-plan-at = маршрут: пункт { $item } з { $last }
+vehicle-plan-empty = порожньо
+vehicle-plan-coming = читаю { $received } з { $total }
+vehicle-plan-unsupported = апарат цього не має
+vehicle-plan-failed = не прочитано: немає відповіді
+vehicle-fence = огорожа
+vehicle-rally = точки збору
+vehicle-fence-breached = ПОРУШЕНО
+
+vehicle-outputs = виходи
+vehicle-rc-rssi = RC сигнал { $rssi }
+vehicle-texts = що каже апарат
+
+vehicle-sensors = датчики та функції
+sensor-good = норма
+sensor-bad = ЗБІЙ
+sensor-off = вимк
+sensor-gyro = гіроскоп
+sensor-accelerometer = акселерометр
+sensor-compass = компас
+sensor-barometer = барометр
+sensor-airspeed = датчик повітряної швидкості
+sensor-gps = GPS
+sensor-flow = оптичний потік
+sensor-vision = візуальна навігація
+sensor-laser = далекомір
+sensor-ground-truth = еталонне місце
+sensor-rate-control = кутові швидкості
+sensor-attitude-control = стабілізація
+sensor-yaw-control = курс
+sensor-height-control = утримання висоти
+sensor-position-control = утримання місця
+sensor-motors = виходи на двигуни
+sensor-rc = приймач RC
+sensor-gyro-2 = гіроскоп 2
+sensor-accelerometer-2 = акселерометр 2
+sensor-compass-2 = компас 2
+sensor-fence = огорожа
+sensor-ahrs = AHRS
+sensor-terrain = рельєф
+sensor-reverse-motor = реверс двигунів
+sensor-logging = запис журналу
+sensor-battery = акумулятор
+sensor-proximity = датчики перешкод
+sensor-satellite-link = супутниковий зв'язок
+sensor-prearm = передполітні перевірки
+sensor-avoidance = обхід перешкод
+sensor-propulsion = силова установка
+
+vehicle-fence-areas = { $count ->
+    [0] немає
+    [one] { $count } зона
+    [few] { $count } зони
+   *[many] { $count } зон
+}
+vehicle-rally-points = { $count ->
+    [0] немає
+    [one] { $count } точка
+    [few] { $count } точки
+   *[many] { $count } точок
+}
+
+vehicle-severity-emergency = аварія
+vehicle-severity-alert = тривога
+vehicle-severity-critical = критично
+vehicle-severity-error = помилка
+vehicle-severity-warning = попередження
+vehicle-severity-notice = зауваження
+vehicle-severity-info = інформація
+vehicle-severity-debug = діагностика

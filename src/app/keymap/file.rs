@@ -1,0 +1,250 @@
+//! The keymap file: contexts with keys, each an action's name or a line of the command language.
+//!
+//! ```toml
+//! [anywhere]
+//! "f5" = "all rtl"        # given at once; a dangerous line still asks
+//! "f6" = "all takeoff ..." # opened in the command line, to be completed
+//!
+//! [fly]
+//! "x" = "select-all"      # an action
+//! "a" = false             # means nothing here
+//! ```
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use crossterm::event::KeyCode;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::{Binding, Keymap, Meaning, Place, Press};
+use crate::app::action::Action;
+use crate::app::console::CONSOLE_VERBS;
+use crate::app::lines;
+use crate::diagnostic::Diagnostic;
+use crate::language::verbs;
+use crate::text;
+
+/// What ends a line that is to be completed by hand.
+const OPEN_END: &str = " ...";
+
+/// A row of a file: what a key means somewhere; `None` is nothing.
+#[derive(Debug)]
+struct Row {
+    press: Press,
+    place: Place,
+    meaning: Option<Meaning>,
+    /// Where the key stands, and how it is written.
+    key: Spanned<String>,
+}
+
+impl Keymap {
+    /// Lays a keymap file over this keymap: a row takes the place of what the key meant in its context. The rows that
+    /// are right count, also where others are wrong. `themes` are the names that a line may say.
+    ///
+    /// # Errors
+    /// Every fault, at its place.
+    pub fn overlay(&mut self, source: &str, themes: &[String]) -> Result<(), Vec<Diagnostic>> {
+        let mut reading = Reading {
+            source,
+            themes,
+            rows: Vec::new(),
+            faults: Vec::new(),
+        };
+        let (table, errors) = DeTable::parse_recoverable(source);
+        // Of several errors of the syntax, the later ones tend to follow from the first.
+        let first = errors.first().map(Diagnostic::from_toml);
+        reading.faults.extend(first);
+        reading.contexts(table.into_inner());
+        reading.shadows();
+        let Reading {
+            rows, mut faults, ..
+        } = reading;
+        faults.sort_by_key(|fault| fault.span.start);
+        self.lay(rows);
+        if faults.is_empty() {
+            Ok(())
+        } else {
+            Err(faults)
+        }
+    }
+
+    fn lay(&mut self, rows: Vec<Row>) {
+        let replaced = |binding: &Binding| {
+            let mut rows = rows.iter();
+            rows.any(|row| row.press == binding.press && row.place == binding.place)
+        };
+        let kept = self.bindings.drain(..).filter(|binding| !replaced(binding));
+        let kept: Vec<Binding> = kept.collect();
+        for Row {
+            press,
+            place,
+            meaning,
+            ..
+        } in rows
+        {
+            match meaning {
+                Some(meaning) => self.bindings.push(Binding {
+                    press,
+                    place,
+                    meaning,
+                }),
+                None => self.silent.push((press, place)),
+            }
+        }
+        // Arrows with Shift are arrows too: what is more exact goes before, and the user's before the families.
+        self.bindings
+            .sort_by_key(|binding| !matches!(binding.press, Press::With(..)));
+        self.bindings.extend(kept);
+    }
+}
+
+/// The names of the contexts, in the order of the help.
+pub(super) fn contexts() -> impl Iterator<Item = &'static str> {
+    Place::all().map(Place::name)
+}
+
+/// A file while it is being read.
+struct Reading<'a> {
+    source: &'a str,
+    themes: &'a [String],
+    rows: Vec<Row>,
+    faults: Vec<Diagnostic>,
+}
+
+impl Reading<'_> {
+    fn contexts(&mut self, table: DeTable<'_>) {
+        for (name, value) in table {
+            let place = Place::all().find(|place| place.name() == name.get_ref());
+            let Some(place) = place else {
+                let text = text!("keymap-no-context", name = name.get_ref().as_ref());
+                let fault = Diagnostic::new(name.span(), text);
+                self.faults
+                    .push(fault.with_nearest(name.get_ref(), contexts()));
+                continue;
+            };
+            let span = value.span();
+            if let DeValue::Table(keys) = value.into_inner() {
+                self.keys(place, keys);
+            } else {
+                let text = text!("keymap-context", name = place.name());
+                self.faults.push(Diagnostic::new(span, text));
+            }
+        }
+    }
+
+    fn keys(&mut self, place: Place, keys: DeTable<'_>) {
+        // In the order of the file, so that the later of two rows is the one too many.
+        let keys: BTreeMap<usize, _> = keys
+            .into_iter()
+            .map(|(key, value)| (key.span().start, (key, value)))
+            .collect();
+        for (key, value) in keys.into_values() {
+            let key = Spanned::new(key.span(), key.get_ref().to_string());
+            match self.row(place, key, &value) {
+                Ok(row) => self.rows.push(row),
+                Err(fault) => self.faults.push(fault),
+            }
+        }
+    }
+
+    fn row(
+        &self,
+        place: Place,
+        key: Spanned<String>,
+        value: &Spanned<DeValue<'_>>,
+    ) -> Result<Row, Diagnostic> {
+        let fault = |text| Diagnostic::new(key.span(), text);
+        let press = Press::read(key.get_ref()).map_err(fault)?;
+        let mut rows = self.rows.iter();
+        if let Some(first) = rows.find(|row| row.press == press && row.place == place) {
+            let line = self.line(first.key.span());
+            let name = key.get_ref().as_str();
+            return Err(fault(text!("keymap-twice", key = name, line = line)));
+        }
+        let span = value.span();
+        if matches!(value.get_ref(), DeValue::Table(_)) {
+            return Err(fault(text!("keymap-meaning")));
+        }
+        let meaning = meaning(value, self.themes)?;
+        let is_room = matches!(place, Place::Anywhere | Place::In(_));
+        if let (Some(Meaning::Give(_) | Meaning::Write(_)), false) = (&meaning, is_room) {
+            let text = text!("keymap-only-actions", name = place.name());
+            return Err(Diagnostic::new(span, text));
+        }
+        if let (Press::Plain(KeyCode::Char(_)), Place::Prompt) = (press, place) {
+            let name = key.get_ref().as_str();
+            return Err(fault(text!("keymap-is-text", key = name)));
+        }
+        Ok(Row {
+            press,
+            place,
+            meaning,
+            key,
+        })
+    }
+
+    /// A key of a room that means something else anywhere, by the same file, is a slip; switching it off is not.
+    fn shadows(&mut self) {
+        let general = |row: &&Row| row.place == Place::Anywhere && row.meaning.is_some();
+        for row in &self.rows {
+            if !matches!(row.place, Place::In(_)) || row.meaning.is_none() {
+                continue;
+            }
+            let mut others = self.rows.iter().filter(general);
+            if let Some(other) = others.find(|other| other.press == row.press) {
+                let line = self.line(other.key.span());
+                let name = row.key.get_ref().as_str();
+                let text = text!("keymap-shadows", key = name, line = line);
+                let advice = text!("keymap-shadows-advice");
+                let fault = Diagnostic::new(row.key.span(), text).with_help(advice);
+                self.faults.push(fault);
+            }
+        }
+    }
+
+    fn line(&self, span: Range<usize>) -> usize {
+        Diagnostic::new(span, "").line_column(self.source).0
+    }
+}
+
+/// What a value means.
+fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Meaning>, Diagnostic> {
+    let span = value.span();
+    let line = match value.get_ref() {
+        DeValue::Boolean(false) => return Ok(None),
+        DeValue::String(line) => line.trim(),
+        _ => return Err(Diagnostic::new(span, text!("keymap-meaning"))),
+    };
+    if line.is_empty() {
+        return Ok(None);
+    }
+    if let Some(action) = Action::named(line) {
+        return Ok(Some(Meaning::Do(action)));
+    }
+    let owned = |line: &str| Cow::Owned(line.to_owned());
+    let in_file = |fault: Diagnostic| fault.in_string(span.clone(), line.len());
+    if let Some(beginning) = line
+        .strip_suffix(OPEN_END.trim_start())
+        .filter(|it| it.is_empty() || it.ends_with(' '))
+    {
+        lines::check_beginning(beginning.trim_end()).map_err(in_file)?;
+        return Ok(Some(Meaning::Write(owned(beginning))));
+    }
+    lines::check(line, themes).map_err(|fault| {
+        if line.contains(char::is_whitespace) {
+            return in_file(fault);
+        }
+        // A single word may have been meant as either.
+        let actions = Action::ALL.iter().map(|(name, _)| *name);
+        let commands = verbs().iter().map(|verb| verb.name);
+        let own = CONSOLE_VERBS.iter().map(|verb| verb.name);
+        let text = text!("keymap-no-action", name = line);
+        Diagnostic::new(span.clone(), text).with_nearest(line, actions.chain(commands).chain(own))
+    })?;
+    Ok(Some(Meaning::Give(owned(line))))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,61 @@
+//! The keymap as a keymap file.
+
+use std::fmt::Write as _;
+
+use super::{Keymap, Meaning, Place};
+use crate::app::action::Action;
+use crate::text::Locale;
+
+impl Keymap {
+    /// A keymap file that means the same. What differs from the default stands in it; the default itself stands in
+    /// comments, as what could be changed. Every row says what it does.
+    pub fn show(&self, locale: &Locale) -> String {
+        let default = Self::default();
+        let mut text = String::new();
+        for place in Place::all() {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "[{}] # {}", place.name(), locale.text(&place.title()));
+            for binding in self.bindings.iter().filter(|it| it.place == place) {
+                let Some(meaning) = written(&binding.meaning) else {
+                    continue;
+                };
+                let mark = if default.bindings.contains(binding) {
+                    "# "
+                } else {
+                    ""
+                };
+                let (key, meaning) = (quoted(&binding.press.label()), quoted(&meaning));
+                let about = locale.text(&binding.meaning.description());
+                let _ = writeln!(text, "{mark}{key} = {meaning} # {about}");
+            }
+            for (press, _) in self.silent.iter().filter(|(_, it)| *it == place) {
+                let _ = writeln!(text, "{} = false", quoted(&press.label()));
+            }
+            text.push('\n');
+        }
+        let is_bound = |action: Action| {
+            let mut bindings = self.bindings.iter();
+            bindings.any(|binding| binding.meaning == Meaning::Do(action))
+        };
+        let free = Action::ALL.iter().filter(|(_, action)| !is_bound(*action));
+        let free: Vec<&str> = free.map(|(name, _)| *name).collect();
+        if !free.is_empty() {
+            let _ = writeln!(text, "# without a key: {}", free.join(", "));
+        }
+        text
+    }
+}
+
+/// A meaning as a keymap file says it; none for the keys of vehicle lists, which are a family.
+fn written(meaning: &Meaning) -> Option<String> {
+    match meaning {
+        Meaning::Do(action) => Some(action.name().to_owned()),
+        Meaning::Give(line) => Some(line.to_string()),
+        Meaning::Write(line) => Some(format!("{} ...", line.trim_end())),
+        Meaning::Type => None,
+    }
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}

@@ -1,0 +1,153 @@
+//! The piece of the earth that has everything in it, held still: a map that fits itself anew with every metre that
+//! something moves could not be read, and would be sent to the terminal as a whole each time.
+
+use std::time::Duration;
+
+use crate::geo::{Extent, LatLon};
+
+/// What is added on each side when something leaves the frame, as a share of its size.
+const GROWTH: f64 = 0.4;
+/// Metres that are added then at least.
+const LEAST_MARGIN_M: f64 = 10.0;
+/// What is left free around everything, as a share of its size.
+const EDGE: f64 = 0.03;
+/// The longer side of the frame is at least so long.
+const LEAST_SIZE_M: f64 = 50.0;
+/// The frame becomes smaller when everything fits into this share of it.
+const LOOSE: f64 = 0.5;
+/// How often that is looked at.
+const LOOK_EVERY: Duration = Duration::from_secs(5);
+/// Whatever is farther away than this does not belong to the scene: a wrong position, or another country.
+const FARTHEST_M: f64 = 100_000.0;
+
+/// The frame.
+#[derive(Debug, Clone, Default)]
+pub struct Overview {
+    frame: Option<Extent>,
+    looked_at: Duration,
+}
+
+impl Overview {
+    /// The frame; `None` while nothing has a place.
+    pub fn frame(&self) -> Option<&Extent> {
+        self.frame.as_ref()
+    }
+
+    /// Something is at this place: the frame grows if it has to.
+    pub fn see(&mut self, place: LatLon) {
+        match &mut self.frame {
+            None => self.frame = Some(framed(Extent::at(place))),
+            Some(frame) if frame.contains(place) => {}
+            Some(frame) if frame.centre().distance_m(place) > FARTHEST_M => {}
+            Some(frame) => {
+                let mut grown = *frame;
+                grown.include(place);
+                // Only so much more than needed that the next metres do not move it again.
+                let mut beyond = Extent::at(place);
+                let size_m = grown.size_m();
+                let margin_m = (size_m[0].max(size_m[1]) * GROWTH).max(LEAST_MARGIN_M);
+                beyond = beyond.with_margin(0.0, margin_m);
+                beyond
+                    .corners()
+                    .into_iter()
+                    .for_each(|it| grown.include(it));
+                *frame = grown;
+            }
+        }
+    }
+
+    /// Whether it is time to look if the frame has become too large.
+    pub fn is_due(&mut self, now: Duration) -> bool {
+        let due = now.saturating_sub(self.looked_at) >= LOOK_EVERY;
+        if due {
+            self.looked_at = now;
+        }
+        due
+    }
+
+    /// Makes the frame smaller if all the places fit into a small part of it. True if it did.
+    pub fn settle(&mut self, places: impl Iterator<Item = LatLon>) -> bool {
+        let Some(frame) = self.frame else {
+            return false;
+        };
+        let near = |place: &LatLon| frame.centre().distance_m(*place) <= FARTHEST_M;
+        let Some(needed) = Extent::around(places.filter(near)) else {
+            return false;
+        };
+        let tight = framed(needed);
+        let (now_m, then_m) = (frame.size_m(), tight.size_m());
+        let loose = (0..2).all(|axis| then_m[axis] < now_m[axis] * LOOSE);
+        if loose {
+            self.frame = Some(tight);
+        }
+        loose
+    }
+
+    /// Fits the frame to the places now.
+    pub fn fit(&mut self, places: impl Iterator<Item = LatLon>) {
+        let places: Vec<LatLon> = places.collect();
+        let Some(&first) = places.first() else {
+            return;
+        };
+        let near = places
+            .into_iter()
+            .filter(|place| first.distance_m(*place) <= FARTHEST_M);
+        self.frame = Extent::around(near).map(framed);
+    }
+}
+
+/// The frame around everything: a narrow edge, and some land around a single vehicle on its pad.
+fn framed(all: Extent) -> Extent {
+    let [east_m, north_m] = all.size_m();
+    let missing_m = LEAST_SIZE_M - east_m.max(north_m);
+    all.with_margin(EDGE, missing_m.max(0.0) / 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HOME: LatLon = LatLon::new(50.45, 30.52);
+
+    #[test]
+    fn the_frame_moves_rarely_while_a_vehicle_flies_out() {
+        let mut overview = Overview::default();
+        overview.see(HOME);
+        let mut frames = Vec::new();
+        for metre in 0..2000 {
+            let place = HOME.moved(f64::from(metre), f64::from(metre) / 3.0);
+            overview.see(place);
+            let frame = *overview.frame().expect("a frame");
+            assert!(frame.contains(place) && frame.contains(HOME));
+            if frames.last() != Some(&frame) {
+                frames.push(frame);
+            }
+        }
+        assert!(frames.len() < 40, "{} frames in 2000 m", frames.len());
+    }
+
+    #[test]
+    fn the_frame_shrinks_when_everybody_is_back_and_ignores_what_is_in_another_country() {
+        let mut overview = Overview::default();
+        overview.see(HOME);
+        overview.see(HOME.moved(1000.0, 1000.0));
+        overview.see(LatLon::new(0.001, 0.001));
+        let wide = overview.frame().expect("a frame").size_m();
+        assert!(wide[0] < 2000.0, "{wide:?}");
+        let spread = [HOME, HOME.moved(700.0, 700.0)];
+        assert!(
+            !overview.settle(spread.into_iter()),
+            "not much would be won"
+        );
+        assert!(overview.settle([HOME, HOME.moved(10.0, 0.0)].into_iter()));
+        assert!(overview.frame().expect("a frame").size_m()[0] < 60.0);
+    }
+
+    #[test]
+    fn it_looks_now_and_then() {
+        let mut overview = Overview::default();
+        assert!(!overview.is_due(Duration::from_secs(4)));
+        assert!(overview.is_due(Duration::from_secs(5)));
+        assert!(!overview.is_due(Duration::from_secs(9)));
+    }
+}

@@ -1,0 +1,118 @@
+//! What the map takes in while things happen, also when nobody looks at it.
+
+use super::{Aim, planned};
+use crate::app::state::State;
+use crate::geo::{LatLon, Outline};
+use crate::mission::Progress;
+use crate::vehicle::{Vehicle, VehicleId};
+
+/// Of the points of a trail, one in so many decides how large the view of everything is.
+const TRAIL_STEP: usize = 4;
+
+/// A session has begun: its areas are known.
+pub fn began(state: &mut State) {
+    refit(state);
+}
+
+/// A vehicle's telemetry has changed.
+pub fn heard(state: &mut State, id: VehicleId) {
+    let Some(vehicle) = state.session.vehicles.get(&id) else {
+        return;
+    };
+    let map = &mut state.rooms.map;
+    if let Some(home) = vehicle.home {
+        map.overview.see(home.at_point);
+    }
+    let Some(global) = vehicle.global else {
+        return;
+    };
+    map.overview.see(global.at_point);
+    if let Some((_, target)) = leg(vehicle) {
+        map.overview.see(target);
+    }
+    if vehicle.armed() {
+        map.trails.entry(id).or_default().add(global.at_point);
+    }
+    if state.session.cursor == Some(id) {
+        map.followed(global.at_point);
+    }
+}
+
+/// From where to where a vehicle is under way.
+pub fn leg(vehicle: &Vehicle) -> Option<(LatLon, LatLon)> {
+    let here = vehicle.global?.at_point;
+    let target = vehicle.target?.at_point?;
+    vehicle.armed().then_some((here, target))
+}
+
+/// The sensors show something.
+pub fn measured(state: &mut State, progress: &Progress) {
+    for reading in &progress.readings {
+        let Some(vehicle) = state.session.vehicles.get(&reading.vehicle) else {
+            continue;
+        };
+        if let Some(global) = vehicle.global
+            && vehicle.airborne()
+            && !vehicle.link.lost
+        {
+            let samples = &mut state.rooms.map.samples;
+            samples.add(
+                &reading.sensor,
+                reading.unit,
+                global.at_point,
+                reading.value,
+            );
+        }
+    }
+    if state.session.mission.is_none() {
+        for cell in &progress.cells {
+            for corner in Outline::square(cell.centre, cell.side_m).corners() {
+                state.rooms.map.overview.see(corner);
+            }
+        }
+    }
+}
+
+/// Time has passed.
+pub fn tick(state: &mut State) {
+    if state.rooms.map.overview.is_due(state.now) {
+        let places = places(state);
+        let map = &mut state.rooms.map;
+        let before = map.overview.frame().copied();
+        // Plans come at any time.
+        for &place in &places {
+            map.overview.see(place);
+        }
+        map.overview.settle(places.into_iter());
+        if map.overview.frame().copied() != before && map.aim == Aim::All {
+            state.touch();
+        }
+    }
+}
+
+/// Shows everything at the scale at which it fits now.
+pub fn refit(state: &mut State) {
+    let places = places(state);
+    state.rooms.map.overview.fit(places.into_iter());
+    state.rooms.map.aim = Aim::All;
+}
+
+/// Everything that has a place.
+fn places(state: &State) -> Vec<LatLon> {
+    let session = &state.session;
+    let vehicles = session.vehicles.values().flat_map(|vehicle| {
+        let home = vehicle.home.map(|home| home.at_point);
+        let here = vehicle.global.map(|global| global.at_point);
+        let target = leg(vehicle).map(|(_, target)| target);
+        home.into_iter().chain(here).chain(target)
+    });
+    let areas = session.areas.iter();
+    let areas = areas.flat_map(|area| area.outline.corners());
+    let cells = session.mission.iter().flat_map(|progress| &progress.cells);
+    let cells = cells.flat_map(|cell| Outline::square(cell.centre, cell.side_m).corners());
+    let map = &state.rooms.map;
+    let trails = map.trails.values().filter(|_| !map.trails_hidden);
+    let trails = trails.flat_map(|trail| trail.points().iter().step_by(TRAIL_STEP).copied());
+    let known = vehicles.chain(areas).chain(cells).chain(trails);
+    known.chain(planned(state)).collect()
+}

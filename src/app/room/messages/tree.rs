@@ -1,0 +1,219 @@
+//! The lines of the tree: link, system, component, message.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::{LinkTraffic, Messages, Sort};
+use crate::inspector::{Direction, Key, Rate, Source, Tally, name_of};
+use crate::wire::SystemId;
+
+/// With more systems than this they are closed to begin with.
+const FEW_SYSTEMS: usize = 3;
+
+/// A place in the tree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Node {
+    /// A link, by its number.
+    Link(usize),
+    /// A system at one end of it, or this program.
+    System(usize, Direction, u32, SystemId),
+    /// One of its components.
+    Component(usize, Source),
+    /// One of its messages.
+    Message(usize, Key),
+}
+
+impl Node {
+    /// The number of the link.
+    pub fn link(self) -> usize {
+        match self {
+            Self::Link(link)
+            | Self::System(link, ..)
+            | Self::Component(link, _)
+            | Self::Message(link, _) => link,
+        }
+    }
+
+    /// How far from the root.
+    pub fn depth(self) -> usize {
+        match self {
+            Self::Link(_) => 0,
+            Self::System(..) => 1,
+            Self::Component(..) => 2,
+            Self::Message(..) => 3,
+        }
+    }
+
+    /// The branch that it hangs on.
+    pub fn parent(self) -> Option<Self> {
+        match self {
+            Self::Link(_) => None,
+            Self::System(link, ..) => Some(Self::Link(link)),
+            Self::Component(link, source) => Some(Self::system_of(link, source)),
+            Self::Message(link, key) => Some(Self::Component(link, key.source)),
+        }
+    }
+
+    /// Whether it hangs on another one, however far.
+    pub fn is_below(self, other: Self) -> bool {
+        let mut at = self.parent();
+        while let Some(parent) = at {
+            if parent == other {
+                return true;
+            }
+            at = parent.parent();
+        }
+        false
+    }
+
+    fn system_of(link: usize, source: Source) -> Self {
+        Self::System(link, source.direction, source.peer, source.system)
+    }
+}
+
+/// The messages by system and component.
+type Systems = BTreeMap<Node, BTreeMap<Node, Vec<Branch>>>;
+
+/// One line of the tree.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Branch {
+    /// Where it is.
+    pub node: Node,
+    /// How much comes, of all that hangs on it.
+    pub rate: Rate,
+    /// How many messages came.
+    pub count: u64,
+    /// How long ago the last one came.
+    pub age: Option<Duration>,
+    /// Whether it is open; `None` for a message.
+    pub is_open: Option<bool>,
+}
+
+impl Branch {
+    fn new(node: Node) -> Self {
+        Self {
+            node,
+            rate: Rate::default(),
+            count: 0,
+            age: None,
+            is_open: None,
+        }
+    }
+
+    fn of(node: Node, tally: &Tally, now: Duration) -> Self {
+        Self {
+            rate: tally.rate(now),
+            count: tally.count,
+            age: Some(now.saturating_sub(tally.last_at)),
+            ..Self::new(node)
+        }
+    }
+
+    fn add(&mut self, part: &Self) {
+        self.rate += part.rate;
+        self.count += part.count;
+        self.age = match (self.age, part.age) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
+        };
+    }
+}
+
+impl Messages {
+    /// The lines that are shown, from the top.
+    pub fn branches(&self) -> Vec<Branch> {
+        let mut lines = Vec::new();
+        for (link, traffic) in self.traffic.iter().enumerate() {
+            self.add_link(link, traffic, &mut lines);
+        }
+        lines
+    }
+
+    fn add_link(&self, link: usize, traffic: &LinkTraffic, lines: &mut Vec<Branch>) {
+        let systems = self.systems(link, traffic);
+        if systems.is_empty() && !self.filter.is_empty() {
+            return;
+        }
+        let mut total = Branch::new(Node::Link(link));
+        let messages = systems.values().flat_map(BTreeMap::values).flatten();
+        messages.for_each(|part| total.add(part));
+        let are_few = systems.len() <= FEW_SYSTEMS;
+        if !self.push(total, true, lines) {
+            return;
+        }
+        for (system, components) in systems {
+            let mut sum = Branch::new(system);
+            components.values().flatten().for_each(|part| sum.add(part));
+            if !self.push(sum, are_few, lines) {
+                continue;
+            }
+            for (component, mut messages) in components {
+                let mut sum = Branch::new(component);
+                for part in &messages {
+                    sum.add(part);
+                }
+                if self.push(sum, true, lines) {
+                    self.order(&mut messages);
+                    lines.extend(messages);
+                }
+            }
+        }
+    }
+
+    /// The messages of a link that are shown, by system and component.
+    fn systems(&self, link: usize, traffic: &LinkTraffic) -> Systems {
+        let mut systems = Systems::new();
+        let Some(census) = &traffic.census else {
+            return systems;
+        };
+        for (key, tally) in census.tallies() {
+            if !census.is_credible(key, tally) || !self.matches(key) {
+                continue;
+            }
+            systems
+                .entry(Node::system_of(link, key.source))
+                .or_default()
+                .entry(Node::Component(link, key.source))
+                .or_default()
+                .push(Branch::of(Node::Message(link, key), tally, traffic.now));
+        }
+        systems
+    }
+
+    /// Adds a line that can be closed and returns whether it is open. What is found by a filter is always shown.
+    fn push(&self, branch: Branch, by_default: bool, lines: &mut Vec<Branch>) -> bool {
+        let is_turned = self.turned.contains(&branch.node);
+        let is_open = !self.filter.is_empty() || by_default != is_turned;
+        lines.push(Branch {
+            is_open: Some(is_open),
+            ..branch
+        });
+        is_open
+    }
+
+    fn matches(&self, key: Key) -> bool {
+        if self.filter.is_empty() {
+            return true;
+        }
+        let wanted = self.filter.to_lowercase();
+        name_of(key.message).to_lowercase().contains(&wanted)
+            || key.message.to_string() == self.filter
+    }
+
+    fn order(&self, messages: &mut [Branch]) {
+        let id = |branch: &Branch| match branch.node {
+            Node::Message(_, key) => key.message,
+            _ => 0,
+        };
+        match self.sort {
+            Sort::Number => messages.sort_by_key(id),
+            Sort::Name => messages.sort_by_key(|branch| name_of(id(branch))),
+            Sort::Rate => messages.sort_by_key(|branch| {
+                // Whole hundredths, or two of the same rate would change places all the time.
+                (Reverse((branch.rate.hz * 100.0).round() as u64), id(branch))
+            }),
+            Sort::Age => messages.sort_by_key(|branch| (branch.age, id(branch))),
+        }
+    }
+}

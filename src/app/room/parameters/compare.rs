@@ -1,0 +1,126 @@
+//! A vehicle's parameters beside a file's or another vehicle's.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Setting, rows};
+use crate::app::action::Action;
+use crate::app::state::{Confirm, Consequence, Overlay, State, ranges};
+use crate::parameters::{Finding, is_the_vehicles_own};
+use crate::text;
+use crate::vehicle::{Severity, VehicleId};
+
+/// What the vehicle under the cursor is compared with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// The other side.
+    pub with: Other,
+    /// Names whose mark the user has turned over.
+    turned: BTreeSet<String>,
+    /// Names that were set: they stay in the list, also when they do not differ any more.
+    pub set: BTreeSet<String>,
+    /// Whether what only the vehicle has is listed, too: beside a file of a few parameters that is nearly all.
+    pub lists_extra: bool,
+}
+
+/// The other side of a comparison.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Other {
+    /// A file.
+    File {
+        /// Its path, as it was written.
+        path: String,
+        /// What it says.
+        values: BTreeMap<String, f32>,
+    },
+    /// Another vehicle.
+    Vehicle(VehicleId),
+}
+
+impl Comparison {
+    /// One that nothing has been chosen of yet.
+    pub fn new(with: Other) -> Self {
+        Self {
+            lists_extra: matches!(with, Other::Vehicle(_)),
+            with,
+            turned: BTreeSet::new(),
+            set: BTreeSet::new(),
+        }
+    }
+
+    /// Whether a value would be set: what differs and is not the vehicle's own, unless the user wants it otherwise.
+    /// What the vehicle lacks is not set unasked.
+    pub fn is_marked(&self, name: &str, finding: Finding) -> bool {
+        let by_itself = match finding {
+            Finding::Changed(..) => !is_the_vehicles_own(name),
+            Finding::Missing(_) => false,
+            Finding::Extra(_) => return false,
+        };
+        by_itself != self.turned.contains(name)
+    }
+}
+
+/// Turns marks over: the one under the cursor, or all that are shown.
+pub fn mark(state: &mut State, action: Action) {
+    let shown = rows(state);
+    let Some(comparison) = &state.rooms.parameters.comparison else {
+        return;
+    };
+    let at = super::cursor_row(state, &shown);
+    let turned: Vec<String> = shown
+        .iter()
+        .enumerate()
+        .filter(|(row, it)| match (action, it.finding) {
+            (_, None) => false,
+            // What makes the vehicle itself is marked one by one or not at all.
+            (Action::SelectAll | Action::Invert, _) if is_the_vehicles_own(it.name) => false,
+            (Action::SelectAll, Some(finding)) => !comparison.is_marked(it.name, finding),
+            (Action::Invert, _) => true,
+            _ => *row == at,
+        })
+        .map(|(_, row)| row.name.to_owned())
+        .collect();
+    if let Some(comparison) = &mut state.rooms.parameters.comparison {
+        for name in turned {
+            if !comparison.turned.remove(&name) {
+                comparison.turned.insert(name);
+            }
+        }
+    }
+}
+
+/// Asks whether what is marked shall be set on the vehicles that commands go to.
+pub fn apply(state: &mut State) {
+    let Some(comparison) = &state.rooms.parameters.comparison else {
+        return state.say(Severity::Notice, text!("parameters-nothing-compared"));
+    };
+    let mut targets = state.addressed();
+    if let Other::Vehicle(other) = comparison.with {
+        targets.retain(|id| *id != other);
+    }
+    // The filter narrows what is looked at; what is set is all that is marked and shown.
+    let settings: Vec<Setting> = rows(state)
+        .iter()
+        .filter_map(|row| {
+            let finding = row.finding?;
+            let value = row.other()?;
+            let is_marked = comparison.is_marked(row.name, finding);
+            is_marked.then(|| Setting::new(row.name, value, targets.clone()))
+        })
+        .collect();
+    if settings.is_empty() || targets.is_empty() {
+        return state.say(Severity::Notice, text!("parameters-nothing-marked"));
+    }
+    let count = settings.len();
+    state.overlay = Some(Overlay::Confirm(Confirm {
+        question: text!(
+            "parameters-ask-apply",
+            count = count,
+            vehicles = ranges(targets)
+        ),
+        reason: text!("parameters-ask-apply-reason"),
+        answer: "y".to_owned(),
+        typed: String::new(),
+        cancelled: false,
+        then: Consequence::Parameters(settings),
+    }));
+}

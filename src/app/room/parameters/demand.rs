@@ -1,0 +1,78 @@
+//! Which vehicles are asked for their parameters: those that somebody looks at, a few at a time.
+
+use std::time::Duration;
+
+use super::Other;
+use crate::app::effect::Effect;
+use crate::app::room::Room;
+use crate::app::state::{Overlay, State};
+use crate::parameters::Fetching;
+use crate::vehicle::VehicleId;
+
+/// Lists that come at one time: vehicles may share one slow radio.
+const AT_ONCE: usize = 4;
+/// A vehicle that has not begun by then is asked again.
+const BEGIN_WITHIN: Duration = Duration::from_secs(5);
+
+/// Asks for the lists that are wanted and not there. Call it at every tick: it depends on what is shown.
+pub fn wanted(state: &mut State) -> Vec<Effect> {
+    let now = state.now;
+    let candidates = candidates(state);
+    let room = &mut state.rooms.parameters;
+    room.asked.retain(|_, at| now < *at + BEGIN_WITHIN);
+    if candidates.is_empty() {
+        return Vec::new();
+    }
+    let vehicles = &state.session.vehicles;
+    let is_heard = |id: &VehicleId| vehicles.get(id).is_some_and(|it| !it.link.lost);
+    let coming = room
+        .lists
+        .iter()
+        .filter(|(id, known)| known.fetching.is_under_way() && is_heard(id));
+    let free = AT_ONCE.saturating_sub(coming.count() + room.asked.len());
+    let due: Vec<VehicleId> = candidates
+        .into_iter()
+        .filter(|id| is_heard(id) && !room.asked.contains_key(id))
+        .take(free)
+        .collect();
+    if due.is_empty() {
+        return Vec::new();
+    }
+    for &id in &due {
+        room.asked.insert(id, now);
+        room.anew.remove(&id);
+    }
+    vec![Effect::FetchParameters(due)]
+}
+
+/// Vehicles whose lists are wanted and have not been asked for.
+fn candidates(state: &State) -> Vec<VehicleId> {
+    let room = &state.rooms.parameters;
+    let mut wanted = Vec::new();
+    if state.room == Room::Parameters {
+        wanted.extend(state.session.cursor);
+        wanted.extend(&state.session.selection);
+        if let Some(Other::Vehicle(other)) = room.comparison.as_ref().map(|it| &it.with) {
+            wanted.push(*other);
+        }
+    }
+    // Names complete on the command line once they are known.
+    if let Some(Overlay::Palette(palette)) = &state.overlay
+        && palette.input.value().contains("param")
+    {
+        wanted.extend(state.addressed().first());
+    }
+    let is_new = |id: &VehicleId| {
+        let known = room.lists.get(id).map(|known| known.fetching);
+        known.unwrap_or_default() == Fetching::NotAsked
+    };
+    let is_free = |id: &VehicleId| {
+        let known = room.lists.get(id);
+        known.is_none_or(|known| !known.fetching.is_under_way())
+    };
+    wanted.retain(is_new);
+    wanted.extend(room.anew.iter().filter(|id| is_free(id)));
+    let mut seen = std::collections::BTreeSet::new();
+    wanted.retain(|id| seen.insert(*id));
+    wanted
+}

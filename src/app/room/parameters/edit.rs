@@ -1,0 +1,82 @@
+//! New values: what is written, and what became of it.
+
+use std::collections::BTreeMap;
+
+use super::Setting;
+use crate::app::effect::Effect;
+use crate::app::state::{Consequence, Order, State, ranges};
+use crate::app::update::order;
+use crate::commands::Command;
+use crate::ledger::EntryId;
+use crate::parameters::ParameterType;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// Edits kept; when there are more, all are forgotten but in the ledger.
+const EDITS_KEPT: usize = 50_000;
+
+/// A value that a vehicle was told to take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Edit {
+    /// The command's entry of the ledger, which knows how it went.
+    pub entry: EntryId,
+    /// The value that was asked for.
+    pub value: f32,
+}
+
+/// Takes a new value for a parameter of some vehicles.
+///
+/// # Errors
+/// It is no number, or none that the parameter's type could hold.
+pub fn entered(
+    state: &mut State,
+    name: &str,
+    (vehicles, entered): (&[VehicleId], &str),
+) -> Result<Vec<Effect>, Text> {
+    let written = entered.trim();
+    let value: f64 = written
+        .parse()
+        .map_err(|_| text!("parameters-no-number", value = written))?;
+    let mut carried = ParameterType::Real32
+        .check(value)
+        .map_err(|unfit| unfit.text(name))?;
+    for &vehicle in vehicles {
+        if let Some(known) = state.rooms.parameters.get(vehicle, name) {
+            carried = known.kind.check(value).map_err(|unfit| unfit.text(name))?;
+        }
+    }
+    let setting = Setting::new(name, carried, vehicles.to_vec());
+    send(state, &setting)
+}
+
+/// Gives a `param set` as the command line would.
+///
+/// # Errors
+/// There is nobody to give it to.
+pub fn send(state: &mut State, setting: &Setting) -> Result<Vec<Effect>, Text> {
+    let targets = ranges(setting.vehicles.iter().copied());
+    let line = format!("{targets} param set {} {}", setting.name, setting.value);
+    let order = order::prepare(state, &line).map_err(|fault| fault.message)?;
+    Ok(order::carry_out(state, Consequence::Order(order)))
+}
+
+/// Remembers what an order sets, so that the list can show what becomes of it.
+pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
+    let Command::SetParameter { name, value } = &order.command else {
+        return;
+    };
+    let edits = &mut state.rooms.parameters.edits;
+    let kept: usize = edits.values().map(BTreeMap::len).sum();
+    if kept + order.targets.len() > EDITS_KEPT {
+        edits.clear();
+    }
+    let edit = Edit {
+        entry,
+        value: *value,
+    };
+    for &vehicle in &order.targets {
+        let known = edits.entry(vehicle).or_default();
+        known.insert(name.clone(), edit);
+    }
+}

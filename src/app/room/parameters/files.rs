@@ -1,0 +1,115 @@
+//! Parameter files: saved, and read to be compared with.
+
+use super::{Comparison, Other};
+use crate::app::effect::Effect;
+use crate::app::room::Room;
+use crate::app::state::{Confirm, Consequence, Overlay, State};
+use crate::parameters;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+
+/// Saves the list of the vehicle under the cursor.
+///
+/// # Errors
+/// There is no name, or nothing to save yet.
+pub fn save(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
+    let path = named(path)?;
+    let vehicle = state.session.cursor;
+    let known = vehicle.and_then(|id| state.rooms.parameters.lists.get(&id));
+    let (Some(vehicle), Some(known)) = (vehicle, known) else {
+        return Err(text!("parameters-nothing-to-save"));
+    };
+    let list = &known.list;
+    if !list.is_complete() {
+        let (received, count) = (list.received(), list.count().unwrap_or(0));
+        return Err(text!(
+            "parameters-not-complete",
+            vehicle = vehicle,
+            received = received,
+            count = count
+        ));
+    }
+    let comment = format!("vehicle {vehicle}, {} parameters", list.len());
+    let values = list.iter().map(|(name, parameter)| (name, parameter.value));
+    Ok(vec![Effect::SaveParameters {
+        path,
+        text: parameters::write(&comment, values),
+        replace: false,
+    }])
+}
+
+/// Has a file, or another vehicle by its number, compared with the vehicle under the cursor.
+///
+/// # Errors
+/// There is no name, or no such vehicle.
+pub fn load(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
+    let path = named(entered)?;
+    let Ok(other) = path.parse::<VehicleId>() else {
+        return Ok(vec![Effect::ReadParameters { path }]);
+    };
+    if !state.session.vehicles.contains_key(&other) {
+        return Err(text!("parameters-no-such-vehicle", vehicle = other));
+    }
+    if state.session.cursor == Some(other) {
+        return Err(text!("parameters-same-vehicle", vehicle = other));
+    }
+    compare(state, Other::Vehicle(other));
+    Ok(Vec::new())
+}
+
+/// A file has been read.
+pub fn read(state: &mut State, path: String, content: &str) {
+    match parameters::parse(content) {
+        Ok(values) => compare(state, Other::File { path, values }),
+        Err(faults) => {
+            let Some(first) = faults.first() else {
+                return;
+            };
+            let (line, column) = first.line_column(content);
+            let text = text!(
+                "parameters-file-faulty",
+                path = path,
+                line = line,
+                column = column,
+                fault = &first.message,
+                count = faults.len()
+            );
+            state.say(Severity::Error, text);
+        }
+    }
+}
+
+/// A file has been written.
+pub fn saved(state: &mut State, path: &str) {
+    state.say(Severity::Info, text!("parameters-saved", path = path));
+}
+
+/// There is such a file already: it is replaced only if the user says so.
+pub fn exists(state: &mut State, path: String, text: String) {
+    state.overlay = Some(Overlay::Confirm(Confirm {
+        question: text!("parameters-ask-replace", path = &path),
+        reason: text!("parameters-ask-replace-reason"),
+        answer: "y".to_owned(),
+        typed: String::new(),
+        cancelled: false,
+        then: Consequence::Effect(Effect::SaveParameters {
+            path,
+            text,
+            replace: true,
+        }),
+    }));
+}
+
+fn compare(state: &mut State, with: Other) {
+    state.rooms.parameters.comparison = Some(Comparison::new(with));
+    state.room = Room::Parameters;
+}
+
+fn named(entered: &str) -> Result<String, Text> {
+    let path = entered.trim();
+    if path.is_empty() {
+        return Err(text!("parameters-no-path"));
+    }
+    Ok(path.to_owned())
+}

@@ -1,0 +1,119 @@
+//! Which parameters are shown, in order of their names.
+
+use std::collections::BTreeMap;
+
+use super::{Comparison, Other};
+use crate::app::state::State;
+use crate::parameters::{Difference, Finding, Parameter, differences};
+use crate::vehicle::VehicleId;
+
+/// One line of the list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row<'a> {
+    /// The name.
+    pub name: &'a str,
+    /// The parameter of the vehicle that is shown, if it has it.
+    pub now: Option<Parameter>,
+    /// How it differs from what it is compared with.
+    pub finding: Option<Finding>,
+}
+
+impl Row<'_> {
+    /// The value on the other side of a comparison.
+    pub fn other(&self) -> Option<f32> {
+        match self.finding {
+            Some(Finding::Changed(_, other) | Finding::Missing(other)) => Some(other),
+            _ => None,
+        }
+    }
+}
+
+/// The lines of the list as it is narrowed down now. With a comparison, only what differs.
+pub fn rows(state: &State) -> Vec<Row<'_>> {
+    let Some(vehicle) = state.session.cursor else {
+        return Vec::new();
+    };
+    let room = &state.rooms.parameters;
+    let words: Vec<String> = room
+        .filter
+        .split_whitespace()
+        .map(str::to_uppercase)
+        .collect();
+    let fits = |name: &str| {
+        let name = || name.to_uppercase();
+        words.is_empty() || words.iter().all(|word| name().contains(word.as_str()))
+    };
+    let all = match &room.comparison {
+        None => plain(state, vehicle)
+            .filter(|row| !room.changed_only || is_changed(state, vehicle, row))
+            .collect(),
+        Some(comparison) => compared(state, vehicle, comparison),
+    };
+    all.into_iter().filter(|row| fits(row.name)).collect()
+}
+
+fn plain(state: &State, vehicle: VehicleId) -> impl Iterator<Item = Row<'_>> {
+    let snapshot = state.rooms.parameters.lists.get(&vehicle);
+    let all = snapshot.into_iter().flat_map(|known| known.list.iter());
+    all.map(|(name, parameter)| Row {
+        name,
+        now: Some(*parameter),
+        finding: None,
+    })
+}
+
+fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison) -> Vec<Row<'a>> {
+    let mut found = difference(state, vehicle, &comparison.with);
+    found.retain(|(_, finding)| comparison.lists_extra || !matches!(finding, Finding::Extra(_)));
+    let set = comparison.set.iter().map(|name| (name.as_str(), None));
+    let mut all: BTreeMap<&str, Option<Finding>> = set.collect();
+    all.extend(
+        found
+            .into_iter()
+            .map(|(name, finding)| (name, Some(finding))),
+    );
+    let rows = all.into_iter().map(|(name, finding)| Row {
+        name,
+        now: state.rooms.parameters.get(vehicle, name).copied(),
+        finding,
+    });
+    rows.collect()
+}
+
+/// How many parameters only the vehicle that is shown has.
+pub fn extra(state: &State, comparison: &Comparison) -> usize {
+    let vehicle = state.session.cursor;
+    let found = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
+    let found = found.unwrap_or_default();
+    let is_extra = |(_, finding): &&(&str, Finding)| matches!(finding, Finding::Extra(_));
+    found.iter().filter(is_extra).count()
+}
+
+/// What differs between a vehicle and what it is compared with.
+fn difference<'a>(
+    state: &'a State,
+    vehicle: VehicleId,
+    with: &'a Other,
+) -> Vec<(&'a str, Finding)> {
+    let lists = &state.rooms.parameters.lists;
+    let of = |id: VehicleId| {
+        let known = lists.get(&id).into_iter();
+        known
+            .flat_map(|known| known.list.iter())
+            .map(|(name, parameter)| (name, parameter.value))
+    };
+    let found: Vec<Difference<'a>> = match with {
+        Other::Vehicle(other) => differences(of(vehicle), of(*other)),
+        Other::File { values, .. } => {
+            let values = values.iter().map(|(name, value)| (name.as_str(), *value));
+            differences(of(vehicle), values)
+        }
+    };
+    let pair = |difference: Difference<'a>| (difference.name, difference.finding);
+    found.into_iter().map(pair).collect()
+}
+
+fn is_changed(state: &State, vehicle: VehicleId, row: &Row<'_>) -> bool {
+    let was_set = state.rooms.parameters.edit(vehicle, row.name).is_some();
+    was_set || row.now.is_some_and(|now| now.is_changed())
+}

@@ -1,0 +1,207 @@
+//! The alerts that stand: since when, and whether somebody has taken note of them.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::alert::{Alert, AlertKind, alerts};
+use super::bell::{Bell, Call, Due};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+/// An alert that comes back this soon is the one that was there before.
+const FLICKER: Duration = Duration::from_secs(10);
+
+/// An alert of one vehicle.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Standing {
+    /// What is wrong.
+    pub alert: Alert,
+    /// Since when it is as serious as it is, on the program's clock.
+    pub since: Duration,
+    /// Whether somebody has taken note of it.
+    pub acknowledged: bool,
+    /// When it ended, for as long as it might come back.
+    ended: Option<Duration>,
+}
+
+/// The worst kind of alert that nobody has taken note of, with all its vehicles.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pressing<'a> {
+    /// The worst of them; the oldest of those.
+    pub first: &'a Standing,
+    /// The vehicles that have the same kind of alert, sorted.
+    pub vehicles: Vec<VehicleId>,
+    /// Whether all of them are told the same.
+    pub alike: bool,
+    /// Alerts of other kinds that wait behind it.
+    pub others: usize,
+}
+
+/// All alerts of a session.
+#[derive(Debug, Clone, Default)]
+pub struct Alarms {
+    standing: BTreeMap<VehicleId, Vec<Standing>>,
+    bell: Bell,
+    /// The kinds that stay silent.
+    muted: Vec<AlertKind>,
+}
+
+impl Alarms {
+    /// Takes over what the user has muted; what is no kind is passed over.
+    pub fn mute(&mut self, names: &[String]) {
+        self.muted = names
+            .iter()
+            .filter_map(|name| AlertKind::named(name))
+            .collect();
+    }
+
+    /// Looks at a vehicle: what is new or worse rings, what has ended goes. Whether anything changed.
+    pub fn observe(&mut self, vehicle: &Vehicle, now: Duration) -> bool {
+        let mut present = alerts(vehicle, now).peekable();
+        if present.peek().is_none() && !self.standing.contains_key(&vehicle.id) {
+            return false;
+        }
+        let known = self.standing.remove(&vehicle.id).unwrap_or_default();
+        let before = known.clone();
+        let mut known = known;
+        let mut standing: Vec<Standing> = Vec::new();
+        for alert in present {
+            let at = known.iter().position(|old| old.alert.kind == alert.kind);
+            let old = at.map(|at| known.swap_remove(at));
+            self.ring(vehicle.id, old.as_ref(), &alert, now);
+            standing.push(renewed(old, alert, began(vehicle, now)));
+        }
+        standing.extend(known.into_iter().filter_map(|old| fading(old, now)));
+        standing.sort_by_key(|one| one.alert.kind);
+        let changed = standing != before;
+        if !standing.is_empty() {
+            self.standing.insert(vehicle.id, standing);
+        }
+        changed
+    }
+
+    /// A serious text rings too, unless the alert that it is about has done so.
+    pub fn hear(&mut self, now: Duration, call: Call) {
+        let stands = |id| self.of(id).any(|one| one.alert.kind == call.kind);
+        if self.is_muted(call.kind) || call.vehicle.is_some_and(stands) {
+            return;
+        }
+        self.bell.call(now, call);
+    }
+
+    /// Which signals are due; they count as given.
+    pub fn due(&mut self, now: Duration) -> Due {
+        self.bell.due(now)
+    }
+
+    /// What is wrong with a vehicle, one of a kind.
+    pub fn of(&self, vehicle: VehicleId) -> impl Iterator<Item = &Standing> {
+        let all = self.standing.get(&vehicle).into_iter().flatten();
+        all.filter(|one| one.ended.is_none())
+    }
+
+    /// What a vehicle's row says: what nobody has taken note of before what somebody has, the worst first.
+    pub fn worst(&self, vehicle: VehicleId) -> Option<&Standing> {
+        self.of(vehicle)
+            .min_by_key(|one| (self.is_calm(one), one.alert.severity))
+    }
+
+    /// Whether an alert wants nothing any more: it has been acknowledged, or its kind is muted.
+    pub fn is_calm(&self, one: &Standing) -> bool {
+        one.acknowledged || self.is_muted(one.alert.kind)
+    }
+
+    /// Whether a kind is muted.
+    pub fn is_muted(&self, kind: AlertKind) -> bool {
+        self.muted.contains(&kind)
+    }
+
+    /// The worst that nobody has taken note of. That a vehicle on the ground is not ready presses nobody.
+    pub fn pressing(&self) -> Option<Pressing<'_>> {
+        let open = || self.open();
+        let (_, first) = open().min_by_key(|(_, one)| (one.alert.severity, one.since))?;
+        let kind = first.alert.kind;
+        let same = || open().filter(|(_, one)| one.alert.kind == kind);
+        Some(Pressing {
+            first,
+            vehicles: same().map(|(id, _)| id).collect(),
+            alike: same().all(|(_, one)| one.alert.text == first.alert.text),
+            others: open().filter(|(_, one)| one.alert.kind != kind).count(),
+        })
+    }
+
+    /// Takes note of the alerts that `which` names; how many there were.
+    pub fn acknowledge(&mut self, which: impl Fn(VehicleId, AlertKind) -> bool) -> usize {
+        let mut count = 0;
+        for (&id, standing) in &mut self.standing {
+            for one in standing {
+                if one.ended.is_none() && !one.acknowledged && which(id, one.alert.kind) {
+                    one.acknowledged = true;
+                    count += 1;
+                }
+            }
+        }
+        count
+    }
+
+    fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
+        let all = self.standing.keys();
+        let all = all.flat_map(|&id| self.of(id).map(move |one| (id, one)));
+        all.filter(|(_, one)| {
+            let minor = one.alert.severity > Severity::Warning;
+            !minor && one.alert.kind != AlertKind::Prearm && !self.is_calm(one)
+        })
+    }
+
+    fn ring(&mut self, id: VehicleId, old: Option<&Standing>, alert: &Alert, now: Duration) {
+        let worse = old.is_some_and(|old| alert.severity < old.alert.severity);
+        if (old.is_some() && !worse) || self.is_muted(alert.kind) {
+            return;
+        }
+        let call = Call {
+            kind: alert.kind,
+            severity: alert.severity,
+            vehicle: Some(id),
+            text: alert.text.clone(),
+            worse,
+        };
+        self.bell.call(now, call);
+    }
+}
+
+/// The alert as it stands now: one that has become worse is a new one.
+fn renewed(old: Option<Standing>, alert: Alert, since: impl Fn(AlertKind) -> Duration) -> Standing {
+    match old {
+        Some(old) if alert.severity >= old.alert.severity => Standing {
+            alert,
+            ended: None,
+            ..old
+        },
+        _ => Standing {
+            since: since(alert.kind),
+            alert,
+            acknowledged: false,
+            ended: None,
+        },
+    }
+}
+
+/// An alert whose condition holds no more, until it cannot come back as the same.
+fn fading(old: Standing, now: Duration) -> Option<Standing> {
+    let ended = old.ended.unwrap_or(now);
+    (now.saturating_sub(ended) < FLICKER).then_some(Standing {
+        ended: Some(ended),
+        ..old
+    })
+}
+
+/// When a condition began: a link is lost since something was heard last.
+fn began(vehicle: &Vehicle, now: Duration) -> impl Fn(AlertKind) -> Duration {
+    let last_heard = vehicle.link.last_heard;
+    move |kind| match kind {
+        AlertKind::LinkLost => last_heard.unwrap_or(now),
+        _ => now,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,108 @@
+use super::*;
+use crate::vehicle::{Battery, Fence, Health, StatusText};
+
+fn vehicle() -> Vehicle {
+    let mut vehicle = Vehicle::new(1, 1);
+    vehicle.health = Some(Health {
+        present: 0,
+        enabled: 0,
+        healthy: Health::PREARM,
+        load_percent: 0.0,
+        at: Duration::ZERO,
+    });
+    vehicle
+}
+
+fn text_of(vehicle: &Vehicle) -> Option<String> {
+    alert(vehicle, Duration::from_secs(10)).map(|alert| alert.text.to_string())
+}
+
+#[test]
+fn a_healthy_vehicle_has_no_alert() {
+    assert_eq!(text_of(&vehicle()), None);
+    assert_eq!(
+        text_of(&Vehicle::new(1, 1)),
+        None,
+        "nothing known is nothing wrong"
+    );
+}
+
+#[test]
+fn the_most_serious_condition_wins() {
+    let mut vehicle = vehicle();
+    vehicle.health = vehicle.health.map(|health| Health {
+        healthy: 0,
+        ..health
+    });
+    assert_eq!(text_of(&vehicle).as_deref(), Some("not ready to arm"));
+    vehicle.prearm.push("Need Position Estimate".to_owned());
+    assert_eq!(text_of(&vehicle).as_deref(), Some("Need Position Estimate"));
+    vehicle.fence = Some(Fence {
+        breached: true,
+        breaches: 1,
+        breach_type: 1,
+    });
+    assert_eq!(text_of(&vehicle).as_deref(), Some("outside fence"));
+    vehicle.batteries.push(Battery {
+        id: 0,
+        voltage_v: None,
+        current_a: None,
+        consumed_mah: None,
+        consumed_wh: None,
+        remaining_percent: Some(9),
+        at: Duration::ZERO,
+    });
+    assert_eq!(text_of(&vehicle).as_deref(), Some("BATTERY 9 %"));
+    vehicle.link.lost = true;
+    vehicle.link.last_heard = Some(Duration::from_secs(4));
+    assert_eq!(text_of(&vehicle).as_deref(), Some("LINK LOST"));
+    vehicle.texts.push(StatusText {
+        severity: Severity::Critical,
+        text: "Crash: Disarming: AngErr=179>30".to_owned(),
+        at: Duration::from_secs(9),
+    });
+    assert_eq!(text_of(&vehicle).as_deref(), Some("CRASHED, disarmed"));
+}
+
+#[test]
+fn a_crash_is_shown_until_the_vehicle_is_armed_again() {
+    let hear = |vehicle: &mut Vehicle, text: &str| {
+        vehicle.texts.push(StatusText {
+            severity: Severity::Critical,
+            text: text.to_owned(),
+            at: Duration::ZERO,
+        });
+    };
+    let long_after = Duration::from_secs(1000);
+    let shown = |vehicle: &Vehicle| alert(vehicle, long_after).map(|alert| alert.text.to_string());
+    let mut vehicle = vehicle();
+    hear(&mut vehicle, "SIM Hit ground at 0.48 m/s");
+    assert_eq!(shown(&vehicle), None, "a landing");
+    hear(&mut vehicle, "SIM Hit ground at 15.97 m/s");
+    hear(&mut vehicle, "Disarming motors");
+    assert_eq!(shown(&vehicle).as_deref(), Some("CRASHED 16 m/s"));
+    hear(&mut vehicle, "Arming motors");
+    assert_eq!(shown(&vehicle), None);
+}
+
+#[test]
+fn a_vehicle_that_falls_says_so() {
+    let mut vehicle = vehicle();
+    vehicle.landed = LandedState::InAir;
+    assert_eq!(text_of(&vehicle), None, "whether it is armed is not known");
+    vehicle.heartbeat = Some(crate::vehicle::Heartbeat {
+        mav_type: 2,
+        autopilot: 3,
+        class: crate::vehicle::VehicleClass::Copter,
+        mode: crate::vehicle::VehicleClass::Copter
+            .mode("GUIDED")
+            .expect("a mode"),
+        armed: false,
+        status: SystemStatus::Active,
+        at: Duration::ZERO,
+    });
+    assert_eq!(
+        text_of(&vehicle).as_deref(),
+        Some("MOTORS STOPPED in the air")
+    );
+}

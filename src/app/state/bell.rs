@@ -1,0 +1,204 @@
+//! When the console makes itself noticed beyond its screen: the terminal's bell and a note to the desktop.
+//!
+//! Both are for what is serious, both wait so that many calls become one, and neither tells the same thing of a
+//! vehicle twice in a row.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::AlertKind;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+
+/// What is less serious never makes itself noticed.
+const LEAST: Severity = Severity::Critical;
+/// The time between two rings.
+const RING_EVERY: Duration = Duration::from_secs(5);
+/// What comes so soon after a ring is covered by it: trouble comes in waves.
+const COVERED: Duration = Duration::from_secs(2);
+/// How long a note waits for others that it can be folded with.
+const GATHER: Duration = Duration::from_secs(1);
+/// The time between two notes.
+const NOTE_EVERY: Duration = Duration::from_secs(10);
+/// For so long the same thing about the same vehicle is old news.
+const OLD_NEWS: Duration = Duration::from_secs(10);
+
+/// Something that may deserve a ring.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Call {
+    /// What it is about.
+    pub kind: AlertKind,
+    /// How serious it is.
+    pub severity: Severity,
+    /// The vehicle, if one.
+    pub vehicle: Option<VehicleId>,
+    /// In a few words.
+    pub text: Text,
+    /// Whether it has just become more serious than it was.
+    pub worse: bool,
+}
+
+/// What is due now.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Due {
+    /// The bell.
+    pub ring: bool,
+    /// A note to the desktop.
+    pub note: Option<Text>,
+}
+
+/// The bell and what it owes.
+#[derive(Debug, Clone, Default)]
+pub struct Bell {
+    news: BTreeMap<(Option<VehicleId>, String), Duration>,
+    owes_ring: bool,
+    owed: Vec<Call>,
+    owed_since: Duration,
+    rang_at: Option<Duration>,
+    noted_at: Option<Duration>,
+}
+
+impl Bell {
+    /// Takes a call; what is not serious, or known already, is passed over.
+    pub fn call(&mut self, now: Duration, call: Call) {
+        let is_minor = call.severity > LEAST || call.kind == AlertKind::Prearm;
+        if is_minor {
+            return;
+        }
+        let about = match call.kind {
+            AlertKind::Message => call.text.to_string(),
+            kind => kind.name().to_owned(),
+        };
+        self.news.retain(|_, at| now.saturating_sub(*at) < OLD_NEWS);
+        let known = self.news.insert((call.vehicle, about), now).is_some();
+        if known && !call.worse {
+            return;
+        }
+        let is_covered = self
+            .rang_at
+            .is_some_and(|at| now.saturating_sub(at) < COVERED);
+        self.owes_ring |= !is_covered;
+        if self.owed.is_empty() {
+            self.owed_since = now;
+        }
+        self.owed.push(call);
+    }
+
+    /// What is due; it counts as done.
+    pub fn due(&mut self, now: Duration) -> Due {
+        let long_ago =
+            |at: Option<Duration>, time| at.is_none_or(|at| now.saturating_sub(at) >= time);
+        let mut due = Due::default();
+        if self.owes_ring && long_ago(self.rang_at, RING_EVERY) {
+            self.owes_ring = false;
+            self.rang_at = Some(now);
+            due.ring = true;
+        }
+        let gathered = now.saturating_sub(self.owed_since) >= GATHER;
+        if !self.owed.is_empty() && gathered && long_ago(self.noted_at, NOTE_EVERY) {
+            self.noted_at = Some(now);
+            due.note = Some(folded(&std::mem::take(&mut self.owed)));
+        }
+        due
+    }
+}
+
+/// The calls in one line: the most serious kind with its vehicles, and how many others there are.
+fn folded(calls: &[Call]) -> Text {
+    let Some(worst) = calls.iter().min_by_key(|call| call.severity) else {
+        return Text::default();
+    };
+    let (same, others): (Vec<&Call>, Vec<&Call>) =
+        calls.iter().partition(|call| call.kind == worst.kind);
+    let equal = same.iter().all(|call| call.text == worst.text);
+    let what = if equal {
+        worst.text.clone()
+    } else {
+        worst.kind.title()
+    };
+    let mut vehicles: Vec<VehicleId> = same.iter().filter_map(|call| call.vehicle).collect();
+    vehicles.sort_unstable();
+    vehicles.dedup();
+    let first = match vehicles.as_slice() {
+        [] => what,
+        [one] => text!("alert-of-one", vehicle = *one, what = what),
+        many => text!("alert-of-many", count = many.len(), what = what),
+    };
+    if others.is_empty() {
+        first
+    } else {
+        text!("alert-and-more", first = first, count = others.len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn call(vehicle: VehicleId, kind: AlertKind) -> Call {
+        Call {
+            kind,
+            severity: Severity::Alert,
+            vehicle: Some(vehicle),
+            text: kind.title(),
+            worse: false,
+        }
+    }
+
+    fn at(seconds: u64) -> Duration {
+        Duration::from_secs(seconds)
+    }
+
+    #[test]
+    fn many_calls_are_one_ring_and_one_note() {
+        let mut bell = Bell::default();
+        for vehicle in 1..=4 {
+            bell.call(at(1), call(vehicle, AlertKind::LinkLost));
+        }
+        assert_eq!(
+            bell.due(at(1)),
+            Due {
+                ring: true,
+                note: None
+            }
+        );
+        bell.call(at(1), call(5, AlertKind::Fence));
+        let due = bell.due(at(2));
+        let note = due.note.map(|text| text.to_string());
+        assert_eq!(note.as_deref(), Some("4 vehicles: LINK LOST (+1)"));
+        assert_eq!(bell.due(at(60)), Due::default(), "one ring for all of them");
+        bell.call(at(61), call(6, AlertKind::LinkLost));
+        assert!(bell.due(at(61)).ring);
+        bell.call(at(64), call(7, AlertKind::LinkLost));
+        assert!(!bell.due(at(65)).ring, "not so soon again");
+        assert!(bell.due(at(66)).ring);
+    }
+
+    #[test]
+    fn old_news_rings_only_when_it_has_become_worse() {
+        let mut bell = Bell::default();
+        bell.call(at(1), call(1, AlertKind::Battery));
+        assert!(bell.due(at(2)).ring);
+        bell.call(at(8), call(1, AlertKind::Battery));
+        assert!(!bell.due(at(20)).ring);
+        let worse = Call {
+            worse: true,
+            ..call(1, AlertKind::Battery)
+        };
+        bell.call(at(21), worse);
+        assert!(bell.due(at(21)).ring);
+    }
+
+    #[test]
+    fn what_is_not_serious_and_reasons_not_to_arm_are_silent() {
+        let mut bell = Bell::default();
+        bell.call(at(1), call(1, AlertKind::Prearm));
+        let minor = Call {
+            severity: Severity::Error,
+            ..call(1, AlertKind::Fence)
+        };
+        bell.call(at(1), minor);
+        assert_eq!(bell.due(at(30)), Due::default());
+    }
+}

@@ -1,0 +1,303 @@
+//! What the vehicles' readings were over the last minutes: a bounded ring per vehicle, sampled at a fixed rate.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::time::Duration;
+
+use crate::vehicle::{Vehicle, VehicleId};
+
+/// Two samples a second.
+pub const SAMPLE_EVERY: Duration = Duration::from_millis(500);
+/// Ten minutes of them. At 14 bytes each that is 16.8 kB a vehicle, 17 MB for a thousand.
+const SAMPLES_KEPT: usize = 1200;
+/// A reading that is not known.
+const UNKNOWN: i16 = i16::MIN;
+
+/// A reading that is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channel {
+    /// Height above home, in metres.
+    Altitude,
+    /// Speed over ground, in m/s.
+    Speed,
+    /// Climb, in m/s.
+    Climb,
+    /// Voltage of the main pack, in volts.
+    Voltage,
+    /// Current of the main pack, in amperes.
+    Current,
+    /// Charge left in the main pack, in percent.
+    Remaining,
+    /// Throttle, in percent.
+    Throttle,
+}
+
+impl Channel {
+    /// All of them, in the order in which they are shown.
+    pub const ALL: [Self; 7] = [
+        Self::Altitude,
+        Self::Speed,
+        Self::Climb,
+        Self::Voltage,
+        Self::Current,
+        Self::Remaining,
+        Self::Throttle,
+    ];
+
+    /// What it reads now.
+    pub fn reading(self, vehicle: &Vehicle) -> Option<f32> {
+        let pack = vehicle.battery();
+        let value = match self {
+            Self::Altitude => vehicle.altitude_m().map(|altitude| altitude as f32),
+            Self::Speed => vehicle.ground_speed_m_s(),
+            Self::Climb => vehicle
+                .global
+                .map(|global| -global.down_m_s)
+                .or_else(|| vehicle.hud.map(|hud| hud.climb_m_s)),
+            Self::Voltage => pack.and_then(|pack| pack.voltage_v),
+            Self::Current => pack.and_then(|pack| pack.current_a),
+            Self::Remaining => pack.and_then(|pack| pack.remaining_percent.map(f32::from)),
+            Self::Throttle => vehicle.hud.map(|hud| f32::from(hud.throttle_percent)),
+        };
+        // Adding zero turns a rounded -0 into +0, which does not flicker.
+        value
+            .filter(|value| value.is_finite())
+            .map(|value| value + 0.0)
+    }
+
+    /// Steps of a stored number per unit: fine enough to show, coarse enough for the range of an i16.
+    fn scale(self) -> f32 {
+        match self {
+            Self::Altitude | Self::Current => 10.0,
+            Self::Speed | Self::Climb | Self::Voltage | Self::Remaining | Self::Throttle => 100.0,
+        }
+    }
+
+    fn stored(self, vehicle: &Vehicle) -> i16 {
+        self.reading(vehicle).map_or(UNKNOWN, |value| {
+            // The cast saturates; the lowest number is taken.
+            ((value * self.scale()).round() as i16).max(UNKNOWN + 1)
+        })
+    }
+}
+
+/// How far back a curve reaches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Window {
+    /// 30 s.
+    #[default]
+    Short,
+    /// 2 min.
+    Middle,
+    /// 10 min.
+    Long,
+}
+
+impl Window {
+    /// The next longer one; the shortest after the longest.
+    #[must_use]
+    pub fn next(self) -> Self {
+        match self {
+            Self::Short => Self::Middle,
+            Self::Middle => Self::Long,
+            Self::Long => Self::Short,
+        }
+    }
+
+    /// Its length in seconds.
+    pub fn seconds(self) -> u16 {
+        match self {
+            Self::Short => 30,
+            Self::Middle => 120,
+            Self::Long => 600,
+        }
+    }
+
+    /// Its length in samples.
+    pub fn samples(self) -> usize {
+        let per_second = 1000 / SAMPLE_EVERY.as_millis() as usize;
+        usize::from(self.seconds()) * per_second
+    }
+}
+
+/// What one vehicle's readings were.
+#[derive(Debug, Clone)]
+pub struct History {
+    samples: VecDeque<[i16; Channel::ALL.len()]>,
+    armed_for: Duration,
+}
+
+impl History {
+    fn new() -> Self {
+        Self {
+            samples: VecDeque::with_capacity(SAMPLES_KEPT),
+            armed_for: Duration::ZERO,
+        }
+    }
+
+    /// For how long it has been armed in this session, as far as it was heard, to half a second.
+    pub fn armed_for(&self) -> Duration {
+        self.armed_for
+    }
+
+    /// The readings of a channel within a window, oldest first, one per sample; `None` where unknown. Fewer than
+    /// the window has room for if the vehicle has not been known for so long.
+    pub fn readings(
+        &self,
+        channel: Channel,
+        window: Window,
+    ) -> impl Iterator<Item = Option<f32>> + '_ {
+        let first = self.samples.len().saturating_sub(window.samples());
+        self.samples.range(first..).map(move |sample| {
+            let stored = sample[channel as usize];
+            (stored != UNKNOWN).then(|| f32::from(stored) / channel.scale())
+        })
+    }
+
+    /// The lowest and the highest known reading within a window.
+    pub fn range(&self, channel: Channel, window: Window) -> Option<(f32, f32)> {
+        self.readings(channel, window)
+            .flatten()
+            .fold(None, |range, value| match range {
+                None => Some((value, value)),
+                Some((low, high)) => Some((value.min(low), value.max(high))),
+            })
+    }
+
+    fn push(&mut self, sample: [i16; Channel::ALL.len()]) {
+        if self.samples.len() == SAMPLES_KEPT {
+            self.samples.pop_front();
+        }
+        self.samples.push_back(sample);
+    }
+}
+
+/// The histories of all vehicles.
+#[derive(Debug, Clone, Default)]
+pub struct Histories {
+    by_vehicle: BTreeMap<VehicleId, History>,
+    sampled_at: Option<Duration>,
+}
+
+impl Histories {
+    /// What is known of one vehicle.
+    pub fn of(&self, vehicle: VehicleId) -> Option<&History> {
+        self.by_vehicle.get(&vehicle)
+    }
+
+    /// Takes the samples that are due at `now`; returns whether there were any. A vehicle that is not heard reads
+    /// nothing, and so does the time in which nobody called.
+    pub fn sample(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>, now: Duration) -> bool {
+        let since = self.sampled_at.map(|at| now.saturating_sub(at));
+        let steps = match since {
+            None => 1,
+            Some(since) => (since.as_millis() / SAMPLE_EVERY.as_millis()) as usize,
+        };
+        if steps == 0 {
+            return false;
+        }
+        // On the beat, so that late calls do not slow it down.
+        let beat = self.sampled_at.unwrap_or(now) + SAMPLE_EVERY * steps as u32;
+        self.sampled_at = Some(if since.is_none() { now } else { beat });
+        for (&id, vehicle) in vehicles {
+            let history = self.by_vehicle.entry(id).or_insert_with(History::new);
+            if !history.samples.is_empty() {
+                for _ in 0..(steps - 1).min(SAMPLES_KEPT) {
+                    history.push([UNKNOWN; Channel::ALL.len()]);
+                }
+            }
+            if vehicle.link.lost {
+                history.push([UNKNOWN; Channel::ALL.len()]);
+                continue;
+            }
+            history.push(Channel::ALL.map(|channel| channel.stored(vehicle)));
+            if vehicle.armed() {
+                history.armed_for += SAMPLE_EVERY;
+            }
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::vehicle::Hud;
+
+    fn at_speed(speed_m_s: f32) -> BTreeMap<VehicleId, Vehicle> {
+        let mut vehicle = Vehicle::new(1, 1);
+        vehicle.hud = Some(Hud {
+            airspeed_m_s: 0.0,
+            ground_speed_m_s: speed_m_s,
+            climb_m_s: 0.0,
+            altitude_amsl_m: 0.0,
+            throttle_percent: 0,
+            heading_deg: 0.0,
+            at: Duration::ZERO,
+        });
+        BTreeMap::from([(1, vehicle)])
+    }
+
+    fn speeds(histories: &Histories, window: Window) -> Vec<Option<f32>> {
+        let history = histories.of(1).expect("a history");
+        history.readings(Channel::Speed, window).collect()
+    }
+
+    #[test]
+    fn samples_keep_the_beat_and_late_ones_leave_a_gap() {
+        let mut histories = Histories::default();
+        for (ms, due) in [
+            (1000, true),
+            (1100, false),
+            (1600, true),
+            (2000, true),
+            (2499, false),
+            (4000, true),
+        ] {
+            let now = Duration::from_millis(ms);
+            assert_eq!(histories.sample(&at_speed(ms as f32 / 1000.0), now), due);
+        }
+        let expected = [Some(1.0), Some(1.6), Some(2.0), None, None, None, Some(4.0)];
+        assert_eq!(speeds(&histories, Window::Short), expected);
+    }
+
+    #[test]
+    fn a_lost_vehicle_and_what_is_no_number_read_nothing() {
+        let mut histories = Histories::default();
+        let mut vehicles = at_speed(3.0);
+        histories.sample(&vehicles, Duration::ZERO);
+        vehicles.get_mut(&1).expect("it").link.lost = true;
+        histories.sample(&vehicles, SAMPLE_EVERY);
+        histories.sample(&at_speed(f32::NAN), SAMPLE_EVERY * 2);
+        assert_eq!(speeds(&histories, Window::Long), [Some(3.0), None, None]);
+        let history = histories.of(1).expect("a history");
+        assert_eq!(
+            history.range(Channel::Speed, Window::Long),
+            Some((3.0, 3.0))
+        );
+        assert_eq!(history.range(Channel::Voltage, Window::Long), None);
+    }
+
+    proptest! {
+        /// Whatever is read and however long, a ring is bounded, and gives back the last readings of its window.
+        #[test]
+        fn a_ring_is_bounded_and_ends_with_the_newest(
+            values in proptest::collection::vec(-300.0..300.0f32, 1..1500),
+        ) {
+            let mut histories = Histories::default();
+            for (step, value) in values.iter().enumerate() {
+                histories.sample(&at_speed(*value), SAMPLE_EVERY * step as u32);
+            }
+            for window in [Window::Short, Window::Middle, Window::Long] {
+                let read = speeds(&histories, window);
+                prop_assert_eq!(read.len(), values.len().min(window.samples()));
+                for (read, value) in read.iter().rev().zip(values.iter().rev()) {
+                    prop_assert!((read.expect("a reading") - value).abs() < 0.006);
+                }
+            }
+            let history = histories.of(1).expect("a history");
+            prop_assert_eq!(history.samples.capacity(), SAMPLES_KEPT);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! What is heard of the links: the doctor's findings, and their messages.
+
+use std::time::Duration;
+
+use crate::app::room::messages::LinkTraffic;
+use crate::app::state::{Room, State};
+use crate::doctor::{Cause, Finding, Weight};
+use crate::notice::Notice;
+use crate::text;
+use crate::vehicle::Severity;
+
+/// A vehicle that is there has been heard by then.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// Takes the doctor's findings in, and tells those that a human has to act upon.
+pub fn findings(state: &mut State, findings: Vec<Finding>) {
+    if state.session.activity.is_none() {
+        return;
+    }
+    state.rooms.links.note(&state.session.links);
+    let is_new = state.session.findings != findings;
+    state.session.findings = findings;
+    if is_new || state.room == Room::Links {
+        state.touch();
+    }
+    for finding in state.session.findings.clone() {
+        tell(state, &finding);
+    }
+}
+
+/// Takes a look at the messages in.
+pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) {
+    if state.session.activity.is_none() || state.rooms.messages.paused {
+        return;
+    }
+    state.rooms.messages.take(traffic);
+    if state.room == Room::Messages {
+        state.touch();
+    }
+}
+
+/// Tells each finding once per link.
+fn tell(state: &mut State, finding: &Finding) {
+    let waits = state.session.vehicles.is_empty()
+        && state.now.saturating_sub(state.session.began_at) >= PATIENCE;
+    let is_news = match finding.cause {
+        // The link says itself why it is not open, and the fleet that a system id is not unique.
+        Cause::NotOpen | Cause::DuplicateSystem(_) => false,
+        Cause::OneWay(_) | Cause::Signed(_) => true,
+        _ => waits && finding.cause.weight() == Weight::Fatal,
+    };
+    if !is_news
+        || !state
+            .session
+            .told
+            .insert((finding.link, finding.cause.name()))
+    {
+        return;
+    }
+    let link = state.session.links.get(finding.link);
+    let link = link.map_or_else(String::new, |link| link.name.clone());
+    let notice = Notice {
+        at: state.now,
+        vehicle: None,
+        severity: Severity::Warning,
+        text: text!(
+            "doctor-notice",
+            link = link,
+            finding = finding.cause.says(),
+            advice = finding.advice()
+        ),
+    };
+    state.notices.push(notice);
+    state.touch();
+}

@@ -1,0 +1,81 @@
+//! `sortie config`: what is set, and who has set it.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Args;
+
+use super::Failure;
+use super::settings::Settings;
+use crate::store::{Folders, History};
+use crate::text::Locale;
+
+/// Options of `sortie config`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie config                                   what is set, and who has set it\n  \
+    sortie config > ~/.config/sortie/config.toml    a file to begin with\n  \
+    sortie config --theme light --fps 5             what these flags would change\n  \
+    sortie config --keys                            the keys, and every action that a key could have\n  \
+    sortie config --paths                           the files and folders")]
+pub(super) struct ConfigArguments {
+    /// The files and folders instead of the values.
+    #[arg(long, conflicts_with = "keys")]
+    paths: bool,
+    /// What the keys mean, as a keymap file, instead of the values.
+    #[arg(long)]
+    keys: bool,
+}
+
+/// Prints the configuration as a configuration file; exit code 2 if a file is faulty.
+pub(super) fn config(options: &ConfigArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+    if options.paths {
+        for (name, path) in paths(settings) {
+            // As TOML too, so that scripts read both the same way.
+            let value = toml::Value::String(path.display().to_string());
+            say!("{name} = {value}")?;
+        }
+    } else if options.keys {
+        let locale = Locale::new(settings.config.lang.unwrap_or_default());
+        say!("{}", settings.keymap.show(&locale).trim_end())?;
+    } else {
+        say!("# A value comes from the first that has it: flag, environment, file, default.")?;
+        for (name, path) in paths(settings) {
+            let missing = if path.exists() { "" } else { " (not there)" };
+            say!("# {name:<11} {}{missing}", path.display())?;
+        }
+        say!("")?;
+        say!("{}", settings.layers.show().trim_end())?;
+    }
+    settings.complain();
+    let is_faulty = !settings.faults.is_empty();
+    Ok(ExitCode::from(if is_faulty { 2 } else { 0 }))
+}
+
+/// Files and folders by name.
+fn paths(settings: &Settings) -> Vec<(&'static str, PathBuf)> {
+    let mut paths = Vec::new();
+    paths.extend(settings.file.clone().map(|file| ("config_file", file)));
+    paths.extend(settings.keymap_file().map(|file| ("keymap_file", file)));
+    if let Some(folders) = &settings.folders {
+        let Folders {
+            config,
+            data,
+            state,
+        } = folders;
+        let within = |folder: &Path, name: &str| folder.join(name);
+        paths.extend([
+            ("config", config.clone()),
+            ("themes", folders.themes()),
+            ("missions", within(config, "missions")),
+            ("pilots", within(config, "missions/pilots")),
+            ("data", data.clone()),
+            ("state", state.clone()),
+            ("history", History::within(state).path().to_owned()),
+        ]);
+    }
+    if let Some(log) = &settings.config.log.file {
+        paths.push(("log", PathBuf::from(log)));
+    }
+    paths
+}

@@ -1,0 +1,130 @@
+//! `sortie completions` and `sortie man`: made from the definitions that the command line itself is read by.
+
+use std::io::{self, Write as _};
+use std::process::ExitCode;
+
+use clap::{Command, CommandFactory as _};
+use clap_complete::Shell;
+use clap_mangen::Man;
+use clap_mangen::roff::{Roff, roman};
+
+use super::{Arguments, Failure};
+use crate::language;
+
+/// Prints the completions of a shell.
+pub(super) fn completions(shell: Shell) -> Result<ExitCode, Failure> {
+    // The generator panics where it cannot write, so it writes to memory.
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "sortie", &mut script);
+    io::stdout().write_all(&script)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Prints the manual page: the program, its subcommands, and the language of commands.
+pub(super) fn man() -> Result<ExitCode, Failure> {
+    io::stdout().write_all(&page()?)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn page() -> io::Result<Vec<u8>> {
+    let program = Arguments::command();
+    let man = Man::new(program.clone());
+    let mut page = Vec::new();
+    man.render_title(&mut page)?;
+    man.render_name_section(&mut page)?;
+    man.render_synopsis_section(&mut page)?;
+    man.render_description_section(&mut page)?;
+    man.render_options_section(&mut page)?;
+    examples(&program, &mut page)?;
+    for command in program.get_subcommands() {
+        subcommand("sortie", command, &mut page)?;
+    }
+    let mut roff = Roff::new();
+    roff.control("SH", ["THE LANGUAGE OF COMMANDS"]);
+    as_written(&mut roff, &language::manual());
+    roff.control("SH", ["EXIT STATUS"]);
+    as_written(&mut roff, super::EXIT_CODES);
+    roff.to_writer(&mut page)?;
+    man.render_version_section(&mut page)?;
+    Ok(page)
+}
+
+/// The sections of a subcommand and of those below it.
+fn subcommand(parent: &str, command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
+    let name = format!("{parent} {}", command.get_name());
+    let man = Man::new(command.clone().bin_name(name.clone()));
+    let mut roff = Roff::new();
+    roff.control("SH", [name.to_uppercase().as_str()]);
+    roff.to_writer(page)?;
+    let mut inner = Vec::new();
+    man.render_synopsis_section(&mut inner)?;
+    man.render_description_section(&mut inner)?;
+    man.render_options_section(&mut inner)?;
+    examples(command, &mut inner)?;
+    // Its sections lie below its name.
+    let inner = String::from_utf8_lossy(&inner).replace(".SH ", ".SS ");
+    page.extend_from_slice(inner.as_bytes());
+    let below = command.get_subcommands();
+    below
+        .into_iter()
+        .try_for_each(|command| subcommand(&name, command, page))
+}
+
+/// The text after a command's help, which is examples.
+fn examples(command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
+    let Some(text) = command.get_after_help() else {
+        return Ok(());
+    };
+    let mut roff = Roff::new();
+    roff.control("SH", ["EXAMPLES"]);
+    let text = text.to_string();
+    as_written(&mut roff, text.strip_prefix("Examples:\n").unwrap_or(&text));
+    roff.to_writer(page)
+}
+
+/// Lines that keep their breaks and their indentation.
+fn as_written(roff: &mut Roff, text: &str) {
+    roff.control("nf", []);
+    for line in text.lines() {
+        roff.text([roman(line)]);
+    }
+    roff.control("fi", []);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_definitions_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_shows_examples() {
+        fn without(parent: &str, command: &Command, found: &mut Vec<String>) {
+            let name = format!("{parent}{}", command.get_name());
+            if !command.has_subcommands() && command.get_after_help().is_none() {
+                found.push(name.clone());
+            }
+            for below in command.get_subcommands() {
+                without(&format!("{name} "), below, found);
+            }
+        }
+        let mut found = Vec::new();
+        without("", &Arguments::command(), &mut found);
+        assert!(found.is_empty(), "no examples: {}", found.join(", "));
+    }
+
+    #[test]
+    fn the_page_has_every_command_and_every_verb() {
+        let page = String::from_utf8(page().expect("memory takes it")).expect("it is text");
+        for command in Arguments::command().get_subcommands() {
+            let heading = format!(".SH \"SORTIE {}\"", command.get_name().to_uppercase());
+            assert!(page.contains(&heading), "{heading}");
+        }
+        for verb in language::verbs() {
+            assert!(page.contains(verb.name), "{}", verb.name);
+        }
+    }
+}

@@ -1,0 +1,394 @@
+//! What the user has set, gathered from flags, environment and files before a command begins.
+//!
+//! Whoever names something wrong on the command line or in the environment is told at once, with exit code 2. A fault in
+//! the files of the configuration folder keeps nobody from flying: what is wrong is left out, and told.
+
+use std::env;
+use std::io::IsTerminal as _;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use tracing_subscriber::EnvFilter;
+
+use super::Failure;
+use crate::app::keymap::Keymap;
+use crate::app::lines;
+use crate::config::{Config, Layers, Origin};
+use crate::diagnostic::Diagnostic;
+use crate::store::{self, Folders, Source};
+use crate::text;
+use crate::text::{Language, Text};
+use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
+
+/// The variable that names the configuration file.
+const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
+
+/// Options of every command.
+#[derive(Debug, Default, Args)]
+pub(super) struct Common {
+    /// Read this configuration instead of the one in the folder of the user.
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
+    config: Option<PathBuf>,
+    /// The language: en, uk.
+    #[arg(
+        long,
+        global = true,
+        value_name = "LANGUAGE",
+        help_heading = "Settings"
+    )]
+    lang: Option<String>,
+    /// The theme: dark, light, high-contrast, monochrome, or one of your own.
+    #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
+    theme: Option<String>,
+    /// Frames per second at most.
+    #[arg(long, global = true, value_name = "N", help_heading = "Settings")]
+    fps: Option<String>,
+    /// What curves and maps are drawn with: braille, block, ascii.
+    #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
+    symbols: Option<String>,
+    /// Write a log to FILE.
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
+    log: Option<String>,
+    /// What goes into the log: error, warn, info, debug or trace, also of single parts: `warn,sortie::link=debug`.
+    #[arg(long, global = true, value_name = "LEVELS", help_heading = "Settings")]
+    log_level: Option<String>,
+}
+
+impl Common {
+    /// The flags that were given: setting, flag, value.
+    fn flags(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
+        let flags = [
+            ("lang", "--lang", &self.lang),
+            ("theme", "--theme", &self.theme),
+            ("fps", "--fps", &self.fps),
+            ("symbols", "--symbols", &self.symbols),
+            ("log.file", "--log", &self.log),
+            ("log.level", "--log-level", &self.log_level),
+        ];
+        let given = flags.into_iter();
+        given.filter_map(|(setting, flag, value)| Some((setting, flag, value.as_deref()?)))
+    }
+}
+
+/// Everything that is set.
+#[derive(Debug)]
+pub(super) struct Settings {
+    /// The values and where they came from.
+    pub layers: Layers,
+    /// What the values amount to.
+    pub config: Config,
+    /// What the keys mean.
+    pub keymap: Keymap,
+    /// The themes on offer.
+    pub themes: Themes,
+    /// The one that was chosen.
+    pub theme: Theme,
+    /// Where files are kept, if there is a home folder at all.
+    pub folders: Option<Folders>,
+    /// The configuration file, whether it is there or not.
+    pub file: Option<PathBuf>,
+    /// What is wrong with the files.
+    pub faults: Vec<Fault>,
+    /// The configuration file, as far as it could be read.
+    source: Option<Source>,
+    /// Whether the configuration file was named, so that a fault in it is one of usage.
+    is_named: bool,
+}
+
+/// What is wrong with a file.
+#[derive(Debug)]
+pub(super) enum Fault {
+    /// Something in it.
+    Inside(Source, Diagnostic),
+    /// The whole of it.
+    Whole(Text),
+}
+
+impl Fault {
+    /// In one line, which has no room for the folder.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::Inside(source, fault) => {
+                let path = Path::new(&source.name);
+                let name = path.file_name().unwrap_or(path.as_os_str());
+                fault.text(&name.to_string_lossy(), &source.text)
+            }
+            Self::Whole(text) => text.clone(),
+        }
+    }
+
+    /// With the lines around it.
+    pub fn explained(&self) -> String {
+        match self {
+            Self::Inside(source, fault) => {
+                let colour = std::io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none();
+                fault.render(&source.name, &source.text, colour)
+            }
+            Self::Whole(text) => format!("sortie: {text}"),
+        }
+    }
+}
+
+/// Gathers what is set.
+///
+/// # Errors
+/// Something that was named on the command line or in the environment is wrong or not there.
+pub(super) fn gather(common: &Common) -> Result<Settings, Failure> {
+    let folders = Folders::find();
+    let named = common
+        .config
+        .clone()
+        .or_else(|| variable(CONFIG_VARIABLE).map(PathBuf::from));
+    let is_named = named.is_some();
+    let file = named.or_else(|| folders.as_ref().map(Folders::config_file));
+    let mut settings = Settings {
+        layers: Layers::default(),
+        config: Config::default(),
+        keymap: Keymap::default(),
+        themes: themes(),
+        theme: Theme::default(),
+        folders,
+        file,
+        faults: Vec::new(),
+        source: None,
+        is_named,
+    };
+    settings.read_file()?;
+    settings.read_words(common)?;
+    settings.config = settings.layers.config();
+    settings.choose_theme()?;
+    settings.check_log()?;
+    settings.read_keymap()?;
+    Ok(settings)
+}
+
+/// The themes on offer: the embedded ones and the user's.
+pub(super) fn themes() -> Themes {
+    let mut themes = Themes::default();
+    add_themes(&mut themes, store::themes());
+    themes
+}
+
+/// Adds files to the themes on offer.
+pub(super) fn add_themes(themes: &mut Themes, files: Vec<Source>) {
+    for file in files {
+        let name = file.stem().to_owned();
+        let path = file.name;
+        let text = file.text;
+        themes.add(name, ThemeFile { path, text });
+    }
+}
+
+/// The names of the themes on offer.
+pub(super) fn theme_names(themes: &Themes) -> Vec<String> {
+    themes.names().map(str::to_owned).collect()
+}
+
+impl Settings {
+    fn read_file(&mut self) -> Result<(), Failure> {
+        let Some(path) = self.file.clone() else {
+            return Ok(());
+        };
+        if !self.is_named && !path.exists() {
+            return Ok(());
+        }
+        let source = match store::read(&path, "configuration") {
+            Ok(source) => source,
+            Err(error) => return self.told(Fault::Whole(Text::verbatim(error.to_string()))),
+        };
+        let themes = theme_names(&self.themes);
+        let check = |setting: &str, word: &str| check(setting, word, &themes);
+        let read = self.layers.file(&source.name, &source.text, &check);
+        self.source = Some(source.clone());
+        let faults = read.err().unwrap_or_default();
+        self.all_told(&source, faults)
+    }
+
+    fn read_words(&mut self, common: &Common) -> Result<(), Failure> {
+        let environment = self.layers.environment(variable);
+        let mut faults = environment.err().unwrap_or_default();
+        for (setting, flag, value) in common.flags() {
+            faults.extend(self.layers.flag(setting, flag, value).err());
+        }
+        // POSIX: the first of these that is set decides, also where it names a language that is not ours.
+        let mut locale = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter();
+        let locale = locale.find_map(|name| Some((name, variable(name)?)));
+        if let Some((name, value)) = locale
+            && let Some(language) = Language::of(&value)
+        {
+            self.layers.follow("lang", name, language.code());
+        }
+        if faults.is_empty() {
+            return Ok(());
+        }
+        let lines = faults.iter().map(|fault| format!("sortie: {fault}"));
+        Err(Failure::Invalid(lines.collect::<Vec<_>>().join("\n")))
+    }
+
+    fn choose_theme(&mut self) -> Result<(), Failure> {
+        match self.themes.named(&self.config.theme) {
+            Ok(theme) => self.theme = theme,
+            Err(ThemeError::Faulty { file, faults }) => {
+                let source = Source {
+                    name: file.path,
+                    text: file.text,
+                };
+                if self.is_of_file("theme") {
+                    self.all_told(&source, faults)?;
+                } else {
+                    return Err(explained(&faults_of(&source, faults)));
+                }
+            }
+            Err(error) => return Err(Failure::Invalid(format!("sortie: {error}"))),
+        }
+        self.theme.name().clone_into(&mut self.config.theme);
+        Ok(())
+    }
+
+    fn check_log(&mut self) -> Result<(), Failure> {
+        if let Err(error) = EnvFilter::try_new(&self.config.log.level) {
+            let text = text!("config-log-level", error = error.to_string());
+            return Err(Failure::Invalid(format!("sortie: {text}")));
+        }
+        // A log of every session belongs into the folder for such things, not into the one that happens to be current.
+        if self.is_of_file("log.file")
+            && let (Some(folders), Some(file)) = (&self.folders, &mut self.config.log.file)
+        {
+            *file = folders.state.join(&file).display().to_string();
+        }
+        Ok(())
+    }
+
+    fn read_keymap(&mut self) -> Result<(), Failure> {
+        let Some(path) = self.keymap_file() else {
+            return Ok(());
+        };
+        let is_named = self.config.keymap.is_some();
+        if !is_named && !path.exists() {
+            return Ok(());
+        }
+        let source = match store::read(&path, "keymap") {
+            Ok(source) => source,
+            Err(error) if is_named => return self.wrong("keymap", &error.to_string()),
+            Err(error) => {
+                self.faults
+                    .push(Fault::Whole(Text::verbatim(error.to_string())));
+                return Ok(());
+            }
+        };
+        let themes = theme_names(&self.themes);
+        let faults = self.keymap.overlay(&source.text, &themes).err();
+        let faults = faults_of(&source, faults.unwrap_or_default());
+        if faults.is_empty() || !is_named || self.is_of_file("keymap") {
+            self.faults.extend(faults);
+            return Ok(());
+        }
+        Err(explained(&faults))
+    }
+
+    /// The keymap file, whether it is there or not. One that the configuration names lies beside it.
+    pub fn keymap_file(&self) -> Option<PathBuf> {
+        match &self.config.keymap {
+            Some(name) if self.is_of_file("keymap") => {
+                let folder = self.file.as_deref().and_then(Path::parent);
+                Some(folder.unwrap_or(Path::new("")).join(name))
+            }
+            Some(name) => Some(PathBuf::from(name)),
+            None => self.folders.as_ref().map(Folders::keymap_file),
+        }
+    }
+
+    fn is_of_file(&self, setting: &str) -> bool {
+        matches!(self.layers.origin(setting), Origin::File { .. })
+    }
+
+    /// The value of a setting is wrong: a fault of its place in the file, else of usage.
+    fn wrong(&mut self, setting: &str, text: &str) -> Result<(), Failure> {
+        let place: Option<Range<usize>> = match self.layers.origin(setting) {
+            Origin::File { span, .. } => Some(span.clone()),
+            _ => None,
+        };
+        match (place, self.source.clone()) {
+            (Some(span), Some(source)) => {
+                self.told(Fault::Inside(source, Diagnostic::new(span, text)))
+            }
+            _ => Err(Failure::Invalid(format!("sortie: {text}"))),
+        }
+    }
+
+    fn all_told(&mut self, source: &Source, faults: Vec<Diagnostic>) -> Result<(), Failure> {
+        let faults = faults_of(source, faults);
+        if self.is_named && !faults.is_empty() {
+            return Err(explained(&faults));
+        }
+        self.faults.extend(faults);
+        Ok(())
+    }
+
+    fn told(&mut self, fault: Fault) -> Result<(), Failure> {
+        if self.is_named {
+            return Err(Failure::Invalid(fault.explained()));
+        }
+        self.faults.push(fault);
+        Ok(())
+    }
+
+    /// Prints what is wrong with the files on standard error.
+    pub fn complain(&self) {
+        for fault in &self.faults {
+            eprintln!("{}", fault.explained());
+        }
+    }
+
+    /// What is wrong with the files, for the console to say.
+    pub fn warnings(&self) -> Vec<Text> {
+        let faults = self.faults.iter();
+        faults
+            .map(|fault| text!("config-faulty", fault = fault.text()))
+            .collect()
+    }
+}
+
+/// What is wrong with a configuration file.
+pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnostic>> {
+    let themes = theme_names(themes);
+    let check = |setting: &str, word: &str| check(setting, word, &themes);
+    let mut layers = Layers::default();
+    layers.file(&source.name, &source.text, &check).err()
+}
+
+/// Checks what a word of a configuration file names.
+fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic> {
+    let fault = |text| Err(Diagnostic::new(0..word.len(), text));
+    match setting {
+        "macros" => lines::check(word, themes),
+        "theme" if !themes.iter().any(|name| name == word) => {
+            let text = text!("theme-unknown", name = word);
+            let known = themes.iter().map(String::as_str);
+            fault(text).map_err(|fault| fault.with_nearest(word, known))
+        }
+        "log.level" => match EnvFilter::try_new(word) {
+            Ok(_) => Ok(()),
+            Err(error) => fault(text!("config-log-level", error = error.to_string())),
+        },
+        _ => Ok(()),
+    }
+}
+
+fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<Fault> {
+    let faults = faults.into_iter();
+    faults
+        .map(|fault| Fault::Inside(source.clone(), fault))
+        .collect()
+}
+
+fn explained(faults: &[Fault]) -> Failure {
+    let texts: Vec<String> = faults.iter().map(Fault::explained).collect();
+    Failure::Invalid(texts.join("\n\n"))
+}
+
+/// An environment variable that is set to something.
+fn variable(name: &str) -> Option<String> {
+    env::var(name).ok().filter(|value| !value.is_empty())
+}

@@ -1,0 +1,227 @@
+//! Every setting: its name, what it may be, and which environment variable sets it.
+
+use toml::Value;
+
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::text;
+use crate::text::Text;
+
+/// A setting of the configuration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Setting {
+    /// Its name with its section, `alerts.bell`.
+    pub name: &'static str,
+    /// What it may be.
+    pub kind: Kind,
+    /// The variable that sets it.
+    pub variable: Option<&'static str>,
+    /// What it is for, as a comment of a configuration file.
+    pub about: &'static str,
+}
+
+/// What a setting may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// One of these words.
+    OneOf(&'static [&'static str]),
+    /// Any text.
+    Text,
+    /// A whole number from one to another.
+    Whole(i64, i64),
+    /// `true` or `false`.
+    Flag,
+    /// A list of words.
+    Words,
+    /// A table of named lines: each a text or a list of texts.
+    Lines,
+}
+
+/// Every setting, in the order in which they are printed: first those without a section.
+pub const SETTINGS: &[Setting] = &[
+    setting(
+        "lang",
+        Kind::OneOf(&["en", "uk"]),
+        Some("SORTIE_LANG"),
+        "The language; unless it is set, that of the shell (LC_ALL, LC_MESSAGES, LANG).",
+    ),
+    setting(
+        "theme",
+        Kind::Text,
+        Some("SORTIE_THEME"),
+        "The theme: dark, light, high-contrast, monochrome, or a file of the folder themes.",
+    ),
+    setting(
+        "fps",
+        Kind::Whole(1, 60),
+        Some("SORTIE_FPS"),
+        "Frames per second at most.",
+    ),
+    setting(
+        "symbols",
+        Kind::OneOf(&["braille", "block", "ascii"]),
+        Some("SORTIE_SYMBOLS"),
+        "What curves and maps are drawn with; unless it is set, what the terminal can show.",
+    ),
+    setting(
+        "mouse",
+        Kind::Flag,
+        Some("SORTIE_MOUSE"),
+        "Whether the mouse is listened to.",
+    ),
+    setting(
+        "keymap",
+        Kind::Text,
+        Some("SORTIE_KEYMAP"),
+        "The keymap file, if not keymap.toml beside this file.",
+    ),
+    setting(
+        "table.columns",
+        Kind::Words,
+        None,
+        "The columns of the swarm table from the left; none means as many as fit.",
+    ),
+    setting(
+        "table.sort",
+        Kind::Text,
+        None,
+        "The column to sort by, with - before it for the largest first.",
+    ),
+    setting(
+        "alerts.bell",
+        Kind::Flag,
+        Some("SORTIE_BELL"),
+        "Whether serious alerts ring the bell.",
+    ),
+    setting(
+        "alerts.notify",
+        Kind::Flag,
+        Some("SORTIE_NOTIFY"),
+        "Whether serious alerts ask the terminal for a desktop notification.",
+    ),
+    setting(
+        "alerts.mute",
+        Kind::Words,
+        None,
+        "The kinds of alerts that stay silent.",
+    ),
+    setting(
+        "log.file",
+        Kind::Text,
+        Some("SORTIE_LOG_FILE"),
+        "The log; in this file, a relative path lies in the folder of the state.",
+    ),
+    setting(
+        "log.level",
+        Kind::Text,
+        Some("SORTIE_LOG"),
+        "What goes into the log: error, warn, info, debug, trace, or \"warn,sortie::link=debug\".",
+    ),
+    setting(
+        "macros",
+        Kind::Lines,
+        None,
+        "Lines of the command language by name: name = [\"all guided\", \"all arm\"].",
+    ),
+];
+
+const fn setting(
+    name: &'static str,
+    kind: Kind,
+    variable: Option<&'static str>,
+    about: &'static str,
+) -> Setting {
+    Setting {
+        name,
+        kind,
+        variable,
+        about,
+    }
+}
+
+impl Setting {
+    /// The setting of a name.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        SETTINGS.iter().find(|setting| setting.name == name)
+    }
+
+    /// Its section; empty for those without.
+    pub fn section(&self) -> &'static str {
+        match (self.name.split_once('.'), self.kind) {
+            (Some((section, _)), _) => section,
+            (None, Kind::Lines) => self.name,
+            (None, _) => "",
+        }
+    }
+
+    /// Its name within its section.
+    pub fn key(&self) -> &'static str {
+        self.name.rsplit('.').next().unwrap_or(self.name)
+    }
+}
+
+impl Kind {
+    /// Checks a value of a file.
+    ///
+    /// # Errors
+    /// It is of another kind; the span is left empty.
+    pub fn check(self, value: &Value) -> Result<(), Diagnostic> {
+        let fits = match (self, value) {
+            (Self::OneOf(choices), Value::String(word)) => {
+                let known = choices.contains(&word.as_str());
+                if !known && let Some(guess) = nearest(word, choices.iter().copied()) {
+                    let fault = Diagnostic::new(0..0, self.expected());
+                    return Err(fault.with_nearest(word, [guess]));
+                }
+                known
+            }
+            (Self::Text | Self::Lines, Value::String(_)) | (Self::Flag, Value::Boolean(_)) => true,
+            (Self::Whole(least, most), Value::Integer(number)) => (least..=most).contains(number),
+            (Self::Words, Value::Array(words)) => words.iter().all(Value::is_str),
+            (Self::Lines, Value::Array(lines)) => {
+                !lines.is_empty() && lines.iter().all(Value::is_str)
+            }
+            _ => false,
+        };
+        if fits {
+            Ok(())
+        } else {
+            Err(Diagnostic::new(0..0, self.expected()))
+        }
+    }
+
+    /// The value of a word of the environment or the command line; `None` if it is of another kind.
+    pub fn read(self, word: &str) -> Option<Value> {
+        let value = match self {
+            Self::OneOf(_) | Self::Text => Value::String(word.to_owned()),
+            Self::Whole(..) => Value::Integer(word.parse().ok()?),
+            Self::Flag => Value::Boolean(match word.to_lowercase().as_str() {
+                "true" | "yes" | "on" | "1" => true,
+                "false" | "no" | "off" | "0" => false,
+                _ => return None,
+            }),
+            Self::Words => {
+                let words = word
+                    .split(',')
+                    .map(str::trim)
+                    .filter(|word| !word.is_empty());
+                Value::Array(words.map(|word| Value::String(word.to_owned())).collect())
+            }
+            Self::Lines => return None,
+        };
+        self.check(&value).ok().map(|()| value)
+    }
+
+    /// What is expected, in words.
+    pub fn expected(self) -> Text {
+        match self {
+            Self::OneOf(choices) => text!("config-expected-word", choices = choices.join(", ")),
+            Self::Text => text!("config-expected-text"),
+            Self::Whole(least, most) => {
+                text!("config-expected-number", least = least, most = most)
+            }
+            Self::Flag => text!("config-expected-flag"),
+            Self::Words => text!("config-expected-words"),
+            Self::Lines => text!("config-expected-lines"),
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The effective configuration as a configuration file.
+
+use std::fmt::Write as _;
+
+use toml::Value;
+
+use super::{Kind, Layers, SETTINGS, Setting};
+
+impl Layers {
+    /// A configuration file that sets every value as it is, with a comment that says where it came from. What is not
+    /// set stands in a comment.
+    pub fn show(&self) -> String {
+        let mut text = String::new();
+        let mut section = "";
+        for setting in SETTINGS {
+            if setting.section() != section {
+                section = setting.section();
+                // Writing to a string cannot fail.
+                let _ = writeln!(text, "\n[{section}]");
+            } else if !text.is_empty() {
+                text.push('\n');
+            }
+            let _ = writeln!(text, "# {}", setting.about);
+            match setting.kind {
+                Kind::Lines => self.show_lines(setting, &mut text),
+                _ => self.show_value(setting, &mut text),
+            }
+        }
+        text
+    }
+
+    fn show_value(&self, setting: &Setting, text: &mut String) {
+        let key = setting.key();
+        let origin = self.origin(setting.name);
+        let _ = match self.value(setting.name) {
+            Some(value) => writeln!(text, "{key} = {value} # {origin}"),
+            None => writeln!(text, "# {key} is not set"),
+        };
+    }
+
+    fn show_lines(&self, setting: &Setting, text: &mut String) {
+        for name in self.names_in(setting.name) {
+            if let Some(value) = self.value(name) {
+                let key = &name[setting.name.len() + 1..];
+                let key = quoted(key);
+                let _ = writeln!(text, "{key} = {value} # {}", self.origin(name));
+            }
+        }
+    }
+}
+
+/// A key as TOML wants it.
+fn quoted(key: &str) -> String {
+    let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !key.is_empty() && key.chars().all(bare) {
+        key.to_owned()
+    } else {
+        Value::String(key.to_owned()).to_string()
+    }
+}

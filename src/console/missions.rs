@@ -1,0 +1,47 @@
+//! The missions on offer.
+
+use crate::app::state::MissionListing;
+use crate::mission::Mission;
+use crate::store;
+use crate::text;
+use crate::text::Text;
+
+/// The missions that can be flown, and what is wrong with the others.
+pub fn listings() -> (Vec<MissionListing>, Vec<Text>) {
+    let mut listings: Vec<MissionListing> = Vec::new();
+    let mut names: Vec<String> = Vec::new();
+    let mut warnings = Vec::new();
+    for source in store::missions() {
+        match Mission::parse(&source.text) {
+            Ok(mission) => {
+                let first = listings.iter().position(|known| known.id == mission.id);
+                if let Some(first) = first {
+                    let (id, flown) = (&mission.id, &names[first]);
+                    let other = &source.name;
+                    warnings.push(text!(
+                        "mission-twice",
+                        id = id,
+                        flown = flown,
+                        other = other
+                    ));
+                    continue;
+                }
+                listings.push(MissionListing {
+                    id: mission.id,
+                    title: mission.title,
+                    brief: mission.brief,
+                });
+                names.push(source.name);
+            }
+            Err(faults) => {
+                let first = faults.first();
+                let fault = first.map(|fault| fault.text(&source.name, &source.text));
+                warnings.extend(fault.map(|fault| text!("config-faulty", fault = fault)));
+                for fault in faults {
+                    tracing::warn!("{}", fault.one_line(&source.name, &source.text));
+                }
+            }
+        }
+    }
+    (listings, warnings)
+}

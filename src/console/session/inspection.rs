@@ -1,0 +1,100 @@
+//! Looks at the links: for the doctor once a second, and for the messages room as often as it wants to be drawn.
+
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+use tokio::sync::watch;
+
+use crate::app::event::Event;
+use crate::app::room::messages::{LinkTraffic, Wanted};
+use crate::doctor::{Chart, Way, diagnose};
+use crate::inspector::Key;
+use crate::link::{LinkStatus, Tap};
+
+/// The doctor looks this often.
+const EXAMINE_EVERY: Duration = Duration::from_secs(1);
+/// The messages are looked at this often,
+const LOOK_EVERY: Duration = Duration::from_millis(250);
+/// and this often where there are very many kinds of them.
+const LOOK_AT_MANY_EVERY: Duration = Duration::from_secs(1);
+const MANY: usize = 4000;
+
+/// The taps of a session's links, in their order.
+#[derive(Default)]
+pub(super) struct Inspection {
+    taps: Vec<Tap>,
+    charts: Vec<Chart>,
+    next_exam: Duration,
+    next_look: Duration,
+    watched: BTreeSet<(usize, Key)>,
+}
+
+impl Inspection {
+    /// Adds a link that was opened.
+    pub fn add(&mut self, status: &watch::Receiver<LinkStatus>, tap: Tap) {
+        self.charts.push(Chart::new(Way::of(&status.borrow().name)));
+        self.taps.push(tap);
+    }
+
+    /// What the doctor says, if it is time to ask.
+    pub fn examine(
+        &mut self,
+        links: &[watch::Receiver<LinkStatus>],
+        now: Duration,
+    ) -> Option<Event> {
+        if now < self.next_exam {
+            return None;
+        }
+        self.next_exam = now + EXAMINE_EVERY;
+        for ((tap, link), chart) in self.taps.iter().zip(links).zip(&mut self.charts) {
+            let status = link.borrow().clone();
+            chart.note(tap.observe(&status), now);
+        }
+        Some(Event::Findings(diagnose(&self.charts)))
+    }
+
+    /// A look at the messages, if it is time for one.
+    pub fn look(
+        &mut self,
+        links: &[watch::Receiver<LinkStatus>],
+        wanted: &Wanted,
+        now: Duration,
+    ) -> Option<Event> {
+        if now < self.next_look {
+            return None;
+        }
+        self.watch(&wanted.watched);
+        let looks = self.taps.iter().zip(links).map(|(tap, link)| {
+            let name = link.borrow().name.clone();
+            tap.look(|census, now| LinkTraffic {
+                name,
+                now,
+                census: wanted.census.then(|| census.snapshot()),
+                watched: census.take_watched(),
+            })
+        });
+        let traffic: Vec<LinkTraffic> = looks.collect();
+        let censuses = traffic.iter().filter_map(|link| link.census.as_ref());
+        let kinds: usize = censuses.map(|census| census.tallies().count()).sum();
+        self.next_look = now
+            + if kinds > MANY {
+                LOOK_AT_MANY_EVERY
+            } else {
+                LOOK_EVERY
+            };
+        Some(Event::Traffic(traffic))
+    }
+
+    /// Has every frame of these kinds kept, and of no others.
+    fn watch(&mut self, watched: &BTreeSet<(usize, Key)>) {
+        if self.watched == *watched {
+            return;
+        }
+        for (link, tap) in self.taps.iter().enumerate() {
+            let mine = watched.iter().filter(|(of, _)| *of == link);
+            let keys = mine.map(|(_, key)| *key).collect();
+            tap.look(|census, _| census.watch(&keys));
+        }
+        self.watched.clone_from(watched);
+    }
+}

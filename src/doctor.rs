@@ -1,0 +1,240 @@
+//! The link doctor: from what a link has carried to why nothing works, and what to try.
+//!
+//! A [`Chart`] per link keeps the last seconds of what was [`observe`]d; [`diagnose`] looks at all charts
+//! together, because one system id on two links is a fault of neither. It names causes, worst first; what a
+//! person reads of them is made from [`Finding`] by whoever speaks to people.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use mavlink::MavlinkVersion;
+
+use crate::inspector::{Census, Direction, Source, Tally};
+use crate::wire::{Anatomy, Counters};
+
+mod diagnosis;
+mod words;
+
+pub use diagnosis::{Cause, Finding, Weight, diagnose};
+
+/// A chart looks back so far.
+pub const WINDOW: Duration = Duration::from_secs(10);
+/// A sender that has been silent for so long is gone.
+const GONE_AFTER: Duration = Duration::from_secs(5);
+/// HEARTBEAT.
+const HEARTBEAT: u32 = 0;
+
+/// What kind of way a link is: the advice depends on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// Connects to a TCP server.
+    Tcp,
+    /// Waits for TCP clients.
+    TcpIn,
+    /// Sends UDP to one address.
+    Udp,
+    /// Waits for UDP.
+    UdpIn,
+    /// A serial port.
+    Serial,
+    /// A recording: nobody can answer.
+    File,
+    /// Inside this program.
+    Pipe,
+}
+
+impl Way {
+    /// The kind of a link's address as text, such as `udpin:127.0.0.1:14550`.
+    pub fn of(address: &str) -> Self {
+        match address.split(':').next() {
+            Some("tcp") => Self::Tcp,
+            Some("tcpin") => Self::TcpIn,
+            Some("udp" | "udpbcast") => Self::Udp,
+            Some("udpin") => Self::UdpIn,
+            Some("serial") => Self::Serial,
+            Some("file") => Self::File,
+            _ => Self::Pipe,
+        }
+    }
+}
+
+/// What a sender is, by its heartbeats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// It flies something.
+    Autopilot,
+    /// A ground station.
+    GroundStation,
+    /// A camera, a gimbal, a companion computer.
+    Other,
+    /// No heartbeat has come from it.
+    Silent,
+}
+
+/// Somebody who is heard on a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sender {
+    /// Who it is, and by which peer it comes.
+    pub source: Source,
+    /// What it is.
+    pub role: Role,
+    /// How long it has been known.
+    pub known_for: Duration,
+    /// Heartbeats per second.
+    pub heartbeat_hz: f64,
+    /// Whether its last heartbeat was signed.
+    pub signed: bool,
+    /// Whether it speaks MAVLink 1.
+    pub version1: bool,
+    /// How long ago it last answered us; `None` if it never did.
+    pub answered_ago: Option<Duration>,
+    /// Messages that went to its peer, heartbeats not counted.
+    pub asked: u64,
+}
+
+/// What a link looked like at one time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Observation {
+    /// Whether it carries data.
+    pub up: bool,
+    /// What its decoders have counted.
+    pub counters: Counters,
+    /// Frames missing by their numbering.
+    pub lost: u64,
+    /// Who is heard.
+    pub senders: Vec<Sender>,
+    /// The last bytes in which no frame was found.
+    pub noise: Vec<u8>,
+}
+
+/// Looks at who is heard by a link; `now` is on the census's clock.
+pub fn observe(census: &Census, now: Duration) -> Vec<Sender> {
+    census
+        .sources()
+        .filter(|source| source.direction == Direction::In)
+        .filter_map(|source| sender(census, source, now))
+        .collect()
+}
+
+fn sender(census: &Census, source: Source, now: Duration) -> Option<Sender> {
+    let tallies = || census.of(source).map(|(_, tally)| tally);
+    let last_at = tallies().map(|tally| tally.last_at).max()?;
+    if now.saturating_sub(last_at) > GONE_AFTER {
+        return None;
+    }
+    let first_at = tallies().map(|tally| tally.first_at).min()?;
+    let newest = tallies().max_by_key(|tally| tally.last_at)?;
+    let (version, signed) = dress(newest)?;
+    let heartbeat = census.of(source).find(|(id, _)| *id == HEARTBEAT);
+    let heartbeat = heartbeat.map(|(_, tally)| tally);
+    Some(Sender {
+        source,
+        role: heartbeat.map_or(Role::Silent, role),
+        known_for: now.saturating_sub(first_at),
+        heartbeat_hz: heartbeat.map_or(0.0, |tally| tally.rate(now).hz),
+        signed,
+        version1: version == MavlinkVersion::V1,
+        answered_ago: census.answered_at(source).map(|at| now.saturating_sub(at)),
+        asked: census.asked(source.peer),
+    })
+}
+
+fn dress(tally: &Tally) -> Option<(MavlinkVersion, bool)> {
+    Anatomy::of(&tally.last).map(|frame| (frame.version, frame.signed))
+}
+
+fn role(heartbeat: &Tally) -> Role {
+    /// `MAV_TYPE_GCS`.
+    const GROUND_STATION: u8 = 6;
+    /// `MAV_AUTOPILOT_INVALID`.
+    const NONE: u8 = 8;
+    let byte = |at| {
+        let frame = Anatomy::of(&heartbeat.last);
+        frame.and_then(|frame| frame.payload.get(at).copied())
+    };
+    match (byte(4), byte(5)) {
+        (Some(GROUND_STATION), _) => Role::GroundStation,
+        (_, Some(NONE)) => Role::Other,
+        _ => Role::Autopilot,
+    }
+}
+
+/// The last seconds of one link.
+#[derive(Debug, Clone)]
+pub struct Chart {
+    way: Way,
+    seen: VecDeque<(Duration, Observation)>,
+    up_since: Option<Duration>,
+}
+
+/// What changed on a link within the window.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Change {
+    bytes: u64,
+    frames: u64,
+    crc_errors: u64,
+    skipped: u64,
+    unknown: u64,
+    lost: u64,
+}
+
+impl Chart {
+    /// The chart of a link that is opened.
+    pub fn new(way: Way) -> Self {
+        Self {
+            way,
+            seen: VecDeque::new(),
+            up_since: None,
+        }
+    }
+
+    /// What kind of way the link is.
+    pub fn way(&self) -> Way {
+        self.way
+    }
+
+    /// Takes an observation in; about one a second is enough.
+    pub fn note(&mut self, observation: Observation, now: Duration) {
+        if !observation.up {
+            self.up_since = None;
+            self.seen.clear();
+        } else if self.up_since.is_none() {
+            self.up_since = Some(now);
+        }
+        self.seen.push_back((now, observation));
+        // One that is older than the window stays, so that a whole window is looked at.
+        while self.seen.get(1).is_some_and(|(at, _)| *at + WINDOW <= now) {
+            self.seen.pop_front();
+        }
+    }
+
+    fn last(&self) -> Option<&Observation> {
+        self.seen.back().map(|(_, observation)| observation)
+    }
+
+    /// How long it has been up at the last observation.
+    fn up_for(&self) -> Duration {
+        let last_at = self.seen.back().map_or(Duration::ZERO, |(at, _)| *at);
+        self.up_since
+            .map_or(Duration::ZERO, |since| last_at.saturating_sub(since))
+    }
+
+    fn change(&self) -> Change {
+        let (Some((_, first)), Some((_, last))) = (self.seen.front(), self.seen.back()) else {
+            return Change::default();
+        };
+        let (from, to) = (first.counters, last.counters);
+        Change {
+            bytes: to.bytes.saturating_sub(from.bytes),
+            frames: to.frames.saturating_sub(from.frames),
+            crc_errors: to.crc_errors.saturating_sub(from.crc_errors),
+            skipped: to.skipped_bytes.saturating_sub(from.skipped_bytes),
+            unknown: to.unknown_messages.saturating_sub(from.unknown_messages),
+            lost: last.lost.saturating_sub(first.lost),
+        }
+    }
+
+    fn senders(&self) -> &[Sender] {
+        self.last().map_or(&[], |last| &last.senders)
+    }
+}

@@ -1,0 +1,308 @@
+//! What the charts say.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::{Change, Chart, Role, Sender, Way};
+use crate::inspector::Source;
+use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
+
+/// Before this a link is only being listened to: heartbeats come once a second.
+const PATIENCE: Duration = Duration::from_secs(4);
+/// So long a vehicle may take to answer: it is asked every five seconds.
+const ANSWER_WITHIN: Duration = Duration::from_secs(12);
+/// So many messages are enough to expect an answer.
+const ASKED_ENOUGH: u64 = 3;
+/// More frames than this share with a wrong checksum are a fault; a radio at its limit stays below.
+const MOST_DAMAGED: f64 = 0.05;
+/// More frames than this share missing are a fault.
+const MOST_LOST: f64 = 0.10;
+/// An autopilot's heartbeat comes once a second; two of them make two.
+const TWO_HEARTBEATS_HZ: f64 = 1.5;
+/// A vehicle that has changed its port is heard by both for a while; two vehicles are for longer.
+const BOTH_FOR: Duration = Duration::from_secs(6);
+/// So many bytes tell noise from a start in the middle of a frame.
+const NOISE_ENOUGH: u64 = 40;
+/// So many frames of unknown messages are no accident.
+const FOREIGN_ENOUGH: u64 = 3;
+
+/// What was found out about a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// The link, by its place in the list of charts.
+    pub link: usize,
+    /// Its way, on which the advice depends.
+    pub way: Way,
+    /// What it is.
+    pub cause: Cause,
+}
+
+/// How much a finding matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Weight {
+    /// Nothing works.
+    Fatal,
+    /// Something does not work as it should.
+    Fault,
+    /// Worth knowing.
+    Remark,
+    /// All is well, or it is too early to tell.
+    Fine,
+}
+
+/// Why a link does or does not work.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cause {
+    /// The link is not open; its own error says why.
+    NotOpen,
+    /// Nothing arrives at all.
+    Nothing,
+    /// What arrives is readable text.
+    Text,
+    /// Bytes arrive, but no frame is in them.
+    NoFrame,
+    /// The same on a serial port.
+    WrongBaud,
+    /// Frames of messages that the dialect does not have, and of no others.
+    UnknownDialect,
+    /// Some frames are of messages that the dialect does not have: this share, in percent.
+    ForeignMessages(u8),
+    /// Ground stations, but nothing that flies.
+    OnlyGroundStations,
+    /// Nothing but heartbeats with our own address.
+    OwnEcho,
+    /// Components such as cameras, but no autopilot.
+    NoAutopilot,
+    /// Two vehicles have this system id.
+    DuplicateSystem(SystemId),
+    /// The vehicle signs its frames and does not answer ours, which are not signed.
+    Signed(SystemId),
+    /// The vehicle signs its frames, but takes ours unsigned.
+    SignedButAnswers(SystemId),
+    /// The vehicle is heard but does not answer.
+    OneWay(SystemId),
+    /// The vehicle speaks MAVLink 1 only.
+    Version1(SystemId),
+    /// This share of the frames arrives damaged, in percent.
+    Damaged(u8),
+    /// This share of the frames does not arrive, in percent.
+    Lossy(u8),
+    /// A recording is played: nobody answers.
+    Recording,
+    /// It is too early to say anything.
+    Listening,
+    /// So many vehicles are heard and answer.
+    Well(usize),
+}
+
+impl Cause {
+    /// How much it matters.
+    pub fn weight(&self) -> Weight {
+        match self {
+            Self::NotOpen
+            | Self::Nothing
+            | Self::Text
+            | Self::NoFrame
+            | Self::WrongBaud
+            | Self::UnknownDialect
+            | Self::OnlyGroundStations
+            | Self::OwnEcho
+            | Self::NoAutopilot => Weight::Fatal,
+            Self::DuplicateSystem(_)
+            | Self::Signed(_)
+            | Self::OneWay(_)
+            | Self::Damaged(_)
+            | Self::Lossy(_) => Weight::Fault,
+            Self::ForeignMessages(_)
+            | Self::SignedButAnswers(_)
+            | Self::Version1(_)
+            | Self::Recording => Weight::Remark,
+            Self::Listening | Self::Well(_) => Weight::Fine,
+        }
+    }
+}
+
+/// What is wrong with each link, worst first; every link has at least one finding.
+pub fn diagnose(charts: &[Chart]) -> Vec<Finding> {
+    let duplicates = duplicates(charts);
+    let mut findings = Vec::new();
+    for (link, chart) in charts.iter().enumerate() {
+        let shared = duplicates.iter().filter(|(_, links)| links.contains(&link));
+        let mut causes: Vec<Cause> = shared
+            .map(|(&system, _)| Cause::DuplicateSystem(system))
+            .collect();
+        causes.extend(examine(chart));
+        if causes.is_empty() {
+            causes.push(Cause::Well(autopilots(chart).count()));
+        }
+        findings.extend(causes.into_iter().map(|cause| Finding {
+            link,
+            way: chart.way(),
+            cause,
+        }));
+    }
+    findings.sort_by_key(|finding| finding.cause.weight());
+    findings
+}
+
+/// The faults of one link, seen by itself.
+fn examine(chart: &Chart) -> Vec<Cause> {
+    let Some(last) = chart.last() else {
+        return vec![Cause::Listening];
+    };
+    if !last.up {
+        return vec![Cause::NotOpen];
+    }
+    if autopilots(chart).next().is_none() {
+        return vec![nobody(chart)];
+    }
+    let change = chart.change();
+    let mut causes: Vec<Cause> = autopilots(chart)
+        .filter_map(|sender| answering(chart.way(), sender))
+        .collect();
+    let is_cut = |cause: &Cause| chart.way() == Way::File && matches!(cause, Cause::Lossy(_));
+    causes.extend(quality(&change).into_iter().filter(|cause| !is_cut(cause)));
+    causes.extend(
+        autopilots(chart)
+            .filter(|sender| sender.version1)
+            .map(|sender| Cause::Version1(sender.source.system)),
+    );
+    if chart.way() == Way::File {
+        causes.push(Cause::Recording);
+    }
+    causes
+}
+
+/// Why no vehicle is heard.
+fn nobody(chart: &Chart) -> Cause {
+    if chart.up_for() < PATIENCE {
+        return Cause::Listening;
+    }
+    let change = chart.change();
+    if change.frames > 0 || !chart.senders().is_empty() {
+        return strangers(chart);
+    }
+    // In noise a beginning of a frame is found here and there, but most bytes belong to none.
+    let has_frames = change.bytes > 2 * change.skipped;
+    if change.bytes == 0 {
+        Cause::Nothing
+    } else if has_frames && change.crc_errors.max(change.unknown) >= FOREIGN_ENOUGH {
+        if change.crc_errors > change.unknown {
+            Cause::Damaged(100)
+        } else {
+            Cause::UnknownDialect
+        }
+    } else if change.bytes < NOISE_ENOUGH {
+        Cause::Listening
+    } else if chart.last().is_some_and(|last| is_text(&last.noise)) {
+        Cause::Text
+    } else if chart.way() == Way::Serial {
+        Cause::WrongBaud
+    } else {
+        Cause::NoFrame
+    }
+}
+
+/// Somebody is heard who is no vehicle.
+fn strangers(chart: &Chart) -> Cause {
+    let senders = chart.senders();
+    let is_us = |source: Source| {
+        (source.system, source.component) == (GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT)
+    };
+    let others = senders.iter().filter(|sender| sender.role == Role::Other);
+    if senders.is_empty() || others.count() > 0 {
+        return Cause::NoAutopilot;
+    }
+    let ground_stations = senders
+        .iter()
+        .filter(|sender| sender.role == Role::GroundStation);
+    match ground_stations.clone().count() {
+        0 => Cause::NoAutopilot,
+        1 if ground_stations.clone().all(|sender| is_us(sender.source))
+            && matches!(chart.way(), Way::Serial | Way::Udp) =>
+        {
+            Cause::OwnEcho
+        }
+        _ => Cause::OnlyGroundStations,
+    }
+}
+
+/// Whether a vehicle hears us.
+fn answering(way: Way, sender: &Sender) -> Option<Cause> {
+    let system = sender.source.system;
+    let answers = sender.answered_ago.is_some_and(|ago| ago < ANSWER_WITHIN);
+    if answers || way == Way::File {
+        return sender.signed.then_some(Cause::SignedButAnswers(system));
+    }
+    if sender.known_for < ANSWER_WITHIN || sender.asked < ASKED_ENOUGH {
+        return sender.signed.then_some(Cause::Signed(system));
+    }
+    Some(if sender.signed {
+        Cause::Signed(system)
+    } else {
+        Cause::OneWay(system)
+    })
+}
+
+/// How much of what was sent arrives whole, and is understood.
+fn quality(change: &Change) -> Vec<Cause> {
+    let share = |part: u64, of: u64| part as f64 / of.max(1) as f64;
+    let percent = |share: f64| (share * 100.0).round().clamp(0.0, 100.0) as u8;
+    let damaged = share(change.crc_errors, change.frames + change.crc_errors);
+    let lost = share(change.lost, change.frames + change.lost);
+    let foreign = share(change.unknown, change.frames + change.unknown);
+    let mut causes = Vec::new();
+    if damaged > MOST_DAMAGED {
+        causes.push(Cause::Damaged(percent(damaged)));
+    } else if lost > MOST_LOST {
+        causes.push(Cause::Lossy(percent(lost)));
+    }
+    if change.unknown >= FOREIGN_ENOUGH && foreign > 0.01 {
+        causes.push(Cause::ForeignMessages(percent(foreign).max(1)));
+    }
+    causes
+}
+
+/// System ids that two vehicles have, and the links on which they are heard. Two at one end of one link show
+/// by twice as many heartbeats and by a numbering that jumps to and fro.
+fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
+    let mut places: BTreeMap<SystemId, Vec<(usize, u32)>> = BTreeMap::new();
+    let mut doubled: BTreeMap<SystemId, Vec<usize>> = BTreeMap::new();
+    for (link, chart) in charts.iter().enumerate() {
+        if chart.way() == Way::File {
+            continue;
+        }
+        let change = chart.change();
+        for sender in autopilots(chart) {
+            let place = (link, sender.source.peer);
+            let known = places.entry(sender.source.system).or_default();
+            if sender.known_for >= BOTH_FOR && !known.contains(&place) {
+                known.push(place);
+            }
+            let jumps = change.lost > change.frames / 2;
+            if jumps && sender.heartbeat_hz >= TWO_HEARTBEATS_HZ {
+                doubled.entry(sender.source.system).or_default().push(link);
+            }
+        }
+    }
+    for (system, places) in places {
+        if places.len() > 1 {
+            let links = doubled.entry(system).or_default();
+            links.extend(places.iter().map(|(link, _)| *link));
+            links.sort_unstable();
+            links.dedup();
+        }
+    }
+    doubled
+}
+
+fn autopilots(chart: &Chart) -> impl Iterator<Item = &Sender> {
+    let senders = chart.senders().iter();
+    senders.filter(|sender| sender.role == Role::Autopilot)
+}
+
+/// Whether bytes are readable text: a console, a boot loader, a GPS receiver.
+fn is_text(bytes: &[u8]) -> bool {
+    let readable = |byte: &&u8| matches!(byte, b' '..=b'~' | b'\r' | b'\n' | b'\t');
+    !bytes.is_empty() && bytes.iter().filter(readable).count() * 10 >= bytes.len() * 9
+}

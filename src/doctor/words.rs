@@ -1,0 +1,100 @@
+//! What a person reads of a finding: what it is, and what to try.
+
+use super::{Cause, Finding, Way};
+use crate::text;
+use crate::text::Text;
+
+impl Cause {
+    /// A name that stays the same when its figures change.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::NotOpen => "not-open",
+            Self::Nothing => "nothing",
+            Self::Text => "text",
+            Self::NoFrame => "no-frame",
+            Self::WrongBaud => "wrong-baud",
+            Self::UnknownDialect => "unknown-dialect",
+            Self::ForeignMessages(_) => "foreign-messages",
+            Self::OnlyGroundStations => "only-ground-stations",
+            Self::OwnEcho => "own-echo",
+            Self::NoAutopilot => "no-autopilot",
+            Self::DuplicateSystem(_) => "duplicate-system",
+            Self::Signed(_) => "signed",
+            Self::SignedButAnswers(_) => "signed-but-answers",
+            Self::OneWay(_) => "one-way",
+            Self::Version1(_) => "version-1",
+            Self::Damaged(_) => "damaged",
+            Self::Lossy(_) => "lossy",
+            Self::Recording => "recording",
+            Self::Listening => "listening",
+            Self::Well(_) => "well",
+        }
+    }
+
+    /// What it is.
+    pub fn says(&self) -> Text {
+        match *self {
+            Self::NotOpen => text!("doctor-not-open"),
+            Self::Nothing => text!("doctor-nothing"),
+            Self::Text => text!("doctor-text"),
+            Self::NoFrame => text!("doctor-no-frame"),
+            Self::WrongBaud => text!("doctor-wrong-baud"),
+            Self::UnknownDialect => text!("doctor-unknown-dialect"),
+            Self::ForeignMessages(percent) => text!("doctor-foreign-messages", percent = percent),
+            Self::OnlyGroundStations => text!("doctor-only-ground-stations"),
+            Self::OwnEcho => text!("doctor-own-echo"),
+            Self::NoAutopilot => text!("doctor-no-autopilot"),
+            Self::DuplicateSystem(system) => text!("doctor-duplicate-system", system = system),
+            Self::Signed(system) => text!("doctor-signed", system = system),
+            Self::SignedButAnswers(system) => text!("doctor-signed-but-answers", system = system),
+            Self::OneWay(system) => text!("doctor-one-way", system = system),
+            Self::Version1(system) => text!("doctor-version-1", system = system),
+            Self::Damaged(percent) => text!("doctor-damaged", percent = percent),
+            Self::Lossy(percent) => text!("doctor-lossy", percent = percent),
+            Self::Recording => text!("doctor-recording"),
+            Self::Listening => text!("doctor-listening"),
+            Self::Well(count) => text!("doctor-well", count = count),
+        }
+    }
+}
+
+impl Finding {
+    /// What to try; nothing where nothing is wrong.
+    pub fn advice(&self) -> Text {
+        match self.cause {
+            Cause::NotOpen => text!("doctor-try-not-open"),
+            Cause::Nothing => silence(self.way),
+            Cause::Text => text!("doctor-try-text"),
+            Cause::NoFrame => text!("doctor-try-no-frame"),
+            Cause::WrongBaud => text!("doctor-try-wrong-baud"),
+            Cause::UnknownDialect | Cause::ForeignMessages(_) => text!("doctor-try-dialect"),
+            Cause::OnlyGroundStations => text!("doctor-try-ground-stations"),
+            Cause::OwnEcho => text!("doctor-try-echo"),
+            Cause::NoAutopilot => text!("doctor-try-autopilot"),
+            Cause::DuplicateSystem(_) => text!("doctor-try-duplicate"),
+            Cause::Signed(_) => text!("doctor-try-signed"),
+            Cause::OneWay(_) if self.way == Way::Serial => text!("doctor-try-one-way-serial"),
+            Cause::OneWay(_) => text!("doctor-try-one-way"),
+            Cause::Version1(_) => text!("doctor-try-version-1"),
+            Cause::Damaged(_) | Cause::Lossy(_) if self.way == Way::Serial => {
+                text!("doctor-try-damaged-serial")
+            }
+            Cause::Damaged(_) | Cause::Lossy(_) => text!("doctor-try-damaged"),
+            Cause::SignedButAnswers(_) | Cause::Recording | Cause::Listening | Cause::Well(_) => {
+                Text::default()
+            }
+        }
+    }
+}
+
+/// What to try where nothing arrives.
+fn silence(way: Way) -> Text {
+    match way {
+        Way::Tcp => text!("doctor-try-silence-tcp"),
+        Way::TcpIn => text!("doctor-try-silence-tcpin"),
+        Way::Udp => text!("doctor-try-silence-udp"),
+        Way::UdpIn => text!("doctor-try-silence-udpin"),
+        Way::Serial => text!("doctor-try-silence-serial"),
+        Way::File | Way::Pipe => text!("doctor-try-silence"),
+    }
+}

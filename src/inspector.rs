@@ -1,0 +1,15 @@
+//! The inspector: what every message on the links says, and how often it comes.
+//!
+//! A [`Census`] counts the frames of one link, received and sent, and keeps the last of each kind. Its frames
+//! are taken apart by the [`Definitions`] rather than by the dialect crate, which keeps neither names nor
+//! units: [`reading::read`] gives every field with name, value, unit and the names of enum values and bits, also
+//! of messages that the dialect cannot decode. Sources are never merged: the same system id from two peers, or
+//! in two directions, is two sources.
+
+mod census;
+mod definitions;
+mod reading;
+
+pub use census::{Census, Direction, Key, Rate, Source, Tally, Watched};
+pub use definitions::{Definitions, Enum, Field, Kind, Message};
+pub use reading::{Element, Reading, Value, figure, name_of, read};

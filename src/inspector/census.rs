@@ -1,0 +1,393 @@
+//! How often each message comes, from whom, and what the last one of each kind was.
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::time::Duration;
+
+use crate::wire::{Anatomy, ComponentId, SystemId};
+
+/// Rates are taken over so many whole seconds.
+const WINDOW_S: u64 = 5;
+/// The seconds of the window, the one that runs, and one that makes the division cheap.
+const SLOTS: usize = 8;
+/// Kinds of messages that one link keeps; beyond that new ones are only counted. 250 vehicles send about 10 000.
+const MOST_KINDS: usize = 20_000;
+/// Kinds whose checksum cannot be verified: noise looks like any of them.
+const MOST_UNVERIFIED: usize = 256;
+/// Noise seldom looks so often like the same message of the same sender.
+const KEEPS_COMING: u64 = 3;
+/// When there is no room left, what has been silent for so long makes some.
+const STALE: Duration = Duration::from_secs(60);
+/// Room is looked for no more often than this.
+const SWEEP_EVERY: Duration = Duration::from_secs(1);
+/// Frames of one kind that are kept for a graph between two looks.
+const MOST_WATCHED: usize = 512;
+
+/// Whether frames came in or went out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Direction {
+    /// Received.
+    In,
+    /// Sent by this program.
+    Out,
+}
+
+/// One sender at one end of a link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Source {
+    /// Whether it speaks to us, or is us.
+    pub direction: Direction,
+    /// The peer of the link that sent the frames, or to whom they went.
+    pub peer: u32,
+    /// The sender's system id.
+    pub system: SystemId,
+    /// The sender's component id.
+    pub component: ComponentId,
+}
+
+/// One kind of message from one source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Key {
+    /// Who sent it.
+    pub source: Source,
+    /// The message id.
+    pub message: u32,
+}
+
+/// What is known of one kind of message.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tally {
+    /// How many came.
+    pub count: u64,
+    /// Their bytes on the wire.
+    pub bytes: u64,
+    /// When the first one came.
+    pub first_at: Duration,
+    /// When the last one came.
+    pub last_at: Duration,
+    /// Whether the checksum of the last one was verified by the dialect.
+    pub is_verified: bool,
+    /// The last one, byte by byte.
+    pub last: Vec<u8>,
+    was_admitted_verified: bool,
+    slots: [Slot; SLOTS],
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Slot {
+    second: u64,
+    count: u32,
+    bytes: u32,
+}
+
+/// How much comes per second.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Rate {
+    /// Messages per second.
+    pub hz: f64,
+    /// Bytes per second.
+    pub bytes_s: f64,
+}
+
+impl std::ops::AddAssign for Rate {
+    fn add_assign(&mut self, more: Self) {
+        self.hz += more.hz;
+        self.bytes_s += more.bytes_s;
+    }
+}
+
+impl Tally {
+    fn new(is_verified: bool, now: Duration) -> Self {
+        Self {
+            count: 0,
+            bytes: 0,
+            first_at: now,
+            last_at: now,
+            is_verified,
+            was_admitted_verified: is_verified,
+            last: Vec::new(),
+            slots: [Slot::default(); SLOTS],
+        }
+    }
+
+    fn note(&mut self, frame: &[u8], is_verified: bool, now: Duration) {
+        self.count += 1;
+        self.bytes += frame.len() as u64;
+        self.last_at = now;
+        self.is_verified = is_verified;
+        self.last.clear();
+        self.last.extend_from_slice(frame);
+        let second = now.as_secs();
+        let slot = &mut self.slots[(second % SLOTS as u64) as usize];
+        if slot.second != second {
+            *slot = Slot {
+                second,
+                ..Slot::default()
+            };
+        }
+        slot.count = slot.count.saturating_add(1);
+        slot.bytes = slot.bytes.saturating_add(frame.len() as u32);
+    }
+
+    /// How much came per second over the last five whole seconds; less while it is young.
+    pub fn rate(&self, now: Duration) -> Rate {
+        let running = now.as_secs();
+        let window = running.saturating_sub(WINDOW_S)..running;
+        let (mut count, mut bytes) = (0.0, 0.0);
+        // The second that runs counts only while there is no whole one.
+        let is_young = self.first_at.as_secs() >= running;
+        for slot in self.slots.iter().filter(|slot| slot.count > 0) {
+            if window.contains(&slot.second) || is_young && slot.second == running {
+                count += f64::from(slot.count);
+                bytes += f64::from(slot.bytes);
+            }
+        }
+        let whole = running.saturating_sub(self.first_at.as_secs());
+        // The first second was not whole: it began with the first message.
+        let seconds = match whole {
+            0 => 1.0,
+            1..=WINDOW_S => Duration::from_secs(running)
+                .saturating_sub(self.first_at)
+                .as_secs_f64()
+                .max(1.0),
+            _ => WINDOW_S as f64,
+        };
+        Rate {
+            hz: count / seconds,
+            bytes_s: bytes / seconds,
+        }
+    }
+}
+
+/// The frames of one watched kind since the last look.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Watched {
+    /// The kind.
+    pub key: Key,
+    /// When each came, and its bytes; oldest first.
+    pub frames: VecDeque<(Duration, Vec<u8>)>,
+    /// How many more came than were kept.
+    pub dropped: u64,
+}
+
+/// Counts the messages of one link.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Census {
+    tallies: BTreeMap<Key, Tally>,
+    sources: BTreeMap<Source, Witness>,
+    peers: BTreeMap<u32, String>,
+    unverified: usize,
+    uncounted: u64,
+    next_sweep: Duration,
+    watched: BTreeMap<Key, Watched>,
+    noise: Vec<u8>,
+}
+
+/// What only every frame can tell of a source.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Witness {
+    answered_at: Option<Duration>,
+}
+
+impl Census {
+    /// Takes note of one frame. `is_verified` says whether the dialect could check it.
+    pub fn note(
+        &mut self,
+        (direction, peer): (Direction, u32),
+        bytes: &[u8],
+        is_verified: bool,
+        now: Duration,
+    ) {
+        let Some(frame) = Anatomy::of(bytes) else {
+            return;
+        };
+        let source = Source {
+            direction,
+            peer,
+            system: frame.system,
+            component: frame.component,
+        };
+        let key = Key {
+            source,
+            message: frame.id,
+        };
+        if !self.tallies.contains_key(&key) && !self.admit(is_verified, now) {
+            self.uncounted += 1;
+            return;
+        }
+        let tallies = &mut self.tallies;
+        let tally = tallies
+            .entry(key)
+            .or_insert_with(|| Tally::new(is_verified, now));
+        tally.note(bytes, is_verified, now);
+        if is_verified {
+            let witness = self.sources.entry(source).or_default();
+            if direction == Direction::In && answers(&frame) {
+                witness.answered_at = Some(now);
+            }
+        }
+        if let Some(watched) = self.watched.get_mut(&key) {
+            watched.frames.push_back((now, bytes.to_vec()));
+            if watched.frames.len() > MOST_WATCHED {
+                watched.frames.pop_front();
+                watched.dropped += 1;
+            }
+        }
+    }
+
+    /// Whether one more kind has room.
+    fn admit(&mut self, is_verified: bool, now: Duration) -> bool {
+        if !self.has_room(is_verified) && now >= self.next_sweep {
+            self.next_sweep = now + SWEEP_EVERY;
+            self.sweep(now);
+        }
+        let has_room = self.has_room(is_verified);
+        self.unverified += usize::from(has_room && !is_verified);
+        has_room
+    }
+
+    fn has_room(&self, is_verified: bool) -> bool {
+        self.tallies.len() < MOST_KINDS && (is_verified || self.unverified < MOST_UNVERIFIED)
+    }
+
+    /// Forgets what has been silent for long: peers come and go under new numbers.
+    fn sweep(&mut self, now: Duration) {
+        self.tallies
+            .retain(|_, tally| now.saturating_sub(tally.last_at) < STALE);
+        let sources: BTreeSet<Source> = self.tallies.keys().map(|key| key.source).collect();
+        let peers: BTreeSet<u32> = sources.iter().map(|source| source.peer).collect();
+        self.sources.retain(|source, _| sources.contains(source));
+        self.peers.retain(|peer, _| peers.contains(peer));
+        let tallies = self.tallies.values();
+        self.unverified = tallies.filter(|tally| !tally.was_admitted_verified).count();
+    }
+
+    /// Keeps the beginning of bytes in which no frame was found.
+    pub fn note_noise(&mut self, bytes: &[u8]) {
+        const KEPT: usize = 256;
+        self.noise.clear();
+        self.noise
+            .extend_from_slice(&bytes[..bytes.len().min(KEPT)]);
+    }
+
+    /// Says what a peer is called: its network address.
+    pub fn name_peer(&mut self, peer: u32, name: String) {
+        self.peers.insert(peer, name);
+    }
+
+    /// What a peer is called, if it has a name.
+    pub fn peer_name(&self, peer: u32) -> Option<&str> {
+        self.peers.get(&peer).map(String::as_str)
+    }
+
+    /// Every kind of message, ordered by source and id.
+    pub fn tallies(&self) -> impl Iterator<Item = (Key, &Tally)> {
+        self.tallies.iter().map(|(&key, tally)| (key, tally))
+    }
+
+    /// One kind of message.
+    pub fn tally(&self, key: Key) -> Option<&Tally> {
+        self.tallies.get(&key)
+    }
+
+    /// Whether a kind is more than a pattern in noise: its checksum was right, or its sender is known by others, or
+    /// it keeps coming.
+    pub fn is_credible(&self, key: Key, tally: &Tally) -> bool {
+        tally.is_verified || tally.count >= KEEPS_COMING || self.sources.contains_key(&key.source)
+    }
+
+    /// Everybody whose frames were verified, received and sent.
+    pub fn sources(&self) -> impl Iterator<Item = Source> {
+        self.sources.keys().copied()
+    }
+
+    /// When a source last sent something that only somebody sends who hears us.
+    pub fn answered_at(&self, source: Source) -> Option<Duration> {
+        self.sources.get(&source)?.answered_at
+    }
+
+    /// Frames of kinds for which there was no room.
+    pub fn uncounted(&self) -> u64 {
+        self.uncounted
+    }
+
+    /// The last bytes in which no frame was found.
+    pub fn noise(&self) -> &[u8] {
+        &self.noise
+    }
+
+    /// Keeps every frame of these kinds from now on, and of no others.
+    pub fn watch(&mut self, keys: &BTreeSet<Key>) {
+        self.watched.retain(|key, _| keys.contains(key));
+        for &key in keys {
+            self.watched.entry(key).or_insert_with(|| Watched {
+                key,
+                frames: VecDeque::new(),
+                dropped: 0,
+            });
+        }
+    }
+
+    /// What has come of the watched kinds since the last look.
+    pub fn take_watched(&mut self) -> Vec<Watched> {
+        let take = |watched: &mut Watched| Watched {
+            key: watched.key,
+            frames: std::mem::take(&mut watched.frames),
+            dropped: std::mem::take(&mut watched.dropped),
+        };
+        let taken = self.watched.values_mut().map(take);
+        taken.filter(|taken| !taken.frames.is_empty()).collect()
+    }
+
+    /// A copy without the watched frames.
+    #[must_use]
+    pub fn snapshot(&self) -> Self {
+        Self {
+            tallies: self.tallies.clone(),
+            sources: self.sources.clone(),
+            peers: self.peers.clone(),
+            unverified: self.unverified,
+            uncounted: self.uncounted,
+            next_sweep: self.next_sweep,
+            watched: BTreeMap::new(),
+            noise: self.noise.clone(),
+        }
+    }
+}
+
+/// Whether a message is the answer to one of ours: `COMMAND_ACK`, or a TIMESYNC that is not a question itself.
+/// Parameters and the like are sent to everybody when anybody asks.
+fn answers(frame: &Anatomy<'_>) -> bool {
+    /// `COMMAND_ACK`.
+    const COMMAND_ACK: u32 = 77;
+    /// TIMESYNC; its first field, eight bytes of `tc1`, is zero in a question.
+    const TIMESYNC: u32 = 111;
+    match frame.id {
+        COMMAND_ACK => true,
+        TIMESYNC => frame.payload.iter().take(8).any(|&byte| byte != 0),
+        _ => false,
+    }
+}
+
+impl Census {
+    /// How many messages other than heartbeats were sent to a peer.
+    pub fn asked(&self, peer: u32) -> u64 {
+        let ours = self.tallies.iter().filter(|(key, _)| {
+            key.source.direction == Direction::Out && key.source.peer == peer && key.message != 0
+        });
+        ours.map(|(_, tally)| tally.count).sum()
+    }
+
+    /// The tallies of one source.
+    pub fn of(&self, source: Source) -> impl Iterator<Item = (u32, &Tally)> {
+        let first = Key { source, message: 0 };
+        let last = Key {
+            source,
+            message: u32::MAX,
+        };
+        let found = self.tallies.range(first..=last);
+        found.map(|(key, tally)| (key.message, tally))
+    }
+}
+
+#[cfg(test)]
+mod tests;

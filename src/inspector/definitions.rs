@@ -1,0 +1,261 @@
+//! What the messages are made of: names, types, units and enums, which the dialect crate does not keep at run
+//! time. Read from a table in the program, when it is first asked for.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+/// The table; its head says where it comes from.
+const TABLE: &str = include_str!("definitions.txt");
+
+static DEFINITIONS: LazyLock<Definitions> = LazyLock::new(|| Definitions::read(TABLE));
+
+/// All messages and enums that are known.
+#[derive(Debug, Default)]
+pub struct Definitions {
+    messages: BTreeMap<u32, Message>,
+    enums: BTreeMap<&'static str, Enum>,
+}
+
+/// One message.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Message {
+    /// Its name, such as `HEARTBEAT`.
+    pub name: &'static str,
+    /// `CRC_EXTRA`: what its checksum begins with, so that only the same layout is taken for it.
+    pub seed: u8,
+    /// Its fields in wire order, extension fields last.
+    pub fields: Vec<Field>,
+}
+
+/// One field of a message.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Field {
+    /// Its name.
+    pub name: &'static str,
+    /// The type of one element.
+    pub kind: Kind,
+    /// How many elements an array has; 0 for a single value.
+    pub count: u8,
+    /// Its unit as MAVLink spells it (`cm/s`, `degE7`); empty if it has none.
+    pub unit: &'static str,
+    /// The enum that names its values.
+    pub names: Option<&'static str>,
+    /// The value that means that the sender does not know it.
+    pub unknown: Option<f64>,
+    /// Whether it came to MAVLink 2 later: senders may leave it out.
+    pub extension: bool,
+}
+
+/// The type of a field's element, little-endian on the wire.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names are the types")]
+pub enum Kind {
+    Char,
+    U8,
+    I8,
+    U16,
+    I16,
+    U32,
+    I32,
+    U64,
+    I64,
+    F32,
+    F64,
+}
+
+/// The names of an enum's values, or of a mask's bits.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Enum {
+    /// Whether values are bits of a mask.
+    pub is_mask: bool,
+    entries: BTreeMap<u64, &'static str>,
+}
+
+impl Kind {
+    /// Bytes on the wire.
+    pub fn wire_len(self) -> usize {
+        match self {
+            Self::Char | Self::U8 | Self::I8 => 1,
+            Self::U16 | Self::I16 => 2,
+            Self::U32 | Self::I32 | Self::F32 => 4,
+            Self::U64 | Self::I64 | Self::F64 => 8,
+        }
+    }
+
+    fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "char" => Self::Char,
+            "u8" => Self::U8,
+            "i8" => Self::I8,
+            "u16" => Self::U16,
+            "i16" => Self::I16,
+            "u32" => Self::U32,
+            "i32" => Self::I32,
+            "u64" => Self::U64,
+            "i64" => Self::I64,
+            "f32" => Self::F32,
+            "f64" => Self::F64,
+            _ => return None,
+        })
+    }
+}
+
+impl Field {
+    /// Bytes on the wire, of all elements.
+    pub fn wire_len(&self) -> usize {
+        self.kind.wire_len() * usize::from(self.count.max(1))
+    }
+}
+
+impl Enum {
+    /// The name of a value, without the part that all names of its enum share.
+    pub fn name(&self, value: u64) -> Option<&'static str> {
+        self.entries.get(&value).copied()
+    }
+
+    /// The names of the bits that are set, the lowest first; bits without a name as hexadecimal numbers.
+    pub fn flags(&self, value: u64) -> Vec<String> {
+        let bits = (0..64)
+            .map(|bit| 1u64 << bit)
+            .filter(|bit| value & bit != 0);
+        let name = |bit| self.name(bit).map_or(format!("{bit:#x}"), str::to_owned);
+        bits.map(name).collect()
+    }
+}
+
+impl Definitions {
+    /// The definitions that the program brings.
+    pub fn get() -> &'static Self {
+        &DEFINITIONS
+    }
+
+    /// The message with an id.
+    pub fn message(&self, id: u32) -> Option<&Message> {
+        self.messages.get(&id)
+    }
+
+    /// All messages by their ids.
+    pub fn messages(&self) -> impl Iterator<Item = (u32, &Message)> {
+        self.messages.iter().map(|(&id, message)| (id, message))
+    }
+
+    /// The enum with a name.
+    pub fn names(&self, name: &str) -> Option<&Enum> {
+        self.enums.get(name)
+    }
+
+    /// Reads a table. A line that is not understood is passed over; a test sees to it that there is none.
+    fn read(table: &'static str) -> Self {
+        let mut read = Self::default();
+        for line in table.lines().filter(|line| !line.starts_with('#')) {
+            read.line(line);
+        }
+        read
+    }
+
+    fn line(&mut self, line: &'static str) -> Option<()> {
+        let mut words = line.split(' ');
+        let (first, name) = (words.next()?, words.next()?);
+        if let "enum" | "bits" = first {
+            let mut entries = BTreeMap::new();
+            while let (Some(value), Some(entry)) = (words.next(), words.next()) {
+                entries.insert(value.parse().ok()?, entry);
+            }
+            let is_mask = first == "bits";
+            self.enums.insert(name, Enum { is_mask, entries });
+            return Some(());
+        }
+        let seed = words.next()?.parse().ok()?;
+        let mut fields = Vec::new();
+        let mut extension = false;
+        for word in words {
+            if word == "+" {
+                extension = true;
+            } else {
+                fields.push(field(word, extension)?);
+            }
+        }
+        let message = Message { name, seed, fields };
+        self.messages.insert(first.parse().ok()?, message);
+        Some(())
+    }
+}
+
+fn field(word: &'static str, extension: bool) -> Option<Field> {
+    let mut parts = word.split(':');
+    let (name, kind) = (parts.next()?, parts.next()?);
+    let (kind, count) = kind.split_once('*').unwrap_or((kind, "0"));
+    Some(Field {
+        name,
+        kind: Kind::named(kind)?,
+        count: count.parse().ok()?,
+        unit: parts.next().unwrap_or_default(),
+        names: parts.next().filter(|name| !name.is_empty()),
+        unknown: match parts.next() {
+            Some(value) => Some(value.parse().ok()?),
+            None => None,
+        },
+        extension,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mavlink::dialects::ardupilotmega::MavMessage;
+    use mavlink::{MavlinkVersion, Message as _};
+
+    #[test]
+    fn every_line_of_the_table_is_understood() {
+        let mut read = Definitions::default();
+        for line in TABLE.lines().filter(|line| !line.starts_with('#')) {
+            assert!(read.line(line).is_some(), "{line}");
+        }
+        let fields = read
+            .messages()
+            .flat_map(|(_, message)| message.fields.clone());
+        for field in fields {
+            let known = field.names.is_none_or(|name| read.names(name).is_some());
+            assert!(known, "{field:?}");
+        }
+    }
+
+    /// The seed is made from the names and types of all base fields in order: where it is the same, so is the
+    /// layout. Extensions are outside it, but their length shows when the dialect writes them.
+    #[test]
+    fn the_table_lays_out_every_message_of_the_dialect_as_the_dialect_does() {
+        let (mut known, mut measured) = (0, 0);
+        for id in 0..70_000 {
+            let Some(default) = MavMessage::default_message_from_id(id) else {
+                continue;
+            };
+            known += 1;
+            let message = Definitions::get().message(id).expect("in the table");
+            assert_eq!(message.name, default.message_name());
+            assert_eq!(message.seed, MavMessage::extra_crc(id), "{}", message.name);
+            let len: usize = message.fields.iter().map(Field::wire_len).sum();
+            // Where no enum stands in the way: with no zero at its end the dialect writes all that it has.
+            if let Ok(full) = MavMessage::parse(MavlinkVersion::V2, id, &[1; 255]) {
+                assert_eq!(
+                    full.ser(MavlinkVersion::V2, &mut [0; 255]),
+                    len,
+                    "{}",
+                    message.name
+                );
+                measured += 1;
+            }
+        }
+        assert!(measured > 200, "{measured} messages");
+        assert!(known > 250, "{known} messages");
+    }
+
+    #[test]
+    fn flags_without_a_name_are_not_hidden() {
+        let mask = Definitions::get().names("EKF_STATUS_FLAGS").expect("it");
+        assert!(mask.is_mask);
+        assert_eq!(
+            mask.flags(0x8000_0003),
+            ["ATTITUDE", "VELOCITY_HORIZ", "0x80000000"]
+        );
+    }
+}

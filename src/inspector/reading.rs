@@ -1,0 +1,218 @@
+//! A frame's payload, field by field.
+
+use std::fmt;
+
+use super::definitions::{Definitions, Field, Kind};
+use crate::wire::Anatomy;
+
+/// What a frame says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// The message's name, if its id is known.
+    pub name: Option<&'static str>,
+    /// Whether the checksum is right for the message as it is defined here. If not, there are no values: the
+    /// sender lays the message out otherwise, or the frame is damaged.
+    pub is_verified: bool,
+    /// The fields in wire order.
+    pub values: Vec<Value>,
+}
+
+/// The value of one field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Value {
+    /// Its name.
+    pub name: &'static str,
+    /// Its unit as MAVLink spells it; empty if it has none.
+    pub unit: &'static str,
+    /// Its elements; more than one for an array.
+    pub elements: Vec<Element>,
+    /// Text, if it is made of characters.
+    pub text: Option<String>,
+    /// Names of the enum value or of the bits that are set; empty if it has none.
+    pub names: Vec<String>,
+    /// Whether it is the value that means that the sender does not know.
+    pub is_unknown: bool,
+    /// Whether it is an extension field, which older senders leave out: it is zero then.
+    pub is_extension: bool,
+}
+
+/// A number as it was on the wire.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Element {
+    /// An unsigned number.
+    Unsigned(u64),
+    /// A signed number.
+    Signed(i64),
+    /// Single precision.
+    Single(f32),
+    /// Double precision.
+    Double(f64),
+}
+
+impl Element {
+    /// The number as a point of a graph.
+    pub fn number(self) -> f64 {
+        match self {
+            Self::Unsigned(value) => value as f64,
+            Self::Signed(value) => value as f64,
+            Self::Single(value) => f64::from(value),
+            Self::Double(value) => value,
+        }
+    }
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Unsigned(value) => write!(f, "{value}"),
+            Self::Signed(value) => write!(f, "{value}"),
+            Self::Single(value) => f.write_str(&figure(f64::from(value), 7)),
+            Self::Double(value) => f.write_str(&figure(value, 12)),
+        }
+    }
+}
+
+/// A number with so many significant digits, without zeros at the end of its fraction.
+pub fn figure(value: f64, digits: i32) -> String {
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let magnitude = if value == 0.0 {
+        0
+    } else {
+        value.abs().log10().floor() as i32
+    };
+    if !(-5..15).contains(&magnitude) {
+        return format!("{value:.*e}", (digits - 1).clamp(0, 15) as usize);
+    }
+    let decimals = (digits - 1 - magnitude).clamp(0, 15) as usize;
+    let text = format!("{value:.decimals$}");
+    let short = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    if short == "-0" { "0" } else { short }.to_owned()
+}
+
+impl Value {
+    /// The value without its unit: text in quotes, the elements of an array with blanks between them.
+    pub fn figures(&self) -> String {
+        if let Some(text) = &self.text {
+            return format!("\"{text}\"");
+        }
+        let figures: Vec<String> = self.elements.iter().map(Element::to_string).collect();
+        figures.join(" ")
+    }
+
+    /// The number to draw: the first element.
+    pub fn number(&self) -> Option<f64> {
+        let number = self.elements.first().map(|element| element.number());
+        number.filter(|number| number.is_finite())
+    }
+}
+
+/// The name of a message, or its number where it has none.
+pub fn name_of(id: u32) -> String {
+    let known = Definitions::get().message(id);
+    known.map_or_else(|| format!("#{id}"), |message| message.name.to_owned())
+}
+
+/// Reads a frame.
+pub fn read(frame: &Anatomy<'_>) -> Reading {
+    let definitions = Definitions::get();
+    let Some(message) = definitions.message(frame.id) else {
+        return Reading {
+            name: None,
+            is_verified: false,
+            values: Vec::new(),
+        };
+    };
+    let is_verified = frame.matches(message.seed);
+    let mut at = 0;
+    let mut values = Vec::new();
+    for field in message.fields.iter().filter(|_| is_verified) {
+        values.push(value(definitions, field, frame.payload, at));
+        at += field.wire_len();
+    }
+    Reading {
+        name: Some(message.name),
+        is_verified,
+        values,
+    }
+}
+
+/// Reads one field. What lies behind the payload's end is zero: MAVLink 2 leaves zeros at the end out.
+fn value(definitions: &Definitions, field: &Field, payload: &[u8], at: usize) -> Value {
+    let bytes: Vec<u8> = (at..at + field.wire_len())
+        .map(|at| payload.get(at).copied().unwrap_or(0))
+        .collect();
+    let (elements, text) = if field.kind == Kind::Char {
+        (Vec::new(), Some(text(&bytes)))
+    } else {
+        let elements = bytes.chunks(field.kind.wire_len());
+        (
+            elements.map(|bytes| element(field.kind, bytes)).collect(),
+            None,
+        )
+    };
+    let first = elements.first().copied();
+    let same = |unknown: f64, found: f64| {
+        (found - unknown).abs() < f64::EPSILON || found.is_nan() && unknown.is_nan()
+    };
+    let is_unknown = field
+        .unknown
+        .zip(first)
+        .is_some_and(|(unknown, found)| same(unknown, found.number()));
+    Value {
+        name: field.name,
+        unit: field.unit,
+        names: names(definitions, field, first),
+        elements,
+        text,
+        is_unknown,
+        is_extension: field.extension,
+    }
+}
+
+fn names(definitions: &Definitions, field: &Field, value: Option<Element>) -> Vec<String> {
+    let number = match value {
+        Some(Element::Unsigned(number)) => number,
+        // A mask keeps its bits when it is sent in a signed field.
+        Some(Element::Signed(number)) => number as u64,
+        // MISSION_ITEM and the like carry no enums in fractions.
+        _ => return Vec::new(),
+    };
+    match field.names.and_then(|name| definitions.names(name)) {
+        Some(names) if names.is_mask => names.flags(number),
+        Some(names) => names.name(number).map(str::to_owned).into_iter().collect(),
+        None => Vec::new(),
+    }
+}
+
+/// Characters up to the first zero, what cannot be printed replaced.
+fn text(bytes: &[u8]) -> String {
+    let end = bytes.iter().position(|&byte| byte == 0);
+    let text = String::from_utf8_lossy(&bytes[..end.unwrap_or(bytes.len())]);
+    text.chars()
+        .map(|c| if c.is_control() { '\u{FFFD}' } else { c })
+        .collect()
+}
+
+fn element(kind: Kind, bytes: &[u8]) -> Element {
+    let mut wide = [0; 8];
+    wide[..bytes.len()].copy_from_slice(bytes);
+    let bits = u64::from_le_bytes(wide);
+    match kind {
+        Kind::Char | Kind::U8 | Kind::U16 | Kind::U32 | Kind::U64 => Element::Unsigned(bits),
+        Kind::I8 => Element::Signed((bits as i8).into()),
+        Kind::I16 => Element::Signed((bits as i16).into()),
+        Kind::I32 => Element::Signed((bits as i32).into()),
+        Kind::I64 => Element::Signed(bits as i64),
+        Kind::F32 => Element::Single(f32::from_bits(bits as u32)),
+        Kind::F64 => Element::Double(f64::from_bits(bits)),
+    }
+}
+
+#[cfg(test)]
+mod tests;

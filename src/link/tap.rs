@@ -1,0 +1,74 @@
+//! Where a link's frames can be watched: a [`Census`] that the link fills and anybody may look into.
+
+use std::net::SocketAddr;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use tokio::time::Instant;
+
+use super::{LinkState, LinkStatus, Peer};
+use crate::doctor::{self, Observation};
+use crate::inspector::{Census, Direction};
+
+/// The frames of one link. Every frame is counted and the last of each kind kept, which costs a look-up and a
+/// short copy; nothing is queued, so nobody who looks can slow the link down.
+#[derive(Debug, Clone)]
+pub struct Tap {
+    opened: Instant,
+    census: Arc<Mutex<Census>>,
+}
+
+impl Tap {
+    pub(super) fn new() -> Self {
+        Self {
+            opened: Instant::now(),
+            census: Arc::default(),
+        }
+    }
+
+    /// Looks into the census; `now`, and all times in it, count from the link's opening. Be quick: the link
+    /// waits meanwhile.
+    pub fn look<T>(&self, look: impl FnOnce(&mut Census, Duration) -> T) -> T {
+        let now = self.opened.elapsed();
+        look(&mut self.census(), now)
+    }
+
+    /// What there is to see for the link doctor.
+    pub fn observe(&self, status: &LinkStatus) -> Observation {
+        let (senders, noise) =
+            self.look(|census, now| (doctor::observe(census, now), census.noise().to_vec()));
+        Observation {
+            up: status.state == LinkState::Up,
+            counters: status.decoder,
+            lost: status.lost_total,
+            senders,
+            noise,
+        }
+    }
+
+    pub(super) fn received(&self, peer: Peer, bytes: &[u8], is_verified: bool) {
+        let now = self.opened.elapsed();
+        self.census()
+            .note((Direction::In, peer.0), bytes, is_verified, now);
+    }
+
+    pub(super) fn sent(&self, peer: Peer, bytes: &[u8]) {
+        let now = self.opened.elapsed();
+        self.census()
+            .note((Direction::Out, peer.0), bytes, true, now);
+    }
+
+    /// Notes bytes in which no frame was found.
+    pub(super) fn noise(&self, bytes: &[u8]) {
+        self.census().note_noise(bytes);
+    }
+
+    pub(super) fn name_peer(&self, peer: Peer, address: SocketAddr) {
+        self.census().name_peer(peer.0, address.to_string());
+    }
+
+    fn census(&self) -> MutexGuard<'_, Census> {
+        // A panic while counting leaves counters that are off by one, not a broken census.
+        self.census.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,118 @@
+//! What differs between two lists of parameters.
+
+use std::collections::BTreeMap;
+
+/// How a parameter differs between one list and another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Finding {
+    /// Both have it with different values: this list's and the other's.
+    Changed(f32, f32),
+    /// Only the other list has it.
+    Missing(f32),
+    /// Only this list has it.
+    Extra(f32),
+}
+
+/// One parameter that differs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Difference<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// How.
+    pub finding: Finding,
+}
+
+/// Rounding of a number that was written with about seven digits.
+const ROUNDING: f32 = 1e-6;
+
+/// Whether two values are the same parameter value. Whole numbers must be equal, they may be bit masks; others may
+/// have been rounded when they were written down.
+#[expect(
+    clippy::float_cmp,
+    reason = "whole numbers are compared, and equal is meant"
+)]
+pub fn is_same(one: f32, other: f32) -> bool {
+    if one == other || (one.is_nan() && other.is_nan()) {
+        return true;
+    }
+    let is_rounded = one.fract() != 0.0 || other.fract() != 0.0;
+    is_rounded && (one - other).abs() <= ROUNDING * one.abs().max(other.abs())
+}
+
+/// What differs between this list and another, in order of the names.
+pub fn differences<'a>(
+    this: impl Iterator<Item = (&'a str, f32)>,
+    other: impl Iterator<Item = (&'a str, f32)>,
+) -> Vec<Difference<'a>> {
+    let mut sides: BTreeMap<&str, (Option<f32>, Option<f32>)> = BTreeMap::new();
+    for (name, value) in this {
+        sides.entry(name).or_default().0 = Some(value);
+    }
+    for (name, value) in other {
+        sides.entry(name).or_default().1 = Some(value);
+    }
+    let found = sides.into_iter().filter_map(|(name, sides)| {
+        let finding = match sides {
+            (Some(this), Some(other)) if is_same(this, other) => return None,
+            (Some(this), Some(other)) => Finding::Changed(this, other),
+            (Some(this), None) => Finding::Extra(this),
+            (None, Some(other)) => Finding::Missing(other),
+            (None, None) => return None,
+        };
+        Some(Difference { name, finding })
+    });
+    found.collect()
+}
+
+/// Whether a parameter tells one vehicle from another or counts what it has done: its number, the ids of its sensors,
+/// its hours. Copied to another vehicle it would do harm: two vehicles with one system id take each other's commands.
+pub fn is_the_vehicles_own(name: &str) -> bool {
+    matches!(name, "SYSID_THISMAV" | "MAV_SYSID" | "FORMAT_VERSION")
+        || name.starts_with("STAT_")
+        || name.contains("DEVID")
+        || name.contains("DEV_ID")
+        || name.ends_with("_GND_PRESS")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_side_and_each_way_to_differ_is_found_in_order() {
+        let this = [("C", 1.0), ("A", 1.0), ("B", 2.0), ("D", 0.1)];
+        let other = [("A", 1.0), ("B", 3.0), ("E", 5.0), ("D", 0.100_000_01)];
+        let found = differences(this.into_iter(), other.into_iter());
+        let expected = [
+            ("B", Finding::Changed(2.0, 3.0)),
+            ("C", Finding::Extra(1.0)),
+            ("E", Finding::Missing(5.0)),
+        ];
+        let expected = expected.map(|(name, finding)| Difference { name, finding });
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn a_bit_more_in_a_mask_is_a_difference_and_rounding_is_none() {
+        assert!(!is_same(16_777_214.0, 16_777_215.0));
+        assert!(is_same(0.135, 0.135_000_02));
+        assert!(!is_same(0.135, 0.1351));
+        assert!(!is_same(0.0, 1e-9));
+        assert!(is_same(f32::NAN, f32::NAN));
+        assert!(!is_same(f32::NAN, 0.0));
+        assert!(is_same(-0.0, 0.0));
+    }
+
+    #[test]
+    fn what_makes_a_vehicle_itself_is_known() {
+        for own in [
+            "SYSID_THISMAV",
+            "STAT_RUNTIME",
+            "COMPASS_DEV_ID2",
+            "BARO1_DEVID",
+        ] {
+            assert!(is_the_vehicles_own(own), "{own}");
+        }
+        assert!(!is_the_vehicles_own("WPNAV_SPEED"));
+    }
+}

@@ -1,0 +1,222 @@
+//! The types of parameters, and which values fit them.
+
+use std::fmt;
+
+use mavlink::dialects::ardupilotmega::MavParamType;
+
+use super::shown;
+use crate::text;
+use crate::text::Text;
+
+/// The type that the vehicle stores a parameter in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ParameterType {
+    /// 8 bits, unsigned.
+    Uint8,
+    /// 8 bits.
+    Int8,
+    /// 16 bits, unsigned.
+    Uint16,
+    /// 16 bits.
+    Int16,
+    /// 32 bits, unsigned.
+    Uint32,
+    /// 32 bits.
+    Int32,
+    /// 64 bits, unsigned.
+    Uint64,
+    /// 64 bits.
+    Int64,
+    /// 32 bits, floating point.
+    Real32,
+    /// 64 bits, floating point.
+    Real64,
+}
+
+/// Why a value cannot be a parameter's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unfit {
+    /// It is infinite or not a number at all.
+    NotFinite,
+    /// The vehicle stores a whole number.
+    NotWhole(ParameterType),
+    /// It lies outside of what the type holds.
+    OutOfRange {
+        /// The type.
+        kind: ParameterType,
+        /// The least value that it holds.
+        least: f64,
+        /// The greatest value that it holds.
+        greatest: f64,
+    },
+    /// Whole, and in range, but `PARAM_SET` carries a float, which has 24 bits only.
+    Inexact {
+        /// The nearest value that it could carry.
+        nearest: f32,
+    },
+}
+
+impl ParameterType {
+    /// The name, as in `int16`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Uint8 => "uint8",
+            Self::Int8 => "int8",
+            Self::Uint16 => "uint16",
+            Self::Int16 => "int16",
+            Self::Uint32 => "uint32",
+            Self::Int32 => "int32",
+            Self::Uint64 => "uint64",
+            Self::Int64 => "int64",
+            Self::Real32 => "float",
+            Self::Real64 => "double",
+        }
+    }
+
+    /// Checks that a parameter of this type can take a value, and returns it as it goes over the wire.
+    ///
+    /// # Errors
+    /// It cannot. `ArduPilot` itself checks nothing: it cuts off fractions and wraps or saturates what is too large.
+    pub fn check(self, value: f64) -> Result<f32, Unfit> {
+        if !value.is_finite() {
+            return Err(Unfit::NotFinite);
+        }
+        let (least, greatest) = self.limits();
+        if !(least..=greatest).contains(&value) {
+            return Err(Unfit::OutOfRange {
+                kind: self,
+                least,
+                greatest,
+            });
+        }
+        let carried = value as f32;
+        if self.is_whole() {
+            if value.fract() != 0.0 {
+                return Err(Unfit::NotWhole(self));
+            }
+            if (f64::from(carried) - value).abs() > 0.0 {
+                return Err(Unfit::Inexact { nearest: carried });
+            }
+        }
+        Ok(carried)
+    }
+
+    /// Whether it stores whole numbers only.
+    pub fn is_whole(self) -> bool {
+        !matches!(self, Self::Real32 | Self::Real64)
+    }
+
+    /// The least and the greatest value that it holds.
+    pub fn limits(self) -> (f64, f64) {
+        match self {
+            Self::Uint8 => (0.0, f64::from(u8::MAX)),
+            Self::Int8 => (f64::from(i8::MIN), f64::from(i8::MAX)),
+            Self::Uint16 => (0.0, f64::from(u16::MAX)),
+            Self::Int16 => (f64::from(i16::MIN), f64::from(i16::MAX)),
+            Self::Uint32 => (0.0, f64::from(u32::MAX)),
+            Self::Int32 => (f64::from(i32::MIN), f64::from(i32::MAX)),
+            Self::Uint64 => (0.0, u64::MAX as f64),
+            Self::Int64 => (i64::MIN as f64, i64::MAX as f64),
+            // A double travels as a float as well.
+            Self::Real32 | Self::Real64 => (f64::from(f32::MIN), f64::from(f32::MAX)),
+        }
+    }
+}
+
+impl Unfit {
+    /// The same in words, of a parameter of that name.
+    pub fn text(&self, name: &str) -> Text {
+        match self {
+            Self::NotFinite => text!("parameters-not-finite", name = name),
+            Self::NotWhole(kind) => {
+                text!("parameters-not-whole", name = name, kind = kind.name())
+            }
+            Self::OutOfRange {
+                kind,
+                least,
+                greatest,
+            } => text!(
+                "parameters-out-of-range",
+                name = name,
+                kind = kind.name(),
+                least = shown(*least as f32),
+                greatest = shown(*greatest as f32)
+            ),
+            Self::Inexact { nearest } => text!(
+                "parameters-inexact",
+                name = name,
+                nearest = nearest.to_string()
+            ),
+        }
+    }
+}
+
+impl From<MavParamType> for ParameterType {
+    fn from(wire: MavParamType) -> Self {
+        match wire {
+            MavParamType::MAV_PARAM_TYPE_UINT8 => Self::Uint8,
+            MavParamType::MAV_PARAM_TYPE_INT8 => Self::Int8,
+            MavParamType::MAV_PARAM_TYPE_UINT16 => Self::Uint16,
+            MavParamType::MAV_PARAM_TYPE_INT16 => Self::Int16,
+            MavParamType::MAV_PARAM_TYPE_UINT32 => Self::Uint32,
+            MavParamType::MAV_PARAM_TYPE_INT32 => Self::Int32,
+            MavParamType::MAV_PARAM_TYPE_UINT64 => Self::Uint64,
+            MavParamType::MAV_PARAM_TYPE_INT64 => Self::Int64,
+            MavParamType::MAV_PARAM_TYPE_REAL32 => Self::Real32,
+            MavParamType::MAV_PARAM_TYPE_REAL64 => Self::Real64,
+        }
+    }
+}
+
+impl fmt::Display for ParameterType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_types_take_whole_numbers_of_their_range_only() {
+        use ParameterType as T;
+        let cases = [
+            (T::Int8, 127.0, true),
+            (T::Int8, 128.0, false),
+            (T::Int8, -128.0, true),
+            (T::Uint8, -1.0, false),
+            (T::Uint8, 255.0, true),
+            (T::Int16, 1500.7, false),
+            (T::Int16, 32767.0, true),
+            (T::Int16, 40000.0, false),
+            (T::Int32, 16_777_216.0, true),
+            (T::Int32, 2_147_483_648.0, false),
+            (T::Int32, -0.0, true),
+            (T::Real32, 1500.7, true),
+            (T::Real32, 1e39, false),
+        ];
+        for (kind, value, fits) in cases {
+            assert_eq!(kind.check(value).is_ok(), fits, "{value} as {kind}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused_by_every_type() {
+        for kind in [ParameterType::Int8, ParameterType::Real32] {
+            for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                assert_eq!(kind.check(value), Err(Unfit::NotFinite));
+            }
+        }
+    }
+
+    #[test]
+    fn a_whole_number_that_a_float_would_change_is_refused() {
+        assert_eq!(
+            ParameterType::Int32.check(16_777_217.0),
+            Err(Unfit::Inexact {
+                nearest: 16_777_216.0
+            })
+        );
+    }
+}

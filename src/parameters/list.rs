@@ -1,0 +1,269 @@
+//! The parameters of one vehicle as they pass.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::{ParameterType, is_same};
+
+/// No vehicle has more parameters; beyond this, names are noise and are not kept.
+const MOST_PARAMETERS: usize = 10_000;
+/// PX4 sends a checksum of its parameters under this name, which is none of them.
+const HASH: &str = "_HASH_CHECK";
+
+/// One parameter as the vehicle said it last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// The value. Integers come converted to a float, as `ArduPilot` sends them, not as its bits.
+    pub value: f32,
+    /// The value that it had when it was heard first.
+    pub original: f32,
+    /// The type that the vehicle stores it in.
+    pub kind: ParameterType,
+    /// Its place in the vehicle's list, where one was said.
+    pub index: Option<u16>,
+}
+
+impl Parameter {
+    /// Whether it has changed since it was heard first.
+    pub fn is_changed(&self) -> bool {
+        !is_same(self.value, self.original)
+    }
+}
+
+/// What a `PARAM_VALUE` says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Heard<'a> {
+    /// The name.
+    pub name: &'a str,
+    /// The value.
+    pub value: f32,
+    /// The type it is stored in.
+    pub kind: ParameterType,
+    /// The place in the list; `None` where it was sent for itself.
+    pub index: Option<u16>,
+    /// How many parameters the vehicle has.
+    pub count: u16,
+}
+
+/// The parameters of a vehicle that have passed so far, by name.
+#[derive(Debug, Clone, Default)]
+pub struct Parameters {
+    // Names are shared, so that a copy of the list copies no text.
+    by_name: BTreeMap<Arc<str>, Parameter>,
+    count: Option<u16>,
+    /// Which places of the list have passed.
+    seen: Vec<bool>,
+    received: u16,
+    passed: u64,
+    /// How many there are by a value that was sent for itself.
+    announced: Option<u16>,
+    revision: u64,
+}
+
+impl Parameters {
+    /// The parameter of that name (upper case, as the vehicle spells it).
+    pub fn get(&self, name: &str) -> Option<&Parameter> {
+        self.by_name.get(name)
+    }
+
+    /// All that have passed, in order of their names.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &Parameter)> {
+        self.by_name
+            .iter()
+            .map(|(name, parameter)| (name.as_ref(), parameter))
+    }
+
+    /// How many have passed.
+    pub fn len(&self) -> usize {
+        self.by_name.len()
+    }
+
+    /// Whether none has passed.
+    pub fn is_empty(&self) -> bool {
+        self.by_name.is_empty()
+    }
+
+    /// How many the vehicle has, once it has said so.
+    pub fn count(&self) -> Option<u16> {
+        self.count
+    }
+
+    /// How many places of the list have passed.
+    pub fn received(&self) -> u16 {
+        self.received
+    }
+
+    /// How many values have passed with a place in the list, the same again included.
+    pub fn passed(&self) -> u64 {
+        self.passed
+    }
+
+    /// Whether every place of the list has passed.
+    pub fn is_complete(&self) -> bool {
+        self.count.is_some_and(|count| count > 0) && self.received == self.seen.len() as u16
+    }
+
+    /// Whether the vehicle has another number of parameters by now: some appear only once others are switched on.
+    pub fn is_outdated(&self) -> bool {
+        self.announced.is_some() && self.announced != self.count
+    }
+
+    /// Places of the vehicle's list that have not passed yet, in order. Empty also before the vehicle has
+    /// said how many there are.
+    pub fn missing(&self) -> impl Iterator<Item = u16> + '_ {
+        (0..)
+            .zip(&self.seen)
+            .filter(|(_, seen)| !**seen)
+            .map(|(index, _)| index)
+    }
+
+    /// A number that moves with every change.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Forgets which places have passed, not the values: the list is about to come again.
+    pub fn expect_again(&mut self) {
+        self.seen.fill(false);
+        self.received = 0;
+        self.announced = None;
+        self.revision += 1;
+    }
+
+    /// Takes in what a vehicle says of a parameter.
+    pub fn note(&mut self, heard: &Heard<'_>) {
+        if heard.name == HASH {
+            return;
+        }
+        self.note_place(heard);
+        if let Some(known) = self.by_name.get_mut(heard.name) {
+            let index = heard.index.or(known.index);
+            // Compared by its bits: what is no number differs from itself otherwise.
+            let is_news = known.value.to_bits() != heard.value.to_bits()
+                || (known.kind, known.index) != (heard.kind, index);
+            self.revision += u64::from(is_news);
+            *known = Parameter {
+                value: heard.value,
+                original: known.original,
+                kind: heard.kind,
+                index,
+            };
+        } else if self.by_name.len() < MOST_PARAMETERS {
+            let parameter = Parameter {
+                value: heard.value,
+                original: heard.value,
+                kind: heard.kind,
+                index: heard.index,
+            };
+            self.by_name.insert(heard.name.into(), parameter);
+            self.revision += 1;
+        }
+    }
+
+    /// Another count means another list, in which the places that were seen mean nothing. A value that is sent for
+    /// itself does not say so for sure: the list that is just coming may still be numbered the old way.
+    fn note_place(&mut self, heard: &Heard<'_>) {
+        let Some(index) = heard.index else {
+            self.announced = Some(heard.count);
+            if self.received == 0 && self.count != Some(heard.count) {
+                self.renumber(heard.count);
+            }
+            return;
+        };
+        self.passed += 1;
+        if self.count != Some(heard.count) {
+            self.renumber(heard.count);
+        }
+        if let Some(seen) = self.seen.get_mut(usize::from(index))
+            && !*seen
+        {
+            *seen = true;
+            self.received += 1;
+            self.revision += 1;
+        }
+    }
+
+    fn renumber(&mut self, count: u16) {
+        self.count = Some(count);
+        self.seen.clear();
+        self.seen.resize(usize::from(count), false);
+        self.received = 0;
+        self.revision += 1;
+        for parameter in self.by_name.values_mut() {
+            parameter.index = None;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heard(name: &str, value: f32, index: Option<u16>, count: u16) -> Heard<'_> {
+        Heard {
+            name,
+            value,
+            kind: ParameterType::Real32,
+            index,
+            count,
+        }
+    }
+
+    #[test]
+    fn a_list_is_complete_once_every_place_has_passed() {
+        let mut list = Parameters::default();
+        list.note(&heard("B", 2.0, Some(1), 2));
+        assert!(!list.is_complete());
+        list.note(&heard("B", 2.0, Some(1), 2));
+        assert_eq!((list.received(), list.is_complete()), (1, false));
+        list.note(&heard("A", 1.0, Some(0), 2));
+        assert!(list.is_complete());
+        assert_eq!(list.iter().map(|(name, _)| name).collect::<String>(), "AB");
+    }
+
+    #[test]
+    fn the_first_value_is_what_changes_are_counted_from() {
+        let mut list = Parameters::default();
+        list.note(&heard("A", 1.0, Some(0), 1));
+        list.note(&heard("A", 5.0, None, 1));
+        let changed = *list.get("A").expect("heard");
+        assert!(changed.is_changed());
+        assert_eq!(changed.index, Some(0));
+        list.note(&heard("A", 1.0, None, 1));
+        assert!(!list.get("A").expect("heard").is_changed());
+    }
+
+    #[test]
+    fn a_value_sent_for_itself_does_not_upset_the_list_that_is_coming() {
+        let mut list = Parameters::default();
+        list.note(&heard("A", 1.0, Some(0), 2));
+        list.note(&heard("STAT_RUNTIME", 9.0, None, 3));
+        list.note(&heard("B", 1.0, Some(1), 2));
+        assert!(list.is_complete());
+        assert!(list.is_outdated());
+        list.note(&heard("A", 1.0, Some(0), 3));
+        assert_eq!((list.received(), list.is_outdated()), (1, false));
+    }
+
+    #[test]
+    fn places_beyond_the_list_and_checksums_are_no_parameters_of_it() {
+        let mut list = Parameters::default();
+        list.note(&heard("A", 1.0, Some(7), 2));
+        list.note(&heard(HASH, 1.0, None, 2));
+        assert_eq!((list.received(), list.len()), (0, 1));
+        list.note(&heard("A", 1.0, Some(0), 0));
+        assert!(!list.is_complete(), "an empty list is none");
+    }
+
+    #[test]
+    fn only_news_moves_the_revision() {
+        let mut list = Parameters::default();
+        list.note(&heard("A", f32::NAN, Some(0), 1));
+        let before = list.revision();
+        list.note(&heard("A", 1.0, Some(0), 1));
+        let after = list.revision();
+        assert!(after > before);
+        list.note(&heard("A", 1.0, Some(0), 1));
+        assert_eq!(list.revision(), after);
+    }
+}

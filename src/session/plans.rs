@@ -1,0 +1,327 @@
+//! Reads the plan, the fence and the rally points of a vehicle: once when it is ready, and again when something
+//! says that they have changed.
+//!
+//! One list at a time, one question at a time. A list has changed when `MISSION_CURRENT` gives another count or
+//! id, when the vehicle has accepted somebody else's upload, or, as `ArduPilot` gives no ids, when it says so in
+//! a text or by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of as many items over another link shows
+//! in none of these, so a list without an id is read again now and then. A list that the vehicle does not offer is not
+//! asked for; one that does not come is asked for again, ever more seldom, and then left alone.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{MISSION_CURRENT_DATA, MavMessage};
+
+use crate::vehicle::{FencePlan, Plan, PlanItem, PlanKind, RallyPlan, Transfer, Vehicle};
+use crate::wire::{Content, Frame};
+
+mod download;
+#[cfg(test)]
+mod tests;
+mod wire;
+
+use download::{Download, Step};
+use wire::Answer;
+
+/// A vehicle that has just been heard is left in peace for so long: `ArduPilot` stalls while it boots.
+const AFTER_FIRST_HEARD: Duration = Duration::from_secs(3);
+/// Vehicles of a swarm begin so much after one another, by system id, in so many groups.
+const STAGGER: Duration = Duration::from_millis(100);
+const STAGGER_GROUPS: u32 = 16;
+/// A vehicle that has not said what it can do by then is asked for its plan all the same, which all have.
+const CAPABILITIES_WITHIN: Duration = Duration::from_secs(10);
+/// An upload is left alone for so long after the last sign of it.
+const SETTLED_AFTER: Duration = Duration::from_millis(1500);
+/// The same list is not read again sooner after it was read.
+const NOT_AGAIN_WITHIN: Duration = Duration::from_secs(3);
+/// A list without an id is read again after so long, and so much longer for each of its items: on average that is
+/// less than one small message a second.
+const AGAIN_AFTER: Duration = Duration::from_secs(120);
+const AGAIN_PER_ITEM: Duration = Duration::from_secs(1);
+/// How long to wait after the first, the second... failure; after the last, nothing is asked any more.
+const AFTER_FAILURE: [Duration; 3] = [
+    Duration::from_secs(20),
+    Duration::from_secs(60),
+    Duration::from_secs(300),
+];
+
+// `MAV_PROTOCOL_CAPABILITY` bits.
+const MISSION_FLOAT: u64 = 0x1;
+const MISSION_INT: u64 = 0x4;
+const MISSION_FENCE: u64 = 0x4000;
+const MISSION_RALLY: u64 = 0x8000;
+
+/// What `ArduPilot` says after an upload (`GCS_MAVLINK::handle_mission_item`, `AC_PolyFence_loader`).
+const UPLOAD_TEXTS: [(&[u8], PlanKind); 2] = [
+    (b"Flight plan received", PlanKind::Plan),
+    (b"Fence Indexed OK", PlanKind::Fence),
+];
+/// `ArduPilot`'s counts of what was uploaded, sent unasked when they change.
+const UPLOAD_PARAMETERS: [(&[u8], PlanKind); 2] = [
+    (b"FENCE_TOTAL", PlanKind::Fence),
+    (b"RALLY_TOTAL", PlanKind::Rally),
+];
+/// `PARAM_VALUE.param_index` of a value that is not part of the list of all parameters.
+const NO_INDEX: u16 = u16::MAX;
+
+/// Reads the lists of one vehicle.
+#[derive(Debug, Default)]
+pub(super) struct PlanReader {
+    /// When the vehicle was heard first.
+    heard_at: Option<Duration>,
+    /// Whether what the vehicle can do has been looked at.
+    knows_capabilities: bool,
+    /// When each list is to be read; none if it is not.
+    due: [Option<Duration>; 3],
+    /// When each list was read last, and how often it has failed since.
+    read_at: [Option<Duration>; 3],
+    failures: [usize; 3],
+    /// Lists that the vehicle has refused to give: it is not asked again.
+    refused: [bool; 3],
+    download: Option<Download>,
+    /// Count and ids of `MISSION_CURRENT`.
+    announced: Option<[u32; 4]>,
+}
+
+impl PlanReader {
+    /// Starts again: the vehicle has rebooted, or is reached by another way.
+    pub fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Whether an answer is awaited.
+    pub fn is_busy(&self) -> bool {
+        self.download.is_some()
+    }
+
+    /// Takes in a frame of the autopilot.
+    pub fn receive(
+        &mut self,
+        vehicle: &mut Vehicle,
+        frame: &Frame,
+        now: Duration,
+        out: &mut Vec<MavMessage>,
+    ) {
+        if let Some((kind, answer)) = wire::answer(frame) {
+            self.answered(vehicle, kind, answer, now, out);
+        } else if let Some(kind) = wire::others_upload(frame) {
+            self.changed(kind, now, out);
+        } else if let Content::Message(message) = &frame.content {
+            self.look_for_changes(message, now, out);
+        }
+    }
+
+    /// Begins what is due, and asks again for what has not come.
+    pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, out: &mut Vec<MavMessage>) {
+        let heard_at = *self.heard_at.get_or_insert(now);
+        let lead = STAGGER * (u32::from(vehicle.system) % STAGGER_GROUPS);
+        if now < heard_at + AFTER_FIRST_HEARD + lead {
+            return;
+        }
+        self.look_at_capabilities(vehicle, now.saturating_sub(heard_at), now);
+        if self.download.is_none() {
+            self.begin_what_is_due(vehicle, now);
+        }
+        if let Some(download) = &mut self.download {
+            let round_trip = vehicle.link.round_trip.unwrap_or_default();
+            let step = download.poll(round_trip, now, out);
+            self.note(vehicle, step, now);
+        }
+    }
+
+    fn look_at_capabilities(&mut self, vehicle: &mut Vehicle, known_for: Duration, now: Duration) {
+        if self.knows_capabilities {
+            return;
+        }
+        let Some(version) = vehicle.version else {
+            let plan = PlanKind::Plan as usize;
+            if known_for >= CAPABILITIES_WITHIN && self.is_fresh(plan) {
+                self.due[plan] = Some(now);
+            }
+            return;
+        };
+        self.knows_capabilities = true;
+        for kind in PlanKind::ALL {
+            let wanted = match kind {
+                PlanKind::Plan => MISSION_FLOAT | MISSION_INT,
+                PlanKind::Fence => MISSION_FENCE,
+                PlanKind::Rally => MISSION_RALLY,
+            };
+            if !self.is_fresh(kind as usize) {
+                continue;
+            }
+            if version.capabilities & wanted == 0 {
+                self.refused[kind as usize] = true;
+                *transfer(vehicle, kind) = Transfer::Unsupported;
+            } else {
+                self.due[kind as usize] = Some(now);
+            }
+        }
+    }
+
+    /// Whether a list has not been asked for at all.
+    fn is_fresh(&self, list: usize) -> bool {
+        let is_coming = |download: &Download| download.kind as usize == list;
+        self.due[list].is_none()
+            && !self.refused[list]
+            && self.read_at[list].is_none()
+            && self.failures[list] == 0
+            && !self.download.as_ref().is_some_and(is_coming)
+    }
+
+    fn begin_what_is_due(&mut self, vehicle: &Vehicle, now: Duration) {
+        let is_due = |kind: &PlanKind| self.due[*kind as usize].is_some_and(|due| now >= due);
+        let Some(kind) = PlanKind::ALL.into_iter().find(is_due) else {
+            return;
+        };
+        self.due[kind as usize] = None;
+        let knows_int = vehicle
+            .version
+            .map(|version| version.capabilities & MISSION_INT != 0);
+        let address = (vehicle.system, vehicle.component);
+        self.download = Some(Download::new(kind, address, knows_int));
+    }
+
+    fn answered(
+        &mut self,
+        vehicle: &mut Vehicle,
+        kind: PlanKind,
+        answer: Answer,
+        now: Duration,
+        out: &mut Vec<MavMessage>,
+    ) {
+        match &mut self.download {
+            Some(download) if download.kind == kind => {
+                let step = download.receive(answer, now, out);
+                self.note(vehicle, step, now);
+            }
+            _ => {}
+        }
+    }
+
+    /// Writes down how the download stands, and ends it if it has.
+    fn note(&mut self, vehicle: &mut Vehicle, step: Step, now: Duration) {
+        let Some(download) = self.download.take() else {
+            return;
+        };
+        let kind = download.kind;
+        let list = kind as usize;
+        let result = match step {
+            Step::Going => {
+                let coming = download.transfer();
+                self.download = Some(download);
+                coming
+            }
+            Step::Done(items) => {
+                self.read_at[list] = Some(now);
+                self.failures[list] = 0;
+                if !self.has_id(kind) {
+                    // Lengths fit: no list has more than some thousand items.
+                    let length = items.len() as u32;
+                    self.due[list] = Some(now + AGAIN_AFTER + AGAIN_PER_ITEM * length);
+                }
+                store(vehicle, kind, items);
+                Transfer::Done
+            }
+            Step::Unsupported => {
+                self.refused[list] = true;
+                self.due[list] = None;
+                Transfer::Unsupported
+            }
+            Step::Failed => {
+                let wait = AFTER_FAILURE.get(self.failures[list]);
+                self.failures[list] += 1;
+                // A sign that it has changed may have come meanwhile, and is the better reason.
+                self.due[list] = self.due[list].or(wait.map(|wait| now + *wait));
+                Transfer::Failed
+            }
+        };
+        *transfer(vehicle, kind) = result;
+    }
+
+    fn look_for_changes(&mut self, message: &MavMessage, now: Duration, out: &mut Vec<MavMessage>) {
+        match message {
+            MavMessage::MISSION_CURRENT(data) => self.compare(data, now, out),
+            MavMessage::STATUSTEXT(data) => {
+                let said = |(text, _): &&(&[u8], PlanKind)| data.text.starts_with(text);
+                if let Some(&(_, kind)) = UPLOAD_TEXTS.iter().find(said) {
+                    self.changed(kind, now, out);
+                }
+            }
+            MavMessage::PARAM_VALUE(data) if data.param_index == NO_INDEX => {
+                let name = data.param_id.split(|&byte| byte == 0).next();
+                let named = |(known, _): &&(&[u8], PlanKind)| name == Some(*known);
+                if let Some(&(_, kind)) = UPLOAD_PARAMETERS.iter().find(named) {
+                    self.changed(kind, now, out);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether `MISSION_CURRENT` gives the list an id, which tells every change.
+    fn has_id(&self, kind: PlanKind) -> bool {
+        let id = self.announced.map(|announced| announced[1 + kind as usize]);
+        id.is_some_and(|id| id != 0)
+    }
+
+    /// The first announcement is about what is being read anyway; later ones are compared with it.
+    fn compare(&mut self, data: &MISSION_CURRENT_DATA, now: Duration, out: &mut Vec<MavMessage>) {
+        let [total, plan, fence, rally] = [
+            u32::from(data.total),
+            data.mission_id,
+            data.fence_id,
+            data.rally_points_id,
+        ];
+        let Some(before) = self.announced.replace([total, plan, fence, rally]) else {
+            return;
+        };
+        for (kind, differs) in [
+            (PlanKind::Plan, [total, plan] != before[..2]),
+            (PlanKind::Fence, fence != before[2]),
+            (PlanKind::Rally, rally != before[3]),
+        ] {
+            if differs {
+                self.changed(kind, now, out);
+            }
+        }
+    }
+
+    /// A list has changed. It is read again once the upload has settled, if it was asked for at all: what is being
+    /// read right now is part of the list before.
+    fn changed(&mut self, kind: PlanKind, now: Duration, out: &mut Vec<MavMessage>) {
+        let list = kind as usize;
+        if self.refused[list] || self.is_fresh(list) {
+            return;
+        }
+        let settled = now + SETTLED_AFTER;
+        let earliest = self.read_at[list].map_or(settled, |read| read + NOT_AGAIN_WITHIN);
+        self.due[list] = Some(settled.max(earliest));
+        self.failures[list] = 0;
+        if let Some(download) = self.download.take_if(|download| download.kind == kind) {
+            download.cancel(out);
+        }
+    }
+}
+
+fn transfer(vehicle: &mut Vehicle, kind: PlanKind) -> &mut Transfer {
+    match kind {
+        PlanKind::Plan => &mut vehicle.plans.plan.transfer,
+        PlanKind::Fence => &mut vehicle.plans.fence.transfer,
+        PlanKind::Rally => &mut vehicle.plans.rally.transfer,
+    }
+}
+
+fn store(vehicle: &mut Vehicle, kind: PlanKind, items: Vec<PlanItem>) {
+    /// HEARTBEAT's autopilot of `ArduPilot`, whose item 0 is home.
+    const ARDUPILOT: u8 = 3;
+    let home_first = vehicle
+        .heartbeat
+        .is_some_and(|heartbeat| heartbeat.autopilot == ARDUPILOT);
+    let plans = &mut vehicle.plans;
+    match kind {
+        PlanKind::Plan => plans.plan.content = Some(Arc::new(Plan { items, home_first })),
+        PlanKind::Fence => plans.fence.content = Some(Arc::new(FencePlan::from_items(&items))),
+        PlanKind::Rally => plans.rally.content = Some(Arc::new(RallyPlan::from_items(&items))),
+    }
+}

@@ -1,0 +1,182 @@
+//! One download of one list: how long it is, then item by item, each asked for again when it does not come.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{MavMessage, MavMissionResult};
+
+use super::wire::{self, Answer, Form};
+use crate::vehicle::{PlanItem, PlanKind, Transfer};
+use crate::wire::{ComponentId, SystemId};
+
+/// How long an answer may take on a link without delay (the protocol proposes 0.25 to 1.5 s; vehicles answer within
+/// 30 ms, but stall for up to a second while they boot).
+const ANSWER_WITHIN: Duration = Duration::from_secs(1);
+/// The longest that an answer is waited for, however slow the link.
+const LONGEST_WAIT: Duration = Duration::from_secs(5);
+/// How often a question is asked before the download is given up (MAVLink's protocol: 5 retries).
+const TRIES: u8 = 6;
+/// An item that has not come after so many questions is asked for in the other form from then on.
+const TRIES_PER_FORM: u8 = 3;
+/// No list is longer; `ArduPilot` stores some hundreds.
+const MOST_ITEMS: u16 = 5000;
+
+/// A download under way.
+#[derive(Debug)]
+pub(super) struct Download {
+    pub kind: PlanKind,
+    address: (SystemId, ComponentId),
+    form: Form,
+    /// Whether the vehicle has said that it knows items as integers. Floats are worth 2 m at best, so loss alone
+    /// must not lead to them then.
+    is_int_certain: bool,
+    /// How many items there are, once the vehicle has said so.
+    total: Option<u16>,
+    items: Vec<PlanItem>,
+    /// How often the present question has been asked, and when last.
+    tries: u8,
+    asked_at: Duration,
+}
+
+/// How a download stands.
+#[derive(Debug, PartialEq)]
+pub(super) enum Step {
+    /// It goes on.
+    Going,
+    /// All items are here.
+    Done(Vec<PlanItem>),
+    /// The vehicle has no such list.
+    Unsupported,
+    /// It did not come.
+    Failed,
+}
+
+impl Download {
+    /// Nothing asked yet. `knows_int` is what the vehicle has said about items as integers.
+    pub fn new(kind: PlanKind, address: (SystemId, ComponentId), knows_int: Option<bool>) -> Self {
+        let is_float = knows_int == Some(false);
+        Self {
+            kind,
+            address,
+            form: if is_float { Form::Float } else { Form::Int },
+            is_int_certain: knows_int == Some(true),
+            total: None,
+            items: Vec::new(),
+            tries: 0,
+            asked_at: Duration::ZERO,
+        }
+    }
+
+    /// What a person may see of it.
+    pub fn transfer(&self) -> Transfer {
+        Transfer::Coming {
+            received: u16::try_from(self.items.len()).unwrap_or(u16::MAX),
+            total: self.total,
+        }
+    }
+
+    /// Asks, and asks again. `round_trip` is the delay of the link.
+    pub fn poll(&mut self, round_trip: Duration, now: Duration, out: &mut Vec<MavMessage>) -> Step {
+        let wait = (ANSWER_WITHIN + 2 * round_trip).min(LONGEST_WAIT);
+        if self.tries > 0 && now < self.asked_at + wait {
+            return Step::Going;
+        }
+        if self.tries == TRIES {
+            return Step::Failed;
+        }
+        // Only the first item tells which form the vehicle knows.
+        let is_first_item = self.total.is_some() && self.items.is_empty();
+        if self.tries == TRIES_PER_FORM && is_first_item && !self.is_int_certain {
+            self.form = match self.form {
+                Form::Int => Form::Float,
+                Form::Float => Form::Int,
+            };
+        }
+        self.ask(now, out);
+        Step::Going
+    }
+
+    /// Takes an answer about this list.
+    pub fn receive(&mut self, answer: Answer, now: Duration, out: &mut Vec<MavMessage>) -> Step {
+        match answer {
+            Answer::Count(count) => self.count(count, now, out),
+            Answer::Item(item) => self.item(item, now, out),
+            Answer::Refused(result) => self.refused(result, now, out),
+        }
+    }
+
+    /// Tells the vehicle that nothing more is wanted.
+    pub fn cancel(&self, out: &mut Vec<MavMessage>) {
+        let cancelled = MavMissionResult::MAV_MISSION_OPERATION_CANCELLED;
+        out.push(wire::acknowledge(self.address, self.kind, cancelled));
+    }
+
+    fn count(&mut self, count: u16, now: Duration, out: &mut Vec<MavMessage>) -> Step {
+        if self.total == Some(count) {
+            // Our question was asked twice, and so it is answered twice.
+            return Step::Going;
+        }
+        if count > MOST_ITEMS {
+            self.cancel(out);
+            return Step::Failed;
+        }
+        // Another count in between: it is another list now.
+        self.total = Some(count);
+        self.items.clear();
+        self.go_on(now, out)
+    }
+
+    fn item(&mut self, item: PlanItem, now: Duration, out: &mut Vec<MavMessage>) -> Step {
+        let is_next = usize::from(item.seq) == self.items.len();
+        if self.total.is_none() || !is_next {
+            return Step::Going;
+        }
+        self.items.push(item);
+        self.go_on(now, out)
+    }
+
+    /// A vehicle that does not know the question for items as integers is asked for floats.
+    fn refused(
+        &mut self,
+        result: MavMissionResult,
+        now: Duration,
+        out: &mut Vec<MavMessage>,
+    ) -> Step {
+        match result {
+            // The end of somebody's upload, not an answer to us.
+            MavMissionResult::MAV_MISSION_ACCEPTED => Step::Going,
+            MavMissionResult::MAV_MISSION_UNSUPPORTED if self.total.is_none() => Step::Unsupported,
+            MavMissionResult::MAV_MISSION_UNSUPPORTED
+                if self.form == Form::Int && self.items.is_empty() =>
+            {
+                self.form = Form::Float;
+                self.tries = 0;
+                self.ask(now, out);
+                Step::Going
+            }
+            _ => Step::Failed,
+        }
+    }
+
+    fn go_on(&mut self, now: Duration, out: &mut Vec<MavMessage>) -> Step {
+        if self.total.map(usize::from) == Some(self.items.len()) {
+            let accepted = MavMissionResult::MAV_MISSION_ACCEPTED;
+            out.push(wire::acknowledge(self.address, self.kind, accepted));
+            return Step::Done(std::mem::take(&mut self.items));
+        }
+        self.tries = 0;
+        self.ask(now, out);
+        Step::Going
+    }
+
+    fn ask(&mut self, now: Duration, out: &mut Vec<MavMessage>) {
+        self.tries += 1;
+        self.asked_at = now;
+        out.push(if self.total.is_none() {
+            wire::request_list(self.address, self.kind)
+        } else {
+            // Lengths are bounded by MOST_ITEMS.
+            let seq = self.items.len() as u16;
+            wire::request_item(self.address, self.kind, seq, self.form)
+        });
+    }
+}

@@ -1,0 +1,203 @@
+//! The messages of the mission protocol, as the reader of plans sees them.
+
+#![expect(
+    deprecated,
+    reason = "older vehicles answer only to what the dialect calls superseded"
+)]
+
+use mavlink::dialects::ardupilotmega::{
+    MISSION_ACK_DATA, MISSION_ITEM_DATA, MISSION_ITEM_INT_DATA, MISSION_REQUEST_DATA,
+    MISSION_REQUEST_INT_DATA, MISSION_REQUEST_LIST_DATA, MavMessage, MavMissionResult,
+    MavMissionType,
+};
+
+use crate::geo::LatLon;
+use crate::vehicle::{HeightFrame, PlanItem, PlanKind};
+use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, SystemId};
+
+/// MAVLink ids of the messages that carry an item.
+const MISSION_ITEM: u32 = 39;
+const MISSION_ITEM_INT: u32 = 73;
+
+/// Something about a list that the vehicle says to us.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Answer {
+    /// `MISSION_COUNT`.
+    Count(u16),
+    /// `MISSION_ITEM_INT` or `MISSION_ITEM`.
+    Item(PlanItem),
+    /// `MISSION_ACK`: to a reader always a refusal.
+    Refused(MavMissionResult),
+}
+
+/// How items are asked for: with places as integers, or as floats by vehicles that know nothing better.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    Int,
+    Float,
+}
+
+/// The answer in a frame, with the list that it is about. What is meant for other ground stations is none.
+pub(super) fn answer(frame: &Frame) -> Option<(PlanKind, Answer)> {
+    let (target, kind, answer) = match &frame.content {
+        Content::Message(MavMessage::MISSION_COUNT(data)) => {
+            let kind = kind(data.mission_type as u8)?;
+            (data.target_system, kind, Answer::Count(data.count))
+        }
+        Content::Message(MavMessage::MISSION_ACK(data)) => {
+            let kind = kind(data.mission_type as u8)?;
+            (data.target_system, kind, Answer::Refused(data.mavtype))
+        }
+        Content::Message(MavMessage::MISSION_ITEM_INT(data)) => {
+            let kind = kind(data.mission_type as u8)?;
+            (data.target_system, kind, Answer::Item(item_int(data)))
+        }
+        Content::Message(MavMessage::MISSION_ITEM(data)) => {
+            let kind = kind(data.mission_type as u8)?;
+            (data.target_system, kind, Answer::Item(item_float(data)))
+        }
+        Content::Undecoded { id, payload } if matches!(*id, MISSION_ITEM | MISSION_ITEM_INT) => {
+            let item = item_by_hand(payload, *id == MISSION_ITEM_INT);
+            (payload[32], kind(payload[37])?, Answer::Item(item))
+        }
+        _ => return None,
+    };
+    (target == 0 || target == GROUND_STATION_SYSTEM).then_some((kind, answer))
+}
+
+/// The list whose upload by somebody else the vehicle has just accepted.
+pub(super) fn others_upload(frame: &Frame) -> Option<PlanKind> {
+    match &frame.content {
+        Content::Message(MavMessage::MISSION_ACK(data))
+            if data.mavtype == MavMissionResult::MAV_MISSION_ACCEPTED =>
+        {
+            kind(data.mission_type as u8)
+        }
+        _ => None,
+    }
+}
+
+/// Asks how long a list is.
+pub(super) fn request_list(
+    (target_system, target_component): (SystemId, ComponentId),
+    kind: PlanKind,
+) -> MavMessage {
+    MavMessage::MISSION_REQUEST_LIST(MISSION_REQUEST_LIST_DATA {
+        target_system,
+        target_component,
+        mission_type: mission_type(kind),
+    })
+}
+
+/// Asks for one item.
+pub(super) fn request_item(
+    (target_system, target_component): (SystemId, ComponentId),
+    kind: PlanKind,
+    seq: u16,
+    form: Form,
+) -> MavMessage {
+    let mission_type = mission_type(kind);
+    match form {
+        Form::Int => MavMessage::MISSION_REQUEST_INT(MISSION_REQUEST_INT_DATA {
+            seq,
+            target_system,
+            target_component,
+            mission_type,
+        }),
+        Form::Float => MavMessage::MISSION_REQUEST(MISSION_REQUEST_DATA {
+            seq,
+            target_system,
+            target_component,
+            mission_type,
+        }),
+    }
+}
+
+/// Ends a transfer: everything is here, or it is broken off.
+pub(super) fn acknowledge(
+    (target_system, target_component): (SystemId, ComponentId),
+    kind: PlanKind,
+    result: MavMissionResult,
+) -> MavMessage {
+    MavMessage::MISSION_ACK(MISSION_ACK_DATA {
+        target_system,
+        target_component,
+        mavtype: result,
+        mission_type: mission_type(kind),
+        opaque_id: 0,
+    })
+}
+
+fn mission_type(kind: PlanKind) -> MavMissionType {
+    match kind {
+        PlanKind::Plan => MavMissionType::MAV_MISSION_TYPE_MISSION,
+        PlanKind::Fence => MavMissionType::MAV_MISSION_TYPE_FENCE,
+        PlanKind::Rally => MavMissionType::MAV_MISSION_TYPE_RALLY,
+    }
+}
+
+fn kind(mission_type: u8) -> Option<PlanKind> {
+    PlanKind::ALL.get(usize::from(mission_type)).copied()
+}
+
+fn item_int(data: &MISSION_ITEM_INT_DATA) -> PlanItem {
+    let place = LatLon::from_e7(data.x, data.y);
+    item(
+        (data.seq, data.command as u16, data.frame as u8),
+        [data.param1, data.param2, data.param3, data.param4],
+        (place, data.z),
+    )
+}
+
+fn item_float(data: &MISSION_ITEM_DATA) -> PlanItem {
+    let place = LatLon::new(f64::from(data.x), f64::from(data.y));
+    item(
+        (data.seq, data.command as u16, data.frame as u8),
+        [data.param1, data.param2, data.param3, data.param4],
+        (place, data.z),
+    )
+}
+
+/// An item whose command or frame is newer than the dialect, by its layout on the wire: four parameters, x, y,
+/// z, the number, the command, target system and component, the frame.
+fn item_by_hand(payload: &[u8; 255], is_int: bool) -> PlanItem {
+    let word = |at: usize| {
+        [
+            payload[at],
+            payload[at + 1],
+            payload[at + 2],
+            payload[at + 3],
+        ]
+    };
+    let float = |at: usize| f32::from_le_bytes(word(at));
+    let place = if is_int {
+        LatLon::from_e7(i32::from_le_bytes(word(16)), i32::from_le_bytes(word(20)))
+    } else {
+        LatLon::new(f64::from(float(16)), f64::from(float(20)))
+    };
+    let seq = u16::from_le_bytes([payload[28], payload[29]]);
+    let command = u16::from_le_bytes([payload[30], payload[31]]);
+    item(
+        (seq, command, payload[34]),
+        [float(0), float(4), float(8), float(12)],
+        (place, float(24)),
+    )
+}
+
+fn item(
+    (seq, command, frame): (u16, u16, u8),
+    params: [f32; 4],
+    (place, z): (LatLon, f32),
+) -> PlanItem {
+    let is_somewhere = place.is_valid() && (place.lat_deg, place.lon_deg) != (0.0, 0.0);
+    let frame = HeightFrame::from_wire(frame);
+    PlanItem {
+        seq,
+        command,
+        frame,
+        params,
+        at_point: (is_somewhere && frame != HeightFrame::Other && PlanItem::has_place(command))
+            .then_some(place),
+        altitude_m: z.is_finite().then_some(z),
+    }
+}

@@ -1,0 +1,243 @@
+//! What the message under the cursor says: field by field, or byte by byte.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::{age, hertz};
+use crate::app::room::messages::{Messages, Selected};
+use crate::inspector::{Census, Direction, Key, Reading, Tally, Value, name_of, read};
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, clip, put, row_of, titled, wrap};
+use crate::wire::Anatomy;
+use mavlink::MavlinkVersion;
+
+const DIGITS: &[u8; 16] = b"0123456789abcdef";
+/// Columns before a value that stands below its name.
+const INDENT: usize = 4;
+
+/// A line of the pane, and the field that it belongs to.
+type Row = (Option<usize>, Line<'static>);
+
+/// Draws the pane.
+pub(super) fn draw(
+    room: &Messages,
+    selected: Option<Selected<'_>>,
+    look: &Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let Some(selected) = selected else {
+        draw_hint(room, look, area, buffer);
+        return;
+    };
+    let Selected {
+        key, tally, now, ..
+    } = selected;
+    let title = format!("{} ({})", name_of(key.message), key.message);
+    let inner = titled(&title, look, area, buffer);
+    let Some(frame) = Anatomy::of(&tally.last) else {
+        return;
+    };
+    let rate = tally.rate(now);
+    let figures = text!(
+        "messages-figures",
+        hz = hertz(rate.hz),
+        bytes = format!("{:.0}", rate.bytes_s),
+        count = tally.count,
+        age = age(now.saturating_sub(tally.last_at))
+    );
+    let width = usize::from(inner.width);
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::raw(clip(&look.text(&figures), width)),
+    );
+    let dress = Line::styled(
+        clip(&dress(key, &frame, tally, look), width),
+        look.style(Role::Muted),
+    );
+    put(buffer, inner, 1, &dress);
+    let inner = below(inner, 2);
+    if room.hex {
+        draw_bytes(tally, look, inner, buffer);
+        return;
+    }
+    let reading = read(&frame);
+    if reading.values.is_empty() {
+        draw_undecoded(&reading, tally, look, inner, buffer);
+        return;
+    }
+    let rows = rows(room, selected, &reading, look, inner.width.into());
+    draw_rows(&rows, room.field, look, inner, buffer);
+}
+
+/// What there is to know while no message is under the cursor.
+fn draw_hint(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = titled(&look.say("messages-fields"), look, area, buffer);
+    let mut lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
+    let censuses = room.traffic.iter().filter_map(|link| link.census.as_ref());
+    let uncounted: u64 = censuses.map(Census::uncounted).sum();
+    if uncounted > 0 {
+        let text = text!("messages-uncounted", count = uncounted);
+        lines.extend(wrap(&look.text(&text), usize::from(inner.width)));
+    }
+    for (row, line) in lines.into_iter().enumerate() {
+        let line = Line::styled(line, look.style(Role::Muted));
+        put(buffer, inner, row as u16, &line);
+    }
+}
+
+/// How the last frame was dressed: version, signature, length, number.
+fn dress(key: Key, frame: &Anatomy<'_>, tally: &Tally, look: &Look) -> String {
+    let version = match frame.version {
+        MavlinkVersion::V1 => 1,
+        MavlinkVersion::V2 => 2,
+    };
+    let way = match key.source.direction {
+        Direction::In => look.say("messages-received"),
+        Direction::Out => look.say("messages-sent"),
+    };
+    let signed = if frame.signed {
+        look.say("messages-signed")
+    } else {
+        look.say("messages-unsigned")
+    };
+    look.text(&text!(
+        "messages-dress",
+        way = way,
+        version = version,
+        signed = signed,
+        length = tally.last.len(),
+        sequence = frame.sequence
+    ))
+}
+
+fn draw_rows(rows: &[Row], field: Option<usize>, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let is_cursor = |row: &Row| row.0.is_some() && row.0 == field;
+    let cursor = rows.iter().position(is_cursor).unwrap_or(0);
+    let height = usize::from(area.height);
+    let middle = cursor.saturating_sub(height / 2);
+    let first = middle.min(rows.len().saturating_sub(height));
+    for (at, row) in rows.iter().skip(first).take(height).enumerate() {
+        put(buffer, area, at as u16, &row.1);
+        if is_cursor(row) {
+            buffer.set_style(row_of(area, at as u16), look.style(Role::Cursor));
+        }
+    }
+    let hidden = rows.len().saturating_sub(first + height);
+    if hidden > 0 && height > 0 {
+        let more = look.text(&text!("messages-more", count = hidden));
+        let place = row_of(area, area.height - 1);
+        let x = place.right().saturating_sub(more.chars().count() as u16);
+        buffer.set_string(x, place.y, more, look.style(Role::Muted));
+    }
+}
+
+/// The fields as lines of a width.
+fn rows(
+    room: &Messages,
+    selected: Selected<'_>,
+    reading: &Reading,
+    look: &Look,
+    width: usize,
+) -> Vec<Row> {
+    let lengths = reading.values.iter().map(|value| value.name.len() + 1);
+    let name_width = lengths.filter(|len| *len <= width / 2).max().unwrap_or(0);
+    let mine = |field: usize| (selected.link, selected.key, field);
+    let pins = room.pins.iter().map(|pin| (pin.link, pin.key, pin.field));
+    let is_pinned = |field: usize| pins.clone().any(|pin| pin == mine(field));
+    let mut rows = Vec::new();
+    for (field, value) in reading.values.iter().enumerate() {
+        let (words, role) = words(value, look);
+        let mark = if is_pinned(field) { "~" } else { " " };
+        let name = format!("{mark}{}", value.name);
+        let name_role = if value.is_extension {
+            Role::Muted
+        } else {
+            Role::Text
+        };
+        let left = width.saturating_sub(name_width + 1);
+        let fits = name.len() <= name_width && Span::raw(words.as_str()).width() <= left;
+        let mut line = vec![Span::styled(
+            format!("{name:name_width$} "),
+            look.style(name_role),
+        )];
+        if fits {
+            line.push(Span::styled(words, look.style(role)));
+            rows.push((Some(field), Line::from(line)));
+            continue;
+        }
+        // What is too long for its column stands below its name.
+        rows.push((Some(field), Line::from(line)));
+        for part in wrap(&words, width.saturating_sub(INDENT).max(8)) {
+            let text = format!("{:INDENT$}{part}", "");
+            rows.push((None, Line::styled(text, look.style(role))));
+        }
+    }
+    rows
+}
+
+/// A value with its unit and its names.
+fn words(value: &Value, look: &Look) -> (String, Role) {
+    if value.is_unknown {
+        let text = text!("messages-unknown", value = value.figures());
+        return (look.text(&text), Role::Muted);
+    }
+    let names = value.names.join(" ");
+    let parts = [value.figures(), value.unit.to_owned(), names];
+    let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    (parts.join(" "), Role::Text)
+}
+
+/// A message that nobody can read: why not, and its bytes.
+fn draw_undecoded(reading: &Reading, tally: &Tally, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let reason = if reading.name.is_some() {
+        look.say("messages-other-layout")
+    } else {
+        look.say("messages-unknown-id")
+    };
+    let mut row = 0;
+    for line in wrap(&reason, usize::from(area.width)) {
+        put(
+            buffer,
+            area,
+            row,
+            &Line::styled(line, look.style(Role::Warning)),
+        );
+        row += 1;
+    }
+    draw_bytes(tally, look, below(area, row), buffer);
+}
+
+/// The last frame byte by byte.
+fn draw_bytes(tally: &Tally, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let per_line = if area.width >= 72 { 16 } else { 8 };
+    for (row, bytes) in tally.last.chunks(per_line).enumerate() {
+        let mut hex = String::new();
+        for byte in bytes {
+            hex.push(' ');
+            hex.extend([byte >> 4, byte & 0xF].map(|digit| char::from(DIGITS[usize::from(digit)])));
+        }
+        let text: String = bytes
+            .iter()
+            .map(|&byte| {
+                if byte.is_ascii_graphic() {
+                    char::from(byte)
+                } else {
+                    '.'
+                }
+            })
+            .collect();
+        let offset = format!("{:03x}", row * per_line);
+        let line = Line::from(vec![
+            Span::styled(offset, look.style(Role::Muted)),
+            Span::raw(format!("{hex:width$} ", width = per_line * 3)),
+            Span::styled(text, look.style(Role::Muted)),
+        ]);
+        put(buffer, area, row as u16, &line);
+    }
+}

@@ -1,0 +1,118 @@
+//! Below the list: the parameter under the cursor on each vehicle that a new value would go to.
+
+use std::collections::BTreeMap;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::{Row, edited};
+use crate::app::state::{State, ranges};
+use crate::parameters::shown;
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{put, titled, wrap};
+use crate::vehicle::VehicleId;
+
+/// Vehicles with the same value and outcome share a line; more lines than this are not drawn anyway.
+const MOST_LINES: usize = 12;
+
+/// The lines: vehicles, their value, what became of the newest value they were told to take, and why.
+pub fn lines(
+    state: &State,
+    vehicle: VehicleId,
+    row: &Row<'_>,
+    (look, width): (&Look, usize),
+) -> Vec<Line<'static>> {
+    let mut vehicles = state.addressed();
+    if !vehicles.contains(&vehicle) {
+        vehicles.insert(0, vehicle);
+    }
+    let mut groups: Vec<(Standing, Vec<VehicleId>)> = Vec::new();
+    let mut places: BTreeMap<String, usize> = BTreeMap::new();
+    for id in vehicles {
+        let standing = Standing::of(state, id, row.name);
+        let key = standing.key();
+        let at = *places.entry(key).or_insert(groups.len());
+        match groups.get_mut(at) {
+            Some((_, ids)) => ids.push(id),
+            None => groups.push((standing, vec![id])),
+        }
+    }
+    let lines = groups
+        .into_iter()
+        .flat_map(|(standing, ids)| standing.lines(&ids, (look, width)));
+    lines.take(MOST_LINES).collect()
+}
+
+/// Draws them below a rule with the parameter's name.
+pub fn draw(name: &str, lines: &[Line<'static>], look: &Look, area: Rect, buffer: &mut Buffer) {
+    if area.height == 0 {
+        return;
+    }
+    let inner = titled(name, look, area, buffer);
+    for (row, line) in lines.iter().enumerate() {
+        put(buffer, inner, row as u16, line);
+    }
+}
+
+/// How a parameter stands on a vehicle.
+struct Standing {
+    value: Option<String>,
+    before: Option<String>,
+    asked: Option<(Text, Role, Option<Text>)>,
+}
+
+impl Standing {
+    fn of(state: &State, vehicle: VehicleId, name: &str) -> Self {
+        let room = &state.rooms.parameters;
+        let known = room.get(vehicle, name);
+        let changed = known.filter(|known| known.is_changed());
+        let asked = room.edit(vehicle, name).and_then(|edit| {
+            let (word, role, reason) = edited(state, edit, vehicle)?;
+            let value = shown(edit.value);
+            let text = text!("parameters-asked", value = value, state = word);
+            Some((text, role, reason))
+        });
+        Self {
+            value: known.map(|known| shown(known.value)),
+            before: changed.map(|known| shown(known.original)),
+            asked,
+        }
+    }
+
+    fn key(&self) -> String {
+        format!("{:?} {:?} {:?}", self.value, self.before, self.asked)
+    }
+
+    fn lines(self, ids: &[VehicleId], (look, width): (&Look, usize)) -> Vec<Line<'static>> {
+        let value = self.value.unwrap_or_else(|| "-".to_owned());
+        let mut spans = vec![
+            Span::styled(
+                format!(" {}  ", ranges(ids.iter().copied())),
+                look.style(Role::Selected),
+            ),
+            Span::styled(value, look.style(Role::Text)),
+        ];
+        if let Some(before) = self.before {
+            let text = look.text(&text!("parameters-before", value = before));
+            spans.push(Span::styled(format!("  {text}"), look.style(Role::Muted)));
+        }
+        let mut reason = None;
+        if let Some((text, role, why)) = self.asked {
+            let text = format!("   {}", look.text(&text));
+            spans.push(Span::styled(text, look.style(role)));
+            reason = why;
+        }
+        let mut lines = vec![Line::from(spans)];
+        if let Some(reason) = reason {
+            let wrapped = wrap(&look.text(&reason), width.saturating_sub(6));
+            let style = look.style(Role::Muted);
+            let told = wrapped.into_iter().take(2);
+            lines.extend(told.map(|line| Line::styled(format!("     {line}"), style)));
+        }
+        lines
+    }
+}

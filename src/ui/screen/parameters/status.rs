@@ -1,0 +1,141 @@
+//! Above the list: whose it is, how much has come, what narrows it.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::app::room::parameters::{Other, Row, extra};
+use crate::app::state::{State, ranges};
+use crate::parameters::{Fetching, Snapshot};
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clip, put, titled};
+use crate::vehicle::VehicleId;
+
+/// Columns of the progress bar.
+const BAR: usize = 20;
+
+/// Draws a rule with the vehicle's number and a line that says how far things are.
+pub fn draw(
+    state: &State,
+    vehicle: VehicleId,
+    (rows, look): (&[Row<'_>], &Look),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let title = match &state.rooms.parameters.comparison {
+        None => text!("parameters-title", vehicle = vehicle),
+        Some(comparison) => text!(
+            "parameters-title-compared",
+            vehicle = vehicle,
+            other = named(&comparison.with)
+        ),
+    };
+    let inner = titled(&look.text(&title), look, area, buffer);
+    let is_lost = state
+        .session
+        .vehicles
+        .get(&vehicle)
+        .is_some_and(|it| it.link.lost);
+    let known = state.rooms.parameters.lists.get(&vehicle);
+    let mut spans = progress(known, is_lost, look);
+    for (text, role) in remarks(state, rows) {
+        spans.push(Span::styled("   ", look.style(Role::Text)));
+        spans.push(Span::styled(look.text(&text), look.style(role)));
+    }
+    put(buffer, inner, 0, &Line::from(spans));
+}
+
+/// What a list is compared with.
+pub fn named(other: &Other) -> Text {
+    match other {
+        Other::File { path, .. } => Text::verbatim(path.as_str()),
+        Other::Vehicle(id) => text!("parameters-of-vehicle", vehicle = *id),
+    }
+}
+
+fn progress(known: Option<&Snapshot>, is_lost: bool, look: &Look) -> Vec<Span<'static>> {
+    let (received, count) = known.map_or((0, 0), |known| {
+        (known.list.received(), known.list.count().unwrap_or(0))
+    });
+    let fetching = known.map(|known| known.fetching).unwrap_or_default();
+    let (text, role) = match fetching {
+        Fetching::Complete => (text!("parameters-complete", count = count), Role::Ok),
+        Fetching::Stalled => {
+            let text = text!("parameters-stalled", received = received, count = count);
+            (text, Role::Warning)
+        }
+        Fetching::UnderWay { .. } if is_lost => {
+            let text = text!("parameters-link-lost", received = received, count = count);
+            (text, Role::Danger)
+        }
+        Fetching::UnderWay { fruitless } if fruitless > 2 => (
+            text!(
+                "parameters-repeating",
+                received = received,
+                count = count,
+                tries = fruitless
+            ),
+            Role::Warning,
+        ),
+        Fetching::UnderWay { .. } if count > 0 => (
+            text!("parameters-coming", received = received, count = count),
+            Role::Accent,
+        ),
+        _ => (text!("parameters-asking"), Role::Muted),
+    };
+    let mut spans = vec![Span::raw(" ")];
+    if fetching.is_under_way() && count > 0 {
+        spans.extend(bar(usize::from(received), usize::from(count), look));
+    }
+    spans.push(Span::styled(look.text(&text), look.style(role)));
+    spans
+}
+
+fn bar(received: usize, count: usize, look: &Look) -> [Span<'static>; 3] {
+    let done = BAR * received.min(count) / count.max(1);
+    [
+        Span::styled("█".repeat(done), look.style(Role::Accent)),
+        Span::styled("░".repeat(BAR - done), look.style(Role::Muted)),
+        Span::raw(" "),
+    ]
+}
+
+/// What narrows the list and what is going on.
+fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
+    let room = &state.rooms.parameters;
+    let mut remarks = Vec::new();
+    if let Some(batch) = &room.batch {
+        let left = batch.left();
+        remarks.push((text!("parameters-setting", count = left), Role::Warning));
+    }
+    if let Some(comparison) = &room.comparison {
+        let findings = || rows.iter().filter_map(|row| Some((row.name, row.finding?)));
+        let is_marked = |(name, finding): &(&str, _)| comparison.is_marked(name, *finding);
+        let (count, marked) = (findings().count(), findings().filter(is_marked).count());
+        let text = text!("parameters-marked", count = count, marked = marked);
+        remarks.push((text, Role::Accent));
+        let hidden = extra(state, comparison);
+        if !comparison.lists_extra && hidden > 0 {
+            remarks.push((text!("parameters-hidden", count = hidden), Role::Muted));
+        }
+    }
+    if !room.filter.is_empty() {
+        let filter = clip(&room.filter, 16);
+        let text = text!("parameters-filter", filter = filter, count = rows.len());
+        remarks.push((text, Role::Accent));
+    }
+    if room.changed_only && room.comparison.is_none() {
+        remarks.push((text!("parameters-only-changed"), Role::Accent));
+    }
+    if state.session.selection.len() > 1 {
+        let vehicles = ranges(state.addressed());
+        remarks.push((
+            text!("parameters-sets-on", vehicles = vehicles),
+            Role::Selected,
+        ));
+    }
+    remarks
+}

@@ -1,0 +1,136 @@
+//! How well it knows where it is: GPS, navigation filter, vibration, against the limits that matter.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::Subject;
+use super::row::{UNKNOWN, bar, filled, grade_word, labelled, number};
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{put, titled};
+use crate::vehicle::{EkfFlags, Grade, Vehicle};
+
+/// Columns of a value that a word follows.
+const VALUE: usize = 19;
+/// Columns of a number before its bar, and of the bar.
+const NUMBER: usize = 6;
+const BAR: usize = VALUE - NUMBER - 1;
+/// What a full bar stands for: the limits, and a quarter more.
+const FULL_VARIANCE: f32 = 1.0;
+const FULL_VIBRATION: f32 = 75.0;
+
+/// Draws the readings with a word for each.
+pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let (vehicle, look) = (subject.vehicle, subject.look);
+    let inner = titled(&look.say("vehicle-estimate"), look, area, buffer);
+    let rows = gps(vehicle, look)
+        .into_iter()
+        .chain(filter(vehicle, look))
+        .chain(vibration(vehicle, look));
+    for (at, line) in rows.enumerate() {
+        put(buffer, inner, at as u16, &line);
+    }
+}
+
+fn graded(look: &Look, label: &str, value: &str, grade: Option<Grade>) -> Line<'static> {
+    let mut spans = vec![Span::raw(format!("{} ", filled(value, VALUE)))];
+    spans.extend(grade.map(|grade| grade_word(look, grade)));
+    labelled(look, label, spans)
+}
+
+fn gps(vehicle: &Vehicle, look: &Look) -> [Line<'static>; 2] {
+    let fix = vehicle.gps.map_or(UNKNOWN.to_owned(), |gps| {
+        let satellites = gps
+            .satellites
+            .map_or(UNKNOWN.to_owned(), |count| count.to_string());
+        let text = text!(
+            "vehicle-gps",
+            fix = gps.fix.to_string(),
+            satellites = satellites,
+            hdop = number(gps.hdop, 1)
+        );
+        look.text(&text)
+    });
+    let accuracy = vehicle.gps_accuracy;
+    let error = accuracy.map_or(UNKNOWN.to_owned(), |accuracy| {
+        let [horizontal, vertical] =
+            [accuracy.horizontal_m, accuracy.vertical_m].map(|error| number(Some(error), 1));
+        format!("±{horizontal} m  ↕ {vertical} m")
+    });
+    [
+        graded(look, "GPS", &fix, vehicle.gps.as_ref().map(Grade::of_gps)),
+        graded(
+            look,
+            &look.say("vehicle-gps-error"),
+            &error,
+            accuracy.as_ref().map(Grade::of_accuracy),
+        ),
+    ]
+}
+
+fn filter(vehicle: &Vehicle, look: &Look) -> Vec<Line<'static>> {
+    let ekf = vehicle.ekf;
+    let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
+    let (word, grade) = match ekf.map(|ekf| ekf.flags.has(position)) {
+        Some(true) => (look.say("vehicle-ekf-position"), Some(Grade::Good)),
+        Some(false) => (look.say("vehicle-ekf-lost"), Some(Grade::Bad)),
+        None => (UNKNOWN.to_owned(), None),
+    };
+    let mut lines = vec![graded(look, "EKF", &word, grade)];
+    let ratios = [
+        ("vehicle-ekf-velocity", ekf.map(|ekf| ekf.velocity_variance)),
+        (
+            "vehicle-ekf-horizontal",
+            ekf.map(|ekf| ekf.position_horizontal_variance),
+        ),
+        (
+            "vehicle-ekf-vertical",
+            ekf.map(|ekf| ekf.position_vertical_variance),
+        ),
+        ("vehicle-ekf-compass", ekf.map(|ekf| ekf.compass_variance)),
+    ];
+    for (id, ratio) in ratios {
+        let value = measured(ratio, 2, FULL_VARIANCE, look);
+        lines.push(graded(
+            look,
+            &look.say(id),
+            &value,
+            ratio.map(Grade::of_variance),
+        ));
+    }
+    lines
+}
+
+fn vibration(vehicle: &Vehicle, look: &Look) -> Vec<Line<'static>> {
+    let vibration = vehicle.vibration;
+    let axes = ["x", "y", "z"].into_iter().enumerate();
+    let mut lines: Vec<Line<'static>> = axes
+        .map(|(axis, name)| {
+            let level = vibration.map(|vibration| vibration.level_m_s2[axis]);
+            let value = measured(level, 1, FULL_VIBRATION, look);
+            let label = look.text(&text!("vehicle-vibration", axis = name));
+            graded(look, &label, &value, level.map(Grade::of_vibration))
+        })
+        .collect();
+    let counts = vibration.map(|vibration| vibration.clipping);
+    let value = counts.map_or(UNKNOWN.to_owned(), |[x, y, z]| format!("{x} {y} {z}"));
+    let worst = counts.and_then(|counts| counts.into_iter().max());
+    lines.push(graded(
+        look,
+        &look.say("vehicle-clipping"),
+        &value,
+        worst.map(Grade::of_clipping),
+    ));
+    let style = look.style(Role::Muted);
+    lines.push(Line::styled(look.say("vehicle-limits"), style));
+    lines
+}
+
+/// A number and a bar.
+fn measured(value: Option<f32>, decimals: usize, full: f32, look: &Look) -> String {
+    let shown = number(value, decimals);
+    let bar = value.map_or(String::new(), |value| bar(value / full, BAR, look.symbols));
+    format!("{shown:>NUMBER$} {bar}")
+}

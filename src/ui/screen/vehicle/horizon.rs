@@ -1,0 +1,214 @@
+//! The attitude indicator: where the ground is, as seen from the vehicle.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::config::Symbols;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::vehicle::Attitude;
+
+/// Degrees of pitch from the middle of the indicator to its upper edge: more than a copter leans by itself (30).
+const HALF_VIEW_DEG: f64 = 40.0;
+/// The ladder of pitch: a rung every so many degrees, each so wide to either side, as a share of the half height.
+const RUNG_EVERY_DEG: f64 = 20.0;
+const RUNG_HALF_WIDTH: f64 = 0.35;
+/// Bits of the dots of a braille pattern, column by column from the top.
+const BRAILLE_DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
+
+/// What is seen at a point of the indicator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Seen {
+    Sky,
+    Ground,
+    Horizon,
+    Rung,
+}
+
+/// The view out of the vehicle. Distances are in rows of the terminal; a column is half as wide as a row is high.
+struct View {
+    /// Sine and cosine of the roll angle.
+    roll: (f64, f64),
+    pitch_deg: f64,
+    degrees_per_row: f64,
+    half_height: f64,
+}
+
+impl View {
+    fn new(attitude: &Attitude, rows: u16) -> Self {
+        let half_height = f64::from(rows) / 2.0;
+        Self {
+            roll: f64::from(attitude.roll_deg).to_radians().sin_cos(),
+            pitch_deg: f64::from(attitude.pitch_deg),
+            degrees_per_row: HALF_VIEW_DEG / half_height.max(0.5),
+            half_height,
+        }
+    }
+
+    /// What lies at a point `right` and `up` of the middle; a line is as thick as `dot`.
+    ///
+    /// The vehicle turns clockwise when it rolls to the right, so the world turns the other way: up points to the
+    /// left of the indicator, and the horizon rises to the right.
+    fn at(&self, right: f64, up: f64, dot: f64) -> Seen {
+        let (sine, cosine) = self.roll;
+        let elevation_deg = self.pitch_deg + self.degrees_per_row * (cosine * up - sine * right);
+        let along = cosine * right + sine * up;
+        let half_line_deg = self.degrees_per_row * dot * 0.5;
+        if elevation_deg.abs() <= half_line_deg {
+            return Seen::Horizon;
+        }
+        let to_rung_deg = elevation_deg - (elevation_deg / RUNG_EVERY_DEG).round() * RUNG_EVERY_DEG;
+        let is_short = along.abs() <= self.half_height * RUNG_HALF_WIDTH;
+        if is_short && to_rung_deg.abs() <= half_line_deg && elevation_deg.abs() > 5.0 {
+            Seen::Rung
+        } else if elevation_deg < 0.0 {
+            Seen::Ground
+        } else {
+            Seen::Sky
+        }
+    }
+}
+
+/// Draws the horizon over the whole area, and the vehicle in its middle.
+pub fn draw(attitude: &Attitude, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let view = View::new(attitude, area.height);
+    for y in 0..area.height {
+        for x in 0..area.width {
+            let (symbol, role) = cell(&view, look.symbols, (x, y), area);
+            buffer[(area.x + x, area.y + y)]
+                .set_char(symbol)
+                .set_style(look.style(role));
+        }
+    }
+    draw_vehicle(look, area, buffer);
+}
+
+/// The wings and the nose of the vehicle itself, which do not move.
+fn draw_vehicle(look: &Look, area: Rect, buffer: &mut Buffer) {
+    let mark = match look.symbols {
+        Symbols::Ascii => "--< + >--",
+        Symbols::Block | Symbols::Braille => "━━┥ + ┝━━",
+    };
+    let width = mark.chars().count() as u16;
+    if area.width < width || area.height == 0 {
+        return;
+    }
+    let (x, y) = (
+        area.x + (area.width - width) / 2,
+        area.y + (area.height - 1) / 2,
+    );
+    buffer.set_string(x, y, mark, look.style(Role::Title));
+}
+
+/// What a cell shows.
+fn cell(view: &View, symbols: Symbols, (x, y): (u16, u16), area: Rect) -> (char, Role) {
+    let (columns, rows) = match symbols {
+        Symbols::Braille => (2, 4),
+        Symbols::Block => (1, 2),
+        Symbols::Ascii => (1, 1),
+    };
+    let dot = 1.0 / rows as f64;
+    let mut seen = [[Seen::Sky; 4]; 2];
+    for (column, dots) in seen.iter_mut().enumerate().take(columns) {
+        for (row, dot_seen) in dots.iter_mut().enumerate().take(rows) {
+            let across = f64::from(x) + (column as f64 + 0.5) / columns as f64;
+            let down = f64::from(y) + (row as f64 + 0.5) * dot;
+            let right = (across - f64::from(area.width) / 2.0) / 2.0;
+            *dot_seen = view.at(right, view.half_height - down, dot);
+        }
+    }
+    let has = |wanted: Seen| seen.iter().flatten().any(|dot| *dot == wanted);
+    let role = if has(Seen::Horizon) {
+        Role::Accent
+    } else if has(Seen::Rung) {
+        Role::Text
+    } else {
+        Role::Muted
+    };
+    let symbol = match symbols {
+        Symbols::Braille => braille(seen),
+        Symbols::Block => block(seen[0][0], seen[0][1]),
+        Symbols::Ascii => ascii(seen[0][0]),
+    };
+    (symbol, role)
+}
+
+/// Lines in full; the ground as every fourth dot, so that it is told from the sky without colour.
+fn braille(seen: [[Seen; 4]; 2]) -> char {
+    let mut bits = 0;
+    for (column, dots) in seen.iter().enumerate() {
+        for (row, dot) in dots.iter().enumerate() {
+            let is_set = match dot {
+                Seen::Horizon | Seen::Rung => true,
+                Seen::Ground => column == 0 && row % 2 == 1,
+                Seen::Sky => false,
+            };
+            if is_set {
+                bits |= BRAILLE_DOTS[column][row];
+            }
+        }
+    }
+    match bits {
+        0 => ' ',
+        bits => char::from_u32(0x2800 + bits).unwrap_or(' '),
+    }
+}
+
+fn block(upper: Seen, lower: Seen) -> char {
+    let is_line = |seen| matches!(seen, Seen::Horizon | Seen::Rung);
+    match (is_line(upper), is_line(lower)) {
+        (true, true) => '█',
+        (true, false) => '▀',
+        (false, true) => '▄',
+        (false, false) if lower == Seen::Ground => '░',
+        (false, false) => ' ',
+    }
+}
+
+fn ascii(seen: Seen) -> char {
+    match seen {
+        Seen::Sky => ' ',
+        Seen::Ground => '.',
+        Seen::Horizon => '=',
+        Seen::Rung => '-',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    fn view(roll_deg: f32, pitch_deg: f32) -> View {
+        let attitude = Attitude {
+            roll_deg,
+            pitch_deg,
+            yaw_deg: 0.0,
+            at: Duration::ZERO,
+        };
+        View::new(&attitude, 10)
+    }
+
+    #[test]
+    fn the_ground_is_where_it_belongs() {
+        // Roll, pitch, and a point right and up of the middle.
+        for ((roll, pitch), (right, up), expected) in [
+            ((0.0, 0.0), (0.0, -1.0), Seen::Ground),
+            ((0.0, 0.0), (3.0, 0.7), Seen::Sky),
+            ((0.0, 0.0), (3.0, 0.0), Seen::Horizon),
+            // Nose up: the horizon sinks.
+            ((0.0, 12.0), (4.0, -1.5), Seen::Horizon),
+            ((0.0, -12.0), (4.0, 1.5), Seen::Horizon),
+            // Right wing down: the ground is on the right.
+            ((30.0, 0.0), (4.0, 0.0), Seen::Ground),
+            ((30.0, 0.0), (-4.0, 0.0), Seen::Sky),
+            // On its back: the ground is above.
+            ((180.0, 0.0), (3.0, 1.0), Seen::Ground),
+            ((0.0, 0.0), (0.0, 2.5), Seen::Rung),
+        ] {
+            let seen = view(roll, pitch).at(right, up, 0.25);
+            assert_eq!(seen, expected, "{roll} {pitch} {right} {up}");
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! The plan on board around the item being flown, and how much fence and how many rally points there are.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::Subject;
+use super::row::{filled, labelled};
+use crate::commands::command_name;
+use crate::geo::LatLon;
+use crate::text;
+use crate::text::Text;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, put, titled, upper};
+use crate::vehicle::{HeightFrame, Plan, PlanItem, Transfer, Vehicle};
+
+/// Rows of fence and rally points.
+const OTHERS: u16 = 2;
+/// Columns of an item's number, name, and height.
+const SEQ: usize = 4;
+const NAME: usize = 16;
+const HEIGHT: usize = 8;
+
+/// Draws as many items as fit, the current one among them.
+pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let (vehicle, look) = (subject.vehicle, subject.look);
+    let stored = &vehicle.plans.plan;
+    let title = match stored.content.as_deref() {
+        Some(plan) if !plan.flown().is_empty() => look.text(&text!(
+            "vehicle-plan-at",
+            item = u32::from(vehicle.plan.current),
+            last = plan.items.len() - 1
+        )),
+        _ => look.say("vehicle-plan"),
+    };
+    let inner = titled(&title, look, area, buffer);
+    let items = upper(inner, inner.height.saturating_sub(OTHERS));
+    match stored.content.as_deref() {
+        Some(plan) if !plan.flown().is_empty() => draw_items(subject, plan, items, buffer),
+        content => {
+            let text = standing(stored.transfer, content.is_some(), || {
+                text!("vehicle-plan-empty")
+            });
+            put(
+                buffer,
+                items,
+                0,
+                &Line::styled(look.text(&text), look.style(Role::Muted)),
+            );
+        }
+    }
+    draw_others(subject, below(inner, items.height), buffer);
+}
+
+/// Fence and rally points in a row each.
+fn draw_others(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let (vehicle, look) = (subject.vehicle, subject.look);
+    let rows = [
+        ("vehicle-fence", fence(vehicle)),
+        ("vehicle-rally", rally(vehicle)),
+    ];
+    for (row, (label, text)) in rows.into_iter().enumerate() {
+        let value = vec![Span::raw(look.text(&text))];
+        let line = labelled(look, &look.say(label), value);
+        put(buffer, area, row as u16, &line);
+    }
+}
+
+/// What there is to say of a list: what is in it, or why nothing is known.
+fn standing(transfer: Transfer, is_known: bool, content: impl Fn() -> Text) -> Text {
+    match transfer {
+        _ if is_known => content(),
+        Transfer::Coming { received, total } => text!(
+            "vehicle-plan-coming",
+            received = u32::from(received),
+            total = total.map_or("?".to_owned(), |total| total.to_string())
+        ),
+        Transfer::Unsupported => text!("vehicle-plan-unsupported"),
+        Transfer::Failed => text!("vehicle-plan-failed"),
+        Transfer::Unasked | Transfer::Done => Text::from("-"),
+    }
+}
+
+fn fence(vehicle: &Vehicle) -> Text {
+    let stored = &vehicle.plans.fence;
+    let areas = stored.content.as_ref().map_or(0, |fence| fence.areas.len());
+    let content = || text!("vehicle-fence-areas", count = areas);
+    match vehicle.fence {
+        Some(fence) if fence.breached => text!("vehicle-fence-breached"),
+        _ => standing(stored.transfer, stored.content.is_some(), content),
+    }
+}
+
+fn rally(vehicle: &Vehicle) -> Text {
+    let stored = &vehicle.plans.rally;
+    let points = stored
+        .content
+        .as_ref()
+        .map_or(0, |rally| rally.points.len());
+    let content = || text!("vehicle-rally-points", count = points);
+    standing(stored.transfer, stored.content.is_some(), content)
+}
+
+fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffer) {
+    let (vehicle, look) = (subject.vehicle, subject.look);
+    let items = plan.flown();
+    let skipped = plan.items.len() - items.len();
+    let current = usize::from(vehicle.plan.current).checked_sub(skipped);
+    let rows = usize::from(area.height);
+    // One item that is done stays above the current one, to see where it comes from.
+    let first = current
+        .unwrap_or(0)
+        .saturating_sub(1)
+        .min(items.len().saturating_sub(rows));
+    for (row, at) in (first..items.len()).take(rows).enumerate() {
+        let is_current = current == Some(at);
+        let mark = if is_current { '>' } else { ' ' };
+        let role = match current {
+            _ if is_current => Role::Accent,
+            Some(current) if at < current => Role::Muted,
+            _ => Role::Text,
+        };
+        let way = way_m(vehicle, items, at, is_current);
+        let way = way.map_or(String::new(), |way| format!("{way:.0} m"));
+        let line = format!("{mark}{}{way:>7}", described(&items[at]));
+        put(
+            buffer,
+            area,
+            row as u16,
+            &Line::styled(line, look.style(role)),
+        );
+    }
+}
+
+/// Number, name and height.
+fn described(item: &PlanItem) -> String {
+    let name = command_name(item.command).map_or_else(
+        || item.command.to_string(),
+        |name| name.strip_prefix("NAV_").unwrap_or(name).to_owned(),
+    );
+    let height = match (
+        item.at_point.is_some() || item.is_takeoff(),
+        item.altitude_m,
+    ) {
+        (true, Some(altitude_m)) => {
+            // Above home is the rule and needs no mark.
+            let frame = match item.frame {
+                HeightFrame::SeaLevel => " ASL",
+                HeightFrame::Terrain => " AGL",
+                HeightFrame::Home | HeightFrame::Other => "",
+            };
+            format!("{altitude_m:.0} m{frame}")
+        }
+        _ => String::new(),
+    };
+    format!(
+        "{:>SEQ$} {} {height:>HEIGHT$}",
+        item.seq,
+        filled(&name, NAME)
+    )
+}
+
+/// Metres from the place before, or from the vehicle to the item being flown.
+fn way_m(vehicle: &Vehicle, items: &[PlanItem], at: usize, is_current: bool) -> Option<f64> {
+    let to = items[at].at_point.filter(|_| items[at].is_waypoint())?;
+    let from: LatLon = if is_current {
+        vehicle.global?.at_point
+    } else {
+        let mut before = items[..at].iter().rev().filter(|item| item.is_waypoint());
+        before.find_map(|item| item.at_point)?
+    };
+    Some(from.distance_m(to)).filter(|way_m| way_m.is_finite())
+}

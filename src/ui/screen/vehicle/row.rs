@@ -1,0 +1,130 @@
+//! Rows of a label and a value, bars, words for grades and arrows: what the panes share.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::config::Symbols;
+use crate::geo::wrap_360;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clip, put};
+use crate::vehicle::Grade;
+
+/// Columns of a label, the blank after it included.
+pub const LABEL: usize = 12;
+/// What stands where nothing is known.
+pub const UNKNOWN: &str = "-";
+
+/// Writes a label and a value into a row.
+pub fn labelled(look: &Look, label: &str, value: Vec<Span<'static>>) -> Line<'static> {
+    let label = filled(label, LABEL - 1);
+    let mut line = Line::from(Span::styled(format!("{label} "), look.style(Role::Muted)));
+    line.extend(value);
+    line
+}
+
+/// A text cut or filled up to a width.
+pub fn filled(text: &str, width: usize) -> String {
+    let text = clip(text, width);
+    let missing = width.saturating_sub(Span::raw(text.as_str()).width());
+    text + &" ".repeat(missing)
+}
+
+/// Writes a line into the middle of the first row of an area.
+pub fn centred(buffer: &mut Buffer, area: Rect, line: &Line<'_>) {
+    let width = (line.width() as u16).min(area.width);
+    let middle = Rect {
+        x: area.x + (area.width - width) / 2,
+        width,
+        ..area
+    };
+    put(buffer, middle, 0, line);
+}
+
+/// A number with so many decimals, if it is one; a zero has no sign of its own.
+pub fn number(value: Option<f32>, decimals: usize) -> String {
+    let Some(value) = value.filter(|value| value.is_finite()) else {
+        return UNKNOWN.to_owned();
+    };
+    let text = format!("{value:.decimals$}");
+    let is_zero = text
+        .trim_start_matches('-')
+        .chars()
+        .all(|c| matches!(c, '0' | '.'));
+    if is_zero {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text
+    }
+}
+
+/// A bar that is full at 1.
+pub fn bar(share: f32, width: usize, symbols: Symbols) -> String {
+    let (full, empty) = match symbols {
+        Symbols::Ascii => ('#', '.'),
+        Symbols::Block | Symbols::Braille => ('█', '░'),
+    };
+    // What is no number fills nothing: the cast of NaN is 0.
+    let filled = ((share.clamp(0.0, 1.0) * width as f32).round() as usize).min(width);
+    (0..width)
+        .map(|at| if at < filled { full } else { empty })
+        .collect()
+}
+
+/// The word of a grade.
+pub fn grade_word(look: &Look, grade: Grade) -> Span<'static> {
+    let (word, role) = match grade {
+        Grade::Good => (look.say("vehicle-grade-good"), Role::Ok),
+        Grade::Poor => (look.say("vehicle-grade-poor"), Role::Warning),
+        Grade::Bad => (look.say("vehicle-grade-bad"), Role::Danger),
+    };
+    Span::styled(word, look.style(role))
+}
+
+/// An arrow into one of eight directions, straight ahead being up.
+pub fn arrow(direction_deg: f64, symbols: Symbols) -> &'static str {
+    const ARROWS: [&str; 8] = ["↑", "↗", "→", "↘", "↓", "↙", "←", "↖"];
+    const LETTERS: [&str; 8] = ["^", "^>", ">", "v>", "v", "<v", "<", "<^"];
+    let eighth = ((wrap_360(direction_deg) + 22.5) / 45.0) as usize % 8;
+    if symbols == Symbols::Ascii {
+        LETTERS[eighth]
+    } else {
+        ARROWS[eighth]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_that_are_none_are_not_shown() {
+        for (value, expected) in [
+            (Some(1.26), "1.3"),
+            (Some(-0.01), "0.0"),
+            (Some(-10.0), "-10.0"),
+            (Some(f32::NAN), "-"),
+            (Some(f32::INFINITY), "-"),
+            (None, "-"),
+        ] {
+            assert_eq!(number(value, 1), expected);
+        }
+        assert_eq!(bar(f32::NAN, 4, Symbols::Ascii), "....");
+        assert_eq!(bar(0.5, 4, Symbols::Ascii), "##..");
+        assert_eq!(bar(7.0, 4, Symbols::Block), "████");
+    }
+
+    #[test]
+    fn arrows_point_where_they_should() {
+        for (direction, expected) in [
+            (0.0, "↑"),
+            (-10.0, "↑"),
+            (44.0, "↗"),
+            (270.0, "←"),
+            (338.0, "↑"),
+        ] {
+            assert_eq!(arrow(direction, Symbols::Block), expected, "{direction}");
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! What is fitted, in use and healthy, as `SYS_STATUS` has it.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::Subject;
+use super::row::filled;
+use crate::ui::theme::Role;
+use crate::ui::widget::{columns, put, titled};
+use crate::vehicle::Health;
+
+/// Least columns of one entry.
+const ENTRY: u16 = 25;
+/// Columns of its state.
+const STATE: usize = 5;
+
+/// `MAV_SYS_STATUS_SENSOR`: bits from 0, with the ids of their names.
+const NAMES: [&str; 31] = [
+    "sensor-gyro",
+    "sensor-accelerometer",
+    "sensor-compass",
+    "sensor-barometer",
+    "sensor-airspeed",
+    "sensor-gps",
+    "sensor-flow",
+    "sensor-vision",
+    "sensor-laser",
+    "sensor-ground-truth",
+    "sensor-rate-control",
+    "sensor-attitude-control",
+    "sensor-yaw-control",
+    "sensor-height-control",
+    "sensor-position-control",
+    "sensor-motors",
+    "sensor-rc",
+    "sensor-gyro-2",
+    "sensor-accelerometer-2",
+    "sensor-compass-2",
+    "sensor-fence",
+    "sensor-ahrs",
+    "sensor-terrain",
+    "sensor-reverse-motor",
+    "sensor-logging",
+    "sensor-battery",
+    "sensor-proximity",
+    "sensor-satellite-link",
+    "sensor-prearm",
+    "sensor-avoidance",
+    "sensor-propulsion",
+];
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Condition {
+    Bad,
+    Good,
+    Off,
+}
+
+/// Draws what is fitted, what is wrong first.
+pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let inner = titled(&look.say("vehicle-sensors"), look, area, buffer);
+    let Some(health) = subject.vehicle.health else {
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled("-", look.style(Role::Muted)),
+        );
+        return;
+    };
+    let entries = fitted(&health);
+    if entries.is_empty() {
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled("-", look.style(Role::Muted)),
+        );
+        return;
+    }
+    let rows = usize::from(inner.height.max(1));
+    let blocks = usize::from((inner.width / ENTRY).max(1));
+    let width = usize::from(inner.width) / blocks;
+    for (at, (condition, id)) in entries.into_iter().take(rows * blocks).enumerate() {
+        let (word, role) = match condition {
+            Condition::Bad => (look.say("sensor-bad"), Role::Danger),
+            Condition::Good => (look.say("sensor-good"), Role::Ok),
+            Condition::Off => (look.say("sensor-off"), Role::Muted),
+        };
+        let name = filled(&look.say(id), width.saturating_sub(STATE + 2));
+        let line = Line::from(vec![
+            Span::styled(format!("{} ", filled(&word, STATE)), look.style(role)),
+            Span::raw(name),
+        ]);
+        let column = columns(inner, (at / rows * width) as u16, width as u16);
+        put(buffer, column, (at % rows) as u16, &line);
+    }
+}
+
+/// What is fitted or in use, with its condition, in order of seriousness.
+fn fitted(health: &Health) -> Vec<(Condition, &'static str)> {
+    let mut entries: Vec<_> = NAMES
+        .into_iter()
+        .enumerate()
+        .filter_map(|(at, id)| {
+            let bit = 1 << at;
+            if (health.present | health.enabled) & bit == 0 {
+                return None;
+            }
+            let condition = match (health.enabled & bit != 0, health.healthy & bit != 0) {
+                (true, true) => Condition::Good,
+                (true, false) => Condition::Bad,
+                (false, _) => Condition::Off,
+            };
+            Some((condition, id))
+        })
+        .collect();
+    entries.sort_by_key(|&(condition, _)| condition);
+    entries
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_comes_first_and_what_is_not_fitted_is_left_out() {
+        let health = Health {
+            present: 0b1_0111,
+            enabled: 0b0_0111,
+            healthy: 0b1_0101,
+            load_percent: 0.0,
+            at: Duration::ZERO,
+        };
+        assert_eq!(
+            fitted(&health),
+            [
+                (Condition::Bad, "sensor-accelerometer"),
+                (Condition::Good, "sensor-gyro"),
+                (Condition::Good, "sensor-compass"),
+                (Condition::Off, "sensor-airspeed"),
+            ]
+        );
+    }
+}

@@ -1,0 +1,278 @@
+//! What it is doing and what it needs, the most needed rows first.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Span;
+
+use super::Subject;
+use super::row::{LABEL, UNKNOWN, arrow, labelled, number};
+use super::tape::shown_deg;
+use crate::app::state::alert;
+use crate::geo::LatLon;
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clock, put, severity_role, titled, wrap};
+use crate::vehicle::{Battery, LandedState, Vehicle};
+
+/// Nearer than this there is no direction to speak of, in metres.
+const HERE_M: f64 = 1.0;
+/// The label of what is wrong, and the rows that it may take.
+const WARNING: &str = "vehicle-ready";
+const WARNING_ROWS: usize = 2;
+
+/// A row: the id of its label, and its value.
+type Entry = (&'static str, String, Role);
+
+/// Draws as many rows as fit.
+pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let inner = titled(&look.say("vehicle-state"), look, area, buffer);
+    let width = usize::from(inner.width).saturating_sub(LABEL);
+    let mut row = 0;
+    for (id, value, role) in entries(subject) {
+        let label = look.say(id);
+        // Only a warning is long and has no columns of its own.
+        let parts = if id == WARNING {
+            wrap(&value, width)
+        } else {
+            vec![value]
+        };
+        for (at, part) in parts.into_iter().take(WARNING_ROWS).enumerate() {
+            let label = if at == 0 { label.as_str() } else { "" };
+            let value = vec![Span::styled(part, look.style(role))];
+            put(buffer, inner, row, &labelled(look, label, value));
+            row += 1;
+        }
+    }
+}
+
+fn entries(subject: &Subject<'_>) -> Vec<Entry> {
+    let (vehicle, look) = (subject.vehicle, subject.look);
+    let mut entries = vec![mode(vehicle, look), ready(subject)];
+    entries.extend([
+        ("vehicle-altitude", altitude(vehicle, look), Role::Text),
+        ("vehicle-speed", speed(vehicle, look), Role::Text),
+        ("vehicle-battery", battery(vehicle), Role::Text),
+        ("vehicle-home", home(vehicle, look), Role::Text),
+        ("vehicle-target", target(vehicle, look), Role::Text),
+        ("vehicle-flight", flight(subject), Role::Text),
+        link(subject),
+        ("vehicle-wind", wind(vehicle, look), Role::Text),
+        ("vehicle-ground", metres(vehicle.rangefinder_m), Role::Text),
+        ("vehicle-place-of", place(vehicle), Role::Text),
+        ("vehicle-load", load(vehicle), Role::Text),
+        ("vehicle-firmware", firmware(vehicle), Role::Text),
+    ]);
+    entries
+}
+
+fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
+    let Some(heartbeat) = vehicle.heartbeat else {
+        return (
+            "vehicle-mode",
+            look.say("vehicle-no-heartbeat"),
+            Role::Warning,
+        );
+    };
+    let armed = if heartbeat.armed {
+        look.say("vehicle-armed")
+    } else {
+        look.say("vehicle-disarmed")
+    };
+    let landed = match vehicle.landed {
+        LandedState::Undefined => String::new(),
+        LandedState::OnGround => look.say("vehicle-on-ground"),
+        LandedState::InAir => look.say("vehicle-in-air"),
+        LandedState::Takeoff => look.say("vehicle-taking-off"),
+        LandedState::Landing => look.say("vehicle-landing"),
+    };
+    let value = format!("{} {armed} {landed}", heartbeat.mode);
+    ("vehicle-mode", value, Role::Accent)
+}
+
+/// What is wrong, else whether it may be armed.
+fn ready(subject: &Subject<'_>) -> Entry {
+    let (vehicle, look) = (subject.vehicle, subject.look);
+    if let Some(alert) = alert(vehicle, subject.state.now) {
+        // All reasons not to arm, where that is what is wrong.
+        let is_prearm = vehicle
+            .prearm
+            .last()
+            .is_some_and(|last| alert.text.contains(last));
+        let text = if is_prearm {
+            vehicle.prearm.join("; ")
+        } else {
+            look.text(&alert.text)
+        };
+        return (WARNING, text, severity_role(alert.severity));
+    }
+    if vehicle.armed() {
+        (WARNING, look.say("vehicle-fine"), Role::Ok)
+    } else if vehicle.ready_to_arm() {
+        (WARNING, look.say("vehicle-ready-to-arm"), Role::Ok)
+    } else {
+        (WARNING, look.say("vehicle-not-ready"), Role::Warning)
+    }
+}
+
+fn altitude(vehicle: &Vehicle, look: &Look) -> String {
+    vehicle.global.map_or(UNKNOWN.to_owned(), |global| {
+        let text = text!(
+            "vehicle-heights",
+            altitude = number(Some(global.altitude_m as f32), 1),
+            sea = number(Some(global.altitude_amsl_m as f32), 0)
+        );
+        look.text(&text)
+    })
+}
+
+fn speed(vehicle: &Vehicle, look: &Look) -> String {
+    let ground = number(vehicle.ground_speed_m_s(), 1);
+    let air = number(vehicle.hud.map(|hud| hud.airspeed_m_s), 1);
+    look.text(&text!("vehicle-speeds", ground = ground, air = air))
+}
+
+fn battery(vehicle: &Vehicle) -> String {
+    if vehicle.batteries.is_empty() {
+        return UNKNOWN.to_owned();
+    }
+    let packs = vehicle.batteries.iter().map(pack);
+    packs.collect::<Vec<_>>().join(" | ")
+}
+
+fn pack(pack: &Battery) -> String {
+    let parts = [
+        pack.remaining_percent.map(|left| format!("{left} %")),
+        pack.voltage_v
+            .map(|volts| format!("{} V", number(Some(volts), 1))),
+        pack.current_a
+            .map(|amps| format!("{} A", number(Some(amps), 1))),
+        pack.consumed_mah
+            .map(|mah| format!("{} mAh", number(Some(mah), 0))),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(" ")
+}
+
+/// Distance and bearing to a point, with an arrow as seen from the vehicle.
+fn way(vehicle: &Vehicle, to: LatLon, look: &Look) -> Option<String> {
+    let here = vehicle.global?.at_point;
+    let distance_m = here.distance_m(to);
+    if !distance_m.is_finite() {
+        return None;
+    }
+    if distance_m < HERE_M {
+        return Some(look.say("vehicle-here"));
+    }
+    let bearing_deg = here.bearing_deg(to);
+    let shown = shown_deg(bearing_deg as f32);
+    let heading_deg = vehicle.heading_deg().map(f64::from);
+    let arrow = heading_deg.map_or(String::new(), |heading_deg| {
+        format!("{} ", arrow(bearing_deg - heading_deg, look.symbols))
+    });
+    Some(format!("{arrow}{distance_m:.0} m  {shown}°"))
+}
+
+fn home(vehicle: &Vehicle, look: &Look) -> String {
+    vehicle
+        .home
+        .and_then(|home| way(vehicle, home.at_point, look))
+        .unwrap_or_else(|| UNKNOWN.to_owned())
+}
+
+fn target(vehicle: &Vehicle, look: &Look) -> String {
+    let Some(target) = vehicle.target else {
+        return UNKNOWN.to_owned();
+    };
+    let way = target.at_point.and_then(|to| way(vehicle, to, look));
+    let height = target.altitude_m.map(|altitude_m| {
+        let altitude = number(Some(altitude_m as f32), 0);
+        look.text(&text!("vehicle-target-height", altitude = altitude))
+    });
+    let velocity = target.velocity_m_s.map(|[north, east, down]| {
+        let [north, east, up] = [north, east, -down].map(|part| number(Some(part), 1));
+        look.text(&text!(
+            "vehicle-target-velocity",
+            north = north,
+            east = east,
+            up = up
+        ))
+    });
+    // ArduPilot says where it goes or how fast; with a place the speed is no target.
+    let velocity = velocity.filter(|_| way.is_none());
+    let parts: Vec<String> = [way, height, velocity].into_iter().flatten().collect();
+    if parts.is_empty() {
+        UNKNOWN.to_owned()
+    } else {
+        parts.join("  ")
+    }
+}
+
+fn flight(subject: &Subject<'_>) -> String {
+    let history = subject.state.session.histories.of(subject.vehicle.id);
+    history.map_or(UNKNOWN.to_owned(), |history| clock(history.armed_for()))
+}
+
+fn link(subject: &Subject<'_>) -> Entry {
+    const ID: &str = "vehicle-link";
+    let (link, look) = (&subject.vehicle.link, subject.look);
+    if link.lost {
+        let silent = subject
+            .state
+            .now
+            .saturating_sub(link.last_heard.unwrap_or_default());
+        let text = text!("vehicle-link-lost", seconds = silent.as_secs());
+        return (ID, look.text(&text), Role::Danger);
+    }
+    if link.received == 0 {
+        return (ID, UNKNOWN.to_owned(), Role::Muted);
+    }
+    let trip = link.round_trip;
+    let trip = trip.map_or(UNKNOWN.to_owned(), |trip| trip.as_millis().to_string());
+    let text = text!(
+        "vehicle-link-good",
+        percent = u32::from(link.percent()),
+        trip = trip
+    );
+    (ID, look.text(&text), Role::Text)
+}
+
+fn wind(vehicle: &Vehicle, look: &Look) -> String {
+    vehicle.wind.map_or(UNKNOWN.to_owned(), |wind| {
+        let text = text!(
+            "vehicle-wind-from",
+            speed = number(Some(wind.speed_m_s), 1),
+            from = shown_deg(wind.from_deg)
+        );
+        look.text(&text)
+    })
+}
+
+fn metres(value_m: Option<f32>) -> String {
+    match number(value_m, 1) {
+        unknown if unknown == UNKNOWN => unknown,
+        known => format!("{known} m"),
+    }
+}
+
+fn place(vehicle: &Vehicle) -> String {
+    let point = vehicle.global.map(|global| global.at_point);
+    point.map_or(UNKNOWN.to_owned(), |point| {
+        format!("{:.6} {:.6}", point.lat_deg, point.lon_deg)
+    })
+}
+
+fn load(vehicle: &Vehicle) -> String {
+    let load = vehicle.health.map(|health| health.load_percent);
+    match number(load, 0) {
+        unknown if unknown == UNKNOWN => unknown,
+        known => format!("{known} %"),
+    }
+}
+
+fn firmware(vehicle: &Vehicle) -> String {
+    vehicle.version.map_or(UNKNOWN.to_owned(), |version| {
+        let (major, minor, patch) = version.firmware;
+        format!("{major}.{minor}.{patch}")
+    })
+}

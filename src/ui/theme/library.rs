@@ -1,0 +1,104 @@
+//! The themes on offer: the embedded ones, and those of the user's folder.
+
+use std::collections::BTreeMap;
+
+use super::{EMBEDDED, Theme, file};
+use crate::diagnostic::{Diagnostic, nearest};
+
+/// Themes by name. One of the user's stands before the embedded one of the same name, and may inherit it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Themes {
+    own: BTreeMap<String, ThemeFile>,
+}
+
+/// A theme file of the user's.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ThemeFile {
+    /// Under which faults in it are reported.
+    pub path: String,
+    /// What it says.
+    pub text: String,
+}
+
+/// A theme that could not be had.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ThemeError {
+    /// Nothing is called so.
+    #[error("there is no theme `{name}`: choose one of {known}{guess}")]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: String,
+        /// The name that may have been meant, with the words around it.
+        guess: String,
+    },
+    /// Its file is wrong.
+    #[error("{}", one_by_one(file, faults))]
+    Faulty {
+        /// The file.
+        file: ThemeFile,
+        /// Every fault, with its place.
+        faults: Vec<Diagnostic>,
+    },
+}
+
+impl Themes {
+    /// Adds a theme of the user's.
+    pub fn add(&mut self, name: String, file: ThemeFile) {
+        self.own.insert(name, file);
+    }
+
+    /// The names on offer: the embedded themes, then the user's.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let added = self.own.keys().map(String::as_str);
+        let embedded = EMBEDDED.iter().map(|&(name, _)| name);
+        embedded.chain(added.filter(|name| !Theme::names().any(|known| known == *name)))
+    }
+
+    /// The theme of that name.
+    ///
+    /// # Errors
+    /// There is none, or its file is wrong.
+    pub fn named(&self, name: &str) -> Result<Theme, ThemeError> {
+        if let Some(file) = self.own.get(name) {
+            return self
+                .read(name, &file.text)
+                .map_err(|faults| ThemeError::Faulty {
+                    file: file.clone(),
+                    faults,
+                });
+        }
+        Theme::named(name).ok_or_else(|| ThemeError::Unknown {
+            name: name.to_owned(),
+            known: self.names().collect::<Vec<_>>().join(", "),
+            guess: nearest(name, self.names())
+                .map_or(String::new(), |guess| format!("; did you mean `{guess}`?")),
+        })
+    }
+
+    /// Reads the file of the theme `name`, which inherits from those on offer.
+    ///
+    /// # Errors
+    /// Every fault of the file, each at its place.
+    pub fn read(&self, name: &str, source: &str) -> Result<Theme, Vec<Diagnostic>> {
+        let lineage = file::Lineage::new(self, name);
+        file::read(source, &lineage).map(|styles| Theme {
+            name: name.to_owned(),
+            styles,
+        })
+    }
+
+    /// The user's own file of that name.
+    pub(super) fn own(&self, name: &str) -> Option<&ThemeFile> {
+        self.own.get(name)
+    }
+}
+
+/// The faults of a file, a line each.
+fn one_by_one(file: &ThemeFile, faults: &[Diagnostic]) -> String {
+    let lines = faults
+        .iter()
+        .map(|fault| fault.one_line(&file.path, &file.text));
+    lines.collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,184 @@
+//! Whether themes can be read: contrast, and states that stay apart for every kind of colour vision.
+
+use ratatui::style::{Color, Style};
+
+use super::{Role, Theme};
+
+type Rgb = [f64; 3];
+
+/// What people without one kind of cone see, in linear RGB. G. M. Machado, M. M. Oliveira, L. A. F. Fernandes,
+/// "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE Transactions on Visualization
+/// and Computer Graphics 15 (6), 2009, the matrices of severity 1.0.
+const VISIONS: [(&str, [Rgb; 3]); 4] = [
+    (
+        "all cones",
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    ),
+    (
+        "protanopia",
+        [
+            [0.152_286, 1.052_583, -0.204_868],
+            [0.114_503, 0.786_281, 0.099_216],
+            [-0.003_882, -0.048_116, 1.051_998],
+        ],
+    ),
+    (
+        "deuteranopia",
+        [
+            [0.367_322, 0.860_646, -0.227_968],
+            [0.280_085, 0.672_501, 0.047_413],
+            [-0.011_820, 0.042_940, 0.968_881],
+        ],
+    ),
+    (
+        "tritanopia",
+        [
+            [1.255_528, -0.076_749, -0.178_779],
+            [-0.078_411, 0.930_809, 0.147_602],
+            [0.004_733, 0.691_367, 0.303_900],
+        ],
+    ),
+];
+
+/// The least distance in CIE 1976 L*a*b* between two states. 2.3 is just noticeable side by side; words on a
+/// screen are small, thin and apart.
+const LEAST_DISTANCE: f64 = 20.0;
+/// The least contrast of text: WCAG 2.2, success criterion 1.4.3.
+const LEAST_CONTRAST: f64 = 4.5;
+
+/// Red, green and blue of a colour, linear, 0 to 1 (IEC 61966-2-1).
+fn linear(colour: Color) -> Rgb {
+    let Color::Rgb(r, g, b) = colour else {
+        panic!("the themes name their colours as #rrggbb, not {colour}");
+    };
+    [r, g, b].map(|channel| {
+        let value = f64::from(channel) / 255.0;
+        if value <= 0.04045 {
+            value / 12.92
+        } else {
+            ((value + 0.055) / 1.055).powf(2.4)
+        }
+    })
+}
+
+fn times(matrix: &[Rgb; 3], [r, g, b]: Rgb) -> Rgb {
+    matrix.map(|row| row[0] * r + row[1] * g + row[2] * b)
+}
+
+/// CIE 1976 L*a*b* of linear RGB under D65 (CIE 15:2004).
+fn lab(rgb: Rgb) -> Rgb {
+    const XYZ: [Rgb; 3] = [
+        [0.412_456_4, 0.357_576_1, 0.180_437_5],
+        [0.212_672_9, 0.715_152_2, 0.072_175_0],
+        [0.019_333_9, 0.119_192_0, 0.950_304_1],
+    ];
+    const WHITE: Rgb = [0.950_47, 1.0, 1.088_83];
+    let xyz = times(&XYZ, rgb);
+    let f = |t: f64| {
+        if t > 216.0 / 24_389.0 {
+            t.cbrt()
+        } else {
+            (24_389.0 / 27.0 * t + 16.0) / 116.0
+        }
+    };
+    let [x, y, z] = [0, 1, 2].map(|at| f(xyz[at] / WHITE[at]));
+    [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+}
+
+/// How far apart two colours look to such eyes.
+fn distance(eyes: &[Rgb; 3], a: Color, b: Color) -> f64 {
+    let seen = |colour| lab(times(eyes, linear(colour)).map(|value| value.clamp(0.0, 1.0)));
+    let (a, b) = (seen(a), seen(b));
+    (0..3).map(|at| (a[at] - b[at]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The contrast ratio of WCAG 2.2: 1 to 21.
+fn contrast(a: Color, b: Color) -> f64 {
+    let luminance = |colour| {
+        let [r, g, b] = linear(colour);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    };
+    let (a, b): (f64, f64) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+/// The embedded themes that have colours.
+fn themes() -> impl Iterator<Item = Theme> {
+    Theme::names()
+        .filter(|name| *name != "monochrome")
+        .map(|name| Theme::named(name).expect("embedded"))
+}
+
+/// What a role looks like: what it leaves out is that of ordinary text.
+fn colours(theme: &Theme, role: Role) -> (Color, Color) {
+    let Style { fg, bg, .. } = theme.style(Role::Text).patch(theme.style(role));
+    (fg.expect("text has one"), bg.expect("text has one"))
+}
+
+#[test]
+fn the_formulas_give_the_published_values() {
+    let (black, white) = (Color::Rgb(0, 0, 0), Color::Rgb(255, 255, 255));
+    assert!((contrast(black, white) - 21.0).abs() < 1e-9);
+    // WCAG's own example of the lightest grey that passes on white.
+    assert!((contrast(Color::Rgb(0x76, 0x76, 0x76), white) - 4.54).abs() < 0.01);
+    assert!((distance(&VISIONS[0].1, black, white) - 100.0).abs() < 0.01);
+    // Red and green of equal lightness: what most people tell apart and the colour-blind do not.
+    let (red, green) = (Color::Rgb(0xc0, 0x40, 0x20), Color::Rgb(0x60, 0x78, 0x00));
+    assert!(distance(&VISIONS[0].1, red, green) > 60.0);
+    assert!(distance(&VISIONS[2].1, red, green) < 15.0);
+}
+
+#[test]
+fn states_stay_apart_for_every_kind_of_colour_vision() {
+    const STATES: [Role; 4] = [Role::Ok, Role::Info, Role::Warning, Role::Danger];
+    let mut faults = Vec::new();
+    for theme in themes() {
+        for (at, &a) in STATES.iter().enumerate() {
+            for &b in &STATES[at + 1..] {
+                let (one, other) = (colours(&theme, a), colours(&theme, b));
+                for (name, eyes) in &VISIONS {
+                    let apart = distance(eyes, one.0, other.0).max(distance(eyes, one.1, other.1));
+                    if apart < LEAST_DISTANCE {
+                        let theme = theme.name();
+                        faults.push(format!(
+                            "{theme}, {name}: {a:?} and {b:?} are {apart:.1} apart"
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn text_has_enough_contrast_wherever_it_stands() {
+    let mut faults = Vec::new();
+    for theme in themes() {
+        // Lines between panes are no text.
+        let texts = Role::ALL.iter().filter(|(_, role)| *role != Role::Border);
+        for &(name, role) in texts {
+            let (fg, bg) = colours(&theme, role);
+            let mut grounds = vec![bg];
+            // The line under the cursor and the first line only lay another ground under other roles, unless they
+            // give the text a colour too.
+            for ground in [Role::Cursor, Role::Header] {
+                let style = theme.style(ground);
+                let shows_through = style.fg.is_none() || style.fg == theme.style(Role::Text).fg;
+                if shows_through && theme.style(role).bg.is_none() {
+                    grounds.extend(style.bg);
+                }
+            }
+            for ground in grounds {
+                let ratio = contrast(fg, ground);
+                if ratio < LEAST_CONTRAST {
+                    faults.push(format!(
+                        "{}: {name} on {ground} has {ratio:.2}",
+                        theme.name()
+                    ));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}

@@ -1,0 +1,56 @@
+//! The line of alerts: the worst that nobody has taken note of.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Modifier;
+use ratatui::text::{Line, Span};
+
+use crate::app::state::{Pressing, State, ranges};
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clip, put, severity_role, short_clock, width};
+
+/// Rows that the line takes: none while nothing presses.
+pub fn height(state: &State) -> u16 {
+    u16::from(state.session.alarms.pressing().is_some())
+}
+
+/// Draws the line, if anything presses.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let Some(pressing) = state.session.alarms.pressing() else {
+        return;
+    };
+    let clock = short_clock(state.session.time(pressing.first.since));
+    let hint = look.say("alert-acknowledge-hint");
+    let room = usize::from(area.width).saturating_sub(width(&hint) + 4);
+    let text = clip(&words(&pressing, &clock, look), room);
+    let style = look
+        .style(severity_role(pressing.first.alert.severity))
+        .add_modifier(Modifier::BOLD);
+    let line = Line::from(vec![
+        Span::styled(format!("! {text}"), style),
+        Span::styled(format!("  {hint}"), look.style(Role::Muted)),
+    ]);
+    put(buffer, area, 0, &line);
+}
+
+fn words(pressing: &Pressing<'_>, clock: &str, look: &Look) -> String {
+    let alert = &pressing.first.alert;
+    let title = alert.kind.title();
+    let what = if pressing.alike { &alert.text } else { &title };
+    let since = text!("alert-since", what = what, clock = clock);
+    let vehicles = &pressing.vehicles;
+    let text = match vehicles.as_slice() {
+        [one] => text!("alert-of-one", vehicle = *one, what = since),
+        many => {
+            let named = text!("alert-of-many", count = many.len(), what = since);
+            let ids = clip(&ranges(many.iter().copied()), 24);
+            text!("alert-with-vehicles", what = named, vehicles = ids)
+        }
+    };
+    look.text(&match pressing.others {
+        0 => text,
+        others => text!("alert-and-more", first = text, count = others),
+    })
+}

@@ -1,0 +1,79 @@
+//! The map: the swarm and what it flies over, seen from above.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+
+use crate::app::room::map::Aim;
+use crate::app::state::State;
+use crate::geo::Viewport;
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, centred, put, row_of, titled, wrap};
+
+mod canvas;
+mod ground;
+mod heat;
+mod legend;
+mod markers;
+
+pub use legend::{draw as draw_legend, length};
+
+/// Draws the map as a pane with a title.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = below(area, 1);
+    let Some(view) = state.rooms.map.view((inner.width, inner.height)) else {
+        titled(&look.say("map-title"), look, area, buffer);
+        return draw_nowhere(look, inner, buffer);
+    };
+    let outside = draw_view(state, look, &view, inner, buffer);
+    titled(&title(state, look, outside), look, area, buffer);
+}
+
+fn title(state: &State, look: &Look, outside: usize) -> String {
+    let aim = state.rooms.map.aim;
+    let mut title = vec![look.say("map-title")];
+    match (aim, state.session.cursor) {
+        (Aim::All, _) => title.push(look.say("map-all")),
+        (Aim::Vehicle(..), Some(id)) => {
+            title.push(look.text(&text!("map-follows", vehicle = id)));
+        }
+        _ => {}
+    }
+    if outside > 0 {
+        title.push(look.text(&text!("map-outside", count = outside)));
+    }
+    title.join("  ")
+}
+
+/// Draws what a view shows, with its scale; returns how many vehicles are out of sight.
+fn draw_view(
+    state: &State,
+    look: &Look,
+    view: &Viewport,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> usize {
+    let field = state.rooms.map.field();
+    if let Some((_, field)) = field {
+        heat::draw(field, look, view, area, buffer);
+    }
+    ground::draw(state, look, view, area, buffer);
+    let outside = markers::draw(state, look, view, area, buffer);
+    legend::draw_scale(look, view, area, buffer);
+    if let Some((name, field)) = field {
+        let last = row_of(area, area.height.saturating_sub(1));
+        heat::draw_scale(name, field, look, last, buffer);
+    }
+    outside
+}
+
+fn draw_nowhere(look: &Look, area: Rect, buffer: &mut Buffer) {
+    let lines = wrap(&look.say("map-nowhere"), usize::from(area.width));
+    let middle = centred(area.width, lines.len() as u16, area);
+    for (row, line) in lines.into_iter().enumerate() {
+        let line = Line::styled(line, look.style(Role::Muted)).centered();
+        put(buffer, middle, row as u16, &line);
+    }
+}

@@ -1,0 +1,252 @@
+//! A canvas of dots, two by four in every cell, shown with what the terminal has: braille patterns, half blocks or
+//! ASCII.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::config::Symbols;
+use crate::geo::{DOTS_ACROSS, DOTS_DOWN};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+
+/// The bits of a braille pattern, by row and column of the dot.
+const BITS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+/// The dots of the upper half of a cell.
+const UPPER: u8 = 0x1b;
+/// The first braille pattern, without any dot.
+const BRAILLE: u32 = 0x2800;
+
+/// Dots, and the role of every cell that has some.
+#[derive(Debug)]
+pub struct Canvas {
+    columns: u16,
+    rows: u16,
+    /// Dots that are one where they are shown, along a line.
+    dots_seen: u32,
+    symbols: Symbols,
+    cells: Vec<(u8, Role)>,
+}
+
+/// How a line looks: lines that mean different things differ also without colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Stroke {
+    /// Its role.
+    pub role: Role,
+    /// So many dots are drawn.
+    pub on: u32,
+    /// Of so many.
+    pub of: u32,
+}
+
+impl Stroke {
+    /// An unbroken line.
+    pub const fn solid(role: Role) -> Self {
+        Self { role, on: 1, of: 1 }
+    }
+
+    /// A line of dashes.
+    pub const fn dashed(role: Role) -> Self {
+        Self { role, on: 3, of: 6 }
+    }
+
+    /// A line of dots close together.
+    pub const fn dense(role: Role) -> Self {
+        Self { role, on: 1, of: 2 }
+    }
+
+    /// A line of dots.
+    pub const fn dotted(role: Role) -> Self {
+        Self { role, on: 1, of: 3 }
+    }
+
+    /// A few cells of such a line, for the legend.
+    pub fn sample(self, symbols: Symbols) -> String {
+        let row = i32::from(DOTS_DOWN / 2);
+        let mut canvas = Canvas::new((5, 1), symbols);
+        canvas.line((0.5, f64::from(row)), (9.5, f64::from(row)), self);
+        let shown = |&(mask, _): &(u8, Role)| glyph(mask, symbols);
+        canvas.cells.iter().map(shown).collect()
+    }
+}
+
+impl Canvas {
+    /// An empty one.
+    pub fn new((columns, rows): (u16, u16), symbols: Symbols) -> Self {
+        let count = usize::from(columns) * usize::from(rows);
+        Self {
+            columns,
+            rows,
+            dots_seen: if symbols == Symbols::Braille { 1 } else { 2 },
+            symbols,
+            cells: vec![(0, Role::Text); count],
+        }
+    }
+
+    /// Draws a line between two dots, as far as it lies on the canvas.
+    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), stroke: Stroke) {
+        let Some((from, to)) = self.clipped(from, to) else {
+            return;
+        };
+        let way = (to.0 - from.0, to.1 - from.1);
+        let steps = way.0.abs().max(way.1.abs()).ceil().max(1.0);
+        let mut at = 0;
+        while f64::from(at) <= steps {
+            if at / self.dots_seen % stroke.of < stroke.on {
+                let share = f64::from(at) / steps;
+                self.dot(
+                    (from.0 + way.0 * share, from.1 + way.1 * share),
+                    stroke.role,
+                );
+            }
+            at += 1;
+        }
+    }
+
+    /// Draws one dot, if it lies on the canvas.
+    pub fn dot(&mut self, (x, y): (f64, f64), role: Role) {
+        if x < 0.0 || y < 0.0 {
+            return;
+        }
+        let (x, y) = (x as u32, y as u32);
+        let (column, row) = (x / u32::from(DOTS_ACROSS), y / u32::from(DOTS_DOWN));
+        if column >= u32::from(self.columns) || row >= u32::from(self.rows) {
+            return;
+        }
+        let bit = BITS[(y % u32::from(DOTS_DOWN)) as usize][(x % u32::from(DOTS_ACROSS)) as usize];
+        let cell = &mut self.cells[(row * u32::from(self.columns) + column) as usize];
+        *cell = (cell.0 | bit, role);
+    }
+
+    /// Puts the dots into a buffer; cells without any stay as they are.
+    pub fn draw(&self, look: &Look, area: Rect, buffer: &mut Buffer) {
+        for (row, cells) in
+            (area.y..area.bottom()).zip(self.cells.chunks(usize::from(self.columns.max(1))))
+        {
+            for (column, &(mask, role)) in (area.x..area.right()).zip(cells) {
+                if mask != 0 {
+                    let cell = &mut buffer[(column, row)];
+                    cell.set_char(glyph(mask, self.symbols));
+                    cell.set_style(look.style(role));
+                }
+            }
+        }
+    }
+
+    /// The part of a line that lies on the canvas (Liang and Barsky's way of clipping).
+    fn clipped(&self, from: (f64, f64), to: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+        let right = f64::from(self.columns * DOTS_ACROSS) - 0.01;
+        let bottom = f64::from(self.rows * DOTS_DOWN) - 0.01;
+        let way = (to.0 - from.0, to.1 - from.1);
+        let (mut first, mut last) = (0.0f64, 1.0f64);
+        let sides = [
+            (-way.0, from.0),
+            (way.0, right - from.0),
+            (-way.1, from.1),
+            (way.1, bottom - from.1),
+        ];
+        for (towards, room) in sides {
+            if towards == 0.0 {
+                if room < 0.0 {
+                    return None;
+                }
+            } else if towards < 0.0 {
+                first = first.max(room / towards);
+            } else {
+                last = last.min(room / towards);
+            }
+        }
+        // Also false if anything is not a number.
+        (first <= last && way.0.is_finite() && way.1.is_finite()).then(|| {
+            let at = |share: f64| (from.0 + way.0 * share, from.1 + way.1 * share);
+            (at(first), at(last))
+        })
+    }
+}
+
+fn glyph(mask: u8, symbols: Symbols) -> char {
+    let halves = (mask & UPPER != 0, mask & !UPPER != 0);
+    match (symbols, halves) {
+        (_, (false, false)) => ' ',
+        (Symbols::Braille, _) => char::from_u32(BRAILLE + u32::from(mask)).unwrap_or(' '),
+        (Symbols::Block, (true, true)) => '█',
+        (Symbols::Block, (true, false)) => '▀',
+        (Symbols::Block, (false, true)) => '▄',
+        (Symbols::Ascii, (true, true)) => ':',
+        (Symbols::Ascii, (true, false)) => '\'',
+        (Symbols::Ascii, (false, true)) => '.',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn shown(symbols: Symbols, line: [(f64, f64); 2]) -> String {
+        let mut canvas = Canvas::new((4, 2), symbols);
+        canvas.line(line[0], line[1], Stroke::solid(Role::Text));
+        let look = Look::default();
+        let area = Rect::new(0, 0, canvas.columns, canvas.rows);
+        let mut buffer = Buffer::empty(area);
+        canvas.draw(&look, area, &mut buffer);
+        let rows = buffer.content.chunks(usize::from(canvas.columns));
+        let line =
+            |row: &[ratatui::buffer::Cell]| row.iter().map(ratatui::buffer::Cell::symbol).collect();
+        rows.map(line).collect::<Vec<String>>().join("\n")
+    }
+
+    #[test]
+    fn a_diagonal_shows_in_every_kind_of_symbols() {
+        let line = [(0.0, 0.0), (7.0, 7.0)];
+        assert_eq!(shown(Symbols::Braille, line), "⠑⢄  \n  ⠑⢄");
+        assert_eq!(shown(Symbols::Block, line), "▀▄  \n  ▀▄");
+        assert_eq!(shown(Symbols::Ascii, line), "'.  \n  '.");
+    }
+
+    #[test]
+    fn strokes_differ_without_colour() {
+        let strokes = [
+            Stroke::solid(Role::Text),
+            Stroke::dashed(Role::Text),
+            Stroke::dotted(Role::Text),
+            Stroke::dense(Role::Text),
+        ];
+        let samples = |symbols| strokes.map(|stroke| stroke.sample(symbols));
+        assert_eq!(
+            samples(Symbols::Braille),
+            ["⠤⠤⠤⠤⠤", "⠤⠄ ⠤⠄", "⠄⠠ ⠄⠠", "⠄⠄⠄⠄⠄"]
+        );
+        assert_eq!(
+            samples(Symbols::Block),
+            ["▄▄▄▄▄", "▄▄▄  ", "▄  ▄ ", "▄ ▄ ▄"]
+        );
+        assert_eq!(
+            samples(Symbols::Ascii),
+            [".....", "...  ", ".  . ", ". . ."]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn lines_from_anywhere_to_anywhere_are_clipped(
+            from in (-1e9..1e9f64, -1e9..1e9f64), to in (-1e9..1e9f64, -1e9..1e9f64),
+        ) {
+            let mut canvas = Canvas::new((20, 10), Symbols::Braille);
+            canvas.line(from, to, Stroke::solid(Role::Text));
+            canvas.line(from, (f64::NAN, f64::INFINITY), Stroke::solid(Role::Text));
+        }
+
+        #[test]
+        fn a_line_inside_reaches_both_its_ends(
+            x in 0.0..40.0f64, y in 0.0..40.0f64, to_x in 0.0..40.0f64, to_y in 0.0..40.0f64,
+        ) {
+            let mut canvas = Canvas::new((20, 10), Symbols::Braille);
+            canvas.line((x, y), (to_x, to_y), Stroke::solid(Role::Text));
+            for (x, y) in [(x, y), (to_x.min(39.98), to_y.min(39.98))] {
+                let cell = canvas.cells[(y as usize / 4) * 20 + x as usize / 2];
+                prop_assert!(cell.0 != 0);
+            }
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! What lies on the ground: areas, survey cells, homes, and the ways of the vehicles.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::canvas::{Canvas, Stroke};
+use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
+use crate::app::state::State;
+use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::vehicle::VehicleId;
+
+/// Larger swarms show the trails and targets only of the vehicles that commands go to.
+const MANY: usize = 64;
+
+/// The cells of a survey.
+const CELL: Stroke = Stroke::dotted(Role::Muted);
+/// Where a vehicle has been.
+pub const TRAIL: Stroke = Stroke::solid(Role::Muted);
+/// Where it is going.
+pub const TARGET: Stroke = Stroke::dashed(Role::Accent);
+/// From the mark to the cursor.
+pub const RULER: Stroke = Stroke::dotted(Role::Key);
+
+/// How a line of some kind is drawn.
+pub const fn stroke(kind: SketchKind) -> Stroke {
+    match kind {
+        SketchKind::Task => Stroke::dotted(Role::Info),
+        SketchKind::Fence => Stroke::dashed(Role::Warning),
+        SketchKind::KeepOut => Stroke::dotted(Role::Danger),
+        SketchKind::Plan => Stroke::dense(Role::Info),
+        SketchKind::Rally => Stroke::dotted(Role::Title),
+    }
+}
+
+/// A text at a cell.
+struct Label {
+    cell: (u16, u16),
+    text: String,
+    role: Role,
+}
+
+/// Draws all lines, and the words that belong to them.
+pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
+    let mut canvas = Canvas::new((view.columns, view.rows), look.symbols);
+    let mut labels = Vec::new();
+    draw_cells(state, view, &mut canvas, &mut labels);
+    for sketch in sketches(state) {
+        draw_sketch(&sketch, view, &mut canvas, &mut labels);
+    }
+    draw_ways(state, view, &mut canvas, &mut labels);
+    draw_homes(state, view, &mut labels);
+    let map = &state.rooms.map;
+    if let Some(mark) = map.mark {
+        canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
+    }
+    canvas.draw(look, area, buffer);
+    for label in labels {
+        let (column, row) = label.cell;
+        let width = area.width.saturating_sub(column);
+        let at = (area.x + column, area.y + row);
+        buffer.set_stringn(
+            at.0,
+            at.1,
+            &label.text,
+            usize::from(width),
+            look.style(label.role),
+        );
+    }
+}
+
+/// The cells of surveys: their names until they are sampled, then what was found.
+fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
+    let cells = state.session.mission.iter().flat_map(|it| &it.cells);
+    for cell in cells {
+        outline(
+            &Outline::square(cell.centre, cell.side_m).corners(),
+            view,
+            canvas,
+            CELL,
+        );
+        let text = match cell.value {
+            Some(value) if cell.sampled => format!("{value:.1}"),
+            _ => cell.name.clone(),
+        };
+        let role = if cell.sampled { Role::Ok } else { Role::Muted };
+        let room = cell.side_m / view.metres_per_dot() / f64::from(DOTS_ACROSS);
+        let width = text.chars().count() as u16;
+        if let Some((column, row)) = view.cell(cell.centre)
+            && f64::from(width) < room
+        {
+            let cell = (column.saturating_sub(width / 2), row);
+            labels.push(Label { cell, text, role });
+        }
+    }
+}
+
+fn draw_sketch(sketch: &Sketch, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
+    let stroke = stroke(sketch.kind);
+    let points = &sketch.points;
+    if sketch.closed {
+        outline(points, view, canvas, stroke);
+    } else {
+        for pair in points.windows(2) {
+            canvas.line(view.dot(pair[0]), view.dot(pair[1]), stroke);
+        }
+    }
+    // The name stands at the northernmost of the western corners.
+    let corner = points.iter().filter_map(|&point| view.cell(point));
+    if let Some((column, row)) = corner.min_by_key(|&(column, row)| (row, column)) {
+        labels.push(Label {
+            cell: (column + u16::from(points.len() > 1), row),
+            text: sketch.label.clone(),
+            role: stroke.role,
+        });
+    }
+}
+
+fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke: Stroke) {
+    let next = corners.iter().cycle().skip(1);
+    for (&from, &to) in corners.iter().zip(next) {
+        canvas.line(view.dot(from), view.dot(to), stroke);
+    }
+}
+
+/// Trails and the lines to targets.
+fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
+    let session = &state.session;
+    let map = &state.rooms.map;
+    let many = session.vehicles.len() > MANY;
+    let chosen = |id: VehicleId| session.cursor == Some(id) || session.selection.contains(&id);
+    let shown = session
+        .vehicles
+        .values()
+        .filter(|it| !many || chosen(it.id));
+    for vehicle in shown.take(MANY) {
+        let trail = map.trails.get(&vehicle.id).filter(|_| !map.trails_hidden);
+        if let Some(trail) = trail {
+            for pair in trail.points().windows(2) {
+                canvas.line(view.dot(pair[0]), view.dot(pair[1]), TRAIL);
+            }
+        }
+        if let Some((from, to)) = leg(vehicle) {
+            // From the target, so that the dashes rest; to the cell of the vehicle, not to its last metre.
+            let here = view.cell(from).map_or(from, |(column, row)| {
+                view.middle_of((i32::from(column), i32::from(row)))
+            });
+            canvas.line(view.dot(to), view.dot(here), TARGET);
+            labels.extend(view.cell(to).map(|cell| Label {
+                cell,
+                text: "x".to_owned(),
+                role: TARGET.role,
+            }));
+        }
+    }
+}
+
+/// Homes and named places; of several in one cell only the first.
+fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
+    let session = &state.session;
+    let mut homes: Vec<(u16, u16)> = session
+        .vehicles
+        .values()
+        .filter_map(|vehicle| view.cell(vehicle.home?.at_point))
+        .collect();
+    homes.sort_unstable();
+    homes.dedup();
+    let cells = session.mission.iter().flat_map(|it| &it.cells);
+    let cells: Vec<&str> = cells.map(|cell| cell.name.as_str()).collect();
+    let places = session.places.iter();
+    for (name, &place) in places.filter(|(name, _)| !cells.contains(&name.as_str())) {
+        let cell = view.cell(place).filter(|cell| !homes.contains(cell));
+        labels.extend(cell.map(|cell| Label {
+            cell,
+            text: format!("+{name}"),
+            role: Role::Info,
+        }));
+    }
+    labels.extend(homes.into_iter().map(|cell| Label {
+        cell,
+        text: "H".to_owned(),
+        role: Role::Title,
+    }));
+}

@@ -1,0 +1,118 @@
+//! The scale bar, the north mark, and what the signs mean.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::canvas::Stroke;
+use super::ground::{RULER, TARGET, TRAIL, stroke};
+use super::markers::arrow;
+use crate::app::room::map::SketchKind::{Fence, KeepOut, Plan, Rally, Task};
+use crate::app::room::map::{leg, sketches};
+use crate::app::state::State;
+use crate::geo::{Viewport, scale_bar};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{boxed, put, upper};
+
+/// Columns of the scale bar at most.
+const LONGEST_BAR: u16 = 24;
+/// Columns of the signs in the legend.
+const SIGN_WIDTH: usize = 5;
+
+/// Draws a bar of a round length into the lower left corner, and north into the upper right one.
+pub fn draw_scale(look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
+    let (length_m, columns) = scale_bar(view.zoom, LONGEST_BAR.min(area.width / 4));
+    let line = "─".repeat(usize::from(columns).saturating_sub(2));
+    let bar = Line::from(vec![
+        Span::styled(format!("├{line}┤"), look.style(Role::Muted)),
+        Span::styled(format!(" {} ", length(length_m)), look.style(Role::Text)),
+    ]);
+    put(buffer, area, area.height.saturating_sub(1), &bar);
+    let north = format!(" N{}", arrow(0.0, look.symbols));
+    let corner = Rect {
+        x: area.right().saturating_sub(3),
+        width: 3.min(area.width),
+        ..area
+    };
+    put(
+        buffer,
+        corner,
+        0,
+        &Line::styled(north, look.style(Role::Text)),
+    );
+}
+
+/// A length in words: metres, or kilometres from one on.
+pub fn length(metres: f64) -> String {
+    match metres {
+        metres if metres >= 100_000.0 => format!("{:.0} km", metres / 1000.0),
+        metres if metres >= 1000.0 => {
+            let km = format!("{:.1}", metres / 1000.0);
+            format!("{} km", km.strip_suffix(".0").unwrap_or(&km))
+        }
+        metres if metres >= 10.0 || metres.fract() == 0.0 => format!("{metres:.0} m"),
+        metres => format!("{metres:.1} m"),
+    }
+}
+
+/// Explains the signs, those that are on the map.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let lines = lines(state, look);
+    let inner = boxed(
+        &look.say("map-legend"),
+        Role::Border,
+        look,
+        upper(area, lines.len() as u16 + 2),
+        buffer,
+    );
+    for (row, line) in lines.iter().enumerate() {
+        put(buffer, inner, row as u16, line);
+    }
+}
+
+fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
+    let row = |(sign, role, id): (String, Role, &str)| {
+        Line::from(vec![
+            Span::styled(format!("{sign:SIGN_WIDTH$} "), look.style(role)),
+            Span::raw(look.say(id)),
+        ])
+    };
+    let signs = [
+        (
+            arrow(45.0, look.symbols).into(),
+            Role::Text,
+            "map-legend-armed",
+        ),
+        ("o".to_owned(), Role::Muted, "map-legend-disarmed"),
+        ("?".to_owned(), Role::Danger, "map-legend-lost"),
+        ("[3]".to_owned(), Role::Cursor, "map-legend-cursor"),
+        ("3*".to_owned(), Role::Selected, "map-legend-selected"),
+        ("3!".to_owned(), Role::Warning, "map-legend-alert"),
+        ("(4)".to_owned(), Role::Text, "map-legend-several"),
+        ("H".to_owned(), Role::Title, "map-legend-home"),
+    ];
+    let strokes = strokes(state).into_iter().filter(|(shown, ..)| *shown);
+    let strokes = strokes.map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
+    signs.into_iter().chain(strokes).map(row).collect()
+}
+
+/// The kinds of lines, and whether there are any on the map.
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 8] {
+    let map = &state.rooms.map;
+    let sketches = sketches(state);
+    let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
+    let trails = !map.trails_hidden && !map.trails.is_empty();
+    let mut vehicles = state.session.vehicles.values();
+    let targets = vehicles.any(|vehicle| leg(vehicle).is_some());
+    [
+        (trails, TRAIL, "map-legend-trail"),
+        (targets, TARGET, "map-legend-target"),
+        (has(Task), stroke(Task), "map-legend-task"),
+        (has(Fence), stroke(Fence), "map-legend-fence"),
+        (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
+        (has(Plan), stroke(Plan), "map-legend-plan"),
+        (has(Rally), stroke(Rally), "map-legend-rally"),
+        (map.mark.is_some(), RULER, "map-legend-ruler"),
+    ]
+}

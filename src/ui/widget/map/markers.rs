@@ -1,0 +1,305 @@
+//! The vehicles on the map: a sign, a number beside it where there is room, one count where many are in one cell.
+
+use std::ops::Range;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use crate::app::state::{State, alert};
+use crate::config::Symbols;
+use crate::geo::Viewport;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::severity_role;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+/// Headings as arrows, clockwise from north.
+const ARROWS: [char; 8] = ['↑', '↗', '→', '↘', '↓', '↙', '←', '↖'];
+/// The same where only four arrows are to be had.
+const FOUR_ARROWS: [char; 4] = ['↑', '→', '↓', '←'];
+const ASCII_ARROWS: [char; 4] = ['^', '>', 'v', '<'];
+
+/// A vehicle as the map shows it.
+struct Marker {
+    id: VehicleId,
+    column: u16,
+    row: u16,
+    sign: char,
+    /// What follows its number.
+    marks: String,
+    role: Role,
+    /// Smaller ones get their number first.
+    rank: u8,
+}
+
+/// Draws the vehicles that are in view; returns how many others have a place.
+pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) -> usize {
+    let (mut markers, outside) = markers(state, look, view);
+    let cursor = state.session.cursor;
+    let under_cursor = markers.iter().position(|it| Some(it.id) == cursor);
+    let chosen = under_cursor.map(|at| Chosen::new(markers.swap_remove(at), &mut markers));
+    markers.sort_by_key(|it| (it.row, it.column, it.id));
+    let mut board = Board::new(area, buffer);
+    if let Some(chosen) = &chosen {
+        board.put_chosen(chosen, look);
+    }
+    let mut singles: Vec<&Marker> = Vec::new();
+    for row in markers.chunk_by(|a, b| a.row == b.row) {
+        // The vehicle under the cursor parts its row.
+        let parts = chosen.iter().find(|it| it.marker.row == row[0].row);
+        let (from, to) = parts.map_or((0, 0), |it| (it.from, it.end()));
+        let (left, right) = row.split_at(row.partition_point(|it| it.column < from));
+        gather(left, 0..from, &mut singles, &mut board, look);
+        gather(right, to..area.width, &mut singles, &mut board, look);
+    }
+    for it in &singles {
+        let sign = it.sign.to_string();
+        board.put(it.column, it.row, &sign, look.style(it.role));
+    }
+    singles.sort_by_key(|it| (it.rank, it.id));
+    for marker in singles {
+        board.name(marker, look);
+    }
+    outside
+}
+
+/// The vehicles in view, and how many are not.
+fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) {
+    let mut markers = Vec::new();
+    let mut outside = 0;
+    for vehicle in state.session.vehicles.values() {
+        let Some(global) = vehicle.global else {
+            continue;
+        };
+        match view.cell(global.at_point) {
+            Some(cell) => markers.push(marker(vehicle, cell, state, look)),
+            None => outside += 1,
+        }
+    }
+    (markers, outside)
+}
+
+/// The vehicle under the cursor: always with its number, and with how many others it hides.
+struct Chosen {
+    marker: Marker,
+    from: u16,
+    text: String,
+}
+
+impl Chosen {
+    /// Takes those that it hides out of the others.
+    fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
+        // At the left edge the sign itself must stay in its place.
+        let bracket = if marker.column == 0 { "" } else { "[" };
+        let bare = format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks);
+        let mut chosen = Self {
+            from: marker.column.saturating_sub(1),
+            text: format!("{bare}]"),
+            marker,
+        };
+        let mut hidden = 0;
+        loop {
+            let before = hidden;
+            let (row, columns) = (chosen.marker.row, chosen.from..chosen.end());
+            others.retain(|it| {
+                let is_hidden = it.row == row && columns.contains(&it.column);
+                hidden += usize::from(is_hidden);
+                !is_hidden
+            });
+            if hidden == before {
+                return chosen;
+            }
+            // The longer text may hide more of them.
+            chosen.text = format!("{bare}+{hidden}]");
+        }
+    }
+
+    /// The column after it.
+    fn end(&self) -> u16 {
+        self.from + self.text.chars().count() as u16
+    }
+}
+
+fn marker(vehicle: &Vehicle, (column, row): (u16, u16), state: &State, look: &Look) -> Marker {
+    let selected = state.session.selection.contains(&vehicle.id);
+    let alarm = alert(vehicle, state.now).filter(|alert| alert.severity <= Severity::Warning);
+    let lost = vehicle.link.lost;
+    let mut marks = String::new();
+    if selected {
+        marks.push('*');
+    }
+    if alarm.is_some() {
+        marks.push('!');
+    }
+    let (role, rank) = match &alarm {
+        _ if lost => (Role::Danger, 0),
+        Some(alarm) => (severity_role(alarm.severity), 0),
+        None if selected => (Role::Selected, 1),
+        None if vehicle.armed() => (Role::Text, 2),
+        None => (Role::Muted, 2),
+    };
+    Marker {
+        id: vehicle.id,
+        column,
+        row,
+        sign: sign(vehicle, look.symbols),
+        marks,
+        role,
+        rank,
+    }
+}
+
+/// An arrow for an armed vehicle, a ring for one that is not, a question mark for one that is not heard.
+fn sign(vehicle: &Vehicle, symbols: Symbols) -> char {
+    if vehicle.link.lost {
+        return '?';
+    }
+    match vehicle.heading_deg() {
+        Some(heading) if vehicle.armed() => arrow(heading, symbols),
+        None if vehicle.armed() => '@',
+        _ => 'o',
+    }
+}
+
+/// The arrow that is nearest to a heading.
+pub fn arrow(heading_deg: f32, symbols: Symbols) -> char {
+    let arrows: &[char] = match symbols {
+        Symbols::Braille => &ARROWS,
+        Symbols::Block => &FOUR_ARROWS,
+        Symbols::Ascii => &ASCII_ARROWS,
+    };
+    let count = arrows.len() as f32;
+    let turn = (heading_deg.rem_euclid(360.0) / 360.0 * count).round() as usize;
+    arrows[turn % arrows.len()]
+}
+
+/// Finds the cells of a row that hold several vehicles, and writes a count there; what the count covers is counted
+/// with them. The others are left to be drawn one by one.
+fn gather<'a>(
+    row: &'a [Marker],
+    columns: Range<u16>,
+    singles: &mut Vec<&'a Marker>,
+    board: &mut Board<'_>,
+    look: &Look,
+) {
+    let mut rest = row;
+    let mut free_from = columns.start;
+    while let Some(first) = rest.first() {
+        let in_cell = rest.iter().take_while(|it| it.column == first.column);
+        let mut count = in_cell.count();
+        if count == 1 {
+            singles.push(first);
+            free_from = first.column + 1;
+            rest = &rest[1..];
+            continue;
+        }
+        let from = first.column.saturating_sub(1).max(free_from);
+        let ends = |count: usize| from + format!("({count})").len() as u16;
+        while rest
+            .get(count)
+            .is_some_and(|next| next.column < ends(count))
+        {
+            count += 1;
+        }
+        let (these, others) = rest.split_at(count);
+        let from = from.min(columns.end.saturating_sub(ends(count) - from));
+        board.put_count(these, from, look);
+        free_from = ends(count);
+        rest = others;
+    }
+}
+
+/// The cells of the map and which of them hold a sign or a number already.
+struct Board<'a> {
+    area: Rect,
+    buffer: &'a mut Buffer,
+    taken: Vec<bool>,
+}
+
+impl<'a> Board<'a> {
+    fn new(area: Rect, buffer: &'a mut Buffer) -> Self {
+        let cells = usize::from(area.width) * usize::from(area.height);
+        Self {
+            area,
+            buffer,
+            taken: vec![false; cells],
+        }
+    }
+
+    fn put(&mut self, column: u16, row: u16, text: &str, style: Style) {
+        let width = self.area.width.saturating_sub(column);
+        let (x, y) = (self.area.x + column, self.area.y + row);
+        let (end, _) = self
+            .buffer
+            .set_stringn(x, y, text, usize::from(width), style);
+        let from = usize::from(row) * usize::from(self.area.width) + usize::from(column);
+        let written = usize::from(end - x);
+        self.taken[from..from + written].fill(true);
+    }
+
+    /// Whether nothing stands there yet, and the row is long enough.
+    fn is_free(&self, column: u16, row: u16, width: u16) -> bool {
+        let from = usize::from(row) * usize::from(self.area.width) + usize::from(column);
+        let fits = column + width <= self.area.width;
+        fits && !self.taken[from..from + usize::from(width)].contains(&true)
+    }
+
+    /// Writes a vehicle's number beside its sign if there is room, else at least that it is selected or alerts.
+    fn name(&mut self, marker: &Marker, look: &Look) {
+        let whole = format!("{}{}", marker.id, marker.marks);
+        if !self.write_beside(marker, &whole, look) && !marker.marks.is_empty() {
+            self.write_beside(marker, &marker.marks, look);
+        }
+    }
+
+    fn write_beside(&mut self, marker: &Marker, text: &str, look: &Look) -> bool {
+        let width = text.len() as u16;
+        let right = marker.column + 1;
+        let left = marker.column.checked_sub(width);
+        let at = if self.is_free(right, marker.row, width) {
+            right
+        } else if let Some(left) = left.filter(|&left| self.is_free(left, marker.row, width)) {
+            left
+        } else {
+            return false;
+        };
+        self.put(at, marker.row, text, look.style(marker.role));
+        self.part(at + width, marker.row);
+        true
+    }
+
+    /// A figure of the ground right after a number would read as a part of it.
+    fn part(&mut self, column: u16, row: u16) {
+        let free = self.is_free(column, row, 1);
+        let place = (self.area.x + column, self.area.y + row);
+        if let Some(cell) = self.buffer.cell_mut(place)
+            && free
+            && cell.symbol().starts_with(char::is_alphanumeric)
+        {
+            cell.set_char(' ');
+        }
+    }
+
+    fn put_chosen(&mut self, chosen: &Chosen, look: &Look) {
+        let marker = &chosen.marker;
+        let style = look.style(marker.role).patch(look.style(Role::Cursor));
+        self.put(chosen.from, marker.row, &chosen.text, style);
+    }
+
+    fn put_count(&mut self, those: &[Marker], from: u16, look: &Look) {
+        let worst = those.iter().min_by_key(|it| it.rank);
+        let role = worst.map_or(Role::Text, |it| it.role);
+        let mark = |wanted: char| those.iter().any(|it| it.marks.contains(wanted));
+        let mut text = format!("({})", those.len());
+        for wanted in ['*', '!'] {
+            if mark(wanted) {
+                text.push(wanted);
+            }
+        }
+        let Some(row) = those.first().map(|it| it.row) else {
+            return;
+        };
+        self.put(from, row, &text, look.style(role));
+    }
+}

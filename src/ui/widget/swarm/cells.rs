@@ -1,0 +1,238 @@
+//! What stands in the cells of the swarm table.
+
+use std::time::Duration;
+
+use crate::app::state::{Column, Session, Standing, State};
+use crate::ledger::RowState;
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
+use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
+
+/// A text and how it looks.
+pub type Cell = (String, Role);
+
+/// The words that many rows say, looked up once.
+pub struct Words {
+    pub armed: String,
+    pub ready: String,
+    pub safe: String,
+    pub ground: String,
+    pub air: String,
+    pub takeoff: String,
+    pub landing: String,
+    pub lost: String,
+    pub done: String,
+}
+
+impl Words {
+    /// The words of a language.
+    pub fn new(look: &Look) -> Self {
+        Self {
+            armed: look.say("fly-armed"),
+            ready: look.say("fly-ready"),
+            safe: look.say("fly-safe"),
+            ground: look.say("fly-ground"),
+            air: look.say("fly-air"),
+            takeoff: look.say("fly-takeoff"),
+            landing: look.say("fly-landing"),
+            lost: look.say("fly-lost"),
+            done: look.say("fly-done"),
+        }
+    }
+}
+
+/// What a line is made from.
+pub struct Row<'a> {
+    pub vehicle: &'a Vehicle,
+    pub state: &'a State,
+    pub words: &'a Words,
+    pub selected: bool,
+}
+
+/// What a vehicle has in a column of a width.
+pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cell {
+    let session = &row.state.session;
+    let number = |decimals: usize| {
+        let value = column.number(row.vehicle, session);
+        // Adding zero turns a rounded -0 into +0, which does not flicker.
+        let scale = 10_f64.powi(decimals as i32);
+        value.map_or_else(unknown, |value| {
+            let value = (value * scale).round() / scale + 0.0;
+            (format!("{value:.decimals$}"), Role::Text)
+        })
+    };
+    match column {
+        Column::Id => id(row),
+        Column::Name => (Session::name(row.vehicle).to_owned(), Role::Muted),
+        Column::Group => (session.groups_of(row.vehicle.id).join(" "), Role::Accent),
+        Column::Mode => mode(row.vehicle),
+        Column::Armed => armed(row),
+        Column::State => landed(row),
+        Column::Battery => battery(row.vehicle),
+        Column::Gps => gps(row.vehicle),
+        Column::Link => link(row),
+        Column::Command => command(row, look, width),
+        Column::Item => item(row.vehicle),
+        Column::Alert => alert(row, look, width),
+        Column::Altitude
+        | Column::Speed
+        | Column::Climb
+        | Column::Voltage
+        | Column::Current
+        | Column::Hdop
+        | Column::Ekf => number(1),
+        Column::Latitude | Column::Longitude => number(6),
+        Column::Home
+        | Column::ToGo
+        | Column::Heading
+        | Column::Used
+        | Column::RoundTrip
+        | Column::Vibration
+        | Column::Sea => number(0),
+    }
+}
+
+fn unknown() -> Cell {
+    ("-".to_owned(), Role::Muted)
+}
+
+fn id(row: &Row<'_>) -> Cell {
+    let role = if row.selected {
+        Role::Selected
+    } else {
+        Role::Text
+    };
+    (row.vehicle.id.to_string(), role)
+}
+
+fn mode(vehicle: &Vehicle) -> Cell {
+    let mode = vehicle.mode();
+    mode.map_or_else(unknown, |mode| (mode.to_string(), Role::Text))
+}
+
+fn armed(row: &Row<'_>) -> Cell {
+    let (vehicle, words) = (row.vehicle, row.words);
+    if vehicle.heartbeat.is_none() {
+        unknown()
+    } else if vehicle.armed() {
+        (words.armed.clone(), Role::Accent)
+    } else if vehicle.ready_to_arm() {
+        (words.ready.clone(), Role::Ok)
+    } else {
+        (words.safe.clone(), Role::Muted)
+    }
+}
+
+fn landed(row: &Row<'_>) -> Cell {
+    let words = row.words;
+    let text = match row.vehicle.landed {
+        LandedState::Undefined => return unknown(),
+        LandedState::OnGround => return (words.ground.clone(), Role::Muted),
+        LandedState::InAir => &words.air,
+        LandedState::Takeoff => &words.takeoff,
+        LandedState::Landing => &words.landing,
+    };
+    (text.clone(), Role::Text)
+}
+
+fn battery(vehicle: &Vehicle) -> Cell {
+    let battery = vehicle.battery();
+    let Some(left) = battery.and_then(|battery| battery.remaining_percent) else {
+        let voltage = battery.and_then(|battery| battery.voltage_v);
+        return voltage.map_or_else(unknown, |voltage| (format!("{voltage:.1}"), Role::Text));
+    };
+    let role = match left {
+        0..=10 => Role::Danger,
+        11..=25 => Role::Warning,
+        _ => Role::Text,
+    };
+    (format!("{left}%"), role)
+}
+
+fn gps(vehicle: &Vehicle) -> Cell {
+    let Some(gps) = vehicle.gps else {
+        return unknown();
+    };
+    let role = if gps.fix < FixType::Fix3d {
+        Role::Warning
+    } else {
+        Role::Text
+    };
+    let satellites = gps
+        .satellites
+        .map_or(String::new(), |count| format!(" {count}"));
+    (format!("{}{satellites}", gps.fix), role)
+}
+
+fn link(row: &Row<'_>) -> Cell {
+    let link = &row.vehicle.link;
+    if link.lost {
+        return (row.words.lost.clone(), Role::Danger);
+    }
+    let role = if link.percent() < 90 {
+        Role::Warning
+    } else {
+        Role::Text
+    };
+    (format!("{}%", link.percent()), role)
+}
+
+fn item(vehicle: &Vehicle) -> Cell {
+    match vehicle.plan.total {
+        Some(total) if total > 0 => (format!("{}/{total}", vehicle.plan.current), Role::Text),
+        _ => unknown(),
+    }
+}
+
+fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
+    let Some((entry, line)) = row.state.session.latest(row.vehicle.id) else {
+        return (String::new(), Role::Muted);
+    };
+    let state = match line.state {
+        RowState::Done => row.words.done.clone(),
+        RowState::InProgress(percent) => format!("{percent} %"),
+        RowState::Sent if line.tries > 1 => look.text(&text!("fly-try", count = line.tries)),
+        other => other.to_string(),
+    };
+    // The state is what must not be cut off.
+    let left = room.saturating_sub(width(&state) + 1);
+    let text = format!("{} {state}", clip(&entry.verb, left));
+    (text, row_role(line.state))
+}
+
+/// The worst alert and since when; a mark before it until somebody has taken note.
+fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
+    let session = &row.state.session;
+    let Some(one) = session.alarms.worst(row.vehicle.id) else {
+        return (String::new(), Role::Text);
+    };
+    let calm = session.alarms.is_calm(one);
+    let is_serious = one.alert.severity <= Severity::Error;
+    let mark = if is_serious && !calm { "!" } else { "" };
+    let role = if calm {
+        Role::Muted
+    } else {
+        severity_role(one.alert.severity)
+    };
+    let text = since(
+        one,
+        session.time(one.since),
+        look,
+        room.saturating_sub(mark.len()),
+    );
+    (format!("{mark}{text}"), role)
+}
+
+/// What an alert says and since when, in a width: the time is the last that is given up.
+pub fn since(one: &Standing, at: Duration, look: &Look, room: usize) -> String {
+    let what = look.text(&one.alert.text);
+    let clock = short_clock(at);
+    let long = look.text(&text!("alert-since", what = &what, clock = &clock));
+    if width(&long) <= room {
+        return long;
+    }
+    let left = room.saturating_sub(width(&clock) + 1);
+    format!("{} {clock}", clip(&what, left))
+}

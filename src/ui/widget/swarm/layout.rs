@@ -1,0 +1,173 @@
+//! Which columns the swarm table has, and how wide they are.
+
+use super::cells::Words;
+use crate::app::state::{Column, State};
+use crate::ui::look::Look;
+use crate::ui::widget::width;
+
+/// A column as it is shown.
+pub struct Shown {
+    /// Which one.
+    pub column: Column,
+    /// Its heading.
+    pub title: String,
+    /// Its width.
+    pub width: u16,
+    /// Numbers stand at the right.
+    pub right: bool,
+}
+
+/// How a column is shown.
+struct Form {
+    column: Column,
+    title: &'static str,
+    /// Its width at least; that of alerts takes what is left too.
+    width: u16,
+    /// The columns with the smallest ranks are kept on narrow screens.
+    rank: u8,
+    right: bool,
+}
+
+/// Columns from this rank on are an extra: they only come once alerts have this much more room than they need.
+const EXTRA_RANK: u8 = 14;
+const ALERT_EXTRA: u16 = 26;
+/// Before these, alerts have this much more, so that they are rarely cut.
+const MORE_RANK: u8 = 9;
+const ALERT_MORE: u16 = 5;
+/// Columns of this rank are only shown where they are asked for.
+const ASKED: u8 = 100;
+
+/// In the order of display. Ranks say which go first when the screen is narrow.
+const FORMS: &[Form] = &[
+    form(Column::Id, "column-id", 3, 0, true),
+    form(Column::Name, "column-name", 7, 13, false),
+    form(Column::Group, "column-group", 5, 7, false),
+    form(Column::Mode, "column-mode", 9, 2, false),
+    form(Column::Armed, "column-armed", 5, 3, false),
+    form(Column::State, "column-state", 6, 8, false),
+    form(Column::Altitude, "column-alt", 6, 4, true),
+    form(Column::Speed, "column-speed", 4, 9, true),
+    form(Column::Battery, "column-bat", 4, 5, true),
+    form(Column::Gps, "column-gps", 8, 12, false),
+    form(Column::Link, "column-link", 5, 10, true),
+    form(Column::Home, "column-home", 6, 11, true),
+    // `takeoff timed out` fits.
+    form(Column::Command, "column-command", 17, 6, false),
+    form(Column::ToGo, "column-to-go", 7, 14, true),
+    form(Column::Heading, "column-heading", 3, 15, true),
+    form(Column::Climb, "column-climb", 5, 16, true),
+    form(Column::Voltage, "column-volt", 4, 17, true),
+    form(Column::Current, "column-amps", 5, ASKED, true),
+    form(Column::Used, "column-used", 5, ASKED, true),
+    form(Column::Hdop, "column-hdop", 4, ASKED, true),
+    form(Column::RoundTrip, "column-ping", 5, ASKED, true),
+    form(Column::Ekf, "column-ekf", 4, ASKED, true),
+    form(Column::Vibration, "column-vibe", 4, ASKED, true),
+    form(Column::Item, "column-item", 7, ASKED, true),
+    form(Column::Sea, "column-sea", 6, ASKED, true),
+    form(Column::Latitude, "column-lat", 10, ASKED, true),
+    form(Column::Longitude, "column-lon", 11, ASKED, true),
+    form(Column::Alert, "column-alert", 17, 1, false),
+];
+
+const fn form(column: Column, title: &'static str, width: u16, rank: u8, right: bool) -> Form {
+    Form {
+        column,
+        title,
+        width,
+        rank,
+        right,
+    }
+}
+
+/// The columns that fit into a width: those that the user has chosen, else by rank.
+pub fn columns(state: &State, words: &Words, look: &Look, room: u16) -> Vec<Shown> {
+    let chosen = &state.config.table.columns;
+    let chosen: Vec<Column> = chosen
+        .iter()
+        .filter_map(|name| Column::named(name))
+        .collect();
+    let (mut columns, left) = if chosen.is_empty() {
+        by_rank(state, words, look, room)
+    } else {
+        in_order(&chosen, words, look, room)
+    };
+    let alert = columns.iter_mut().find(|it| it.column == Column::Alert);
+    if let Some(alert) = alert {
+        alert.width += left;
+    }
+    columns
+}
+
+/// Those that were asked for, as long as they fit, and the columns that are left.
+fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
+    let forms = chosen.iter();
+    let forms = forms.filter_map(|column| FORMS.iter().find(|form| form.column == *column));
+    let mut left = room;
+    let mut columns = Vec::new();
+    for form in forms {
+        let shown = form.shown(words, look);
+        // An alert is worth having in little room too.
+        let least = if form.column == Column::Alert {
+            8
+        } else {
+            shown.width
+        };
+        if least + 1 > left {
+            break;
+        }
+        let width = shown.width.min(left - 1);
+        left -= width + 1;
+        columns.push(Shown { width, ..shown });
+    }
+    (columns, left)
+}
+
+fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
+    let has_groups = !state.session.groups.is_empty();
+    let is_offered =
+        |form: &&Form| form.rank < ASKED && (has_groups || form.column != Column::Group);
+    let mut by_rank: Vec<(u8, Shown)> = FORMS
+        .iter()
+        .filter(is_offered)
+        .map(|form| (form.rank, form.shown(words, look)))
+        .collect();
+    by_rank.sort_by_key(|(rank, _)| *rank);
+    let mut left = room;
+    let mut kept = Vec::new();
+    for (rank, shown) in by_rank {
+        let spared = match rank {
+            EXTRA_RANK.. => ALERT_EXTRA,
+            MORE_RANK.. => ALERT_MORE,
+            _ => 0,
+        };
+        if shown.width + 1 + spared > left {
+            break;
+        }
+        left -= shown.width + 1;
+        kept.push(shown);
+    }
+    let place = |column: Column| FORMS.iter().position(|form| form.column == column);
+    kept.sort_by_key(|shown| place(shown.column));
+    (kept, left)
+}
+
+impl Form {
+    fn shown(&self, words: &Words, look: &Look) -> Shown {
+        let title = look.say(self.title);
+        let said: &[&String] = match self.column {
+            Column::Armed => &[&words.armed, &words.ready, &words.safe],
+            Column::State => &[&words.ground, &words.air, &words.takeoff, &words.landing],
+            Column::Link => &[&words.lost],
+            _ => &[],
+        };
+        let widest = said.iter().map(|word| width(word)).max().unwrap_or(0);
+        let widest = widest.max(width(&title)) as u16;
+        Shown {
+            column: self.column,
+            title,
+            width: self.width.max(widest),
+            right: self.right,
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! How good a reading is, by the limits at which `ArduPilot` itself refuses, acts or warns.
+
+use super::{Ekf, FixType, Gps, GpsAccuracy};
+
+/// A reading against its limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Grade {
+    /// As it should be.
+    Good,
+    /// Near the limit.
+    Poor,
+    /// Beyond the limit.
+    Bad,
+}
+
+/// EKF test ratio of the failsafe: `FS_EKF_THRESH`, 0.8 by default; the arming checks use the same.
+const EKF_BAD: f32 = 0.8;
+/// `FS_EKF_THRESH` of those who set it strictly (0.6 in its documentation's list of values).
+const EKF_POOR: f32 = 0.6;
+/// `GPS_HDOP_GOOD`, 140 by default: above it arming is refused.
+const HDOP_POOR: f32 = 1.4;
+/// Ours: far enough above it that the position wanders by metres.
+const HDOP_BAD: f32 = 2.0;
+/// Fewer satellites than EKF3 wants before it uses the GPS (`EK3_GPS_CHECK`, bit 0).
+const SATELLITES_BAD: u8 = 6;
+/// Errors above which EKF3 does not begin to use the GPS (`EK3_GPS_CHECK`, bits 2 and 3), in metres.
+const HORIZONTAL_BAD_M: f32 = 5.0;
+const VERTICAL_BAD_M: f32 = 7.5;
+/// Vibration: below 30 is normal, above 60 nearly always spoils the estimates (`ArduPilot`, "Measuring Vibration").
+const VIBRATION_POOR_M_S2: f32 = 30.0;
+const VIBRATION_BAD_M_S2: f32 = 60.0;
+/// Clipping should be zero; more than 100 in a flight is severe (same page).
+const CLIPPING_BAD: u32 = 100;
+
+impl Grade {
+    /// A value where less is better. What is no number is bad.
+    fn rising(value: f32, poor: f32, bad: f32) -> Self {
+        if value < poor {
+            Self::Good
+        } else if value < bad {
+            Self::Poor
+        } else {
+            Self::Bad
+        }
+    }
+
+    /// Of an EKF test ratio.
+    pub fn of_variance(ratio: f32) -> Self {
+        Self::rising(ratio, EKF_POOR, EKF_BAD)
+    }
+
+    /// Of the worst of the filter's test ratios; the vertical one does not count for the failsafe.
+    pub fn of_ekf(ekf: &Ekf) -> Self {
+        let ratios = [
+            ekf.velocity_variance,
+            ekf.position_horizontal_variance,
+            ekf.compass_variance,
+        ];
+        let grades = ratios.map(Self::of_variance).into_iter();
+        grades.max().unwrap_or(Self::Bad)
+    }
+
+    /// Of a kind of fix.
+    pub fn of_fix(fix: FixType) -> Self {
+        if fix >= FixType::Fix3d {
+            Self::Good
+        } else {
+            Self::Bad
+        }
+    }
+
+    /// Of a number of satellites.
+    pub fn of_satellites(count: u8) -> Self {
+        if count < SATELLITES_BAD {
+            Self::Bad
+        } else {
+            Self::Good
+        }
+    }
+
+    /// Of a horizontal dilution of precision.
+    pub fn of_hdop(hdop: f32) -> Self {
+        Self::rising(hdop, HDOP_POOR, HDOP_BAD)
+    }
+
+    /// Of what the receiver says about its own errors.
+    pub fn of_accuracy(accuracy: &GpsAccuracy) -> Self {
+        let horizontal = Self::rising(accuracy.horizontal_m, HORIZONTAL_BAD_M, HORIZONTAL_BAD_M);
+        let vertical = Self::rising(accuracy.vertical_m, VERTICAL_BAD_M, VERTICAL_BAD_M);
+        horizontal.max(vertical)
+    }
+
+    /// Of the receiver as a whole.
+    pub fn of_gps(gps: &Gps) -> Self {
+        let satellites = gps.satellites.map_or(Self::Good, Self::of_satellites);
+        let hdop = gps.hdop.map_or(Self::Good, Self::of_hdop);
+        Self::of_fix(gps.fix).max(satellites).max(hdop)
+    }
+
+    /// Of vibration along one axis.
+    pub fn of_vibration(level_m_s2: f32) -> Self {
+        Self::rising(level_m_s2, VIBRATION_POOR_M_S2, VIBRATION_BAD_M_S2)
+    }
+
+    /// Of a count of clipped samples.
+    pub fn of_clipping(count: u32) -> Self {
+        match count {
+            0 => Self::Good,
+            1..CLIPPING_BAD => Self::Poor,
+            _ => Self::Bad,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_belong_to_the_worse_side_and_no_number_is_bad() {
+        for (grade, expected) in [
+            (Grade::of_variance(0.59), Grade::Good),
+            (Grade::of_variance(0.6), Grade::Poor),
+            (Grade::of_variance(0.8), Grade::Bad),
+            (Grade::of_variance(f32::NAN), Grade::Bad),
+            (Grade::of_hdop(1.39), Grade::Good),
+            (Grade::of_hdop(1.4), Grade::Poor),
+            (Grade::of_hdop(2.0), Grade::Bad),
+            (Grade::of_satellites(5), Grade::Bad),
+            (Grade::of_satellites(6), Grade::Good),
+            (Grade::of_fix(FixType::Fix2d), Grade::Bad),
+            (Grade::of_fix(FixType::Fix3d), Grade::Good),
+            (Grade::of_vibration(30.0), Grade::Poor),
+            (Grade::of_vibration(60.0), Grade::Bad),
+            (Grade::of_clipping(0), Grade::Good),
+            (Grade::of_clipping(99), Grade::Poor),
+            (Grade::of_clipping(100), Grade::Bad),
+        ] {
+            assert_eq!(grade, expected);
+        }
+    }
+}

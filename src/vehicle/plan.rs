@@ -1,0 +1,362 @@
+//! What a vehicle carries on board: its plan, its fence and its rally points, each a list of its own in the
+//! mission protocol (`MAV_MISSION_TYPE`).
+
+use std::sync::Arc;
+
+use crate::geo::LatLon;
+
+/// `MAV_CMD_NAV_FENCE_*` and `MAV_CMD_NAV_RALLY_POINT`: the only items that fences and rally points consist of.
+mod command {
+    pub const FENCE_RETURN_POINT: u16 = 5000;
+    pub const FENCE_POLYGON_INCLUSION: u16 = 5001;
+    pub const FENCE_POLYGON_EXCLUSION: u16 = 5002;
+    pub const FENCE_CIRCLE_INCLUSION: u16 = 5003;
+    pub const FENCE_CIRCLE_EXCLUSION: u16 = 5004;
+    pub const RALLY_POINT: u16 = 5100;
+}
+
+/// Commands of a plan whose x and y are a place: the navigation commands with one, the regions of interest,
+/// setting home, and the start of a landing sequence. Source: MAVLink's `MAV_CMD`, `hasLocation`.
+const WITH_PLACE: &[u16] = &[
+    16, 17, 18, 19, 21, 22, 25, 31, 36, 80, 82, 84, 85, 94, 179, 189, 195, 201,
+];
+/// Those of them that the vehicle flies to; the rest only name a place.
+const LAST_FLOWN: u16 = 94;
+
+/// Which of the three lists.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum PlanKind {
+    /// What AUTO flies.
+    Plan,
+    /// Where it may be.
+    Fence,
+    /// Where RTL may end instead of at home.
+    Rally,
+}
+
+impl PlanKind {
+    /// All of them, in the order of `MAV_MISSION_TYPE`.
+    pub const ALL: [Self; 3] = [Self::Plan, Self::Fence, Self::Rally];
+}
+
+/// The lists of a vehicle. Cheap to clone: the items are shared.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Plans {
+    /// What AUTO flies.
+    pub plan: Stored<Plan>,
+    /// Where it may be.
+    pub fence: Stored<FencePlan>,
+    /// Where RTL may end.
+    pub rally: Stored<RallyPlan>,
+}
+
+/// One list as far as it is known here.
+#[derive(Debug, Clone, Default)]
+pub struct Stored<T> {
+    /// What was read last; it stays while a newer version is on its way.
+    pub content: Option<Arc<T>>,
+    /// How far reading it is.
+    pub transfer: Transfer,
+}
+
+/// How far reading a list is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Transfer {
+    /// Not asked for yet.
+    #[default]
+    Unasked,
+    /// On its way.
+    Coming {
+        /// Items that are here.
+        received: u16,
+        /// How many there are, once the vehicle has said so.
+        total: Option<u16>,
+    },
+    /// Here as a whole.
+    Done,
+    /// The vehicle has no such list.
+    Unsupported,
+    /// It did not come; it is asked for again later.
+    Failed,
+}
+
+/// Parameters may be NaN ("not set"), which would make a list differ from itself: the same list is equal to
+/// itself whatever is in it.
+impl<T: PartialEq> PartialEq for Stored<T> {
+    fn eq(&self, other: &Self) -> bool {
+        let same = match (&self.content, &other.content) {
+            (Some(mine), Some(others)) => Arc::ptr_eq(mine, others) || mine == others,
+            (None, None) => true,
+            _ => false,
+        };
+        same && self.transfer == other.transfer
+    }
+}
+
+/// What a height is measured from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HeightFrame {
+    /// Mean sea level.
+    SeaLevel,
+    /// Home.
+    Home,
+    /// The ground below.
+    Terrain,
+    /// Something else, or the item has no place at all (`MAV_FRAME_MISSION`, local frames).
+    Other,
+}
+
+impl HeightFrame {
+    /// From the number of a `MAV_FRAME`.
+    pub fn from_wire(frame: u8) -> Self {
+        match frame {
+            0 | 5 => Self::SeaLevel,
+            3 | 6 => Self::Home,
+            10 | 11 => Self::Terrain,
+            _ => Self::Other,
+        }
+    }
+}
+
+/// One item of a list, as `MISSION_ITEM_INT` carries it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanItem {
+    /// Its number, from 0.
+    pub seq: u16,
+    /// `MAV_CMD`, known to this program or not.
+    pub command: u16,
+    /// What its height is measured from.
+    pub frame: HeightFrame,
+    /// Its first four parameters; what they mean depends on the command.
+    pub params: [f32; 4],
+    /// x and y as a place; `None` for commands without one, and where both are 0 ("here").
+    pub at_point: Option<LatLon>,
+    /// z in metres, if it is a number.
+    pub altitude_m: Option<f32>,
+}
+
+impl PlanItem {
+    /// Whether the vehicle flies to its place, so that it belongs to the path.
+    pub fn is_waypoint(&self) -> bool {
+        self.at_point.is_some() && self.command <= LAST_FLOWN && self.command != 80
+    }
+
+    /// Whether it is a takeoff, which has a height even where it has no place.
+    pub fn is_takeoff(&self) -> bool {
+        matches!(self.command, 22 | 84)
+    }
+
+    /// Whether commands of that number have a place.
+    pub fn has_place(command: u16) -> bool {
+        let fence_or_rally = command::FENCE_RETURN_POINT..=command::RALLY_POINT;
+        WITH_PLACE.contains(&command) || fence_or_rally.contains(&command)
+    }
+}
+
+/// What AUTO flies.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Plan {
+    /// The items in order; item numbers are their places.
+    pub items: Vec<PlanItem>,
+    /// Whether item 0 is home and not part of the flight, as with ArduPilot.
+    pub home_first: bool,
+}
+
+impl Plan {
+    /// The items after home.
+    pub fn flown(&self) -> &[PlanItem] {
+        let skip = usize::from(self.home_first).min(self.items.len());
+        &self.items[skip..]
+    }
+
+    /// The places that the vehicle flies to, in order of the items, home left out.
+    pub fn path(&self) -> impl Iterator<Item = (&PlanItem, LatLon)> {
+        let waypoints = self.flown().iter().filter(|item| item.is_waypoint());
+        waypoints.filter_map(|item| Some((item, item.at_point?)))
+    }
+}
+
+/// A fence of areas. The simple fence by parameters (`FENCE_RADIUS`, `FENCE_ALT_MAX`) is not in it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FencePlan {
+    /// The areas, in order.
+    pub areas: Vec<FenceArea>,
+    /// Where it returns to after a breach, if the fence says so.
+    pub return_point: Option<LatLon>,
+}
+
+/// One area of a fence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FenceArea {
+    /// Its border.
+    pub shape: FenceShape,
+    /// Whether the vehicle must stay inside it; otherwise outside.
+    pub inclusion: bool,
+}
+
+/// The border of an area.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FenceShape {
+    /// Corners in order; the last is joined to the first.
+    Polygon(Vec<LatLon>),
+    /// All points at a distance.
+    Circle {
+        /// The middle.
+        center: LatLon,
+        /// The distance.
+        radius_m: f32,
+    },
+}
+
+impl FencePlan {
+    /// The fence that these items make up. Items without a place, circles without a radius, and commands that
+    /// belong to no fence are left out. Each corner says how many its polygon has (parameter 1).
+    pub fn from_items(items: &[PlanItem]) -> Self {
+        let mut fence = Self::default();
+        let mut corners: Vec<LatLon> = Vec::new();
+        for item in items {
+            let Some(at_point) = item.at_point else {
+                continue;
+            };
+            let inclusion = matches!(
+                item.command,
+                command::FENCE_POLYGON_INCLUSION | command::FENCE_CIRCLE_INCLUSION
+            );
+            match item.command {
+                command::FENCE_RETURN_POINT => fence.return_point = Some(at_point),
+                command::FENCE_POLYGON_INCLUSION | command::FENCE_POLYGON_EXCLUSION => {
+                    corners.push(at_point);
+                    if corners.len() >= corner_count(item.params[0]) {
+                        let shape = FenceShape::Polygon(std::mem::take(&mut corners));
+                        fence.areas.push(FenceArea { shape, inclusion });
+                    }
+                }
+                command::FENCE_CIRCLE_INCLUSION | command::FENCE_CIRCLE_EXCLUSION
+                    if item.params[0] > 0.0 =>
+                {
+                    let shape = FenceShape::Circle {
+                        center: at_point,
+                        radius_m: item.params[0],
+                    };
+                    fence.areas.push(FenceArea { shape, inclusion });
+                }
+                _ => {}
+            }
+        }
+        fence
+    }
+}
+
+/// A polygon has three corners at least, whatever an item says.
+fn corner_count(said: f32) -> usize {
+    (said as usize).max(3)
+}
+
+/// Rally points.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RallyPlan {
+    /// The points, in order.
+    pub points: Vec<RallyPoint>,
+}
+
+/// A place where RTL may end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RallyPoint {
+    /// Where.
+    pub at_point: LatLon,
+    /// How high, in metres above what `frame` says.
+    pub altitude_m: Option<f32>,
+    /// What its height is measured from.
+    pub frame: HeightFrame,
+}
+
+impl RallyPlan {
+    /// The rally points among these items.
+    pub fn from_items(items: &[PlanItem]) -> Self {
+        let points = items
+            .iter()
+            .filter(|item| item.command == command::RALLY_POINT);
+        let points = points.filter_map(|item| {
+            Some(RallyPoint {
+                at_point: item.at_point?,
+                altitude_m: item.altitude_m,
+                frame: item.frame,
+            })
+        });
+        Self {
+            points: points.collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn item(command: u16, param1: f32, east: f64) -> PlanItem {
+        PlanItem {
+            seq: 0,
+            command,
+            frame: HeightFrame::Home,
+            params: [param1, 0.0, 0.0, f32::NAN],
+            at_point: Some(LatLon::new(50.0, 30.0 + east)),
+            altitude_m: Some(20.0),
+        }
+    }
+
+    #[test]
+    fn a_fence_is_put_together_from_its_corners_and_circles() {
+        let corner = |east| item(command::FENCE_POLYGON_INCLUSION, 3.0, east);
+        let mut items: Vec<PlanItem> = [0.0, 0.1, 0.2].map(corner).to_vec();
+        items.push(item(command::FENCE_CIRCLE_EXCLUSION, 25.0, 0.3));
+        items.push(item(command::FENCE_CIRCLE_EXCLUSION, -1.0, 0.4));
+        items.push(item(command::FENCE_RETURN_POINT, 0.0, 0.5));
+        items.extend([0.6, 0.7, 0.8].map(|east| item(command::FENCE_POLYGON_EXCLUSION, 3.0, east)));
+        let fence = FencePlan::from_items(&items);
+        let inclusions: Vec<bool> = fence.areas.iter().map(|area| area.inclusion).collect();
+        assert_eq!(inclusions, [true, false, false]);
+        assert!(
+            matches!(&fence.areas[0].shape, FenceShape::Polygon(corners) if corners.len() == 3)
+        );
+        assert!(
+            matches!(fence.areas[1].shape, FenceShape::Circle { radius_m, .. } if (radius_m - 25.0).abs() < 1e-6)
+        );
+        assert_eq!(fence.return_point, items[5].at_point);
+    }
+
+    #[test]
+    fn a_polygon_that_is_cut_short_is_no_area() {
+        let items = [0.0, 0.1].map(|east| item(command::FENCE_POLYGON_INCLUSION, 2.0, east));
+        assert_eq!(FencePlan::from_items(&items), FencePlan::default());
+    }
+
+    #[test]
+    fn the_path_leaves_out_home_and_what_is_not_flown_to() {
+        let plan = Plan {
+            items: vec![
+                item(16, 0.0, 0.0),
+                item(22, 0.0, 0.1),
+                item(201, 0.0, 0.2),
+                item(16, 0.0, 0.3),
+            ],
+            home_first: true,
+        };
+        let commands: Vec<u16> = plan.path().map(|(item, _)| item.command).collect();
+        assert_eq!(commands, [22, 16]);
+        assert_eq!(plan.flown().len(), 3);
+        assert!(Plan::default().flown().is_empty());
+    }
+
+    #[test]
+    fn a_list_equals_itself_in_spite_of_parameters_that_are_not_set() {
+        let plan = Plan {
+            items: vec![item(16, 0.0, 0.0)],
+            home_first: false,
+        };
+        let stored = Stored {
+            content: Some(Arc::new(plan)),
+            transfer: Transfer::Done,
+        };
+        assert_eq!(stored, stored.clone());
+    }
+}

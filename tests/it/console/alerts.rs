@@ -1,0 +1,121 @@
+//! Alerts: since when they stand, taking note of them, and what makes a noise.
+
+use sortie::app::effect::Effect;
+use sortie::vehicle::{Severity, Vehicle};
+
+use crate::fixtures;
+use crate::harness::Console;
+
+fn silent(id: u16, heard_s: u64) -> Vehicle {
+    let mut vehicle = fixtures::airborne(id, 50.0, 20.0);
+    vehicle.link.lost = true;
+    vehicle.link.last_heard = Some(std::time::Duration::from_secs(heard_s));
+    vehicle
+}
+
+fn first_lines(console: &Console) -> String {
+    let screen = console.screen(80, 24);
+    screen.lines().take(8).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn an_alert_says_what_and_since_when_until_it_is_over() {
+    let mut console = Console::flying(3);
+    console.at(45).vehicle(silent(2, 42));
+    let screen = first_lines(&console);
+    assert!(
+        screen.contains("! 2: LINK LOST since 0:42  x acknowledges"),
+        "{screen}"
+    );
+    assert!(screen.contains("!LINK LOST 0:42") || screen.contains("!LINK LOST since 0:42"));
+    console.at(60).press("x");
+    let screen = first_lines(&console);
+    assert!(!screen.contains("acknowledges"), "{screen}");
+    assert!(
+        screen.contains(" LINK LOST") && !screen.contains("!LINK"),
+        "{screen}"
+    );
+    console.vehicle(fixtures::airborne(2, 50.0, 20.0));
+    assert!(!first_lines(&console).contains("LINK LOST"));
+}
+
+#[test]
+fn alerts_of_many_vehicles_are_one_line_one_ring_and_one_note() {
+    let mut console = Console::flying(5);
+    console.state.config.alerts.notify = true;
+    console.at(10);
+    let mut effects = Vec::new();
+    for id in 1..=4 {
+        effects.extend(console.vehicle(silent(id, 7)).effects.clone());
+    }
+    assert_eq!(effects, [Effect::Bell]);
+    assert!(first_lines(&console).contains("! 4 vehicles: LINK LOST since 0:07: 1-4"));
+    let [Effect::Notify(note)] = console.at(11).effects.as_slice() else {
+        panic!("one note: {:?}", console.effects);
+    };
+    assert_eq!(note.to_string(), "4 vehicles: LINK LOST");
+    for seconds in 12..60 {
+        assert!(console.at(seconds).effects.is_empty(), "at {seconds} s");
+    }
+}
+
+#[test]
+fn kinds_can_be_muted_and_heard_again() {
+    let mut console = Console::flying(2);
+    console.give("mute link-lost").at(10).vehicle(silent(1, 7));
+    assert!(console.effects.is_empty(), "{:?}", console.effects);
+    let screen = first_lines(&console);
+    assert!(screen.contains("LINK LOST") && !screen.contains("acknowledges"));
+    console.notice(Severity::Critical, Some(2), "link lost");
+    assert!(console.effects.is_empty());
+    console.give("unmute link-lost");
+    assert!(first_lines(&console).contains("acknowledges"));
+    console.give("mute lnik-lost");
+    assert!(console.screen(80, 24).contains("did you mean `link-lost`?"));
+}
+
+#[test]
+fn alerts_are_acknowledged_by_kind_and_by_vehicle() {
+    let mut console = Console::flying(4);
+    console.at(10);
+    for id in 1..=3 {
+        console.vehicle(silent(id, 7));
+    }
+    let open = |console: &Console| {
+        let pressing = console.state.session.alarms.pressing();
+        pressing.map_or(0, |pressing| pressing.vehicles.len())
+    };
+    assert_eq!(open(&console), 3);
+    console.give("ack 1");
+    assert_eq!(open(&console), 2);
+    console.give("ack battery");
+    assert_eq!(open(&console), 2);
+    console.give("ack link-lost");
+    assert_eq!(open(&console), 0);
+}
+
+#[test]
+fn reasons_not_to_arm_never_ring() {
+    let mut console = Console::flying(1);
+    console.notice(
+        Severity::Critical,
+        Some(1),
+        "PreArm: Need Position Estimate",
+    );
+    assert!(console.effects.is_empty());
+}
+
+#[test]
+fn a_bell_that_is_switched_off_is_silent() {
+    let mut console = Console::flying(1);
+    console.state.config.alerts.bell = false;
+    console.notice(Severity::Emergency, Some(1), "Crash: Disarming");
+    assert!(console.effects.is_empty());
+}
+
+#[test]
+fn other_rooms_count_the_alerts_in_their_first_line() {
+    let mut console = Console::flying(3);
+    console.at(10).vehicle(silent(1, 7)).vehicle(silent(2, 7));
+    assert!(console.press("C").screen(120, 40).contains("2 alerts"));
+}

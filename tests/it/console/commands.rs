@@ -1,0 +1,152 @@
+//! The room of all commands so far.
+
+use sortie::app::event::Event;
+use sortie::app::state::Room;
+use sortie::ledger::{EntryId, RowState, RowUpdate};
+
+use crate::harness::Console;
+
+/// Three commands: one that failed with a vehicle, one under way, one done.
+fn commanded() -> Console {
+    let mut console = Console::flying(4);
+    console.at(5).give("all arm");
+    for vehicle in 1..=3 {
+        console.row(vehicle, RowState::Done, None);
+    }
+    console.row(
+        4,
+        RowState::Refused,
+        Some("arm refused: PreArm: Need Position Estimate"),
+    );
+    console.at(9).give("1-3 takeoff 20");
+    console.row(1, RowState::Accepted, None);
+    console.at(12).give("4 land");
+    console.row(4, RowState::Done, None);
+    console
+}
+
+fn shown(console: &Console) -> Vec<u32> {
+    let shown = console.state.rooms.ledger.shown().iter();
+    shown.map(|id| id.0).collect()
+}
+
+#[test]
+fn the_room_tells_each_command_and_each_vehicle_of_the_one_under_the_cursor() {
+    let mut console = commanded();
+    for key in ["c", "C"] {
+        console.press("F").press(key);
+        assert!(console.state.room == Room::Ledger, "{key}");
+    }
+    let screen = console.press("home").screen(120, 40);
+    for part in [
+        "all arm",
+        "3 effect seen, 1 refused",
+        "1-3 takeoff 20",
+        "4 land",
+    ] {
+        assert!(screen.contains(part), "{part}: {screen}");
+    }
+    let reason = "arm refused: PreArm: Need Position Estimate";
+    assert!(screen.contains(reason), "{screen}");
+    console.press("F").give("ledger");
+    assert!(console.state.room == Room::Ledger);
+}
+
+#[test]
+fn commands_are_filtered_by_vehicle_verb_and_outcome() {
+    let mut console = commanded();
+    console.press("C");
+    for (filter, expected) in [
+        ("", vec![0, 1, 2]),
+        ("4", vec![0, 2]),
+        ("1-2", vec![0, 1]),
+        ("takeoff", vec![1]),
+        ("refused", vec![0]),
+        ("failed 4", vec![0]),
+        ("arm 9", vec![]),
+    ] {
+        console
+            .press("/")
+            .press("ctrl-u")
+            .write(filter)
+            .press("enter");
+        assert_eq!(shown(&console), expected, "{filter}");
+    }
+    assert!(console.screen(80, 24).contains("no command fits"));
+    console.press("esc");
+    assert_eq!(shown(console.press("o")), [0], "failed");
+    assert_eq!(shown(console.press("o")), [1], "under way");
+    assert_eq!(shown(console.press("o")), [2], "done");
+    assert_eq!(shown(console.press("o")), [0, 1, 2]);
+    console.press("F").write("4").press("enter").press("C");
+    assert_eq!(shown(console.press("v")), [0, 2]);
+    assert_eq!(shown(console.press("v")), [0, 1, 2]);
+}
+
+#[test]
+fn the_list_follows_the_newest_until_the_cursor_moves() {
+    let mut console = commanded();
+    console.press("C").give("2 hold").at(13);
+    assert_eq!(console.state.rooms.ledger.place(), 3);
+    console.press("k").give("3 hold").at(14);
+    assert_eq!(
+        console.state.rooms.ledger.place(),
+        2,
+        "it stays on its command"
+    );
+    console.press("end").give("1 hold").at(15);
+    assert_eq!(console.state.rooms.ledger.place(), 5);
+    console.press("F").press("C");
+    assert_eq!(console.state.rooms.ledger.place(), 5);
+}
+
+#[test]
+fn esc_takes_back_what_was_opened_then_the_filter_then_leaves() {
+    let mut console = commanded();
+    console
+        .write("2-3")
+        .press("enter")
+        .press("C")
+        .press("o")
+        .press("enter");
+    assert!(console.state.rooms.ledger.opened);
+    console.press("esc");
+    assert!(!console.state.rooms.ledger.opened && shown(&console) == [0]);
+    assert_eq!(shown(console.press("esc")).len(), 3);
+    assert!(console.press("esc").state.room == Room::Fly);
+    assert_eq!(
+        console.state.session.selection.len(),
+        2,
+        "the selection is none of its business"
+    );
+}
+
+#[test]
+fn thousands_of_commands_with_a_filter_stay_quick() {
+    let mut console = Console::flying(3);
+    for number in 0..10_000 {
+        let given = sortie::ledger::Given {
+            line: &format!("all param get P{number}"),
+            verb: "param",
+            ..Default::default()
+        };
+        console
+            .state
+            .session
+            .open(console.state.now, given, &[1, 2, 3]);
+    }
+    console.press("C").press("/").write("p999").press("enter");
+    assert_eq!(shown(&console).len(), 11);
+    // Rows that change do not look through all commands each.
+    for number in 0..10_000 {
+        console.hear(Event::Row(RowUpdate {
+            entry: EntryId(number),
+            vehicle: 1,
+            state: RowState::Done,
+            tries: 1,
+            at: console.state.now,
+            explanation: None,
+        }));
+    }
+    assert!(console.screen(200, 50).contains("11 of 10000 fit"));
+}

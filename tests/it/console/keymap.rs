@@ -1,0 +1,53 @@
+//! Keys that a user has bound.
+
+use sortie::app::state::Overlay;
+
+use super::palette_line;
+use crate::harness::Console;
+
+/// A flight of six with a keymap file.
+fn flying(keymap: &str) -> Console {
+    let mut console = Console::flying(6);
+    let themes = console.state.themes.clone();
+    let read = console.state.keymap.overlay(keymap, &themes);
+    read.expect("it is right");
+    console
+}
+
+#[test]
+fn a_line_goes_to_whom_it_names_else_to_the_list_that_was_typed_else_to_the_selection() {
+    let mut console = flying("[fly]\nz = \"arm\"\nx = \"all arm\"\n");
+    assert_eq!(console.press("z").sent_to(), [1]);
+    console.press("space");
+    assert_eq!(console.write("2-3").press("z").sent_to(), [2, 3]);
+    assert_eq!(console.press("z").sent_to(), [1]);
+    assert_eq!(console.write("2-3").press("x").sent_to().len(), 6);
+    assert_eq!(console.press("z").sent_to(), [1], "the list is used up");
+}
+
+#[test]
+fn a_dangerous_line_asks_and_a_line_that_cannot_be_given_stays() {
+    let mut console = flying("[fly]\nz = \"1-3 kill\"\nx = \"@red arm\"\n");
+    console.press("z");
+    assert!(console.effects.is_empty());
+    assert!(matches!(console.state.overlay, Some(Overlay::Confirm(_))));
+    assert_eq!(console.press("3").sent_to(), [1, 2, 3]);
+    console.press("x");
+    assert!(console.effects.is_empty());
+    assert_eq!(palette_line(&console), "@red arm");
+}
+
+#[test]
+fn the_help_shows_what_the_keys_mean_now() {
+    let mut console = flying("[anywhere]\nf5 = \"all rtl\"\n\"?\" = \"notices\"\nf2 = \"help\"\n");
+    console.give("help");
+    let screen = console.screen(120, 200);
+    assert!(screen.contains("F5"), "{screen}");
+    assert!(screen.contains("all rtl"), "{screen}");
+    let line_of = |words: &str| {
+        let mut lines = screen.lines();
+        lines.find(|line| line.contains(words)).unwrap_or_default()
+    };
+    assert!(line_of("this help").contains("F2"), "{screen}");
+    assert!(!line_of("this help").contains('?'), "{screen}");
+}

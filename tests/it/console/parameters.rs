@@ -1,0 +1,359 @@
+//! The room of parameters, told as scripts.
+
+use std::sync::Arc;
+
+use sortie::app::effect::Effect;
+use sortie::app::event::Event;
+use sortie::app::room::parameters::{cursor_row, rows};
+use sortie::app::state::{Overlay, Room};
+use sortie::commands::Command;
+use sortie::ledger::{EntryId, RowState, RowUpdate};
+use sortie::parameters::{Fetching, Heard, ParameterType, Parameters, Snapshot};
+
+use crate::harness::Console;
+
+mod batch;
+
+/// A list with some parameters of each type.
+pub fn list(system: f32, speed: f32) -> Parameters {
+    let all = [
+        ("ANGLE_MAX", 3000.0, ParameterType::Int16),
+        ("ARMING_CHECK", 1.0, ParameterType::Int32),
+        ("BATT_CAPACITY", 3300.0, ParameterType::Int32),
+        ("COMPASS_DEV_ID", 97_539.0 + system, ParameterType::Int32),
+        ("FENCE_ENABLE", 0.0, ParameterType::Int8),
+        ("INS_ACCOFFS_X", 0.001, ParameterType::Real32),
+        ("RTL_ALT", 1500.0, ParameterType::Int16),
+        ("SYSID_THISMAV", system, ParameterType::Int16),
+        ("WPNAV_ACCEL", 250.0, ParameterType::Real32),
+        ("WPNAV_SPEED", speed, ParameterType::Real32),
+    ];
+    let mut list = Parameters::default();
+    for (index, (name, value, kind)) in (0..).zip(all) {
+        list.note(&Heard {
+            name,
+            value,
+            kind,
+            index: Some(index),
+            count: all.len() as u16,
+        });
+    }
+    list
+}
+
+pub fn complete(list: Parameters) -> Snapshot {
+    Snapshot {
+        list: Arc::new(list),
+        fetching: Fetching::Complete,
+    }
+}
+
+/// In the room, with so many vehicles whose lists are there.
+pub fn in_the_room(vehicles: u16) -> Console {
+    let mut console = Console::flying(vehicles);
+    console.press("P").at(1);
+    for vehicle in 1..=vehicles {
+        arrives(&mut console, vehicle, list(f32::from(vehicle), 1000.0));
+    }
+    console
+}
+
+pub fn arrives(console: &mut Console, vehicle: u16, list: Parameters) {
+    let snapshot = complete(list);
+    console.hear(Event::Parameters { vehicle, snapshot });
+}
+
+fn names(console: &Console) -> Vec<String> {
+    let rows = rows(&console.state);
+    rows.iter().map(|row| row.name.to_owned()).collect()
+}
+
+fn row(console: &mut Console, entry: u32, vehicle: u16, state: RowState) {
+    console.hear(Event::Row(RowUpdate {
+        entry: EntryId(entry),
+        vehicle,
+        state,
+        tries: 1,
+        at: console.state.now,
+        explanation: None,
+    }));
+}
+
+fn settings(effects: &[Effect]) -> Vec<(String, f32, Vec<u16>)> {
+    let set = effects.iter().filter_map(|effect| match effect {
+        Effect::Command {
+            command: Command::SetParameter { name, value },
+            targets,
+            ..
+        } => Some((name.clone(), *value, targets.clone())),
+        _ => None,
+    });
+    set.collect()
+}
+
+fn said(console: &Console) -> String {
+    let message = console.state.message();
+    message.map_or_else(String::new, |message| message.text.to_string())
+}
+
+#[test]
+fn the_room_asks_for_the_list_that_is_looked_at_and_for_few_at_a_time() {
+    let mut console = Console::flying(9);
+    assert!(console.at(1).effects.is_empty(), "nobody looks");
+    console.press("P");
+    assert_eq!(console.at(2).effects, [Effect::FetchParameters(vec![1])]);
+    assert!(console.at(3).effects.is_empty(), "it was asked");
+    console.press("*");
+    assert!(console.state.session.selection.is_empty(), "a mark here");
+    console.give("select 1-9");
+    assert_eq!(
+        console.at(4).effects,
+        [Effect::FetchParameters(vec![2, 3, 4])],
+        "four at a time"
+    );
+    arrives(&mut console, 2, list(2.0, 1000.0));
+    assert_eq!(console.at(5).effects, [Effect::FetchParameters(vec![5])]);
+    console.press("r");
+    assert!(console.at(5).effects.is_empty(), "there is no free place");
+}
+
+#[test]
+fn r_asks_again_for_a_list_that_is_there() {
+    let mut console = in_the_room(1);
+    assert!(console.at(3).effects.is_empty());
+    console.press("r");
+    assert_eq!(console.at(4).effects, [Effect::FetchParameters(vec![1])]);
+    assert!(console.at(5).effects.is_empty());
+}
+
+#[test]
+fn names_are_found_by_letters_and_the_cursor_stays_on_its_name() {
+    let mut console = in_the_room(1);
+    console.press("end").press("up");
+    assert_eq!(console.state.rooms.parameters.cursor, "WPNAV_ACCEL");
+    console.press("/").write("acc");
+    assert_eq!(names(&console), ["INS_ACCOFFS_X", "WPNAV_ACCEL"]);
+    let shown = rows(&console.state);
+    assert_eq!(cursor_row(&console.state, &shown), 1);
+    console.write(" nav").press("enter");
+    assert_eq!(names(&console), ["WPNAV_ACCEL"]);
+    console.press("esc");
+    assert_eq!(names(&console).len(), 10);
+}
+
+#[test]
+fn a_new_value_goes_the_way_of_every_command_and_shows_what_became_of_it() {
+    let mut console = in_the_room(3);
+    console.give("select 2-3").press("end").press("enter");
+    console.press("ctrl-u").write("640").press("enter");
+    let set = ("WPNAV_SPEED".to_owned(), 640.0, vec![2, 3]);
+    assert_eq!(settings(&console.effects), [set]);
+    let entry = console.state.session.ledger.entries().next_back();
+    assert_eq!(
+        entry.map(|entry| entry.line.as_str()),
+        Some("2-3 param set WPNAV_SPEED 640")
+    );
+    console.press("o");
+    assert!(console.screen(80, 24).contains("640 waits"));
+    row(&mut console, 0, 2, RowState::Sent);
+    assert!(console.screen(80, 24).contains("640 sent"));
+    row(&mut console, 0, 2, RowState::Done);
+    row(&mut console, 0, 3, RowState::TimedOut);
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("640 confirmed"), "{screen}");
+    assert!(screen.contains("640 not answered"), "{screen}");
+}
+
+#[test]
+fn what_the_type_cannot_hold_stays_in_the_prompt() {
+    let mut console = in_the_room(1);
+    console.press("home").press("enter");
+    for (value, reason) in [
+        (
+            "40000",
+            "not sent: ANGLE_MAX takes -32768 to 32767 only (int16)",
+        ),
+        (
+            "1.5",
+            "not sent: ANGLE_MAX takes whole numbers only (int16)",
+        ),
+        ("nan", "not sent: ANGLE_MAX takes finite numbers only"),
+        ("fast", "`fast` is no number"),
+    ] {
+        console.press("ctrl-u").write(value).press("enter");
+        assert!(console.effects.is_empty(), "{value}");
+        let Some(Overlay::Prompt(prompt)) = &console.state.overlay else {
+            panic!("the prompt is gone after {value}");
+        };
+        assert_eq!(prompt.fault.as_ref().expect("a fault"), &reason);
+    }
+    console.press("esc");
+    assert!(console.state.overlay.is_none());
+}
+
+#[test]
+fn a_list_is_saved_when_it_is_whole_and_never_over_another_file_unasked() {
+    let mut console = Console::flying(1);
+    console.press("P");
+    console.give("params save x.parm");
+    assert!(console.effects.is_empty());
+    let Some(Overlay::Palette(palette)) = &console.state.overlay else {
+        panic!("the line stays");
+    };
+    let fault = palette.fault.as_ref().expect("a fault");
+    assert_eq!(fault.message, "no parameters have come yet");
+    console.press("esc");
+    arrives(&mut console, 1, list(1.0, 1000.0));
+    console
+        .press("s")
+        .press("ctrl-u")
+        .write("my file.parm")
+        .press("enter");
+    let [
+        Effect::SaveParameters {
+            path,
+            text,
+            replace,
+        },
+    ] = &console.effects[..]
+    else {
+        panic!("{:?}", console.effects);
+    };
+    assert_eq!((path.as_str(), *replace), ("my file.parm", false));
+    assert!(text.starts_with("# vehicle 1, 10 parameters\nANGLE_MAX,3000\n"));
+    let (path, text) = (path.clone(), text.clone());
+    console.hear(Event::ParametersExist { path, text });
+    assert!(console.press("y").effects.iter().any(|effect| matches!(
+        effect,
+        Effect::SaveParameters { replace: true, path, .. } if path == "my file.parm"
+    )));
+}
+
+#[test]
+fn a_file_shows_what_differs_first_and_sets_what_was_confirmed() {
+    let mut console = in_the_room(2);
+    console.give("params load other.parm");
+    let path = "other.parm".to_owned();
+    assert_eq!(
+        console.effects,
+        [Effect::ReadParameters { path: path.clone() }]
+    );
+    let text = "RTL_ALT,2000\nWPNAV_SPEED,1000\nSYSID_THISMAV,7\nANGLE_MAX,4500\nNEW_ONE,1\n";
+    console.hear(Event::ParametersRead {
+        path,
+        text: text.to_owned(),
+    });
+    assert_eq!(
+        names(&console),
+        ["ANGLE_MAX", "NEW_ONE", "RTL_ALT", "SYSID_THISMAV"]
+    );
+    console.press("o");
+    let missing = [
+        "ARMING_CHECK",
+        "BATT_CAPACITY",
+        "COMPASS_DEV_ID",
+        "FENCE_ENABLE",
+    ];
+    assert!(
+        missing
+            .iter()
+            .all(|name| names(&console).iter().any(|it| it == name))
+    );
+    assert!(
+        !names(&console).contains(&"WPNAV_SPEED".to_owned()),
+        "it is equal"
+    );
+    console.press("home").press("space");
+    assert!(console.press("a").effects.is_empty(), "it asks first");
+    console.press("y");
+    let set = ("RTL_ALT".to_owned(), 2000.0, vec![1]);
+    assert_eq!(
+        settings(&console.effects),
+        [set],
+        "ANGLE_MAX was unmarked; a system id, and what the vehicle lacks, never were marked"
+    );
+    row(&mut console, 0, 1, RowState::Done);
+    assert_eq!(said(&console), "parameters set: 1 confirmed");
+    assert!(
+        names(&console).contains(&"RTL_ALT".to_owned()),
+        "it stays in sight"
+    );
+}
+
+#[test]
+fn a_faulty_file_is_told_with_line_and_column_and_changes_nothing() {
+    let mut console = in_the_room(1);
+    let text = "RTL_ALT,2000\nANGLE_MAX;45\n".to_owned();
+    let path = "bad.parm".to_owned();
+    console.hear(Event::ParametersRead { path, text });
+    assert_eq!(
+        said(&console),
+        "bad.parm:2:13: ANGLE_MAX;45 has no value (nothing was loaded)"
+    );
+    assert!(console.state.rooms.parameters.comparison.is_none());
+}
+
+#[test]
+fn vehicles_are_compared_with_each_other() {
+    let mut console = in_the_room(2);
+    arrives(&mut console, 2, list(2.0, 500.0));
+    console.press("d").write("2").press("enter");
+    assert_eq!(
+        names(&console),
+        ["COMPASS_DEV_ID", "SYSID_THISMAV", "WPNAV_SPEED"]
+    );
+    console.press("*").press("a").press("y");
+    let set = ("WPNAV_SPEED".to_owned(), 500.0, vec![1]);
+    assert_eq!(settings(&console.effects), [set]);
+    console.press("d").write("9").press("enter");
+    let Some(Overlay::Prompt(prompt)) = &console.state.overlay else {
+        panic!("the prompt stays");
+    };
+    assert_eq!(
+        prompt.fault.as_ref().expect("a fault"),
+        &"there is no vehicle 9"
+    );
+}
+
+#[test]
+fn names_of_parameters_complete_on_the_command_line() {
+    let mut console = in_the_room(1);
+    console.press("F").press(":").write("param set WPN");
+    let Some(Overlay::Palette(palette)) = &console.state.overlay else {
+        panic!("the line is open");
+    };
+    let texts: Vec<&str> = palette
+        .completions
+        .iter()
+        .map(|it| it.text.as_str())
+        .collect();
+    assert_eq!(texts, ["WPNAV_ACCEL", "WPNAV_SPEED"]);
+    assert_eq!(palette.completions[1].hint, "= 1000");
+}
+
+#[test]
+fn a_line_about_parameters_asks_for_their_names() {
+    let mut console = Console::flying(2);
+    console.press("j").press(":").write("param get ");
+    assert_eq!(console.at(2).effects, [Effect::FetchParameters(vec![2])]);
+}
+
+#[test]
+fn the_list_survives_leaving_the_room_and_not_the_session() {
+    let mut console = in_the_room(1);
+    console
+        .press("/")
+        .write("wp")
+        .press("enter")
+        .press("F")
+        .press("P");
+    assert_eq!(console.state.room, Room::Parameters);
+    assert_eq!(names(&console), ["WPNAV_ACCEL", "WPNAV_SPEED"]);
+    console.give("leave").press("y");
+    assert!(console.state.rooms.parameters.lists.is_empty());
+    arrives(&mut console, 1, list(1.0, 1.0));
+    assert!(
+        console.state.rooms.parameters.lists.is_empty(),
+        "what comes late belongs to nobody"
+    );
+}

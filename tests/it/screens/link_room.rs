@@ -1,0 +1,144 @@
+//! The room of links, and what is said of them elsewhere.
+
+use std::time::Duration;
+
+use sortie::app::event::Event;
+use sortie::app::state::{Activity, LinkSummary, Room};
+use sortie::doctor::{Cause, Finding, Way};
+use sortie::vehicle::Vehicle;
+
+use super::inspector::shows;
+use crate::fixtures;
+use crate::harness::Console;
+
+fn link(name: &str, up: bool) -> LinkSummary {
+    LinkSummary {
+        name: name.to_owned(),
+        state: if up { "up" } else { "down, next try in 4.0 s" }.to_owned(),
+        up,
+        error: (!up).then(|| "port 14550 on 0.0.0.0 is in use".to_owned()),
+        bytes_in_per_s: 4123.0,
+        bytes_out_per_s: 52.0,
+        messages_in_per_s: 96.0,
+        peers: 1,
+        bad_crc: 3,
+        skipped_bytes: 1205,
+        lost: vec![((1, 1), 0), ((3, 1), 17)],
+        round_trip: Some(Duration::from_millis(4)),
+        ..LinkSummary::default()
+    }
+}
+
+fn finding(link: usize, way: Way, cause: Cause) -> Finding {
+    Finding { link, way, cause }
+}
+
+/// In the room of links, with one that is sick and one that is closed.
+pub(super) fn ailing() -> Console {
+    let mut console = Console::flying(0);
+    let links = vec![
+        link("serial:/dev/ttyUSB0:57600", true),
+        link("udpin:0.0.0.0:14550", false),
+    ];
+    console.hear(Event::Links(links));
+    for second in 1..=30 {
+        console.at(second);
+        console.hear(Event::Findings(vec![
+            finding(0, Way::Serial, Cause::WrongBaud),
+            finding(1, Way::UdpIn, Cause::NotOpen),
+        ]));
+    }
+    console.press("L");
+    console
+}
+
+#[test]
+fn the_room_of_links_names_the_cause_and_what_to_try() {
+    let mut console = ailing();
+    shows(
+        &console,
+        &[
+            "FAULT: garbage arrives",
+            "Try another rate",
+            "peak 4123",
+            "noise 1205 B",
+            "3/1: 17",
+        ],
+    );
+    console.press("j");
+    shows(
+        &console,
+        &["FAULT: the link is not open", "in use", "next try in 4.0 s"],
+    );
+    console.press("F").press("L");
+    shows(&console, &["the link is not open"]);
+    console.press("F").give("links");
+    assert_eq!(console.state.room, Room::Links);
+}
+
+#[test]
+fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
+    let mut console = Console::new();
+    console.start(Activity::Free);
+    console.hear(Event::Links(vec![link("udpin:0.0.0.0:14550", true)]));
+    let findings = || Event::Findings(vec![finding(0, Way::UdpIn, Cause::Nothing)]);
+    let told = |console: &Console| console.state.notices.lines().len();
+    console.at(4).hear(findings());
+    assert_eq!(told(&console), 0, "too early");
+    shows(&console, &["link doctor: nothing arrives at all"]);
+    console.at(5).hear(findings());
+    console.at(6).hear(findings());
+    assert_eq!(told(&console), 1);
+    shows(&console, &["udpin:0.0.0.0:14550: nothing arrives at all"]);
+    let mut console = Console::flying(1);
+    console.hear(Event::Links(vec![link("udpin:0.0.0.0:14550", true)]));
+    console.at(9).hear(findings());
+    assert_eq!(told(&console), 0, "a vehicle is there by another link");
+}
+
+#[test]
+fn a_vehicle_that_does_not_hear_us_is_told_at_any_time() {
+    let mut console = Console::flying(1);
+    console.hear(Event::Links(vec![link("udpin:0.0.0.0:14550", true)]));
+    for second in 20..25 {
+        console.at(second);
+        console.hear(Event::Findings(vec![finding(
+            0,
+            Way::UdpIn,
+            Cause::OneWay(1),
+        )]));
+    }
+    let lines = console.state.notices.lines();
+    assert_eq!(lines.len(), 1);
+    shows(&console, &["never answers"]);
+}
+
+#[test]
+fn what_a_vehicle_does_not_know_is_no_figure() {
+    let mut console = Console::new();
+    console.start(Activity::Free);
+    let mut vehicle: Vehicle = fixtures::airborne(1, 20.0, 20.1);
+    let unknown = f32::NAN;
+    vehicle.ekf = vehicle.ekf.map(|ekf| sortie::vehicle::Ekf {
+        velocity_variance: unknown,
+        ..ekf
+    });
+    vehicle.vibration = Some(sortie::vehicle::Vibration {
+        level_m_s2: [unknown, 3.0, f32::INFINITY],
+        clipping: [0; 3],
+    });
+    vehicle.health = vehicle.health.map(|health| sortie::vehicle::Health {
+        load_percent: unknown,
+        ..health
+    });
+    console.vehicle(vehicle);
+    let screen = console.screen(200, 50);
+    assert!(
+        screen.contains("- 3 - m/s²") && screen.contains("vel - pos"),
+        "{screen}"
+    );
+    assert!(
+        !screen.contains("NaN") && !screen.contains("inf "),
+        "{screen}"
+    );
+}

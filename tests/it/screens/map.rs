@@ -1,0 +1,272 @@
+//! The map as text: in the room and as a pane, in every kind of symbols, for one vehicle and for many.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use sortie::app::event::{Event, Started};
+use sortie::app::room::map::{SketchKind, sketches};
+use sortie::app::state::{Activity, Room};
+use sortie::config::Symbols;
+use sortie::geo::Outline;
+use sortie::mission::{Area, AreaKind, Mission};
+use sortie::text::{Language, Locale};
+use sortie::ui::{self, Look};
+use sortie::vehicle::{
+    FenceArea, FencePlan, FenceShape, HeightFrame, Plan, PlanItem, RallyPlan, RallyPoint, Target,
+    Vehicle,
+};
+
+use crate::fixtures;
+use crate::harness::Console;
+
+/// A vehicle that flies north, so many metres so far, to a point beyond.
+fn under_way(id: u16, north_m: f64) -> Vehicle {
+    let mut vehicle = fixtures::airborne(id, north_m, 20.0);
+    let target = fixtures::HOME.moved(90.0, 5.0 * f64::from(id));
+    vehicle.target = Some(Target {
+        at_point: Some(target),
+        altitude_m: Some(20.0),
+        velocity_m_s: None,
+        at: Duration::ZERO,
+    });
+    vehicle
+}
+
+/// A survey under way: one vehicle flies, one is lost, four stand on their pads, two of them selected.
+pub fn surveyed() -> Console {
+    let mut console = Console::new();
+    let area = |name: &str, kind, side_m| Area {
+        name: name.to_owned(),
+        kind,
+        outline: Outline::square(fixtures::HOME.moved(40.0, 10.0), side_m),
+    };
+    console.hear(Event::Started(Box::new(Started {
+        activity: Activity::Mission {
+            id: "m01".to_owned(),
+            title: "Air sample at the yard".to_owned(),
+        },
+        places: [("street".to_owned(), fixtures::HOME.moved(0.0, -40.0))].into(),
+        areas: vec![
+            area("fence", AreaKind::Geofence, 160.0),
+            area("yard", AreaKind::Task, 60.0),
+        ],
+    })));
+    for id in 3..=6 {
+        console.vehicle(fixtures::parked(id));
+    }
+    let mut lost = fixtures::airborne(2, 70.0, 20.0);
+    lost.link.lost = true;
+    console.vehicle(lost);
+    for metre in 0..40 {
+        console.vehicle(under_way(1, f64::from(metre)));
+        let mut progress = fixtures::progress();
+        progress.readings[0].value = f64::from(metre);
+        console.hear(Event::Mission(Box::new(progress)));
+    }
+    console.write("4-5").press("enter").press("M").press("z");
+    for _ in 0..3 {
+        console.press("shift-tab");
+    }
+    console.at(1);
+    console
+}
+
+fn drawn(console: &Console, symbols: Symbols, language: Language, size: (u16, u16)) -> String {
+    let look = Look {
+        symbols,
+        locale: Arc::new(Locale::new(language)),
+        ..Look::default()
+    };
+    let backend = TestBackend::new(size.0, size.1);
+    let mut terminal = Terminal::new(backend).expect("a test terminal");
+    terminal
+        .draw(|frame| ui::draw(&console.state, &look, frame))
+        .expect("a test terminal");
+    let buffer = terminal.backend().buffer();
+    let rows = buffer.content.chunks(usize::from(size.0));
+    let lines = rows.map(|row| {
+        let line: String = row.iter().map(ratatui::buffer::Cell::symbol).collect();
+        line.trim_end().to_owned()
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn resized(mut console: Console, (columns, rows): (u16, u16)) -> Console {
+    console.hear(Event::Resize { columns, rows });
+    console
+}
+
+#[test]
+fn the_room_of_the_map() {
+    for size in [(80, 24), (120, 40), (200, 50)] {
+        let console = resized(surveyed(), size);
+        let text = drawn(&console, Symbols::Braille, Language::English, size);
+        insta::assert_snapshot!(format!("map_{}x{}", size.0, size.1), text);
+    }
+}
+
+#[test]
+fn the_map_without_braille_and_in_ukrainian() {
+    let size = (120, 40);
+    let console = resized(surveyed(), size);
+    let kinds = [("block", Symbols::Block), ("ascii", Symbols::Ascii)];
+    for (name, symbols) in kinds {
+        let text = drawn(&console, symbols, Language::English, size);
+        insta::assert_snapshot!(format!("map_{name}_120x40"), text);
+    }
+    let text = drawn(&console, Symbols::Braille, Language::Ukrainian, size);
+    insta::assert_snapshot!("map_ukrainian_120x40", text);
+}
+
+#[test]
+fn the_canvas_is_pure_ascii_where_only_ascii_is_to_be_had() {
+    let console = resized(surveyed(), (120, 40));
+    let text = drawn(&console, Symbols::Ascii, Language::English, (120, 40));
+    // The rules, the frame of the legend and the scale bar are turned into ASCII as on every screen.
+    let canvas = text.chars().filter(|c| !"─│┌┐└┘├┤┼°".contains(*c));
+    let strange: String = canvas.filter(|c| !c.is_ascii()).collect();
+    assert_eq!(strange, "");
+}
+
+#[test]
+fn the_flight_screen_has_the_map_where_there_is_room() {
+    let mut console = surveyed();
+    console.press("F");
+    for (size, has_map) in [((80, 24), false), ((120, 40), true), ((200, 50), true)] {
+        let console = resized(console_on(&console, Room::Fly), size);
+        let text = drawn(&console, Symbols::Braille, Language::English, size);
+        assert_eq!(text.contains("── map "), has_map, "{size:?}\n{text}");
+    }
+}
+
+fn console_on(console: &Console, room: Room) -> Console {
+    let mut state = console.state.clone();
+    state.room = room;
+    Console {
+        state,
+        effects: Vec::new(),
+    }
+}
+
+#[test]
+fn every_vehicle_of_a_swarm_is_on_the_map_or_counted() {
+    let mut console = Console::flying(300);
+    console.press("M").press("z");
+    let size = (80, 24);
+    let console = resized(console, size);
+    let text = drawn(&console, Symbols::Braille, Language::English, size);
+    let counts = text.split('(').skip(1);
+    let counts = counts.filter_map(|rest| rest.split(')').next()?.parse::<usize>().ok());
+    let counted: usize = counts.sum();
+    let hidden = text.split("[o1+").nth(1).expect("a count");
+    let digits: String = hidden.chars().take_while(char::is_ascii_digit).collect();
+    let hidden: usize = digits.parse().expect("a number");
+    assert_eq!(
+        counted + hidden,
+        299,
+        "all but the one under the cursor:\n{text}"
+    );
+}
+
+#[test]
+fn without_a_position_the_map_says_so() {
+    let mut console = Console::flying(0);
+    let text = console.press("M").screen(80, 24);
+    assert!(text.contains("No position is known yet."), "{text}");
+}
+
+#[test]
+fn no_size_and_no_zoom_panics() {
+    let mut console = surveyed();
+    for key in [
+        "-", "-", "-", "-", "u", "+", "+", "+", "+", "+", "+", "+", "+", "f",
+    ] {
+        console.press(key);
+        for width in [80, 81, 119, 160, 300] {
+            for height in [24, 25, 100] {
+                console.screen(width, height);
+            }
+        }
+    }
+}
+
+/// A vehicle with a plan of three points, a fence with a hole in it, and a rally point.
+fn planned(id: u16) -> Vehicle {
+    let mut vehicle = fixtures::airborne(id, 0.0, 20.0);
+    let place = |north_m, east_m| fixtures::HOME.moved(north_m, east_m);
+    let item = |seq, at_point| PlanItem {
+        seq,
+        command: 16,
+        frame: HeightFrame::Home,
+        params: [0.0; 4],
+        at_point: Some(at_point),
+        altitude_m: Some(20.0),
+    };
+    let points = [(0.0, 0.0), (60.0, -30.0), (60.0, 50.0), (10.0, 70.0)];
+    let items = (0..)
+        .zip(points)
+        .map(|(seq, (n, e))| item(seq, place(n, e)));
+    vehicle.plans.plan.content = Some(Arc::new(Plan {
+        items: items.collect(),
+        home_first: true,
+    }));
+    let circle = |radius_m, inclusion| FenceArea {
+        shape: FenceShape::Circle {
+            center: place(30.0, 20.0),
+            radius_m,
+        },
+        inclusion,
+    };
+    vehicle.plans.fence.content = Some(Arc::new(FencePlan {
+        areas: vec![circle(75.0, true), circle(12.0, false)],
+        return_point: None,
+    }));
+    vehicle.plans.rally.content = Some(Arc::new(RallyPlan {
+        points: vec![RallyPoint {
+            at_point: place(-20.0, 40.0),
+            altitude_m: Some(15.0),
+            frame: HeightFrame::Home,
+        }],
+    }));
+    vehicle
+}
+
+#[test]
+fn what_the_cursors_vehicle_has_on_board() {
+    let mut console = Console::flying(0);
+    console.vehicle(planned(1)).vehicle(planned(2)).press("M");
+    let console = resized(console, (120, 40));
+    let mut console = console_on(&console, Room::Map);
+    console.press("z");
+    let text = drawn(&console, Symbols::Braille, Language::English, (120, 40));
+    insta::assert_snapshot!("map_plan_120x40", text);
+    let fences = sketches(&console.press("*").state);
+    let borders = fences.iter().filter(|it| it.kind == SketchKind::Fence);
+    assert_eq!(borders.count(), 1, "two vehicles share it");
+}
+
+/// The truth of a hazard has to be found by sensors: nothing of it is told to the map.
+#[test]
+fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
+    let source = include_str!("../../../missions/01-air-sample.toml");
+    let mission = Mission::parse(source).expect("a mission");
+    let areas = mission.areas();
+    let told: Vec<_> = areas.iter().map(|it| (it.name.as_str(), it.kind)).collect();
+    assert_eq!(
+        told,
+        [("yard", AreaKind::Task), ("fence", AreaKind::Geofence)]
+    );
+}
+
+#[test]
+fn sensors_on_the_ground_leave_no_samples() {
+    let mut console = Console::flying(1);
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    assert_eq!(console.state.rooms.map.samples.fields().len(), 0);
+    console.vehicle(fixtures::airborne(1, 0.0, 20.0));
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    let map = &console.state.rooms.map;
+    assert_eq!(map.field().map(|(name, _)| name), Some("co"));
+}

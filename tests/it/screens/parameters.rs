@@ -1,0 +1,162 @@
+//! The room of parameters as text.
+
+use std::sync::Arc;
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use sortie::app::event::Event;
+use sortie::ledger::RowState;
+use sortie::parameters::{Fetching, Heard, ParameterType, Parameters, Snapshot};
+use sortie::text::{Language, Locale};
+use sortie::ui::{self, Look};
+
+use crate::console::parameters::{arrives, in_the_room, list};
+use crate::fixtures;
+use crate::harness::Console;
+
+const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 50)];
+
+fn check(name: &str, console: &Console) {
+    for (width, height) in SIZES {
+        insta::assert_snapshot!(
+            format!("parameters_{name}_{width}x{height}"),
+            console.screen(width, height)
+        );
+    }
+}
+
+/// Vehicle 1 has taken one value and refused another; 2 and 3 are selected, too.
+fn edited() -> Console {
+    let mut console = in_the_room(3);
+    console.give("select 1-3").press("end");
+    console
+        .press("enter")
+        .press("ctrl-u")
+        .write("640")
+        .press("enter");
+    for vehicle in 1..=3 {
+        arrives(&mut console, vehicle, {
+            let mut list = list(f32::from(vehicle), 1000.0);
+            let value = if vehicle == 2 { 1000.0 } else { 640.0 };
+            list.note(&Heard {
+                name: "WPNAV_SPEED",
+                value,
+                kind: ParameterType::Real32,
+                index: None,
+                count: 10,
+            });
+            list
+        });
+    }
+    console
+        .row(1, RowState::Done, None)
+        .row(
+            2,
+            RowState::Refused,
+            Some("WPNAV_SPEED stayed 1000, it did not take 640"),
+        )
+        .row(3, RowState::Done, None);
+    console
+}
+
+fn compared() -> Console {
+    let mut console = in_the_room(1);
+    let text = "RTL_ALT,2000\nSYSID_THISMAV,7\nANGLE_MAX,4500\nNEW_ONE,1\nWPNAV_SPEED,1e-7\n";
+    console.hear(Event::ParametersRead {
+        path: "~/parameters/quad-450.parm".to_owned(),
+        text: text.to_owned(),
+    });
+    console
+}
+
+#[test]
+fn a_list_that_is_coming() {
+    let mut console = Console::flying(2);
+    console.press("P").at(1);
+    check("none", &console);
+    let mut half = Parameters::default();
+    for index in 0..500_u16 {
+        half.note(&Heard {
+            name: &format!("P{index:04}"),
+            value: f32::from(index) / 3.0,
+            kind: ParameterType::Real32,
+            index: Some(index),
+            count: 1382,
+        });
+    }
+    let mut lost = fixtures::parked(1);
+    lost.link.lost = true;
+    let mut hear = |fetching| {
+        let list = Arc::new(half.clone());
+        let snapshot = Snapshot { list, fetching };
+        console.hear(Event::Parameters {
+            vehicle: 1,
+            snapshot,
+        });
+        console.screen(80, 24)
+    };
+    insta::assert_snapshot!(
+        "parameters_coming_80x24",
+        hear(Fetching::UnderWay { fruitless: 0 })
+    );
+    let repeating = hear(Fetching::UnderWay { fruitless: 5 });
+    assert!(
+        repeating.contains("500 of 1382; no answer, asked again (5)"),
+        "{repeating}"
+    );
+    let stalled = hear(Fetching::Stalled);
+    assert!(
+        stalled.contains("500 of 1382 came, then no answer: r asks again"),
+        "{stalled}"
+    );
+    console.vehicle(lost);
+    let list = Arc::new(half);
+    let fetching = Fetching::UnderWay { fruitless: 0 };
+    let snapshot = Snapshot { list, fetching };
+    console.hear(Event::Parameters {
+        vehicle: 1,
+        snapshot,
+    });
+    let screen = console.screen(80, 24);
+    let told = "500 of 1382; link lost: goes on when it is back";
+    assert!(screen.contains(told), "{screen}");
+}
+
+#[test]
+fn values_that_were_set_on_several_vehicles() {
+    check("edited", &edited());
+}
+
+#[test]
+fn a_file_beside_the_vehicle() {
+    check("compared", &compared());
+}
+
+#[test]
+fn a_value_that_is_being_written() {
+    let mut console = in_the_room(2);
+    console
+        .press("enter")
+        .press("ctrl-u")
+        .write("1.5")
+        .press("enter");
+    check("prompt", &console);
+}
+
+#[test]
+fn in_ukrainian() {
+    for (name, console) in [("edited", edited()), ("compared", compared())] {
+        let look = Look {
+            locale: Arc::new(Locale::new(Language::Ukrainian)),
+            ..Look::default()
+        };
+        let mut terminal = Terminal::new(TestBackend::new(80, 24)).expect("a test terminal");
+        terminal
+            .draw(|frame| ui::draw(&console.state, &look, frame))
+            .expect("a test terminal");
+        insta::assert_snapshot!(
+            format!("parameters_{name}_ukrainian_80x24"),
+            terminal.backend().to_string()
+        );
+    }
+}

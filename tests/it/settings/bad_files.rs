@@ -1,0 +1,75 @@
+//! Faulty configurations, keymaps and themes: one file per fault.
+
+use std::fs;
+use std::path::Path;
+
+use super::{home, sortie, text};
+
+/// What each file of the folders of bad files is refused with: one fault each.
+const REFUSALS: &[&str] = &[
+    "bad_configs/flag.toml:1:9: `mouse` must be true or false",
+    "bad_configs/log-level.toml:2:10: the levels of the log are not understood: ",
+    "bad_configs/macro-kind.toml:2:6: `macros.up` must be a line of the command language in quotes, or a list of them",
+    "bad_configs/macro-line.toml:2:26: there is no command `takeof` (did you mean `takeoff`?)",
+    "bad_configs/no-section.toml:2:10: `alerts` is a section: write [alerts] on a line of its own and its settings below",
+    "bad_configs/number-as-section.toml:1:2: `fps` must be a whole number from 1 to 60",
+    "bad_configs/number.toml:1:7: `fps` must be a whole number from 1 to 60",
+    "bad_configs/syntax.toml:1:9: string values must be quoted",
+    "bad_configs/text.toml:1:9: `theme` must be a text in quotes",
+    "bad_configs/theme.toml:1:10: no theme is named `drak` (did you mean `dark`?)",
+    "bad_configs/twice.toml:2:1: duplicate key",
+    "bad_configs/unknown-in-section.toml:2:1: unknown setting `alerts.bel` (did you mean `bell`?)",
+    "bad_configs/unknown-section.toml:1:2: unknown setting `alert` (did you mean `alerts`?)",
+    "bad_configs/unknown-setting.toml:2:1: unknown setting `them` (did you mean `theme`?)",
+    "bad_configs/word.toml:1:8: `lang` must be one of en, uk (did you mean `uk`?)",
+    "bad_configs/words.toml:1:17: `table.columns` must be a list of words, such as [\"one\", \"two\"]",
+    "bad_keymaps/action.toml:2:5: neither an action nor a command is called `inver` (did you mean `invert`?)",
+    "bad_keymaps/context.toml:1:2: there is no context `fyl` (did you mean `fly`?)",
+    "bad_keymaps/key.toml:2:1: there is no key `f55`",
+    "bad_keymaps/line.toml:2:10: there is no command `takeof` (did you mean `takeoff`?)",
+    "bad_keymaps/meaning.toml:2:5: expected the name of an action or a line of the command language in quotes, or false",
+    "bad_keymaps/no-context.toml:1:6: expected the name of an action or a line of the command language in quotes, or false",
+    "bad_keymaps/open-line.toml:2:10: there is no command `takeof` (did you mean `takeoff`?)",
+    "bad_keymaps/prompt-letter.toml:2:1: `x` is a letter of the line there",
+    "bad_keymaps/prompt-line.toml:2:10: only actions can be given to the keys of `prompt`",
+    "bad_keymaps/same-key.toml:2:1: a terminal sends the same for `ctrl-m` and for enter",
+    "bad_keymaps/shadow.toml:5:1: `x` has another meaning anywhere, in line 2 (give one of them another key)",
+    "bad_keymaps/syntax.toml:2:5: string values must be quoted",
+    "bad_keymaps/twice.toml:3:1: `Ctrl-A` has a meaning in this context already, in line 2",
+    "bad_themes/circle-a.toml:1:12: themes inherit each other in a circle: circle-a -> circle-b -> circle-a",
+    "bad_themes/circle-b.toml:1:12: themes inherit each other in a circle: circle-b -> circle-a -> circle-b",
+    "bad_themes/colour.toml:3:13: `grin` is no colour (write \"#rrggbb\", ",
+    "bad_themes/faulty-parent.toml:1:12: the theme `role` is faulty itself (tests/data/bad_themes/role.toml:3:1: ",
+    "bad_themes/incomplete.toml:1:1: the role `text` has no style (give it one under [roles], or inherit it: ",
+    "bad_themes/no-parent.toml:1:12: no theme is named `drak` (did you mean `dark`?)",
+    "bad_themes/role.toml:3:1: unknown role `warnin` (did you mean `warning`?)",
+    "bad_themes/style.toml:3:8: unknown field `blink`, expected one of ",
+];
+
+#[test]
+fn bad_files_are_refused_with_the_place_and_the_reason() {
+    let mut files: Vec<String> = Vec::new();
+    for folder in ["bad_configs", "bad_keymaps", "bad_themes"] {
+        let folder = Path::new("tests/data").join(folder);
+        for entry in fs::read_dir(folder).expect("it is there").flatten() {
+            files.push(entry.path().to_str().expect("plain").to_owned());
+        }
+    }
+    files.sort();
+    let arguments: Vec<&str> = std::iter::once("check")
+        .chain(files.iter().map(String::as_str))
+        .collect();
+    let home = home(&[]);
+    let output = sortie(home.path(), &[], &arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let printed = text(&output.stdout);
+    let found: Vec<&str> = printed.lines().collect();
+    for (found, expected) in found.iter().zip(REFUSALS) {
+        let found = found.strip_prefix("tests/data/").expect("its path");
+        assert!(
+            found.starts_with(expected),
+            "{found}\nrather than\n{expected}"
+        );
+    }
+    assert_eq!(found.len(), REFUSALS.len(), "{printed}");
+}
