@@ -252,7 +252,7 @@ impl Console {
             Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
         if let Err(error) = self.start(plan).await {
-            self.feed(Event::Failed(format!("{error:#}").into())).await;
+            self.feed(Event::Failed(error)).await;
         }
     }
 
@@ -359,9 +359,9 @@ impl Console {
             }
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
-                .map_err(Into::into),
+                .map_err(|error| Text::from(&error)),
             Effect::StartFree => Ok(Plan::Free),
-            Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect).map_err(Into::into),
+            Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect),
             Effect::RestartMission => match &self.running {
                 Some(running) => Ok(running.plan()),
                 None => return,
@@ -373,7 +373,7 @@ impl Console {
         };
         if let Err(error) = outcome {
             // Nothing that a failure causes is an effect.
-            update(&mut self.state, Event::Failed(format!("{error:#}").into()));
+            update(&mut self.state, Event::Failed(error));
         }
     }
 
@@ -398,9 +398,9 @@ impl Console {
                     .for_each(|running| running.fetch_parameters(&vehicles));
             }
             Effect::ReadParameters { path } => {
-                match store::read(&store::user_path(&path), "parameter file") {
+                match store::read(&store::user_path(&path), "file-parameters") {
                     Ok(Source { text, .. }) => Event::ParametersRead { path, text },
-                    Err(error) => Event::Failed(error.to_string().into()),
+                    Err(error) => Event::Failed(Text::from(&error)),
                 }
             }
             Effect::SaveParameters {
@@ -410,7 +410,7 @@ impl Console {
             } => match store::write(&store::user_path(&path), &text, replace) {
                 Ok(()) => Event::ParametersSaved { path },
                 Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
-                Err(error) => Event::Failed(error.to_string().into()),
+                Err(error) => Event::Failed(Text::from(&error)),
             },
             _ => return,
         };
@@ -429,7 +429,7 @@ impl Console {
                 let row = order.unsent(
                     vehicle,
                     RowState::Refused,
-                    format!("not sent: {error}"),
+                    text!("outcome-not-sent", reason = Text::from(error)),
                     now,
                 );
                 // Others may have waited for the end of this one.
@@ -438,7 +438,7 @@ impl Console {
         }
     }
 
-    async fn start(&mut self, plan: Plan) -> anyhow::Result<()> {
+    async fn start(&mut self, plan: Plan) -> Result<(), Text> {
         // The old session ends first: the new one may need its ports.
         self.running = None;
         let backend = Backend {
@@ -455,6 +455,8 @@ impl Console {
     }
 }
 
-fn parse(addresses: &[String]) -> Result<Vec<Address>, AddressError> {
-    addresses.iter().map(|address| address.parse()).collect()
+fn parse(addresses: &[String]) -> Result<Vec<Address>, Text> {
+    let parsed = addresses.iter().map(|address| address.parse());
+    let parsed: Result<_, AddressError> = parsed.collect();
+    parsed.map_err(|error| Text::from(&error))
 }

@@ -249,7 +249,7 @@ pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion>
     let (head, word) = before.split_at(start);
     let completion = |text: &str, hint: &str| Completion {
         text: text.to_owned(),
-        hint: hint.to_owned(),
+        hint: hint.into(),
         replaces: start..before.len(),
     };
     if head.trim().is_empty() {

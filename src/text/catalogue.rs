@@ -26,6 +26,13 @@ catalogue! {
     "fly",
     "rooms",
     "vehicle",
+    "files",
+    "grammar",
+    "outcomes",
+    "refusals",
+    "telemetry",
+    "transport",
+    "verbs",
 }
 
 /// The message files of a language: subject and contents.

@@ -64,14 +64,16 @@ pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
 /// A verb: its summary beside its usage, or below where one of them is long.
 fn explained(verb: &Verb) -> Vec<HelpLine> {
     let usages = verb.usage();
+    let summary = verb.summary();
+    let words = summary.to_string();
     if let [usage] = usages.as_slice()
         && usage.chars().count() <= SHORT_USAGE
-        && verb.summary.chars().count() <= SHORT_SUMMARY
+        && words.chars().count() <= SHORT_SUMMARY
     {
-        return vec![entry(usage, verb.summary)];
+        return vec![entry(usage, summary)];
     }
     let mut lines: Vec<HelpLine> = usages.iter().map(|usage| entry(usage, "")).collect();
-    lines.extend(notes(verb.summary));
+    lines.extend(notes(&words));
     lines
 }
 

@@ -166,7 +166,7 @@ fn entry_line(
         Span::styled(
             format!(
                 " {}",
-                aligned(&format!(" {}", summary(entry, false)), outcome, false)
+                aligned(&format!(" {}", summary(entry, look, false)), outcome, false)
             ),
             look.style(entry_role(entry)),
         ),

@@ -198,7 +198,8 @@ fn choice_lines<'a>(
     let mut name = clip(&choice.text, name_width);
     // A verb without arguments has its name for a usage: once is enough.
     let said = format!("{}: ", choice.text);
-    let hint = choice.hint.strip_prefix(&said).unwrap_or(&choice.hint);
+    let hint = look.text(&choice.hint);
+    let hint = hint.strip_prefix(&said).unwrap_or(&hint);
     let room = width.saturating_sub(name_width + 4);
     let mut lines = Vec::new();
     for text in wrap(hint, room) {

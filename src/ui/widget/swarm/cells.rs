@@ -71,7 +71,7 @@ pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cel
         Column::Armed => armed(row),
         Column::State => landed(row),
         Column::Battery => battery(row.vehicle),
-        Column::Gps => gps(row.vehicle),
+        Column::Gps => gps(row.vehicle, look),
         Column::Link => link(row),
         Column::Command => command(row, look, width),
         Column::Item => item(row.vehicle),
@@ -151,7 +151,7 @@ fn battery(vehicle: &Vehicle) -> Cell {
     (format!("{left}%"), role)
 }
 
-fn gps(vehicle: &Vehicle) -> Cell {
+fn gps(vehicle: &Vehicle, look: &Look) -> Cell {
     let Some(gps) = vehicle.gps else {
         return unknown();
     };
@@ -163,7 +163,8 @@ fn gps(vehicle: &Vehicle) -> Cell {
     let satellites = gps
         .satellites
         .map_or(String::new(), |count| format!(" {count}"));
-    (format!("{}{satellites}", gps.fix), role)
+    let fix = look.text(&gps.fix.text());
+    (format!("{fix}{satellites}"), role)
 }
 
 fn link(row: &Row<'_>) -> Cell {
