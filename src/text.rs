@@ -294,7 +294,10 @@ mod tests {
         let one = text!("refused-not-armed", verb = "goto", vehicle = 3);
         let both = Text::joined("; ", vec![one.clone(), "x".into()]);
         let told = both.regarding("1-3").to_string();
-        assert!(told.contains("`1-3 arm`") && told.ends_with("; x"), "{told}");
+        assert!(
+            told.contains("`1-3 arm`") && told.ends_with("; x"),
+            "{told}"
+        );
         let other = text!("refused-not-armed", verb = "goto", vehicle = 4);
         assert_eq!(one.regarding(""), other.regarding(""));
     }

@@ -205,11 +205,7 @@ pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, 
 }
 
 /// `PARAM_SET`. ArduPilot takes the value as a number and ignores the type field.
-pub(super) fn write_parameter(
-    vehicle: &Vehicle,
-    name: &str,
-    value: f32,
-) -> Result<Outgoing, Text> {
+pub(super) fn write_parameter(vehicle: &Vehicle, name: &str, value: f32) -> Result<Outgoing, Text> {
     finite(&[value])?;
     Ok(MavMessage::PARAM_SET(PARAM_SET_DATA {
         param_value: value,

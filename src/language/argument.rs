@@ -289,19 +289,16 @@ impl Arguments {
 
     /// A number that the form requires.
     pub fn required(&self, name: &'static str) -> Result<f64, Problem> {
-        self.number(name)
-            .ok_or_else(|| Problem::missing(name))
+        self.number(name).ok_or_else(|| Problem::missing(name))
     }
 
     /// A word that the form requires.
     pub fn required_word(&self, name: &'static str) -> Result<&str, Problem> {
-        self.word(name)
-            .ok_or_else(|| Problem::missing(name))
+        self.word(name).ok_or_else(|| Problem::missing(name))
     }
 
     /// A point that the form requires.
     pub fn required_point(&self, name: &'static str) -> Result<LatLon, Problem> {
-        self.point(name)
-            .ok_or_else(|| Problem::missing(name))
+        self.point(name).ok_or_else(|| Problem::missing(name))
     }
 }

@@ -202,7 +202,10 @@ fn modes_as_verbs(context: &Context) -> Vec<(String, Text)> {
 fn target_names(context: &Context) -> Vec<(String, Text)> {
     let mut names = vec![("all".to_owned(), text!("grammar-every-vehicle"))];
     for (group, ids) in context.groups {
-        names.push((format!("@{group}"), Targets::Ids(ids.clone()).to_string().into()));
+        names.push((
+            format!("@{group}"),
+            Targets::Ids(ids.clone()).to_string().into(),
+        ));
     }
     for id in context.vehicles {
         names.push((id.to_string(), text!("grammar-vehicle")));

@@ -145,7 +145,12 @@ impl Kind {
                 .collect(),
             Self::MavCommand => command_names()
                 .iter()
-                .map(|(number, name)| ((*name).to_owned(), text!("grammar-mav-command", number = *number)))
+                .map(|(number, name)| {
+                    (
+                        (*name).to_owned(),
+                        text!("grammar-mav-command", number = *number),
+                    )
+                })
                 .collect(),
             Self::Parameter => context
                 .parameters

@@ -89,11 +89,7 @@ async fn tcp(host: &str, port: u16) -> Result<TcpStream, Text> {
         }
         Err(_) => {
             let seconds = CONNECT_TIMEOUT.as_secs();
-            return Err(text!(
-                "transport-no-answer",
-                host = host,
-                seconds = seconds
-            ));
+            return Err(text!("transport-no-answer", host = host, seconds = seconds));
         }
     };
     // Commands are small and must not wait for one another.
@@ -120,7 +116,13 @@ async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<Opened, Text> 
 pub(super) async fn resolve(host: &str, port: u16) -> Result<SocketAddr, Text> {
     let mut found: Vec<_> = lookup_host((host, port))
         .await
-        .map_err(|error| text!("transport-not-found", host = host, error = error.to_string()))?
+        .map_err(|error| {
+            text!(
+                "transport-not-found",
+                host = host,
+                error = error.to_string()
+            )
+        })?
         .collect();
     found.sort_by_key(SocketAddr::is_ipv6);
     let first = found.first().copied();

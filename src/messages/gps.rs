@@ -24,7 +24,10 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut
         return;
     };
     match (locates(before.fix), locates(gps.fix)) {
-        (true, false) => report.say(Severity::Warning, text!("heard-fix-lost", fix = gps.fix.text())),
+        (true, false) => report.say(
+            Severity::Warning,
+            text!("heard-fix-lost", fix = gps.fix.text()),
+        ),
         (false, true) => report.say(Severity::Notice, text!("heard-fix", fix = gps.fix.text())),
         _ => {}
     }

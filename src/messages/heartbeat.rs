@@ -90,7 +90,10 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) 
     let before = vehicle.heartbeat.replace(heartbeat);
     let Some(before) = before else { return };
     if before.mode != heartbeat.mode {
-        report.say(Severity::Notice, text!("heard-mode", mode = heartbeat.mode.to_string()));
+        report.say(
+            Severity::Notice,
+            text!("heard-mode", mode = heartbeat.mode.to_string()),
+        );
         // The new mode heads for its own target and says so, or has none.
         vehicle.target = None;
     }

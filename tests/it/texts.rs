@@ -7,6 +7,7 @@ use std::path::Path;
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
 use sortie::app::action::Action;
 use sortie::app::state::Room;
+use sortie::language::verbs;
 use sortie::text::{Language, Locale, messages};
 
 /// The variables of each message of a language, by id.
@@ -146,7 +147,15 @@ fn name(part: &str) -> Option<String> {
 fn from_tables() -> BTreeSet<String> {
     let actions = Action::ALL.iter().map(|(name, _)| format!("action-{name}"));
     let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
-    actions.chain(rooms).collect()
+    let summaries = verbs().iter().map(|verb| format!("verb-{}", verb.name));
+    let forms = verbs().iter().flat_map(|verb| verb.forms);
+    let arguments = forms.flat_map(|form| form.arguments);
+    let meanings = arguments.map(|argument| argument.help.to_owned());
+    actions
+        .chain(rooms)
+        .chain(summaries)
+        .chain(meanings.filter(|id| !id.is_empty()))
+        .collect()
 }
 
 #[test]

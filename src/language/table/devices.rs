@@ -16,7 +16,11 @@ pub(super) const SERVO: Verb = Verb {
     examples: &["servo 9 1500us"],
     forms: &[Form {
         arguments: &[
-            Argument::value("output", Kind::Whole(Unit::None, 1.0, 16.0), "argument-output"),
+            Argument::value(
+                "output",
+                Kind::Whole(Unit::None, 1.0, 16.0),
+                "argument-output",
+            ),
             Argument::value(
                 "pulse",
                 Kind::Whole(Unit::Microseconds, 500.0, 2500.0),
@@ -40,7 +44,11 @@ pub(super) const RELAY: Verb = Verb {
     examples: &["relay 0 on"],
     forms: &[Form {
         arguments: &[
-            Argument::value("relay", Kind::Whole(Unit::None, 0.0, 15.0), "argument-relay"),
+            Argument::value(
+                "relay",
+                Kind::Whole(Unit::None, 0.0, 15.0),
+                "argument-relay",
+            ),
             Argument::value("state", Kind::Choice(&["on", "off"]), ""),
         ],
         build: |given| {
@@ -91,7 +99,11 @@ pub(super) const REQUEST: Verb = Verb {
     aliases: &[],
     examples: &["request AUTOPILOT_VERSION", "1 request 242"],
     forms: &[Form {
-        arguments: &[Argument::value("message", Kind::Message, "argument-name-or-id")],
+        arguments: &[Argument::value(
+            "message",
+            Kind::Message,
+            "argument-name-or-id",
+        )],
         build: |given| {
             command(Command::RequestMessage {
                 message: given.required("message")? as u32,
@@ -169,7 +181,11 @@ pub(super) const INT: Verb = Verb {
     forms: &[Form {
         arguments: &[
             Argument::value("command", Kind::MavCommand, "argument-name-or-number"),
-            Argument::value("frame", Kind::Whole(Unit::None, 0.0, 255.0), "argument-mav-frame"),
+            Argument::value(
+                "frame",
+                Kind::Whole(Unit::None, 0.0, 255.0),
+                "argument-mav-frame",
+            ),
             Argument::value("p1", ANY, ""),
             Argument::value("p2", ANY, ""),
             Argument::value("p3", ANY, ""),

@@ -46,7 +46,11 @@ pub(super) const MODE: Verb = Verb {
     aliases: &[],
     examples: &["mode guided", "all loiter"],
     forms: &[Form {
-        arguments: &[Argument::value("mode", Kind::Mode, "argument-name-or-number")],
+        arguments: &[Argument::value(
+            "mode",
+            Kind::Mode,
+            "argument-name-or-number",
+        )],
         build: |given| {
             let name = given.required_word("mode")?.to_owned();
             command(Command::SetMode { name })

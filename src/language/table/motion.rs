@@ -16,8 +16,7 @@ const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
 const VELOCITY_LIMIT: Kind = Kind::Number(Unit::MetresPerSecond, -50.0, 50.0);
 
 const KEEP: Argument = Argument::flag("keep", "argument-keep").optional();
-const FACE: Argument =
-    Argument::keyed("face", "heading", HEADING, "argument-face").optional();
+const FACE: Argument = Argument::keyed("face", "heading", HEADING, "argument-face").optional();
 
 pub(super) const GOTO: Verb = Verb {
     name: "goto",
@@ -83,10 +82,7 @@ pub(super) const GOTO: Verb = Verb {
 
 fn goto_by(arguments: &Arguments) -> Built {
     if given(arguments, &["north", "east", "up"]).is_none() {
-        return Err(Problem::new(
-            "by",
-            text!("grammar-by-how-much"),
-        ));
+        return Err(Problem::new("by", text!("grammar-by-how-much")));
     }
     let part = |name| arguments.number(name).unwrap_or(0.0);
     goto(
@@ -194,10 +190,7 @@ fn yaw_by(arguments: &Arguments) -> Built {
     if arguments.flag("by") {
         return yaw(arguments, true);
     }
-    Err(Problem::new(
-        "angle",
-        text!("grammar-heading-range"),
-    ))
+    Err(Problem::new("angle", text!("grammar-heading-range")))
 }
 
 const TURN_RATE: Kind = Kind::Number(Unit::DegreesPerSecond, 1.0, 360.0);
@@ -235,10 +228,7 @@ pub(super) const VELOCITY: Verb = Verb {
 
 fn velocity(arguments: &Arguments) -> Built {
     if given(arguments, &["north", "east", "down", "up"]).is_none() {
-        return Err(Problem::new(
-            "time",
-            text!("grammar-which-way"),
-        ));
+        return Err(Problem::new("time", text!("grammar-which-way")));
     }
     if arguments.flag("down") && arguments.flag("up") {
         return Err(Problem::new("up", text!("grammar-down-or-up")));
@@ -278,10 +268,7 @@ pub(super) const ORBIT: Verb = Verb {
         build: |given| {
             let radius_m = given.required("radius")?;
             if radius_m.abs() < 1.0 {
-                return Err(Problem::new(
-                    "radius",
-                    text!("grammar-small-circle"),
-                ));
+                return Err(Problem::new("radius", text!("grammar-small-circle")));
             }
             command(Command::Orbit {
                 radius_m,

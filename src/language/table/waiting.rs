@@ -10,13 +10,8 @@ use crate::text;
 
 /// Times in scripts: up to a day.
 const TIME: Kind = Kind::Number(Unit::Seconds, 0.0, 86_400.0);
-const TIMEOUT: Argument = Argument::keyed(
-    "timeout",
-    "timeout",
-    TIME,
-    "argument-timeout",
-)
-.optional();
+const TIMEOUT: Argument =
+    Argument::keyed("timeout", "timeout", TIME, "argument-timeout").optional();
 const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");
 
 pub(super) const WAIT: Verb = Verb {
@@ -47,7 +42,8 @@ pub(super) const WAIT: Verb = Verb {
             ],
             build: |given| {
                 let situation = Situation::named(given.required_word("situation")?);
-                let situation = situation.ok_or_else(|| Problem::new("situation", text!("grammar-unknown-word")))?;
+                let situation = situation
+                    .ok_or_else(|| Problem::new("situation", text!("grammar-unknown-word")))?;
                 wait(given, Until::Situation(situation))
             },
         },
@@ -124,7 +120,8 @@ fn compare(given: &Arguments) -> Built {
         given,
         Until::Compared {
             field: field.ok_or_else(|| Problem::new("field", text!("grammar-unknown-word")))?,
-            relation: relation.ok_or_else(|| Problem::new("relation", text!("grammar-unknown-word")))?,
+            relation: relation
+                .ok_or_else(|| Problem::new("relation", text!("grammar-unknown-word")))?,
             value: given.required("value")?,
         },
     )

@@ -97,8 +97,8 @@ fn why_a_link_is_down_is_never_cut() {
                   console was started from; give its whole path";
     console.hear(Event::Links(vec![LinkSummary {
         name: "file:none.tlog".to_owned(),
-        state: "ended".to_owned(),
-        error: Some(reason.to_owned()),
+        state: "ended".into(),
+        error: Some(reason.into()),
         ..LinkSummary::default()
     }]));
     let screen = console.screen(80, 24);
