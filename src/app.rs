@@ -12,6 +12,7 @@ pub mod event;
 pub mod keymap;
 pub mod lines;
 pub mod room;
+pub mod setting;
 pub mod state;
 mod update;
 

@@ -69,6 +69,9 @@ enum Command {
         /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
         addresses: Vec<Address>,
+        /// Lines of text instead of a screen: for screen readers and pipes.
+        #[arg(long)]
+        plain: bool,
     },
     /// A pilot script flies a mission without a console; prints the debrief.
     Run(run::RunArguments),
@@ -151,7 +154,7 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
     match command {
         None => fly::home(settings),
         Some(Command::Fly(options)) => fly::fly(&options, settings),
-        Some(Command::Connect { addresses }) => fly::connect(addresses, settings),
+        Some(Command::Connect { addresses, plain }) => fly::connect(addresses, plain, settings),
         Some(Command::Run(options)) => {
             settings.complain();
             run::run(&options)

@@ -1,18 +1,14 @@
 //! The running console: terminal, keys, time and the session, brought together.
 //!
 //! One loop feeds [`update`] with events, carries its effects out, and draws when something visible has
-//! changed: at most once per tick, so that any amount of telemetry costs one frame.
+//! changed and the terminal can take a frame. Time, telemetry and missions go on at their own pace.
 
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crossterm::event::{
-    Event as TerminalEvent, EventStream, KeyCode, KeyEvent, KeyEventKind, KeyModifiers,
-};
-use futures_util::{FutureExt as _, StreamExt as _};
-use tokio::signal::unix::{SignalKind, signal};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
@@ -29,23 +25,29 @@ use crate::mission::Mission;
 use crate::notice::sanitised;
 use crate::session::Order;
 use crate::store::{self, History, Source, StoreError};
-use crate::terminal::Screen;
+use crate::terminal::input::Input;
+use crate::terminal::{self, Environment, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
 use crate::ui::{self, Look, Themes};
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 
 mod missions;
+pub mod plain;
 mod session;
+mod signals;
 
 use missions::listings;
 use session::{Backend, Plan, Running};
+use signals::{Happened, Signals};
 
-/// The time between two ticks: ten frames a second.
+/// The time between two ticks, at which telemetry is collected and missions are stepped.
 const TICK: Duration = Duration::from_millis(100);
 
 /// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
 const KEYS_PER_FRAME: usize = 64;
+/// How long the end of the program waits for what the terminal has yet to answer.
+const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 
 /// What the console begins with.
 #[derive(Debug, Clone)]
@@ -97,50 +99,68 @@ pub struct Preferences {
 /// # Errors
 /// There is no terminal, or it has gone away.
 pub async fn run(options: Options) -> anyhow::Result<()> {
+    let mut signals = Signals::new()?;
+    let mut screen = Screen::open(
+        options.preferences.config.fps,
+        options.preferences.config.mouse,
+    )?;
     let mut console = Console::new(options);
-    let mut screen = Screen::open()?;
-    if let Ok((columns, rows)) = crossterm::terminal::size() {
-        console.feed(Event::Resize { columns, rows }).await;
-    }
+    console.measure().await;
     console.draw(&mut screen)?;
     console.begin().await;
-    let mut keys = EventStream::new();
+    let mut keyboard = Keyboard::open()?;
     let mut ticks = tokio::time::interval(TICK);
     ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
-    let mut terminated = signal(SignalKind::terminate())?;
-    let mut hung_up = signal(SignalKind::hangup())?;
-    // Ctrl-C is a key in raw mode; these come from elsewhere.
-    let mut interrupted = signal(SignalKind::interrupt())?;
-    let mut quit = signal(SignalKind::quit())?;
     while !console.over {
+        let frame = console.next_frame_in(&mut screen);
         tokio::select! {
             biased;
-            _ = terminated.recv() => break,
-            _ = hung_up.recv() => break,
-            _ = interrupted.recv() => break,
-            _ = quit.recv() => break,
-            _ = ticks.tick() => {
-                console.tick().await;
-                console.draw(&mut screen)?;
-            }
-            event = keys.next() => match event {
-                Some(Ok(event)) => {
-                    console.hear(event).await;
+            happened = signals.next() => match happened {
+                Happened::End => break,
+                Happened::Resized => console.measure().await,
+                Happened::Stopped => {
+                    screen.leave();
+                    terminal::stop();
+                }
+                Happened::Continued => {
+                    screen.take_again()?;
+                    console.measure().await;
+                    console.drawn = None;
+                }
+            },
+            _ = ticks.tick() => console.tick().await,
+            input = keyboard.next() => match input {
+                Some(input) => {
+                    console.hear(input, &mut screen).await;
                     // What was typed meanwhile is one frame with it.
                     for _ in 0..KEYS_PER_FRAME {
-                        let Some(Some(Ok(event))) = keys.next().now_or_never() else {
+                        let Some(input) = keyboard.ready() else {
                             break;
                         };
-                        console.hear(event).await;
+                        console.hear(input, &mut screen).await;
                     }
-                    // A key is answered at once, not at the next tick.
-                    console.draw(&mut screen)?;
                 }
-                Some(Err(_)) | None => break,
+                None => break,
             },
+            () = tokio::time::sleep(frame.unwrap_or_default()), if frame.is_some() => {}
         }
+        console.draw(&mut screen)?;
     }
+    hear_last_answer(&screen, &mut keyboard).await;
     Ok(())
+}
+
+/// An answer of the terminal that comes after us would be typed into the shell.
+async fn hear_last_answer(screen: &Screen, keyboard: &mut Keyboard) {
+    let answer = async {
+        while screen.expects_answer() {
+            if matches!(keyboard.next().await, None | Some(Input::Answer)) {
+                break;
+            }
+        }
+    };
+    // Past that it is no use: the terminal has stalled.
+    drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
 }
 
 /// Runs the console without a terminal and without a user, for measurements: at each of the given times a line
@@ -177,6 +197,10 @@ pub async fn drive(
     }
 }
 
+fn is_suspend(key: KeyEvent) -> bool {
+    key.code == KeyCode::Char('z') && key.modifiers == KeyModifiers::CONTROL
+}
+
 fn key(code: KeyCode) -> Event {
     Event::Key(KeyEvent::new(code, KeyModifiers::NONE))
 }
@@ -191,6 +215,8 @@ struct Console {
     warnings: Vec<Text>,
     /// The last line of the history that its file has.
     kept: Option<String>,
+    /// The revision of the state that was drawn last.
+    /// The revision of the state that was drawn last.
     drawn: Option<u64>,
     bell: bool,
     note: Option<String>,
@@ -207,6 +233,7 @@ impl Console {
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
         state.config = preferences.config.clone();
+        state.locale = Arc::clone(&options.look.locale);
         state.keymap = preferences.keymap.clone();
         if let Some(history) = &preferences.history {
             match history.read() {
@@ -256,30 +283,56 @@ impl Console {
         }
     }
 
-    /// Draws if something changed and the terminal has taken the last frame.
+    /// How long the frame that is wanted has to wait; `None` if none is wanted or only the terminal can tell.
+    fn next_frame_in(&self, screen: &mut Screen) -> Option<Duration> {
+        let wanted = self.bell || self.note.is_some() || self.drawn != Some(self.state.revision());
+        wanted.then(|| screen.next_frame_in()).flatten()
+    }
+
+    /// Draws if something changed and the terminal can take a frame.
     fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
+        if self.next_frame_in(screen) != Some(Duration::ZERO) {
+            return Ok(());
+        }
+        // A bell that waits is one bell, however often it was to ring.
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
         }
         if let Some(note) = self.note.take() {
             screen.notify(&note)?;
         }
-        let revision = self.state.revision();
-        if self.drawn == Some(revision) || !screen.is_ready() {
-            return Ok(());
+        let slow = screen.slow_bytes_per_s().map(|rate| rate as u32);
+        if slow != self.state.slow_line {
+            update(&mut self.state, Event::SlowLine(slow));
         }
-        self.drawn = Some(revision);
+        self.drawn = Some(self.state.revision());
+        self.look.locale = Arc::clone(&self.state.locale);
         screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 
-    async fn hear(&mut self, event: TerminalEvent) {
-        let event = match event {
-            TerminalEvent::Key(key) if key.kind != KeyEventKind::Release => Event::Key(key),
-            TerminalEvent::Paste(text) => Event::Paste(text),
-            TerminalEvent::Resize(columns, rows) => Event::Resize { columns, rows },
-            _ => return,
-        };
-        self.feed(event).await;
+    async fn hear(&mut self, input: Input, screen: &mut Screen) {
+        match input {
+            Input::Answer => screen.answered(),
+            Input::Key(key) if is_suspend(key) => self.suspend(),
+            Input::Key(key) => self.feed(Event::Key(key)).await,
+            Input::Paste(text) => self.feed(Event::Paste(text)).await,
+        }
+    }
+
+    /// The size of the terminal may have changed.
+    async fn measure(&mut self) {
+        if let Ok((columns, rows)) = crossterm::terminal::size() {
+            self.feed(Event::Resize { columns, rows }).await;
+        }
+    }
+
+    fn suspend(&mut self) {
+        if terminal::can_be_suspended() {
+            terminal::suspend_group();
+        } else {
+            self.state.say(Severity::Notice, text!("terminal-no-shell"));
+            self.state.touch();
+        }
     }
 
     async fn tick(&mut self) {
@@ -289,6 +342,7 @@ impl Console {
             return;
         };
         for event in running.collect(now) {
+            self.log(&event);
             self.feed(event).await;
         }
         self.look_at_messages(now).await;
@@ -299,6 +353,17 @@ impl Console {
         };
         for event in flown {
             self.feed(event).await;
+        }
+    }
+
+    /// Keeps what became of commands in the log.
+    fn log(&self, event: &Event) {
+        let Event::Row(row) = event else { return };
+        if row.state.is_final()
+            && let Some(entry) = self.state.session.ledger.entry(row.entry)
+        {
+            let (vehicle, line, state) = (row.vehicle, &entry.line, row.state);
+            tracing::info!("vehicle {vehicle}: {line}: {state}");
         }
     }
 
@@ -379,7 +444,9 @@ impl Console {
 
     fn set_theme(&mut self, name: &str) {
         match self.options.preferences.themes.named(name) {
-            Ok(theme) => self.look.theme = theme.for_colours(crate::terminal::colour_depth()),
+            Ok(theme) => {
+                self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
+            }
             // Nothing that a failure causes is an effect.
             Err(error) => drop(update(
                 &mut self.state,

@@ -1,31 +1,45 @@
 //! The terminal that the console draws on: taken over at the start, given back whatever happens.
 //!
-//! Frames are written by a thread of their own. A terminal that reads slowly, or not at all, therefore
-//! holds up nothing: the console skips frames until the last one has gone out.
+//! Frames are written by a thread of their own, and no more of them than the line carries ([`pace`]). A terminal
+//! that reads slowly, or not at all, therefore holds up nothing, and sees the newest state when it reads again.
 
-use std::fs::File;
 use std::io::{self, Write};
-use std::os::fd::AsFd as _;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, mpsc};
-use std::time::Duration;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
 
 use crossterm::terminal::{
-    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
-    disable_raw_mode, enable_raw_mode,
+    EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
+    enable_raw_mode,
 };
 use crossterm::{cursor, event, execute, queue};
 use ratatui::layout::Rect;
 use ratatui::{Terminal, TerminalOptions, Viewport};
 
-use crate::ui::ColourDepth;
-
-/// How long the end of the program waits for the last frame to be written.
-const LAST_FRAME_PATIENCE: Duration = Duration::from_millis(500);
-
 mod backend;
+mod capability;
+mod colours;
+pub mod input;
+mod keyboard;
+mod pace;
+mod suspend;
+mod writer;
 
 use backend::FrameBackend;
+pub use capability::Environment;
+pub use keyboard::Keyboard;
+use pace::Pace;
+pub use suspend::{can_be_suspended, stop, suspend_group};
+use writer::{FrameWriter, Traffic};
+
+/// How long the end of the program waits for a terminal that does not read.
+const LAST_PATIENCE: Duration = Duration::from_millis(500);
+/// DSR: the terminal answers as soon as it has read everything before it.
+const QUESTION: &[u8] = b"\x1b[5n";
+/// Presses of buttons, with coordinates beyond 223.
+const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
+const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
 
 /// Whether the terminal is ours, so that it is given back exactly once.
 static TAKEN: AtomicBool = AtomicBool::new(false);
@@ -34,31 +48,9 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 pub struct Screen {
     terminal: Terminal<FrameBackend>,
     traffic: Arc<Traffic>,
-}
-
-/// What goes to the terminal.
-#[derive(Debug, Default)]
-struct Traffic {
-    /// Pieces of frames that the writing thread has yet to write.
-    waiting: Mutex<usize>,
-    /// Signalled when the last of them has been written.
-    written: Condvar,
-    /// Bytes made so far.
-    bytes: AtomicU64,
-}
-
-impl Traffic {
-    fn waiting(&self) -> MutexGuard<'_, usize> {
-        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Waits until everything has been written, or for the given time.
-    fn wait_until_written(&self, patience: Duration) {
-        drop(
-            self.written
-                .wait_timeout_while(self.waiting(), patience, |waiting| *waiting > 0),
-        );
-    }
+    pace: Pace,
+    clock: Instant,
+    mouse: bool,
 }
 
 impl Screen {
@@ -67,29 +59,39 @@ impl Screen {
     ///
     /// # Errors
     /// Standard output is not a terminal or cannot be written.
-    pub fn open() -> io::Result<Self> {
+    pub fn open(frames_per_s: u8, mouse: bool) -> io::Result<Self> {
         // crossterm answers NO_COLOR by resetting bold and reverse too, which alarms depend on. The theme
         // takes the colours away instead.
         crossterm::style::force_color_output(true);
         enable_raw_mode()?;
         TAKEN.store(true, Ordering::SeqCst);
         give_back_on_panic();
-        Self::set_up().inspect_err(|_| give_back())
+        Self::set_up(frames_per_s, mouse).inspect_err(|_| give_back())
     }
 
-    fn set_up() -> io::Result<Self> {
-        execute!(
-            io::stdout(),
-            EnterAlternateScreen,
-            event::EnableBracketedPaste,
-            cursor::Hide
-        )?;
+    fn set_up(frames_per_s: u8, mouse: bool) -> io::Result<Self> {
         let traffic = Arc::new(Traffic::default());
         let writer = FrameWriter::to_terminal(Arc::clone(&traffic))?;
-        Ok(Self {
+        let mut screen = Self {
             terminal: Terminal::new(FrameBackend::new(writer))?,
             traffic,
-        })
+            pace: Pace::new(frames_per_s),
+            clock: Instant::now(),
+            mouse,
+        };
+        screen.enter()?;
+        Ok(screen)
+    }
+
+    fn enter(&mut self) -> io::Result<()> {
+        let writer = self.terminal.backend_mut();
+        queue!(writer, EnterAlternateScreen, event::EnableBracketedPaste)?;
+        if self.mouse {
+            writer.write_all(MOUSE_ON)?;
+        }
+        writer.forget_cursor();
+        // The first question is answered at once, also over a slow line, and tells that the terminal answers.
+        self.send()
     }
 
     /// A screen of that size that leads nowhere, for measurements: frames are made and counted, not shown.
@@ -99,25 +101,45 @@ impl Screen {
     pub fn nowhere(columns: u16, rows: u16) -> io::Result<Self> {
         crossterm::style::force_color_output(true);
         let traffic = Arc::new(Traffic::default());
-        let writer = FrameWriter {
-            frame: Vec::new(),
-            frames: None,
-            traffic: Arc::clone(&traffic),
-        };
+        let writer = FrameWriter::nowhere(Arc::clone(&traffic));
         let viewport = Viewport::Fixed(Rect::new(0, 0, columns, rows));
-        let terminal =
-            Terminal::with_options(FrameBackend::new(writer), TerminalOptions { viewport })?;
-        Ok(Self { terminal, traffic })
+        let options = TerminalOptions { viewport };
+        Ok(Self {
+            terminal: Terminal::with_options(FrameBackend::new(writer), options)?,
+            traffic,
+            pace: Pace::unread(),
+            clock: Instant::now(),
+            mouse: false,
+        })
     }
 
-    /// Whether the last frame has gone out, so that another can be drawn.
-    pub fn is_ready(&self) -> bool {
-        *self.traffic.waiting() == 0
+    /// How long the next frame has to wait; `None` while that depends on the terminal.
+    pub fn next_frame_in(&mut self) -> Option<Duration> {
+        let now = self.clock.elapsed();
+        for written in self.traffic.take_written() {
+            self.pace.written(now, written.took, written.bytes);
+        }
+        self.traffic.is_idle().then(|| self.pace.wait(now))
+    }
+
+    /// The terminal has answered a question: what was drawn until then has been read.
+    pub fn answered(&mut self) {
+        self.pace.answered(self.clock.elapsed());
+    }
+
+    /// What a slow line carries, in bytes per second; `None` while the line keeps up.
+    pub fn slow_bytes_per_s(&self) -> Option<f64> {
+        self.pace.slow_bytes_per_s()
+    }
+
+    /// Whether the terminal has yet to answer; what it says would be taken as keys by whoever comes after us.
+    pub fn expects_answer(&self) -> bool {
+        self.pace.expects_answer()
     }
 
     /// Bytes made for the terminal so far.
     pub fn bytes(&self) -> u64 {
-        self.traffic.bytes.load(Ordering::Relaxed)
+        self.traffic.bytes()
     }
 
     /// Draws one frame; only what changed is written.
@@ -125,9 +147,25 @@ impl Screen {
     /// # Errors
     /// The terminal is gone.
     pub fn draw(&mut self, render: impl FnOnce(&mut ratatui::Frame)) -> io::Result<()> {
-        queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
         self.terminal.draw(render)?;
-        execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
+        if self.terminal.backend_mut().end_frame()? {
+            self.send()?;
+        }
+        Ok(())
+    }
+
+    /// Sends what has been written, with a question behind it if it is time for one.
+    fn send(&mut self) -> io::Result<()> {
+        let now = self.clock.elapsed();
+        let asks = self.pace.asks(now);
+        let before = self.traffic.bytes();
+        let writer = self.terminal.backend_mut();
+        if asks {
+            writer.write_all(QUESTION)?;
+        }
+        Write::flush(writer)?;
+        self.pace.drawn(now, self.traffic.bytes() - before, asks);
+        Ok(())
     }
 
     /// Rings the terminal's bell, after what has been drawn.
@@ -159,27 +197,60 @@ impl Screen {
         }
         Write::flush(writer)
     }
+
+    /// Gives the terminal back for a while.
+    pub fn leave(&mut self) {
+        self.let_go();
+    }
+
+    /// Takes the terminal over again, as after [`leave`](Self::leave) or after somebody else has stopped the
+    /// program; the next frame is a whole one.
+    ///
+    /// # Errors
+    /// The terminal is gone.
+    pub fn take_again(&mut self) -> io::Result<()> {
+        // The shell may have changed the mode meanwhile, of which the terminal library knows nothing.
+        disable_raw_mode()?;
+        enable_raw_mode()?;
+        TAKEN.store(true, Ordering::SeqCst);
+        self.enter()?;
+        self.terminal.clear()
+    }
+
+    fn let_go(&self) {
+        // The last frame must not follow what gives the terminal back; a terminal that does not read must
+        // not hold up the end either: what it has not read by then is thrown away.
+        if !self.traffic.wait_until_written(LAST_PATIENCE) {
+            suspend::discard_output();
+        }
+        give_back();
+    }
 }
 
 impl Drop for Screen {
     fn drop(&mut self) {
-        // The last frame must not follow what gives the terminal back; a terminal that does not read must
-        // not hold up the end either.
-        self.traffic.wait_until_written(LAST_FRAME_PATIENCE);
-        give_back();
+        self.let_go();
     }
 }
 
 /// Gives the terminal back, once; errors are ignored because nobody is left to hear of them.
 fn give_back() {
     if TAKEN.swap(false, Ordering::SeqCst) {
-        drop(execute!(
-            io::stdout(),
-            EndSynchronizedUpdate,
-            event::DisableBracketedPaste,
-            LeaveAlternateScreen,
-            cursor::Show
-        ));
+        // Writing may never end on a terminal that does not read.
+        let (done, written) = mpsc::channel();
+        std::thread::spawn(move || {
+            let mut terminal = io::stdout();
+            drop(terminal.write_all(MOUSE_OFF));
+            drop(execute!(
+                terminal,
+                EndSynchronizedUpdate,
+                event::DisableBracketedPaste,
+                LeaveAlternateScreen,
+                cursor::Show
+            ));
+            let _ = done.send(());
+        });
+        let _ = written.recv_timeout(LAST_PATIENCE);
         drop(disable_raw_mode());
     }
 }
@@ -192,73 +263,4 @@ fn give_back_on_panic() {
         default(panic);
         std::process::exit(101);
     }));
-}
-
-/// Collects what is written and hands it to the writing thread in large pieces.
-struct FrameWriter {
-    frame: Vec<u8>,
-    /// The writing thread; none where the frames lead nowhere.
-    frames: Option<mpsc::Sender<Vec<u8>>>,
-    traffic: Arc<Traffic>,
-}
-
-impl FrameWriter {
-    fn to_terminal(traffic: Arc<Traffic>) -> io::Result<Self> {
-        // Not `io::stdout()`: its lock would be held during a write to a terminal that does not read.
-        let mut terminal = File::from(io::stdout().as_fd().try_clone_to_owned()?);
-        let (frames, frames_out) = mpsc::channel::<Vec<u8>>();
-        let shared = Arc::clone(&traffic);
-        std::thread::spawn(move || {
-            for frame in frames_out {
-                // A write error means that the terminal is gone; the signal or the end of input that comes
-                // with it ends the console.
-                drop(terminal.write_all(&frame));
-                *shared.waiting() -= 1;
-                shared.written.notify_all();
-            }
-        });
-        Ok(Self {
-            frame: Vec::new(),
-            frames: Some(frames),
-            traffic,
-        })
-    }
-}
-
-impl Write for FrameWriter {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.frame.extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        let frame = std::mem::take(&mut self.frame);
-        self.traffic
-            .bytes
-            .fetch_add(frame.len() as u64, Ordering::Relaxed);
-        match &self.frames {
-            Some(frames) if !frame.is_empty() => {
-                *self.traffic.waiting() += 1;
-                frames
-                    .send(frame)
-                    .map_err(|_| io::Error::from(io::ErrorKind::BrokenPipe))
-            }
-            _ => Ok(()),
-        }
-    }
-}
-
-/// How many colours the terminal can show, by `NO_COLOR`, `COLORTERM` and `TERM`.
-pub fn colour_depth() -> ColourDepth {
-    let variable = |name: &str| std::env::var(name).unwrap_or_default();
-    if !variable("NO_COLOR").is_empty() {
-        return ColourDepth::None;
-    }
-    let term = variable("TERM");
-    match variable("COLORTERM").as_str() {
-        "truecolor" | "24bit" => ColourDepth::True,
-        _ if term.contains("256color") => ColourDepth::Indexed,
-        _ if term == "dumb" => ColourDepth::None,
-        _ => ColourDepth::Sixteen,
-    }
 }

@@ -3,7 +3,9 @@
 use ratatui::Frame;
 
 use crate::app::state::{Overlay, Room, SMALLEST, State};
+use crate::config::Symbols;
 
+pub mod ascii;
 mod look;
 mod screen;
 mod theme;
@@ -12,8 +14,15 @@ mod widget;
 pub use look::Look;
 pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
 
-/// Draws the whole console.
+/// Draws the whole console, with no more than the characters that the terminal has.
 pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {
+    draw_all(state, look, frame);
+    if look.symbols == Symbols::Ascii {
+        ascii::map(frame.buffer_mut());
+    }
+}
+
+fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     let area = frame.area();
     frame.buffer_mut().set_style(area, look.style(Role::Text));
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {

@@ -36,3 +36,82 @@ help-console = the console itself
 
 mission-none = no mission is being flown
 debrief-none = No debrief yet: it opens when a mission is over.
+
+ask-sure = are you sure
+ask-taken-back = cancelled, nothing was done   Enter or Esc goes on
+ask-else = anything else: no
+
+help-title = help   j k scroll   Esc closes
+help-targets = targets: 3  1-4,7  @group  all; none means the selection
+
+small-needs = sortie needs { $columns }x{ $rows }, this terminal is { $now_columns }x{ $now_rows }
+small-keys = Until it is larger only Ctrl-C works: it leaves the program.
+
+prompt-connect-tcp = ArduPilot SITL, one vehicle per port
+prompt-connect-udpin = listen; vehicles send here
+prompt-connect-udp = send to a vehicle or a router
+prompt-connect-serial = an autopilot or a radio on a cable
+prompt-connect-file = a recording
+prompt-connect-several = several addresses: blanks between them.  Enter connects, Esc closes
+
+session-free = free flight
+class-copter = copter
+class-plane = plane
+class-rover = rover
+class-sub = sub
+class-vehicle = vehicle
+
+ids-wrong = `{ $word }` is no vehicle: write 3, 3-9 or 1,4-6
+group-empty = there is no vehicle to put into the group
+group-is = @{ $name } is now { $members }
+group-unknown = no group is named `{ $name }`
+group-name = `{ $name }` is no name: use letters, digits, - and _
+order-no-vehicle = there is no vehicle { $vehicle }
+order-wait = `wait` is for pilot scripts
+order-wait-help = the console never waits: give the next command when you see fit
+macro-endless = the macro was stopped after { $count } lines: does it call itself?
+
+palette-given-before = given before
+palette-selects = select for the next commands
+
+console-too-much = nothing more is expected here
+console-missing = something is missing here
+console-usage = usage: { $usage }
+console-unknown = `{ $word }` is not known here
+console-known = there are: { $names }
+console-none = there are none
+console-kind-theme = theme
+
+console-show = go to a room
+console-select = select vehicles: 1-4,7  @red  all  none  filter  invert
+console-group = call vehicles @NAME from now on
+console-macro = give the lines of a macro, one after another
+console-fly = start a mission; without a name, free flight
+console-connect = connect to vehicles elsewhere
+console-set = change a setting until the console ends
+console-theme = change the colours
+console-help = keys and verbs
+console-links = what the links count
+console-ledger = all commands of the session and what became of them
+console-notices = all that was said in the session
+console-brief = the mission's brief
+console-abandon = end the mission and see the debrief
+console-restart = fly the same mission again from its start
+console-leave = end the session, back to the home screen
+console-quit = leave the program
+
+setting-theme = colours
+setting-lang = language: English, українська
+setting-symbols = what curves and maps are drawn with
+setting-fps = frames per second at most
+setting-fps-range = write a whole number from { $least } to { $most }
+setting-bell = ring the bell for serious alerts
+setting-notify = desktop notifications for serious alerts
+console-params = the parameters: ask again, save, load, compare
+console-ungroup = forget a group's name
+console-sort = order the table; - puts the largest first
+console-filter = show only: 1-4  @red  armed  air  alert  bat<30  !land
+console-columns = the table's columns; none: as many as fit
+console-ack = take note of the worst alerts, or of these
+console-mute = alerts of a kind stay silent; none: which are
+console-unmute = alerts of a kind ring again; none: all do

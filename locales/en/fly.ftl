@@ -123,7 +123,6 @@ landed-air = in air
 landed-takeoff = taking off
 landed-landing = landing
 
-header-free = free flight
 header-armed = { $vehicles }, { $armed } armed
 header-armed-short = { $armed }/{ $all } armed
 header-dropped = { $count } notices dropped

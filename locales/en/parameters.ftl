@@ -85,14 +85,12 @@ parameters-nothing-to-save = no parameters have come yet
 parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: save when all are there
 parameters-no-path = write the name of a file
 parameters-no-deed = `{ $word }` is nothing that can be done with parameters
-console-usage = usage: { $usage }
 parameters-same-vehicle = vehicle { $vehicle } is the one that is shown: name another
 parameters-no-such-vehicle = there is no vehicle { $vehicle }
 parameters-saved = saved to { $path }
 parameters-ask-replace = REPLACE { $path }
 parameters-ask-replace-reason = there is a file of that name already
 
-prompt-filter = show names with
 prompt-filter-advice = several words must all occur; Enter or Esc goes back to the list
 prompt-parameter = { $name } on { $vehicles }
 prompt-parameter-advice = Enter sets it, Esc leaves it as it is

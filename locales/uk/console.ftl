@@ -37,3 +37,82 @@ help-console = сама консоль
 
 mission-none = зараз немає завдання
 debrief-none = Розбору ще немає: він відкриється після завдання.
+
+ask-sure = ви певні?
+ask-taken-back = скасовано, нічого не зроблено   Enter або Esc - далі
+ask-else = будь-що інше: ні
+
+help-title = довідка   j k гортають   Esc закриває
+help-targets = цілі: 3  1-4,7  @group  all; без цілей - вибрані апарати
+
+small-needs = sortie потребує { $columns }x{ $rows }, а термінал має { $now_columns }x{ $now_rows }
+small-keys = Поки він не стане більшим, діє лише Ctrl-C: вихід із програми.
+
+prompt-connect-tcp = ArduPilot SITL, порт на кожен апарат
+prompt-connect-udpin = слухати; апарати надсилають сюди
+prompt-connect-udp = надсилати апарату або маршрутизатору
+prompt-connect-serial = автопілот або радіомодем на кабелі
+prompt-connect-file = запис польоту
+prompt-connect-several = кілька адрес: через пробіл.  Enter під'єднує, Esc закриває
+
+session-free = вільний політ
+class-copter = коптер
+class-plane = літак
+class-rover = ровер
+class-sub = підводний
+class-vehicle = апарат
+
+ids-wrong = `{ $word }` - не апарат: пишіть 3, 3-9 або 1,4-6
+group-empty = немає апаратів для цієї групи
+group-is = @{ $name } тепер { $members }
+group-unknown = немає групи `{ $name }`
+group-name = `{ $name }` не годиться як назва: лише літери, цифри, - та _
+order-no-vehicle = немає апарата { $vehicle }
+order-wait = `wait` - лише для сценаріїв пілота
+order-wait-help = консоль ніколи не чекає: дайте наступну команду, коли вважатимете за потрібне
+macro-endless = макрос зупинено після { $count } рядків: чи не викликає він сам себе?
+
+palette-given-before = віддано раніше
+palette-selects = вибрати для наступних команд
+
+console-too-much = тут більше нічого не очікується
+console-missing = тут чогось бракує
+console-usage = як писати: { $usage }
+console-unknown = `{ $word }` тут невідоме
+console-known = є такі: { $names }
+console-none = таких немає
+console-kind-theme = тема
+
+console-show = перейти на екран
+console-select = вибрати апарати: 1-4,7  @red  all  none  filter  invert
+console-group = назвати апарати @NAME
+console-macro = виконати рядки макроса один за одним
+console-fly = почати завдання; без назви - вільний політ
+console-connect = під'єднатися до інших апаратів
+console-set = змінити налаштування до кінця роботи
+console-theme = змінити кольори
+console-help = клавіші та дієслова
+console-links = лічильники зв'язку
+console-ledger = усі команди сеансу та що з ними сталося
+console-notices = усі сповіщення сеансу
+console-brief = інструктаж до завдання
+console-abandon = припинити завдання й побачити розбір
+console-restart = почати те саме завдання спочатку
+console-leave = завершити сеанс, повернутися на початок
+console-quit = вийти з програми
+
+setting-theme = кольори
+setting-lang = мова: English, українська
+setting-symbols = чим малювати криві й карти
+setting-fps = найбільше кадрів за секунду
+setting-fps-range = впишіть ціле число від { $least } до { $most }
+setting-bell = дзвінок для серйозних тривог
+setting-notify = сповіщення на робочому столі для серйозних тривог
+console-params = параметри: запитати знову, зберегти, завантажити, порівняти
+console-ungroup = забути назву групи
+console-sort = упорядкувати таблицю; - ставить найбільші першими
+console-filter = показати лише: 1-4  @red  armed  air  alert  bat<30  !land
+console-columns = стовпці таблиці; без назв - скільки вміститься
+console-ack = узяти до відома найгірші тривоги або ці
+console-mute = тривоги цього виду мовчатимуть; без назви - які мовчать
+console-unmute = тривоги цього виду знову дзвонять; без назви - усі

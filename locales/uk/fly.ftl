@@ -124,7 +124,6 @@ landed-air = у повітрі
 landed-takeoff = злітає
 landed-landing = сідає
 
-header-free = вільний політ
 header-armed = { $vehicles }, активних { $armed }
 header-armed-short = активних { $armed }/{ $all }
 header-dropped = пропущено сповіщень: { $count }

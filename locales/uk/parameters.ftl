@@ -88,14 +88,12 @@ parameters-nothing-to-save = параметри ще не надійшли
 parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: збережіть, коли надійдуть усі
 parameters-no-path = напишіть назву файлу
 parameters-no-deed = `{ $word }` — такого з параметрами зробити не можна
-console-usage = пишіть: { $usage }
 parameters-same-vehicle = апарат { $vehicle } саме й показано: назвіть інший
 parameters-no-such-vehicle = апарата { $vehicle } немає
 parameters-saved = збережено у { $path }
 parameters-ask-replace = ЗАМІНИТИ { $path }
 parameters-ask-replace-reason = файл із такою назвою вже є
 
-prompt-filter = показати назви з
 prompt-filter-advice = якщо слів кілька, мають траплятися всі; Enter або Esc — назад до списку
 prompt-parameter = { $name } на { $vehicles }
 prompt-parameter-advice = Enter встановлює, Esc лишає як є

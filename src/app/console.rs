@@ -1,24 +1,28 @@
 //! What the command line can do besides commanding vehicles: a small table beside the verbs.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::room::Room;
+use super::setting::Setting;
+use super::state::{Groups, MissionListing, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
 use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 pub mod swarm;
 
 use swarm::{SwarmLine, SwarmVerb};
 
-/// One thing the console itself can do.
+/// One thing the console itself can do. The message `console-NAME` says what it does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConsoleVerb {
     /// How it is called.
     pub name: &'static str,
     /// How it is written.
     pub usage: &'static str,
-    /// What it does.
-    pub summary: &'static str,
     kind: Kind,
 }
 
@@ -29,17 +33,31 @@ enum Kind {
     Theme,
     Params,
     Swarm(SwarmVerb),
+    Show,
+    Fly,
+    Connect,
+    Macro,
+    Set,
     Plain(Deed),
+}
+
+impl ConsoleVerb {
+    /// What it does.
+    pub fn summary(&self) -> Text {
+        Text::new(format!("console-{}", self.name), Vec::new())
+    }
 }
 
 impl Kind {
     /// How many words may follow.
     fn most_arguments(self) -> usize {
         match self {
-            Self::Plain(_) | Self::Params => 0,
-            Self::Group => 2,
-            Self::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => usize::MAX,
-            Self::Select | Self::Theme | Self::Swarm(_) => 1,
+            Self::Plain(_) => 0,
+            Self::Group | Self::Set => 2,
+            Self::Connect | Self::Params | Self::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => {
+                usize::MAX
+            }
+            Self::Select | Self::Theme | Self::Show | Self::Fly | Self::Macro | Self::Swarm(_) => 1,
         }
     }
 }
@@ -56,8 +74,16 @@ pub enum ConsoleLine {
         /// The targets as they were written.
         targets: String,
     },
-    /// Draw with a theme.
-    Theme(String),
+    /// Go to a room.
+    Show(Room),
+    /// Start a mission, by id; none starts free flight.
+    Fly(Option<String>),
+    /// Connect to these addresses.
+    Connect(Vec<String>),
+    /// Give the lines of a macro.
+    Macro(String),
+    /// Change a setting for this session.
+    Set(Setting),
     /// Something about the parameters of the vehicle under the cursor.
     Params(ParamsDeed),
     /// One about the table or its alerts.
@@ -104,136 +130,117 @@ pub enum Deed {
 
 /// Everything the console itself can do.
 pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
-    verb(
-        "select",
-        "select TARGETS",
-        "select vehicles: 1-4,7  @red  all  none  filter  invert",
-        Kind::Select,
-    ),
-    verb(
-        "group",
-        "group NAME [TARGETS]",
-        "call vehicles @NAME from now on",
-        Kind::Group,
-    ),
-    verb(
-        "params",
-        "params [fetch | save FILE | load FILE | diff FILE|N]",
-        "the parameters: ask again, save, load, compare",
-        Kind::Params,
-    ),
-    verb(
-        "ungroup",
-        "ungroup NAME",
-        "forget a group's name",
-        Kind::Swarm(SwarmVerb::Ungroup),
-    ),
-    verb(
-        "sort",
-        "sort [[-]COLUMN]",
-        "order the table; - puts the largest first",
-        Kind::Swarm(SwarmVerb::Sort),
-    ),
-    verb(
-        "filter",
-        "filter [WORDS]",
-        "show only: 1-4  @red  armed  air  alert  bat<30  !land",
-        Kind::Swarm(SwarmVerb::Filter),
-    ),
+    verb("show", "show ROOM", Kind::Show),
+    verb("select", "select TARGETS", Kind::Select),
+    verb("group", "group NAME [TARGETS]", Kind::Group),
+    verb("ungroup", "ungroup NAME", Kind::Swarm(SwarmVerb::Ungroup)),
+    verb("sort", "sort [[-]COLUMN]", Kind::Swarm(SwarmVerb::Sort)),
+    verb("filter", "filter [WORDS]", Kind::Swarm(SwarmVerb::Filter)),
     verb(
         "columns",
         "columns [COLUMNS]",
-        "the table's columns; none: as many as fit",
         Kind::Swarm(SwarmVerb::Columns),
     ),
     verb(
         "ack",
         "ack [KIND|TARGETS]",
-        "take note of the worst alerts, or of these",
         Kind::Swarm(SwarmVerb::Acknowledge),
     ),
+    verb("mute", "mute [KIND]", Kind::Swarm(SwarmVerb::Mute)),
+    verb("unmute", "unmute [KIND]", Kind::Swarm(SwarmVerb::Unmute)),
     verb(
-        "mute",
-        "mute [KIND]",
-        "alerts of a kind stay silent; none: which are",
-        Kind::Swarm(SwarmVerb::Mute),
+        "params",
+        "params [fetch | save FILE | load FILE | diff FILE|N]",
+        Kind::Params,
     ),
-    verb(
-        "unmute",
-        "unmute [KIND]",
-        "alerts of a kind ring again; none: all do",
-        Kind::Swarm(SwarmVerb::Unmute),
-    ),
-    verb("theme", "theme NAME", "change the colours", Kind::Theme),
-    verb("help", "help", "keys and verbs", Kind::Plain(Deed::Help)),
-    verb(
-        "links",
-        "links",
-        "what the links count",
-        Kind::Plain(Deed::Links),
-    ),
-    verb(
-        "ledger",
-        "ledger",
-        "all commands of the session and what became of them",
-        Kind::Plain(Deed::Ledger),
-    ),
-    verb(
-        "notices",
-        "notices",
-        "all that was said in the session",
-        Kind::Plain(Deed::Notices),
-    ),
-    verb(
-        "brief",
-        "brief",
-        "the mission's brief",
-        Kind::Plain(Deed::Brief),
-    ),
-    verb(
-        "abandon",
-        "abandon",
-        "end the mission and see the debrief",
-        Kind::Plain(Deed::Abandon),
-    ),
-    verb(
-        "restart",
-        "restart",
-        "fly the same mission again from its start",
-        Kind::Plain(Deed::Restart),
-    ),
-    verb(
-        "leave",
-        "leave",
-        "end the session, back to the home screen",
-        Kind::Plain(Deed::Leave),
-    ),
-    verb("quit", "quit", "leave the program", Kind::Plain(Deed::Quit)),
+    verb("macro", "macro NAME", Kind::Macro),
+    verb("fly", "fly [MISSION]", Kind::Fly),
+    verb("connect", "connect ADDRESS...", Kind::Connect),
+    verb("set", "set NAME VALUE", Kind::Set),
+    verb("theme", "theme NAME", Kind::Theme),
+    verb("help", "help", Kind::Plain(Deed::Help)),
+    verb("links", "links", Kind::Plain(Deed::Links)),
+    verb("ledger", "ledger", Kind::Plain(Deed::Ledger)),
+    verb("notices", "notices", Kind::Plain(Deed::Notices)),
+    verb("brief", "brief", Kind::Plain(Deed::Brief)),
+    verb("abandon", "abandon", Kind::Plain(Deed::Abandon)),
+    verb("restart", "restart", Kind::Plain(Deed::Restart)),
+    verb("leave", "leave", Kind::Plain(Deed::Leave)),
+    verb("quit", "quit", Kind::Plain(Deed::Quit)),
 ];
 
-const fn verb(
-    name: &'static str,
-    usage: &'static str,
-    summary: &'static str,
-    kind: Kind,
-) -> ConsoleVerb {
-    ConsoleVerb {
-        name,
-        usage,
-        summary,
-        kind,
+const fn verb(name: &'static str, usage: &'static str, kind: Kind) -> ConsoleVerb {
+    ConsoleVerb { name, usage, kind }
+}
+
+/// The names that words of a console line may be, besides vehicles.
+#[derive(Debug, Clone, Copy)]
+pub struct Names<'a> {
+    /// The themes.
+    pub themes: &'a [String],
+    /// The missions: id and title.
+    pub missions: &'a [MissionListing],
+    /// The macros.
+    pub macros: &'a BTreeMap<String, Vec<String>>,
+    /// The groups.
+    pub groups: &'a Groups,
+}
+
+impl<'a> Names<'a> {
+    /// The words that could follow a verb, with what each means.
+    fn following(&self, kind: Kind, before: &[&str]) -> Vec<(&'a str, Text)> {
+        match (kind, before) {
+            (Kind::Theme, []) | (Kind::Set, ["theme"]) => listed(self.themes, "console-kind-theme"),
+            (Kind::Show, []) => Room::ALL
+                .map(|room| (room.name(), room.explained()))
+                .to_vec(),
+            (Kind::Fly, []) => {
+                let listing = |it: &'a MissionListing| (it.id.as_str(), it.title.as_str().into());
+                self.missions.iter().map(listing).collect()
+            }
+            (Kind::Macro, []) => {
+                let lines = |(name, lines): (&'a String, &'a Vec<String>)| {
+                    (name.as_str(), Text::verbatim(lines.join("; ")))
+                };
+                self.macros.iter().map(lines).collect()
+            }
+            (Kind::Set, []) => Setting::NAMES
+                .iter()
+                .map(|name| (*name, Setting::explained(name)))
+                .collect(),
+            (Kind::Set, [name]) => Setting::values(name)
+                .iter()
+                .map(|value| (*value, Setting::explained(name)))
+                .collect(),
+            (Kind::Group, []) => {
+                let group = |(name, ids): (&'a String, &'a Vec<VehicleId>)| {
+                    (name.as_str(), ranges(ids.iter().copied()).into())
+                };
+                self.groups.iter().map(group).collect()
+            }
+            (Kind::Params, []) => ["fetch", "save", "load", "diff"]
+                .map(|deed| (deed, Text::default()))
+                .to_vec(),
+            (Kind::Swarm(verb), _) => {
+                let choices = swarm::choices(verb).into_iter();
+                choices.map(|choice| (choice, Text::default())).collect()
+            }
+            _ => Vec::new(),
+        }
     }
 }
 
+fn listed<'a>(names: &'a [String], kind: &'static str) -> Vec<(&'a str, Text)> {
+    let described = |name: &'a String| (name.as_str(), Text::new(kind, Vec::new()));
+    names.iter().map(described).collect()
+}
+
 /// Reads a line that is the console's own; `None` if it is not, so that the grammar of commands may try.
-pub fn parse(line: &str, themes: &[String]) -> Option<Result<ConsoleLine, Diagnostic>> {
+pub fn parse(line: &str, names: &Names<'_>) -> Option<Result<ConsoleLine, Diagnostic>> {
     let words = words(line);
     let (first, arguments) = words.split_first()?;
     let verb = find(&line[first.clone()])?;
-    Some(match verb.kind {
-        Kind::Params => params(verb, line, arguments).map(ConsoleLine::Params),
-        _ => read(verb, line, arguments, themes),
-    })
+    Some(read(verb, line, arguments, names))
 }
 
 /// The usage of the console's own verb that a line begins with.
@@ -243,39 +250,55 @@ pub fn usage(line: &str) -> Option<&'static str> {
 }
 
 /// What could stand at the end of the line, if the console itself has something to offer.
-pub fn complete(line: &str, cursor: usize, themes: &[String]) -> Vec<Completion> {
+pub fn complete(line: &str, cursor: usize, names: &Names<'_>) -> Vec<Completion> {
     let before = line.get(..cursor).unwrap_or(line);
     let start = last_word(before);
     let (head, word) = before.split_at(start);
-    let completion = |text: &str, hint: &str| Completion {
+    let completion = |text: &str, hint: Text| Completion {
         text: text.to_owned(),
-        hint: hint.into(),
+        hint,
         replaces: start..before.len(),
     };
-    if head.trim().is_empty() {
+    let head: Vec<&str> = head.split_whitespace().collect();
+    let Some((verb, arguments)) = head.split_first() else {
         let fitting = CONSOLE_VERBS
             .iter()
             .filter(|verb| verb.name.starts_with(word));
         return fitting
-            .map(|verb| completion(verb.name, verb.summary))
+            .map(|verb| completion(verb.name, verb.summary()))
             .collect();
-    }
-    if head.trim() == "params" {
-        let deeds = ["fetch", "save", "load", "diff"].into_iter();
-        let fitting = deeds.filter(|deed| deed.starts_with(word));
-        return fitting.map(|deed| completion(deed, "")).collect();
-    }
-    let verb = head.split_whitespace().next().and_then(find);
-    if let Some(Kind::Swarm(verb)) = verb.map(|verb| verb.kind) {
-        let choices = swarm::choices(verb).into_iter();
-        let fitting = choices.filter(|choice| choice.starts_with(word));
-        return fitting.map(|choice| completion(choice, "")).collect();
-    }
-    if head.trim() != "theme" {
+    };
+    let Some(verb) = find(verb) else {
         return Vec::new();
+    };
+    let following = names.following(verb.kind, arguments).into_iter();
+    following
+        .filter(|(name, _)| name.starts_with(word))
+        .map(|(name, hint)| completion(name, hint))
+        .collect()
+}
+
+/// Every line that the console could carry out as it stands, with what it means: rooms, missions, macros, settings.
+pub fn lines(names: &Names<'_>) -> Vec<(String, Text)> {
+    let mut found = Vec::new();
+    for verb in CONSOLE_VERBS {
+        match verb.kind {
+            Kind::Plain(_) => found.push((verb.name.to_owned(), verb.summary())),
+            Kind::Set => {
+                for (name, _) in names.following(Kind::Set, &[]) {
+                    let values = names.following(Kind::Set, &[name]).into_iter();
+                    found.extend(values.map(|(value, hint)| (format!("set {name} {value}"), hint)));
+                }
+            }
+            // The same as `set theme`.
+            Kind::Theme | Kind::Group | Kind::Params => {}
+            kind => {
+                let words = names.following(kind, &[]).into_iter();
+                found.extend(words.map(|(word, hint)| (format!("{} {word}", verb.name), hint)));
+            }
+        }
     }
-    let fitting = themes.iter().filter(|theme| theme.starts_with(word));
-    fitting.map(|theme| completion(theme, "theme")).collect()
+    found
 }
 
 /// Where the last word of a text begins. Blanks may be longer than a byte.
@@ -303,42 +326,80 @@ fn read(
     verb: &ConsoleVerb,
     line: &str,
     arguments: &[Range<usize>],
-    themes: &[String],
+    names: &Names<'_>,
 ) -> Result<ConsoleLine, Diagnostic> {
     if let Some(extra) = arguments.get(verb.kind.most_arguments()) {
-        return Err(
-            Diagnostic::new(extra.clone(), "nothing more is expected here")
-                .with_help(format!("usage: {}", verb.usage)),
-        );
+        return Err(Diagnostic::new(extra.clone(), text!("console-too-much"))
+            .with_help(text!("console-usage", usage = verb.usage)));
     }
-    let text = |at: usize| arguments.get(at).map(|span| line[span.clone()].to_owned());
-    let missing = || {
-        let end = line.trim_end().len();
-        Diagnostic::new(end..end, "something is missing here")
-            .with_help(format!("usage: {}", verb.usage))
+    let given: Vec<&str> = arguments.iter().map(|span| &line[span.clone()]).collect();
+    let end = line.trim_end().len();
+    let word = |at: usize| {
+        given.get(at).copied().ok_or_else(|| {
+            Diagnostic::new(end..end, text!("console-missing"))
+                .with_help(text!("console-usage", usage = verb.usage))
+        })
+    };
+    // A word that has to be one of those that could follow.
+    let known = |at: usize| {
+        let written = word(at)?;
+        let before = &given[..at];
+        let could: Vec<&str> = names
+            .following(verb.kind, before)
+            .into_iter()
+            .map(|(name, _)| name)
+            .collect();
+        if could.contains(&written) {
+            return Ok(written);
+        }
+        let fault = Diagnostic::new(
+            arguments[at].clone(),
+            text!("console-unknown", word = written),
+        );
+        let help = if could.is_empty() {
+            text!("console-none")
+        } else {
+            text!("console-known", names = could.join(", "))
+        };
+        Err(fault.with_help(help).with_nearest(written, could))
     };
     match verb.kind {
         Kind::Plain(deed) => Ok(ConsoleLine::Plain(deed)),
-        Kind::Params => Ok(ConsoleLine::Params(ParamsDeed::Show)),
-        Kind::Swarm(SwarmVerb::Ungroup) if arguments.is_empty() => Err(missing()),
-        Kind::Swarm(verb) => {
-            let words = arguments.iter();
-            let words: Vec<_> = words
-                .map(|span| (&line[span.clone()], span.clone()))
-                .collect();
-            swarm::read(verb, &words).map(ConsoleLine::Swarm)
+        Kind::Params => params(verb, line, arguments).map(ConsoleLine::Params),
+        Kind::Swarm(swarm) => {
+            if swarm == SwarmVerb::Ungroup {
+                word(0)?;
+            }
+            let words = arguments.iter().cloned();
+            let words: Vec<_> = words.map(|span| (&line[span.clone()], span)).collect();
+            swarm::read(swarm, &words).map(ConsoleLine::Swarm)
         }
-        Kind::Select => text(0).map(ConsoleLine::Select).ok_or_else(missing),
-        Kind::Group => {
-            let name = text(0).ok_or_else(missing)?;
-            Ok(ConsoleLine::Group {
-                name: name.trim_start_matches('@').to_owned(),
-                targets: text(1).unwrap_or_default(),
-            })
+        Kind::Select => word(0).map(|targets| ConsoleLine::Select(targets.to_owned())),
+        Kind::Group => Ok(ConsoleLine::Group {
+            name: word(0)?.trim_start_matches('@').to_owned(),
+            targets: given.get(1).copied().unwrap_or_default().to_owned(),
+        }),
+        Kind::Show => known(0)
+            .map(|name| Room::named(name).unwrap_or_default())
+            .map(ConsoleLine::Show),
+        Kind::Fly if given.is_empty() => Ok(ConsoleLine::Fly(None)),
+        Kind::Fly => known(0).map(|id| ConsoleLine::Fly(Some(id.to_owned()))),
+        Kind::Connect => {
+            word(0)?;
+            let addresses = given.iter().map(|word| (*word).to_owned()).collect();
+            Ok(ConsoleLine::Connect(addresses))
         }
-        Kind::Theme => {
-            let name = text(0).ok_or_else(missing)?;
-            theme(name, arguments[0].clone(), themes)
+        Kind::Macro => known(0).map(|name| ConsoleLine::Macro(name.to_owned())),
+        Kind::Theme => known(0).map(|name| ConsoleLine::Set(Setting::Theme(name.to_owned()))),
+        Kind::Set => {
+            let name = known(0)?;
+            let value = match name {
+                "fps" => word(1)?,
+                _ => known(1)?,
+            };
+            Setting::read(name, value)
+                .map(ConsoleLine::Set)
+                .map_err(|text| Diagnostic::new(arguments[1].clone(), text))
         }
     }
 }
@@ -371,77 +432,5 @@ fn params(
     }
 }
 
-fn theme(name: String, span: Range<usize>, themes: &[String]) -> Result<ConsoleLine, Diagnostic> {
-    if themes.contains(&name) {
-        return Ok(ConsoleLine::Theme(name));
-    }
-    let known = themes.iter().map(String::as_str);
-    Err(Diagnostic::new(span, format!("no theme is named `{name}`"))
-        .with_help(format!("there are: {}", themes.join(", ")))
-        .with_nearest(&name, known))
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn themes() -> Vec<String> {
-        ["dark", "light"].map(str::to_owned).to_vec()
-    }
-
-    #[test]
-    fn only_the_consoles_own_lines_are_taken() {
-        assert_eq!(parse("1-2 arm", &themes()), None);
-        assert_eq!(parse("", &themes()), None);
-        assert_eq!(
-            parse(" theme  light ", &themes()),
-            Some(Ok(ConsoleLine::Theme("light".to_owned())))
-        );
-        assert_eq!(
-            parse("group @red 1-3", &themes()),
-            Some(Ok(ConsoleLine::Group {
-                name: "red".to_owned(),
-                targets: "1-3".to_owned()
-            }))
-        );
-    }
-
-    #[test]
-    fn no_verb_of_the_console_hides_one_for_vehicles() {
-        for own in CONSOLE_VERBS {
-            assert!(crate::language::verb(own.name).is_none(), "{}", own.name);
-        }
-    }
-
-    #[test]
-    fn faults_point_at_the_word() {
-        let cases = [("theme drak", 6..10), ("quit now", 5..8), ("select", 6..6)];
-        for (line, span) in cases {
-            let fault = parse(line, &themes()).expect("its own").expect_err(line);
-            assert_eq!(fault.span, span, "{line}");
-            assert!(fault.help.is_some(), "{line}");
-        }
-    }
-
-    #[test]
-    fn blanks_longer_than_a_byte_part_words_too() {
-        for line in ["arm\u{a0}", "theme\u{3000}l", "\u{2003}"] {
-            complete(line, line.len(), &themes());
-        }
-        assert_eq!(last_word("theme\u{3000}l"), 8);
-    }
-
-    #[test]
-    fn words_complete_from_their_beginning() {
-        let texts = |line: &str| -> Vec<String> {
-            let found = complete(line, line.len(), &themes());
-            found
-                .into_iter()
-                .map(|completion| completion.text)
-                .collect()
-        };
-        assert_eq!(texts("th"), ["theme"]);
-        assert_eq!(texts("theme l"), ["light"]);
-        assert_eq!(texts("1 th"), Vec::<String>::new());
-    }
-}
+mod tests;

@@ -31,6 +31,10 @@ pub enum Event {
         /// Its height.
         rows: u16,
     },
+    /// A whole line was given at the prompt of the plain console.
+    Line(String),
+    /// What the line to the terminal carries in bytes per second, while it cannot keep up.
+    SlowLine(Option<u32>),
     /// Time passed; nothing else moves the console's clock.
     Tick {
         /// Since the start of the program.

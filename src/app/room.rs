@@ -95,6 +95,16 @@ impl Room {
         matches!(self, Self::Fly | Self::Vehicle | Self::Map)
     }
 
+    /// The room of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|room| room.name() == name)
+    }
+
+    /// What it is for.
+    pub fn explained(self) -> Text {
+        Text::new(format!("action-{}", self.name()), Vec::new())
+    }
+
     /// What the header calls it.
     pub fn title(self) -> Text {
         Text::new(format!("room-{}", self.name()), Vec::new())

@@ -1,11 +1,13 @@
 //! Everything that the console shows. Only [`update`](super::update()) changes it; drawing reads it.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::sync::Arc;
 use std::time::Duration;
 
+use super::console::Names;
 use crate::config::Config;
 use crate::language::Context;
-use crate::text::Text;
+use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 
@@ -61,6 +63,10 @@ pub struct State {
     pub typed: String,
     /// What the user has set.
     pub config: Config,
+    /// The words of the language in use.
+    pub locale: Arc<Locale>,
+    /// Lines of a macro that wait for the answer to a question.
+    pub pending: VecDeque<String>,
     /// What was said.
     pub notices: NoticeLog,
     /// The missions on offer.
@@ -75,6 +81,8 @@ pub struct State {
     pub history: VecDeque<String>,
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
+    /// What the line to the terminal carries in bytes per second, while it cannot keep up.
+    pub slow_line: Option<u32>,
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,
@@ -110,6 +118,8 @@ impl State {
             rooms: Rooms::default(),
             typed: String::new(),
             config: Config::default(),
+            locale: Arc::default(),
+            pending: VecDeque::new(),
             overlay: None,
             session: Session::default(),
             notices: NoticeLog::default(),
@@ -119,6 +129,7 @@ impl State {
             keymap: Keymap::default(),
             history: VecDeque::new(),
             size: SMALLEST,
+            slow_line: None,
             message: None,
             revision: 0,
         }
@@ -194,6 +205,16 @@ impl State {
             class: self.class(),
             parameters: parameters.map(|known| known.list.as_ref()),
         })
+    }
+
+    /// The names that words of the console's own lines may be.
+    pub fn names(&self) -> Names<'_> {
+        Names {
+            themes: &self.themes,
+            missions: &self.missions,
+            macros: &self.config.macros,
+            groups: &self.session.groups,
+        }
     }
 
     /// Keeps a line that was given, once.

@@ -8,6 +8,7 @@ use super::state::State;
 pub(super) mod act;
 mod keys;
 mod links;
+mod offer;
 pub(super) mod order;
 mod palette;
 mod swarm;
@@ -59,6 +60,8 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Failed(text) => telemetry::failed(state, text),
+        Event::Line(line) => return palette::give(state, &line),
+        Event::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,
         Event::Resize { columns, rows } => keys::resize(state, columns, rows),
         Event::Tick { .. } | Event::Vehicle(_) | Event::Findings(_) | Event::Traffic(_) => {}
     }

@@ -8,11 +8,13 @@ use clap::Args;
 
 use super::settings::Settings;
 use super::{Failure, parse_speedup, runtime};
+use crate::config::Symbols;
 use crate::console::{self, Opening, Options, Preferences};
 use crate::link::Address;
 use crate::store::History;
-use crate::terminal;
-use crate::text::Locale;
+use crate::terminal::Environment;
+use crate::text;
+use crate::text::{Language, Locale, Text};
 use crate::ui::Look;
 
 /// Simulated vehicles in free flight, unless told otherwise.
@@ -39,35 +41,42 @@ pub(super) struct FlyArguments {
     /// Simulated seconds per second.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
+    /// Lines of text instead of a screen: for screen readers and pipes.
+    #[arg(long)]
+    plain: bool,
 }
 
 /// The home screen.
 pub(super) fn home(settings: Settings) -> Result<ExitCode, Failure> {
-    open(Opening::Home, settings, VEHICLES, 1, 1.0)
+    open(options(Opening::Home, settings)?, false)
 }
 
 /// A mission or free flight.
-pub(super) fn fly(options: &FlyArguments, settings: Settings) -> Result<ExitCode, Failure> {
-    let opening = match &options.mission {
-        _ if !options.connect.is_empty() => Opening::Connect(options.connect.clone()),
+pub(super) fn fly(arguments: &FlyArguments, settings: Settings) -> Result<ExitCode, Failure> {
+    let opening = match &arguments.mission {
+        _ if !arguments.connect.is_empty() => Opening::Connect(arguments.connect.clone()),
         Some(mission) => {
             // Faults are shown here, with the lines around them, rather than inside the console.
             Opening::Mission(Arc::new(super::run::load_mission(mission)?))
         }
         None => Opening::Free,
     };
-    open(
-        opening,
-        settings,
-        options.vehicles,
-        options.seed,
-        options.speedup,
-    )
+    let options = Options {
+        vehicles: arguments.vehicles,
+        seed: arguments.seed,
+        speedup: arguments.speedup,
+        ..options(opening, settings)?
+    };
+    open(options, arguments.plain)
 }
 
 /// Vehicles that are already there.
-pub(super) fn connect(addresses: Vec<Address>, settings: Settings) -> Result<ExitCode, Failure> {
-    open(Opening::Connect(addresses), settings, VEHICLES, 1, 1.0)
+pub(super) fn connect(
+    addresses: Vec<Address>,
+    plain: bool,
+    settings: Settings,
+) -> Result<ExitCode, Failure> {
+    open(options(Opening::Connect(addresses), settings)?, plain)
 }
 
 /// A recording that is not there will not appear later, so it is no case for trying again.
@@ -83,57 +92,72 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
     Ok(())
 }
 
+/// How things are shown: as set, else as the terminal can.
 fn look(settings: &Settings) -> Look {
+    let environment = Environment::of_process();
     let config = &settings.config;
+    let symbols = config.symbols.unwrap_or_else(|| environment.symbols());
+    // Words of other scripts would be nothing but question marks.
+    let language = match symbols {
+        Symbols::Ascii => Language::English,
+        _ => config.lang.unwrap_or_default(),
+    };
     Look {
-        theme: settings.theme.for_colours(terminal::colour_depth()),
-        locale: Arc::new(Locale::new(config.lang.unwrap_or_default())),
-        symbols: config.symbols.unwrap_or_default(),
+        theme: settings.theme.for_colours(environment.colour_depth()),
+        locale: Arc::new(Locale::new(language)),
+        symbols,
     }
 }
 
-fn preferences(settings: Settings) -> Preferences {
-    let folders = settings.folders.as_ref();
-    Preferences {
-        history: folders.map(|folders| History::within(&folders.state)),
-        warnings: settings.warnings(),
-        config: settings.config,
-        keymap: settings.keymap,
-        themes: settings.themes,
-    }
-}
-
-fn open(
-    opening: Opening,
-    settings: Settings,
-    vehicles: u8,
-    seed: u64,
-    speedup: f64,
-) -> Result<ExitCode, Failure> {
-    if !std::io::stdout().is_terminal() || !std::io::stdin().is_terminal() {
-        return Err(Failure::Failed(anyhow::anyhow!(
-            "the console needs a terminal on standard input and output; `sortie run` works without one"
-        )));
-    }
+/// How the console is set up. What is wrong with the user's files is told under it, so that it is there when the
+/// console is left.
+fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
     if let Opening::Connect(addresses) = &opening {
         for address in addresses {
             check_recording(address)?;
         }
     }
-    // Under the console, so that it is there when the console is left.
     settings.complain();
-    let options = Options {
+    let folders = settings.folders.as_ref();
+    Ok(Options {
         opening,
-        vehicles,
-        seed,
-        speedup,
+        vehicles: VEHICLES,
+        seed: 1,
+        speedup: 1.0,
         look: look(&settings),
-        preferences: preferences(settings),
-    };
+        preferences: Preferences {
+            history: folders.map(|folders| History::within(&folders.state)),
+            warnings: settings.warnings(),
+            config: settings.config,
+            keymap: settings.keymap,
+            themes: settings.themes,
+        },
+    })
+}
+
+fn open(options: Options, plain: bool) -> Result<ExitCode, Failure> {
+    if !plain && let Some(fault) = no_screen() {
+        let fault = options.look.text(&fault);
+        return Err(Failure::Failed(anyhow::anyhow!(fault)));
+    }
     let runtime = runtime()?;
-    let outcome = runtime.block_on(console::run(options));
+    let outcome = runtime.block_on(async {
+        if plain {
+            console::plain::run(options, std::io::stdin().is_terminal()).await
+        } else {
+            console::run(options).await.map(|()| true)
+        }
+    });
     // Tasks that still wait for a socket are not worth waiting for.
     runtime.shutdown_background();
-    outcome?;
-    Ok(ExitCode::SUCCESS)
+    Ok(ExitCode::from(u8::from(!outcome?)))
+}
+
+/// Why there can be no screen, if there can be none.
+fn no_screen() -> Option<Text> {
+    if std::io::stdout().is_terminal() && std::io::stdin().is_terminal() {
+        Environment::of_process().fault()
+    } else {
+        Some(text!("terminal-missing"))
+    }
 }

@@ -47,6 +47,15 @@ pub(super) struct Common {
     /// What curves and maps are drawn with: braille, block, ascii.
     #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
     symbols: Option<String>,
+    /// Listen to the mouse: its wheel moves the cursor.
+    #[arg(
+        long,
+        global = true,
+        num_args = 0,
+        default_missing_value = "true",
+        help_heading = "Settings"
+    )]
+    mouse: Option<String>,
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
@@ -63,6 +72,7 @@ impl Common {
             ("theme", "--theme", &self.theme),
             ("fps", "--fps", &self.fps),
             ("symbols", "--symbols", &self.symbols),
+            ("mouse", "--mouse", &self.mouse),
             ("log.file", "--log", &self.log),
             ("log.level", "--log-level", &self.log_level),
         ];

@@ -2,19 +2,33 @@
 
 use std::io::{self, Write};
 
+use crossterm::queue;
+use crossterm::terminal::{BeginSynchronizedUpdate, EndSynchronizedUpdate};
 use ratatui::backend::{Backend, ClearType, CrosstermBackend, WindowSize};
 use ratatui::buffer::Cell;
 use ratatui::layout::{Position, Size};
 
-use super::FrameWriter;
+use super::writer::FrameWriter;
 
-/// Crossterm's backend without its questions to the terminal.
+/// Crossterm's backend, which says nothing where nothing has changed and asks the terminal nothing.
 ///
-/// The terminal library asks for the cursor's position whenever it clears the screen, which it does after a
-/// resize. The answer would arrive among the keys, and a terminal that does not answer would end the console
-/// after two seconds. The console's cursor is hidden and its position nobody's concern.
+/// The terminal library hides the cursor and resets all styles with every frame, whether or not it differs from the
+/// one before. It asks for the cursor's position whenever it clears the screen, which it does after a resize: the
+/// answer would be waited for where nobody listens. The console's cursor is nobody's concern.
 pub(super) struct FrameBackend {
     inner: CrosstermBackend<FrameWriter>,
+    /// Whether something of the present frame has been written.
+    begun: bool,
+    /// What the terminal's cursor was told last.
+    cursor: Cursor,
+}
+
+/// What a cursor may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Cursor {
+    Unknown,
+    Hidden,
+    At(Position),
 }
 
 impl FrameBackend {
@@ -22,7 +36,30 @@ impl FrameBackend {
     pub fn new(writer: FrameWriter) -> Self {
         Self {
             inner: CrosstermBackend::new(writer),
+            begun: false,
+            cursor: Cursor::Unknown,
         }
+    }
+
+    /// Ends the frame; false if there was nothing to write.
+    pub fn end_frame(&mut self) -> io::Result<bool> {
+        if std::mem::take(&mut self.begun) {
+            queue!(self.inner, EndSynchronizedUpdate)?;
+            return Ok(true);
+        }
+        Ok(false)
+    }
+
+    /// The cursor's place is not known any more.
+    pub fn forget_cursor(&mut self) {
+        self.cursor = Cursor::Unknown;
+    }
+
+    fn begin(&mut self) -> io::Result<()> {
+        if !std::mem::replace(&mut self.begun, true) {
+            queue!(self.inner, BeginSynchronizedUpdate)?;
+        }
+        Ok(())
     }
 }
 
@@ -43,15 +80,30 @@ impl Backend for FrameBackend {
     where
         I: Iterator<Item = (u16, u16, &'a Cell)>,
     {
+        let mut content = content.peekable();
+        if content.peek().is_none() {
+            return Ok(());
+        }
+        self.begin()?;
+        // Drawing moves the cursor; a hidden one stays hidden.
+        if self.cursor != Cursor::Hidden {
+            self.cursor = Cursor::Unknown;
+        }
         self.inner.draw(content)
     }
 
     fn hide_cursor(&mut self) -> io::Result<()> {
+        if self.cursor == Cursor::Hidden {
+            return Ok(());
+        }
+        self.cursor = Cursor::Hidden;
+        self.begin()?;
         self.inner.hide_cursor()
     }
 
     fn show_cursor(&mut self) -> io::Result<()> {
-        self.inner.show_cursor()
+        // The position follows, and with it the cursor.
+        Ok(())
     }
 
     fn get_cursor_position(&mut self) -> io::Result<Position> {
@@ -59,14 +111,23 @@ impl Backend for FrameBackend {
     }
 
     fn set_cursor_position<P: Into<Position>>(&mut self, position: P) -> io::Result<()> {
+        let position = position.into();
+        if self.cursor == Cursor::At(position) {
+            return Ok(());
+        }
+        self.cursor = Cursor::At(position);
+        self.begin()?;
+        self.inner.show_cursor()?;
         self.inner.set_cursor_position(position)
     }
 
     fn clear(&mut self) -> io::Result<()> {
+        self.begin()?;
         self.inner.clear()
     }
 
     fn clear_region(&mut self, region: ClearType) -> io::Result<()> {
+        self.begin()?;
         self.inner.clear_region(region)
     }
 
@@ -79,6 +140,7 @@ impl Backend for FrameBackend {
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        Backend::flush(&mut self.inner)
+        // A frame goes out as a whole, at its end.
+        Ok(())
     }
 }

@@ -13,6 +13,7 @@ mod command_line;
 mod commands;
 mod keymap;
 mod map;
+mod palette;
 mod panes;
 pub mod parameters;
 mod swarm;

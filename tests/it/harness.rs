@@ -1,6 +1,7 @@
 //! A console without terminal, clock or vehicles: tests press keys and read the screen.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -121,6 +122,16 @@ impl Console {
 
     /// The newest command's row of a vehicle changes.
     pub fn row(&mut self, vehicle: u16, state: RowState, explanation: Option<&str>) -> &mut Self {
+        self.explained_row(vehicle, state, explanation.map(Text::from))
+    }
+
+    /// The same with an explanation in whichever language.
+    pub fn explained_row(
+        &mut self,
+        vehicle: u16,
+        state: RowState,
+        explanation: Option<Text>,
+    ) -> &mut Self {
         let newest = self.state.session.ledger.entries().len() as u32 - 1;
         self.hear(Event::Row(RowUpdate {
             entry: EntryId(newest),
@@ -128,7 +139,7 @@ impl Console {
             state,
             tries: 1,
             at: self.state.now,
-            explanation: explanation.map(Text::from),
+            explanation,
         }))
     }
 
@@ -153,7 +164,10 @@ impl Console {
     pub fn screen(&self, width: u16, height: u16) -> String {
         let backend = TestBackend::new(width, height);
         let mut terminal = Terminal::new(backend).expect("a test terminal");
-        let look = Look::default();
+        let look = Look {
+            locale: Arc::clone(&self.state.locale),
+            ..Look::default()
+        };
         terminal
             .draw(|frame| ui::draw(&self.state, &look, frame))
             .expect("a test terminal");

@@ -15,4 +15,5 @@ mod recordings;
 mod screens;
 mod settings;
 mod terminal;
+mod terminals;
 mod texts;

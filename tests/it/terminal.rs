@@ -3,6 +3,7 @@
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
@@ -39,6 +40,35 @@ pub struct Terminal {
     raw: Vec<u8>,
     /// Where the program finds and leaves its user's files, unless the variables say otherwise.
     _home: tempfile::TempDir,
+    pace: Arc<Pace>,
+}
+
+/// How fast the terminal reads.
+#[derive(Default)]
+struct Pace {
+    bytes_per_s: Mutex<Option<usize>>,
+    changed: Condvar,
+}
+
+impl Pace {
+    fn set(&self, bytes_per_s: Option<usize>) {
+        *self.bytes_per_s.lock().expect("no reader panics") = bytes_per_s;
+        self.changed.notify_all();
+    }
+
+    /// Where the next bytes may go, when they may.
+    fn room<'a>(&self, buffer: &'a mut [u8]) -> &'a mut [u8] {
+        let stalled = |pace: &mut Option<usize>| *pace == Some(0);
+        let pace = self.bytes_per_s.lock().expect("no test panics here");
+        let pace = *self.changed.wait_while(pace, stalled).expect("no panic");
+        match pace {
+            None => buffer,
+            Some(bytes_per_s) => {
+                std::thread::sleep(Duration::from_millis(100));
+                &mut buffer[..bytes_per_s / 10]
+            }
+        }
+    }
 }
 
 impl Terminal {
@@ -54,6 +84,17 @@ impl Terminal {
         rows: u16,
         variables: &[(&str, &str)],
     ) -> Self {
+        let program = program();
+        let argv: Vec<&str> = program
+            .iter()
+            .map(String::as_str)
+            .chain(arguments.iter().copied())
+            .collect();
+        Self::run(&argv, columns, rows, variables)
+    }
+
+    /// Starts any program.
+    pub fn run(argv: &[&str], columns: u16, rows: u16, variables: &[(&str, &str)]) -> Self {
         let size = PtySize {
             rows,
             cols: columns,
@@ -63,11 +104,10 @@ impl Terminal {
         let pair = native_pty_system()
             .openpty(size)
             .expect("a pseudo-terminal");
-        let mut command =
-            CommandBuilder::from_argv(program().into_iter().map(Into::into).collect());
-        command.args(arguments);
+        let mut command = CommandBuilder::from_argv(argv.iter().map(Into::into).collect());
         command.cwd(env!("CARGO_MANIFEST_DIR"));
         command.env("TERM", "xterm-256color");
+        command.env("LC_ALL", "C.UTF-8");
         command.env_remove("NO_COLOR");
         let home = tempfile::tempdir().expect("a temporary folder");
         for (name, value) in home_variables(home.path()) {
@@ -83,9 +123,11 @@ impl Terminal {
         drop(pair.slave);
         let mut reader = pair.master.try_clone_reader().expect("a reader");
         let (bytes, output) = channel();
+        let pace = Arc::new(Pace::default());
+        let shared = Arc::clone(&pace);
         std::thread::spawn(move || {
             let mut buffer = [0; 4096];
-            while let Ok(count) = reader.read(&mut buffer) {
+            while let Ok(count) = reader.read(shared.room(&mut buffer)) {
                 if count == 0 || bytes.send(buffer[..count].to_vec()).is_err() {
                     break;
                 }
@@ -103,6 +145,53 @@ impl Terminal {
             ),
             raw: Vec::new(),
             _home: home,
+            pace,
+        }
+    }
+
+    /// Stands still like a terminal whose line has died.
+    pub fn stop_reading(&mut self) -> &mut Self {
+        self.pace.set(Some(0));
+        self
+    }
+
+    /// Reads as over a slow line.
+    pub fn read_slowly(&mut self, bytes_per_s: usize) -> &mut Self {
+        self.pace.set(Some(bytes_per_s));
+        self
+    }
+
+    /// Reads whatever comes.
+    pub fn go_on_reading(&mut self) -> &mut Self {
+        self.pace.set(None);
+        self
+    }
+
+    /// Waits until the program's log is as wanted, without reading the screen.
+    pub fn wait_for_log(log: &Path, what: &str, wanted: impl Fn(&str) -> bool) {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            let written = std::fs::read_to_string(log).unwrap_or_default();
+            if wanted(&written) {
+                return;
+            }
+            assert!(
+                Instant::now() < deadline,
+                "waited in vain for {what} in:\n{written}"
+            );
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// Waits for the end of the program without reading anything; its exit code.
+    pub fn end_unread(&mut self) -> u32 {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            if let Some(status) = self.child.try_wait().expect("it was started") {
+                return status.exit_code();
+            }
+            assert!(Instant::now() < deadline, "waited in vain for the end");
+            std::thread::sleep(Duration::from_millis(20));
         }
     }
 
@@ -212,8 +301,18 @@ impl Terminal {
         self.child.wait().expect("it was started").exit_code()
     }
 
+    /// Reads, and answers what a terminal is asked.
     fn take(&mut self, bytes: &[u8]) {
+        let question = b"\x1b[5n";
+        let read_before = self.raw.len().saturating_sub(question.len() - 1);
         self.raw.extend_from_slice(bytes);
+        let asked = self.raw[read_before..]
+            .windows(question.len())
+            .filter(|part| *part == question);
+        for _ in 0..asked.count() {
+            // A program that has ended hears nothing more.
+            drop(self.keyboard.write_all(b"\x1b[0n"));
+        }
         self.screen.process(bytes);
     }
 }
@@ -221,6 +320,7 @@ impl Terminal {
 impl Drop for Terminal {
     fn drop(&mut self) {
         // A failed test must leave nothing behind; an error means that it has ended already.
+        self.pace.set(None);
         drop(self.child.kill());
     }
 }

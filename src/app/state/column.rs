@@ -142,7 +142,7 @@ impl Column {
     /// What a vehicle's row is ordered by. Words come as they are shown in English.
     pub fn key(self, vehicle: &Vehicle, session: &Session) -> Key {
         match self {
-            Self::Name => Key::word(Session::name(vehicle)),
+            Self::Name => Key::word(Session::class(vehicle)),
             Self::Mode => vehicle
                 .mode()
                 .map_or(Key::Missing, |mode| Key::word(&mode.to_string())),

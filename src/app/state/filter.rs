@@ -97,7 +97,7 @@ fn comparison(word: &str) -> Option<Test> {
 
 /// All that is said of a vehicle in words.
 fn said(vehicle: &Vehicle, session: &Session) -> String {
-    let mut said = String::from(Session::name(vehicle));
+    let mut said = String::from(Session::class(vehicle));
     let mut add = |word: &str| {
         said.push(' ');
         said.push_str(word);

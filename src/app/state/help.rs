@@ -1,10 +1,12 @@
 //! The help, made from the keymap, the console's own verbs and the verb table.
 
+use unicode_width::UnicodeWidthStr as _;
+
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Keymap, Meaning, Place};
-use crate::language::{Verb, verbs};
+use crate::language::verbs;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Locale, Text};
 
 /// Columns of a usage that leaves room for an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
@@ -20,60 +22,56 @@ pub const SCRIPT_VERBS: &[&str] = &["wait"];
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum HelpLine {
     /// A heading.
-    Title(Text),
+    Title(String),
     /// Something to press or write, and what it does.
-    Entry(String, Text),
+    Entry(String, String),
     /// An explanation below an entry.
     Note(String),
     /// Space between.
     Blank,
 }
 
-/// The whole help.
-pub fn help_lines(keymap: &Keymap) -> Vec<HelpLine> {
+/// The whole help, in a language.
+pub fn help_lines(keymap: &Keymap, locale: &Locale) -> Vec<HelpLine> {
     let mut lines = Vec::new();
+    let title = |text: Text| HelpLine::Title(locale.text(&text));
     for place in Place::all() {
-        let keys = keys(keymap, place);
+        let keys = keys(keymap, place, locale);
         if keys.is_empty() {
             continue;
         }
-        lines.push(HelpLine::Title(place.title()));
+        lines.push(title(place.title()));
         lines.extend(keys);
         lines.push(HelpLine::Blank);
     }
-    lines.push(HelpLine::Title(text!("help-commands")));
-    lines.extend(notes(
-        "targets: 3  1-4,7  @group  all; none means the selection",
-    ));
-    for verb in verbs()
+    lines.push(title(text!("help-commands")));
+    lines.extend(notes(&locale.say("help-targets")));
+    let for_people = verbs()
         .iter()
-        .filter(|verb| !SCRIPT_VERBS.contains(&verb.name))
-    {
-        lines.extend(explained(verb));
+        .filter(|verb| !SCRIPT_VERBS.contains(&verb.name));
+    for verb in for_people {
+        lines.extend(explained(&verb.usage(), &locale.text(&verb.summary())));
     }
     lines.push(HelpLine::Blank);
-    lines.push(HelpLine::Title(text!("help-console")));
-    lines.extend(
-        CONSOLE_VERBS
-            .iter()
-            .map(|verb| entry(verb.usage, verb.summary)),
-    );
+    lines.push(title(text!("help-console")));
+    for verb in CONSOLE_VERBS {
+        let usage = vec![verb.usage.to_owned()];
+        lines.extend(explained(&usage, &locale.text(&verb.summary())));
+    }
     lines
 }
 
 /// A verb: its summary beside its usage, or below where one of them is long.
-fn explained(verb: &Verb) -> Vec<HelpLine> {
-    let usages = verb.usage();
-    let summary = verb.summary();
-    let words = summary.to_string();
-    if let [usage] = usages.as_slice()
-        && usage.chars().count() <= SHORT_USAGE
-        && words.chars().count() <= SHORT_SUMMARY
+fn explained(usages: &[String], summary: &str) -> Vec<HelpLine> {
+    if let [usage] = usages
+        && usage.width() <= SHORT_USAGE
+        && summary.width() <= SHORT_SUMMARY
     {
-        return vec![entry(usage, summary)];
+        return vec![HelpLine::Entry(usage.clone(), summary.to_owned())];
     }
-    let mut lines: Vec<HelpLine> = usages.iter().map(|usage| entry(usage, "")).collect();
-    lines.extend(notes(&words));
+    let alone = |usage: &String| HelpLine::Entry(usage.clone(), String::new());
+    let mut lines: Vec<HelpLine> = usages.iter().map(alone).collect();
+    lines.extend(notes(summary));
     lines
 }
 
@@ -82,7 +80,7 @@ fn notes(text: &str) -> Vec<HelpLine> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if line.chars().count() + word.chars().count() < NOTE_WIDTH => {
+            Some(line) if line.width() + word.width() < NOTE_WIDTH => {
                 if !line.is_empty() {
                     line.push(' ');
                 }
@@ -95,7 +93,7 @@ fn notes(text: &str) -> Vec<HelpLine> {
 }
 
 /// The keys of a place; keys with one meaning share a line.
-fn keys(keymap: &Keymap, place: Place) -> Vec<HelpLine> {
+fn keys(keymap: &Keymap, place: Place, locale: &Locale) -> Vec<HelpLine> {
     let mut rows: Vec<(String, &Meaning)> = Vec::new();
     let here = keymap
         .bindings()
@@ -113,10 +111,6 @@ fn keys(keymap: &Keymap, place: Place) -> Vec<HelpLine> {
     }
     let lines = rows.into_iter();
     lines
-        .map(|(labels, meaning)| entry(&labels, meaning.description()))
+        .map(|(labels, meaning)| HelpLine::Entry(labels, locale.text(&meaning.description())))
         .collect()
-}
-
-fn entry(what: &str, meaning: impl Into<Text>) -> HelpLine {
-    HelpLine::Entry(what.to_owned(), meaning.into())
 }

@@ -1,6 +1,8 @@
 //! Sets of vehicles as people write them: `1-4,7`.
 
 use crate::language::Targets;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 
 /// Ids as ranges, `1-4,7`. The ids have to be sorted.
@@ -12,13 +14,13 @@ pub fn ranges(ids: impl IntoIterator<Item = VehicleId>) -> String {
 ///
 /// # Errors
 /// Plain words when a part is neither a number from 1 to 9999 nor a range of them.
-pub fn parse_ranges(text: &str) -> Result<Vec<VehicleId>, String> {
+pub fn parse_ranges(text: &str) -> Result<Vec<VehicleId>, Text> {
     let mut ids = Vec::new();
     for part in text.split(',') {
         let (first, last) = part.split_once('-').unwrap_or((part, part));
         let number = |word: &str| match word.trim().parse::<VehicleId>() {
             Ok(id) if (1..=HIGHEST_VEHICLE).contains(&id) => Ok(id),
-            _ => Err(format!("`{part}` is no vehicle: write 3, 3-9 or 1,4-6")),
+            _ => Err(text!("ids-wrong", word = part)),
         };
         let (first, last) = (number(first)?, number(last)?);
         ids.extend(first.min(last)..=first.max(last));

@@ -8,6 +8,8 @@ use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::{Area, Progress};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
 
@@ -73,11 +75,11 @@ pub enum Activity {
 
 impl Activity {
     /// What the header says.
-    pub fn title(&self) -> String {
+    pub fn title(&self) -> Text {
         match self {
-            Self::Mission { title, .. } => title.clone(),
-            Self::Free => "free flight".to_owned(),
-            Self::Connected { addresses } => addresses.join(" "),
+            Self::Mission { title, .. } => title.as_str().into(),
+            Self::Free => text!("session-free"),
+            Self::Connected { addresses } => addresses.join(" ").into(),
         }
     }
 }
@@ -120,8 +122,8 @@ impl Session {
             .or_else(|| recent.last().and_then(found))
     }
 
-    /// What a vehicle is called: what it is.
-    pub fn name(vehicle: &Vehicle) -> &'static str {
+    /// What a vehicle is, in the grammar's words.
+    pub fn class(vehicle: &Vehicle) -> &'static str {
         match vehicle.heartbeat.map(|heartbeat| heartbeat.class) {
             Some(VehicleClass::Copter) => "copter",
             Some(VehicleClass::Plane) => "plane",
@@ -129,6 +131,11 @@ impl Session {
             Some(VehicleClass::Sub) => "sub",
             Some(VehicleClass::Other) | None => "vehicle",
         }
+    }
+
+    /// What a vehicle is called: what it is.
+    pub fn name(vehicle: &Vehicle) -> Text {
+        Text::new(format!("class-{}", Self::class(vehicle)), Vec::new())
     }
 
     /// Why nothing is heard, as far as the link doctor knows; a link that is not open says so itself.

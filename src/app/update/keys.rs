@@ -167,7 +167,9 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effec
         KeyCode::Char(c) if !question.cancelled => {
             question.typed.push(c);
             if question.typed == question.answer {
-                return order::carry_out(state, question.then);
+                let mut effects = order::carry_out(state, question.then);
+                effects.extend(palette::go_on(state));
+                return effects;
             }
             question.cancelled = !question.answer.starts_with(&question.typed);
             state.overlay = Some(Overlay::Confirm(question));
@@ -181,6 +183,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effec
 }
 
 fn refuse(state: &mut State, question: &Confirm) {
+    state.pending.clear();
     state.say(Severity::Notice, cancelled(question));
 }
 
@@ -227,7 +230,7 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
                 *cursor = Some(at).filter(|at| at + 1 < count);
             }
             if let Overlay::Help { scroll } = &mut reader {
-                *scroll = step.apply(*scroll, help_lines(&state.keymap).len());
+                *scroll = step.apply(*scroll, help_lines(&state.keymap, &state.locale).len());
             }
         }
         _ => {}

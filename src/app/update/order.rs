@@ -25,7 +25,7 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
             .map_err(|text| Diagnostic::new(first_word(line), text))?;
         let missing = |id: &&VehicleId| !state.session.vehicles.contains_key(id);
         if let Some(missing) = targets.iter().find(missing) {
-            let text = format!("there is no vehicle {missing}");
+            let text = text!("order-no-vehicle", vehicle = *missing);
             return Err(Diagnostic::new(first_word(line), text));
         }
         order(line, statement, targets)
@@ -97,8 +97,9 @@ fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Or
     let Action::Command { verb, command } = statement.action else {
         let start = line.find("wait").unwrap_or(0);
         let end = (start + "wait".len()).min(line.len());
-        return Err(Diagnostic::new(start..end, "`wait` is for pilot scripts")
-            .with_help("the console never waits: give the next command when you see fit"));
+        return Err(
+            Diagnostic::new(start..end, text!("order-wait")).with_help(text!("order-wait-help"))
+        );
     };
     // The ledger has to say to whom the command went, also after the selection has changed.
     let line = match statement.targets {

@@ -3,20 +3,26 @@
 use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-use super::{act, keys, order, swarm};
+use std::sync::Arc;
+
+use super::{act, keys, offer, order, swarm};
 use crate::app::action::Action;
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
 use crate::app::room::Room;
 use crate::app::room::parameters;
+use crate::app::setting::Setting;
 use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
 use crate::diagnostic::Diagnostic;
-use crate::language;
+use crate::language::{self, Completion};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Locale, Text};
 use crate::vehicle::Severity;
 use crate::vehicle::VehicleId;
+
+/// Lines that one macro may lead to; one that calls itself would never end.
+const MACRO_LINES: usize = 100;
 
 /// Opens the command line with a text in it.
 pub fn open(state: &mut State, line: String) {
@@ -54,8 +60,9 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     let cursor = byte_cursor(&palette.input);
     palette.chosen = None;
     judge(state, &mut palette);
+    let names = state.names();
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
-    found.extend(console::complete(&line, cursor, &state.themes));
+    found.extend(console::complete(&line, cursor, &names));
     found.retain(|completion| !SCRIPT_VERBS.contains(&completion.text.as_str()));
     // Words that begin as typed come before words that only contain the letters, and commands before modes.
     found.sort_by_key(|completion| {
@@ -63,6 +70,14 @@ pub fn edited(state: &mut State, mut palette: Palette) {
         let command = language::verb(&completion.text).is_some();
         (!completion.text.starts_with(typed), !command)
     });
+    // Whoever is in the middle of a command does not look for another one.
+    let has_verb = line.trim_start().contains(char::is_whitespace) && palette.hint.is_some();
+    if cursor == line.len() && !has_verb {
+        let offered = offer::lines(state, &line);
+        let is_new = |offered: &Completion| found.iter().all(|it| it.text != offered.text);
+        let offered: Vec<Completion> = offered.into_iter().filter(is_new).collect();
+        found.extend(offered);
+    }
     palette.completions = found;
     palette.before_tab = line;
     state.overlay = Some(Overlay::Palette(palette));
@@ -76,7 +91,7 @@ fn judge(state: &State, palette: &mut Palette) {
         .map(Text::from)
         .or_else(|| state.with_context(|context| language::hint(line, context)))
         .or_else(|| usage(line).map(Text::from));
-    let checked = match console::parse(line, &state.themes) {
+    let checked = match console::parse(line, &state.names()) {
         Some(own) => own.map(|_| None),
         None => order::prepare(state, line).map(|order| Some(order::announced(&order))),
     };
@@ -178,8 +193,9 @@ fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
         return Vec::new();
     }
     match carry_out(state, &line) {
-        Ok(effects) => {
+        Ok(mut effects) => {
             state.remember(line.trim());
+            effects.extend(go_on(state));
             effects
         }
         Err(fault) => {
@@ -188,14 +204,46 @@ fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
                 fault: Some(fault),
                 ..palette
             };
+            state.pending.clear();
             state.overlay = Some(Overlay::Palette(palette));
             Vec::new()
         }
     }
 }
 
+/// Gives the lines of a macro that wait, up to one that asks a question or is wrong.
+pub fn go_on(state: &mut State) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    for _ in 0..MACRO_LINES {
+        if state.overlay.is_some() {
+            return effects;
+        }
+        let Some(line) = state.pending.pop_front() else {
+            return effects;
+        };
+        match carry_out(state, &line) {
+            Ok(more) => effects.extend(more),
+            Err(fault) => {
+                state.pending.clear();
+                let input = Input::new(line);
+                state.overlay = Some(Overlay::Palette(Palette {
+                    input,
+                    fault: Some(fault),
+                    ..Palette::default()
+                }));
+            }
+        }
+    }
+    if !state.pending.is_empty() {
+        state.pending.clear();
+        let text = text!("macro-endless", count = MACRO_LINES);
+        state.say(Severity::Error, text);
+    }
+    effects
+}
+
 fn carry_out(state: &mut State, line: &str) -> Result<Vec<Effect>, Diagnostic> {
-    if let Some(own) = console::parse(line, &state.themes) {
+    if let Some(own) = console::parse(line, &state.names()) {
         return console_line(state, line, own?);
     }
     let order = order::prepare(state, line)?;
@@ -219,11 +267,12 @@ fn console_line(
         }
         ConsoleLine::Group { name, targets } => {
             let ids = targeted(state, &targets).map_err(at_last_word)?;
-            group(state, name, ids).map_err(|text| at_last_word(text.into()))?;
+            group(state, name, ids).map_err(at_last_word)?;
         }
-        ConsoleLine::Theme(name) => {
-            state.theme.clone_from(&name);
-            return Ok(vec![Effect::SetTheme(name)]);
+        ConsoleLine::Show(room) => act::show(state, room),
+        ConsoleLine::Fly(mission) => {
+            let effect = mission.map_or(Effect::StartFree, Effect::StartMission);
+            return Ok(act::guarded(state, text!("ask-start"), effect));
         }
         ConsoleLine::Params(deed) => {
             let end = line.trim_end().len();
@@ -231,9 +280,36 @@ fn console_line(
             return parameters::line(state, deed).map_err(|text| Diagnostic::new(last, text));
         }
         ConsoleLine::Swarm(own) => swarm::carry_out(state, own).map_err(at_last_word)?,
+        ConsoleLine::Connect(addresses) => {
+            let effect = Effect::Connect(addresses);
+            return Ok(act::guarded(state, text!("ask-start"), effect));
+        }
+        ConsoleLine::Macro(name) => {
+            let lines = state.config.macros.get(&name).cloned().unwrap_or_default();
+            for line in lines.into_iter().rev() {
+                state.pending.push_front(line);
+            }
+        }
+        ConsoleLine::Set(setting) => return Ok(set(state, &setting)),
         ConsoleLine::Plain(deed) => return Ok(plain(state, deed)),
     }
     Ok(Vec::new())
+}
+
+/// Takes a setting over.
+fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
+    setting.apply(&mut state.config);
+    match setting {
+        Setting::Theme(name) => {
+            state.theme.clone_from(name);
+            vec![Effect::SetTheme(name.clone())]
+        }
+        Setting::Lang(language) => {
+            state.locale = Arc::new(Locale::new(*language));
+            Vec::new()
+        }
+        Setting::Symbols(_) | Setting::Fps(_) | Setting::Bell(_) | Setting::Notify(_) => Vec::new(),
+    }
 }
 
 fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
@@ -251,16 +327,19 @@ fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
     Vec::new()
 }
 
-fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), String> {
+fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), Text> {
     let word = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
     if name.is_empty() || !name.chars().all(word) {
-        return Err(format!("`{name}` is no name: use letters, digits, - and _"));
+        return Err(text!("group-name", name = name));
     }
     if ids.is_empty() {
-        return Err("there is no vehicle to put into the group".to_owned());
+        return Err(text!("group-empty"));
     }
     let members = ranges(ids.iter().copied());
-    state.say(Severity::Notice, format!("@{name} is now {members}"));
+    state.say(
+        Severity::Notice,
+        text!("group-is", name = &name, members = members),
+    );
     state.session.groups.insert(name, ids);
     Ok(())
 }
@@ -303,9 +382,9 @@ pub fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, Text> {
         _ => match word.strip_prefix('@') {
             Some(name) => {
                 let members = state.session.groups.get(name).cloned();
-                members.ok_or_else(|| text!("fly-no-group", name = name))
+                members.ok_or_else(|| text!("group-unknown", name = name))
             }
-            None => parse_ranges(word).map_err(Text::from),
+            None => parse_ranges(word),
         },
     }
 }

@@ -5,17 +5,21 @@ use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::app::state::SMALLEST;
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{centred, put, wrap};
 
 /// Says which size is needed and what it is now.
 pub fn draw(look: &Look, area: Rect, buffer: &mut Buffer) {
-    let text = format!(
-        "sortie needs {}x{}, this terminal is {}x{}",
-        SMALLEST.0, SMALLEST.1, area.width, area.height
-    );
-    let keys = "Until it is larger only Ctrl-C works: it leaves the program.";
+    let text = look.text(&text!(
+        "small-needs",
+        columns = SMALLEST.0,
+        rows = SMALLEST.1,
+        now_columns = area.width,
+        now_rows = area.height,
+    ));
+    let keys = look.say("small-keys");
     let lines = wrap(&format!("{text}\n{keys}"), usize::from(area.width));
     let middle = centred(area.width, lines.len() as u16, area);
     for (row, line) in lines.into_iter().enumerate() {

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Activity, Room, State};
+use crate::app::state::{Room, State};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -18,7 +18,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
     buffer.set_style(header, look.style(Role::Header));
     let name = format!(" {} ", look.text(&state.room.title()).to_uppercase());
     let activity = state.session.activity.as_ref();
-    let title = activity.map_or_else(String::new, |activity| title(activity, look));
+    let title = activity.map_or_else(String::new, |activity| look.text(&activity.title()));
     let room = usize::from(area.width);
     let left = width(&name) + 1;
     // The figures give way to the title as long as they lose no meaning by it.
@@ -46,16 +46,13 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
     }
 }
 
-fn title(activity: &Activity, look: &Look) -> String {
-    match activity {
-        Activity::Free => look.say("header-free"),
-        Activity::Mission { .. } | Activity::Connected { .. } => activity.title(),
-    }
-}
-
 /// The figures; in a few letters where there is little room.
 fn right_part(state: &State, look: &Look, short: bool) -> String {
     let mut parts = Vec::new();
+    if let Some(bytes_per_s) = state.slow_line {
+        let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);
+        parts.push(text!("terminal-slow", rate = rate));
+    }
     let dropped = state.notices.dropped;
     if dropped > 0 {
         parts.push(if short {

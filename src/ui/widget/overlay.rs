@@ -27,7 +27,7 @@ pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &
 
 fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer) {
     let place = centred(64, 8, area);
-    let inner = boxed("are you sure", Role::Danger, look, place, buffer);
+    let inner = boxed(&look.say("ask-sure"), Role::Danger, look, place, buffer);
     let width = usize::from(inner.width);
     let text = format!(
         "{} - {} {}",
@@ -48,32 +48,29 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
     let reason = clip(&look.text(&question.reason), width);
     put(buffer, inner, row, &Line::raw(reason));
     let typed = if question.cancelled {
-        let text = "cancelled, nothing was done   Enter or Esc goes on";
+        let text = look.say("ask-taken-back");
         Line::styled(text, look.style(Role::Warning))
     } else {
         Line::from(vec![
             Span::styled(": ", look.style(Role::Key)),
             Span::raw(format!("{}_", question.typed)),
-            Span::styled("   anything else: no", look.style(Role::Muted)),
+            Span::styled(
+                format!("   {}", look.say("ask-else")),
+                look.style(Role::Muted),
+            ),
         ])
     };
     put(buffer, inner, row + 2, &typed);
 }
 
 fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = help_lines(&state.keymap);
+    let lines = help_lines(&state.keymap, &look.locale);
     let place = centred(
         (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         area.height - 2,
         area,
     );
-    let inner = boxed(
-        "help   j k scroll   Esc closes",
-        Role::Accent,
-        look,
-        place,
-        buffer,
-    );
+    let inner = boxed(&look.say("help-title"), Role::Accent, look, place, buffer);
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));
@@ -90,18 +87,18 @@ fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut
             width: HELP_COLUMN.min(inner.right() - x),
             ..inner
         };
-        put(buffer, here, (at % rows) as u16, &help_line(&line, look));
+        put(buffer, here, (at % rows) as u16, &help_line(line, look));
     }
 }
 
-fn help_line(line: &HelpLine, look: &Look) -> Line<'static> {
+fn help_line(line: HelpLine, look: &Look) -> Line<'static> {
     match line {
-        HelpLine::Title(text) => Line::styled(look.text(text), look.style(Role::Title)),
+        HelpLine::Title(text) => Line::styled(text, look.style(Role::Title)),
         HelpLine::Note(text) => Line::styled(format!("      {text}"), look.style(Role::Muted)),
         HelpLine::Blank => Line::default(),
         HelpLine::Entry(what, meaning) => Line::from(vec![
             Span::styled(format!("  {what:SHORT_USAGE$} "), look.style(Role::Key)),
-            Span::raw(look.text(meaning)),
+            Span::raw(meaning),
         ]),
     }
 }

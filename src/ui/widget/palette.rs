@@ -155,6 +155,8 @@ fn draw_choices(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer)
         .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
     let widest = choices
         .iter()
+        .skip(first)
+        .take(rows)
         .map(|choice| choice.text.chars().count())
         .max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);

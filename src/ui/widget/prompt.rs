@@ -12,14 +12,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{below, boxed, centred, put, wrap};
 
 const EXAMPLES: &[(&str, &str)] = &[
-    ("tcp:127.0.0.1:5760", "ArduPilot SITL, one vehicle per port"),
-    ("udpin:0.0.0.0:14550", "listen; vehicles send here"),
-    ("udp:192.168.1.20:14550", "send to a vehicle or a router"),
-    (
-        "serial:/dev/ttyACM0:115200",
-        "an autopilot or a radio on a cable",
-    ),
-    ("file:FLIGHT.tlog", "a recording"),
+    ("tcp:127.0.0.1:5760", "prompt-connect-tcp"),
+    ("udpin:0.0.0.0:14550", "prompt-connect-udpin"),
+    ("udp:192.168.1.20:14550", "prompt-connect-udp"),
+    ("serial:/dev/ttyACM0:115200", "prompt-connect-serial"),
+    ("file:FLIGHT.tlog", "prompt-connect-file"),
 ];
 const HEIGHT: u16 = 14;
 const WIDTH: u16 = 72;
@@ -108,11 +105,11 @@ fn draw_examples(look: &Look, area: Rect, buffer: &mut Buffer) {
     for (row, (address, meaning)) in EXAMPLES.iter().enumerate() {
         let line = Line::from(vec![
             Span::raw(format!("{address:28}")),
-            Span::styled(*meaning, look.style(Role::Muted)),
+            Span::styled(look.say(meaning), look.style(Role::Muted)),
         ]);
         put(buffer, area, row as u16, &line);
     }
-    let text = "several addresses: blanks between them.  Enter connects, Esc closes";
+    let text = look.say("prompt-connect-several");
     let row = EXAMPLES.len() as u16 + 1;
     put(
         buffer,

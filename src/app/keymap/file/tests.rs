@@ -87,7 +87,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ("[fly]\nx = \"takeoff 20 30\"\n", "2:17: "),
         (
             "[fly]\nx = \"theme drak\"\n",
-            "2:12: no theme is named `drak`",
+            "2:12: `drak` is not known here",
         ),
         (
             "[fly]\nx = true\n",

@@ -65,7 +65,7 @@ pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cel
     };
     match column {
         Column::Id => id(row),
-        Column::Name => (Session::name(row.vehicle).to_owned(), Role::Muted),
+        Column::Name => (look.text(&Session::name(row.vehicle)), Role::Muted),
         Column::Group => (session.groups_of(row.vehicle.id).join(" "), Role::Accent),
         Column::Mode => mode(row.vehicle),
         Column::Armed => armed(row),

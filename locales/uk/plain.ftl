@@ -1,0 +1,30 @@
+# Консоль без екрана.
+
+plain-greeting = консоль без екрана: одна команда на рядок, `help` перелічує їх, `quit` — вихід
+plain-asks = { $question }: { $reason }; щоб виконати, наберіть { $answer } та Enter, будь-що інше скасує
+plain-wait-in-vain = не дочекалися: { $line }
+plain-no-room = це є лише в консолі з екраном
+plain-critical = КРИТИЧНО
+plain-error = ПОМИЛКА
+plain-warning = увага
+plain-times = { $count ->
+    [one] { $count } раз
+    [few] { $count } рази
+   *[other] { $count } разів
+}
+plain-hint = підказка: { $hint }
+plain-objective-open = ціль не досягнута: { $objective }
+plain-objective-met = ціль досягнута: { $objective }
+plain-objective-missed = ціль не виконана: { $objective }
+plain-score = результат поки що: { $score } з 1000
+plain-time-left = лишилося часу: { $seconds } с
+plain-vehicle = апарат { $vehicle }: { $state }
+plain-armed = двигуни активовано
+plain-disarmed = двигуни деактивовано
+plain-flight = висота { $height } м, швидкість { $speed } м/с
+plain-home = { $distance } м від дому
+plain-battery = акумулятор { $percent } %
+plain-help-status = status [TARGETS]: стан апаратів: 1-4,7  @red  all
+plain-help-objectives = objectives: як просувається місія
+plain-help-wait = wait TARGETS ... timeout 30s: затримує наступні рядки, як у сценарії пілота
+plain-link = { $name }: { $state }, повідомлень за секунду: прийнято { $received }, надіслано { $sent }, утрачено { $lost }

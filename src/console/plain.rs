@@ -1,0 +1,361 @@
+//! The console without a screen: lines in, lines out, for screen readers and for pipes.
+//!
+//! It is the same console: the same state, [`update`] and session. Only what a screen would show is said in lines,
+//! each once: what was noticed, what became of commands, how objectives stand, the debrief. Nothing but text is
+//! written.
+//!
+//! From a person every line is taken as it comes. From a pipe the next line waits until the commands before it have
+//! come to their end, and `wait` holds it longer; the end of the pipe is the end of the flight.
+
+use std::io::BufRead as _;
+use std::time::Duration;
+
+use tokio::sync::mpsc;
+use tokio::time::MissedTickBehavior;
+
+use super::{Console, Happened, Opening, Options, Running, Signals, TICK, key};
+use crate::app::event::Event;
+use crate::app::state::{Overlay, Room};
+use crate::diagnostic::Diagnostic;
+use crate::language::{Pilot, PilotEvent, Script};
+use crate::text::{Text, text};
+use crossterm::event::KeyCode;
+
+mod output;
+mod report;
+
+use output::Output;
+use report::Report;
+
+/// How often news is said: what many vehicles say at once becomes one line.
+const NEWS_EVERY: Duration = Duration::from_millis(500);
+/// How long lines from a pipe wait for the vehicles to be heard.
+const HEARD_PATIENCE: Duration = Duration::from_secs(30);
+/// Lines that may be given ahead.
+const LINES_AHEAD: usize = 16;
+
+/// Runs the plain console until its user leaves it or its input ends; whether the mission, if one was flown, was
+/// passed.
+///
+/// # Errors
+/// The session could not be started, or nobody reads what is written.
+pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
+    let mut signals = Signals::new()?;
+    let mut plain = Plain {
+        expected: expected(&options),
+        console: Console::new(options),
+        report: Report::default(),
+        output: Output::start(is_person),
+        pilot: None,
+        is_person,
+        ended: false,
+        said_at: Duration::ZERO,
+    };
+    // Nothing is drawn: no size is too small.
+    let (columns, rows) = (u16::MAX, u16::MAX);
+    plain.console.feed(Event::Resize { columns, rows }).await;
+    plain.console.begin().await;
+    plain.greet();
+    let mut lines = read_lines();
+    let mut ticks = tokio::time::interval(TICK);
+    ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
+    let mut told_to_end = false;
+    while !plain.is_over() {
+        let takes_lines = plain.takes_lines();
+        tokio::select! {
+            biased;
+            happened = signals.next() => match happened {
+                Happened::End => {
+                    told_to_end = true;
+                    break;
+                }
+                Happened::Stopped => crate::terminal::stop(),
+                Happened::Continued | Happened::Resized => {}
+            },
+            _ = ticks.tick() => plain.tick().await?,
+            line = lines.recv(), if takes_lines => match line {
+                Some(line) => plain.take(&line).await?,
+                None => plain.end_of_input().await,
+            },
+        }
+    }
+    plain.finish(told_to_end)
+}
+
+/// How many vehicles there will be, if that is known.
+fn expected(options: &Options) -> usize {
+    match &options.opening {
+        Opening::Mission(mission) => mission.vehicles,
+        Opening::Free => usize::from(options.vehicles),
+        Opening::Home | Opening::Connect(_) => 1,
+    }
+}
+
+/// The lines of standard input.
+fn read_lines() -> mpsc::Receiver<String> {
+    let (sender, lines) = mpsc::channel(LINES_AHEAD);
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lock().lines() {
+            let Ok(line) = line else { break };
+            if sender.blocking_send(line).is_err() {
+                break;
+            }
+        }
+    });
+    lines
+}
+
+struct Plain {
+    console: Console,
+    report: Report,
+    output: Output,
+    /// The wait that holds the next line.
+    pilot: Option<Pilot>,
+    /// Vehicles that will be heard, if that is known.
+    expected: usize,
+    is_person: bool,
+    /// Whether the input has ended.
+    ended: bool,
+    said_at: Duration,
+}
+
+impl Plain {
+    fn greet(&mut self) {
+        if let Some(activity) = &self.console.state.session.activity {
+            self.say(&activity.title());
+        }
+        self.say(&text!("plain-greeting"));
+        if self.console.state.flown_mission().is_some() {
+            self.brief();
+        }
+        self.output.prompt();
+    }
+
+    fn say(&mut self, text: &Text) {
+        self.output.say(&self.console.look, text);
+    }
+
+    fn is_over(&self) -> bool {
+        let state = &self.console.state;
+        self.console.over || state.rooms.debrief.is_some() || state.session.activity.is_none()
+    }
+
+    /// Whether the next line can be carried out.
+    fn takes_lines(&self) -> bool {
+        if self.ended {
+            return false;
+        }
+        let state = &self.console.state;
+        let heard = state.session.vehicles.len() >= self.expected
+            || state.session.time(state.now) >= HEARD_PATIENCE;
+        self.is_person || (heard && self.is_idle())
+    }
+
+    fn is_idle(&self) -> bool {
+        let mut entries = self.console.state.session.ledger.entries();
+        self.pilot.is_none() && entries.all(crate::ledger::Entry::is_final)
+    }
+
+    async fn tick(&mut self) -> anyhow::Result<()> {
+        self.console.tick().await;
+        if std::mem::take(&mut self.console.bell) {
+            tracing::debug!("the plain console has no bell");
+        }
+        self.hold();
+        let now = self.console.state.now;
+        if now.saturating_sub(self.said_at) >= NEWS_EVERY {
+            self.said_at = now;
+            self.tell_news();
+        }
+        if self.ended && self.is_idle() {
+            self.abandon().await;
+        }
+        self.output.check()
+    }
+
+    fn tell_news(&mut self) {
+        for text in self.report.news(&self.console.state) {
+            self.say(&text);
+        }
+        self.output.prompt();
+    }
+
+    /// Goes on with a wait.
+    fn hold(&mut self) {
+        let Some(pilot) = &mut self.pilot else { return };
+        let state = &self.console.state;
+        let session = &state.session;
+        let events = pilot.step(state.now, &session.vehicles, &session.ledger);
+        if !events.is_empty() {
+            self.pilot = None;
+        }
+        for event in events {
+            if let PilotEvent::WaitTimedOut { text: line, .. } = event {
+                self.say(&text!("plain-wait-in-vain", line = line));
+            }
+        }
+    }
+
+    async fn take(&mut self, line: &str) -> anyhow::Result<()> {
+        self.output.line_ended();
+        let line = line.trim();
+        if let Some(Overlay::Confirm(question)) = &self.console.state.overlay {
+            let answer = question.answer.clone();
+            self.answer(&answer, line).await;
+        } else if !line.is_empty() && !line.starts_with('#') {
+            if !self.is_person {
+                // What came of the lines before belongs before this one.
+                self.tell_news();
+                self.say(&Text::from(format!("> {line}")));
+            }
+            if !self.carry_out_here(line) {
+                self.console.feed(Event::Line(line.to_owned())).await;
+            }
+        }
+        self.tell_outcome();
+        self.output.prompt();
+        self.output.check()
+    }
+
+    /// Only the exact answer confirms.
+    async fn answer(&mut self, answer: &str, line: &str) {
+        if line == answer {
+            for c in answer.chars() {
+                self.console.feed(key(KeyCode::Char(c))).await;
+            }
+        } else {
+            self.console.feed(key(KeyCode::Esc)).await;
+        }
+    }
+
+    /// What a screen would have answered to a line.
+    fn tell_outcome(&mut self) {
+        let state = &mut self.console.state;
+        let mut texts = Vec::new();
+        if let Some(message) = state.message() {
+            texts.push(message.text.clone());
+            state.hush();
+        }
+        match &state.overlay {
+            Some(Overlay::Confirm(question)) => texts.push(text!(
+                "plain-asks",
+                question = &question.question,
+                reason = &question.reason,
+                answer = &question.answer
+            )),
+            Some(Overlay::Palette(palette)) => {
+                texts.extend(palette.fault.iter().map(explained));
+                state.overlay = None;
+            }
+            Some(_) => state.overlay = None,
+            None => {}
+        }
+        // A line that leads to another room has nothing to show here.
+        if state.session.activity.is_some()
+            && state.rooms.debrief.is_none()
+            && state.room != Room::Fly
+        {
+            state.room = Room::Fly;
+            texts.push(text!("plain-no-room"));
+        }
+        for text in texts {
+            self.say(&text);
+        }
+    }
+
+    /// Lines that show something; true if it was one of them.
+    fn carry_out_here(&mut self, line: &str) -> bool {
+        let (verb, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+        let state = &self.console.state;
+        let texts = match verb {
+            "status" => report::status(state, rest.trim()),
+            "objectives" if rest.is_empty() => report::objectives(state),
+            "help" if rest.is_empty() => report::help(state),
+            "links" if rest.is_empty() => report::links(state),
+            "ledger" | "commands" if rest.is_empty() => report::ledger(state),
+            "notices" if rest.is_empty() => report::notices(state),
+            "brief" if rest.is_empty() && state.flown_mission().is_some() => {
+                self.brief();
+                return true;
+            }
+            "wait" => {
+                self.wait(line);
+                return true;
+            }
+            _ => return false,
+        };
+        for text in texts {
+            self.say(&text);
+        }
+        true
+    }
+
+    fn brief(&mut self) {
+        let brief = self
+            .console
+            .state
+            .flown_mission()
+            .map(|mission| mission.brief.clone());
+        for line in brief.unwrap_or_default().lines() {
+            self.say(&Text::from(line));
+        }
+    }
+
+    /// Holds the lines that follow, as in a script.
+    fn wait(&mut self, line: &str) {
+        let script = self
+            .console
+            .state
+            .with_context(|context| Script::parse(line, context));
+        match script {
+            Ok(script) => self.pilot = Some(Pilot::new(script)),
+            Err(faults) => {
+                for fault in faults {
+                    self.say(&explained(&fault));
+                }
+            }
+        }
+    }
+
+    async fn end_of_input(&mut self) {
+        self.ended = true;
+        if matches!(self.console.state.overlay, Some(Overlay::Confirm(_))) {
+            self.console.feed(key(KeyCode::Esc)).await;
+            self.tell_outcome();
+        }
+    }
+
+    /// Ends what is left at the end of the input: a mission gets its debrief.
+    async fn abandon(&mut self) {
+        if self.console.state.session.mission.is_some() {
+            self.console.running.iter_mut().for_each(Running::abandon);
+            self.console.tick().await;
+        } else {
+            self.console.over = true;
+        }
+    }
+
+    fn finish(mut self, told_to_end: bool) -> anyhow::Result<bool> {
+        self.tell_news();
+        self.output.line_ended();
+        let debrief = self.console.state.rooms.debrief.take();
+        let mut passed = !matches!(self.console.options.opening, Opening::Mission(_));
+        if let Some(debrief) = debrief {
+            passed = debrief.report.passed;
+            for line in &debrief.lines {
+                self.say(&Text::from(line.as_str()));
+            }
+        }
+        self.output.finish(told_to_end)?;
+        Ok(passed)
+    }
+}
+
+/// A fault in words, with what to do about it.
+fn explained(fault: &Diagnostic) -> Text {
+    let help = fault.help.clone();
+    Text::joined(
+        "; ",
+        std::iter::once(fault.message.clone()).chain(help).collect(),
+    )
+}

@@ -1,0 +1,111 @@
+//! Lines for standard output, which may be read slowly or not at all.
+
+use std::io::{self, Write as _};
+use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
+use std::time::Duration;
+
+use crate::config::Symbols;
+use crate::notice::sanitised;
+use crate::text::Text;
+use crate::ui::{Look, ascii};
+
+/// Lines that may wait to be read; what is said beyond is left out, and how many lines that were is told.
+const LINES_WAITING: usize = 2000;
+/// How long a program that has been told to end waits for its reader.
+const LAST_PATIENCE: Duration = Duration::from_millis(500);
+
+pub struct Output {
+    pieces: SyncSender<String>,
+    outcome: Receiver<io::Result<()>>,
+    /// Whether a person is there, who sees a prompt.
+    is_person: bool,
+    /// Whether the prompt stands at the beginning of the present line.
+    prompted: bool,
+    left_out: u64,
+}
+
+impl Output {
+    /// Begins to write.
+    pub fn start(is_person: bool) -> Self {
+        let (pieces, to_write) = sync_channel::<String>(LINES_WAITING);
+        let (result, outcome) = channel();
+        std::thread::spawn(move || {
+            let write = || {
+                for piece in &to_write {
+                    let mut output = io::stdout().lock();
+                    output.write_all(piece.as_bytes())?;
+                    output.flush()?;
+                }
+                Ok(())
+            };
+            drop(result.send(write()));
+        });
+        Self {
+            pieces,
+            outcome,
+            is_person,
+            prompted: false,
+            left_out: 0,
+        }
+    }
+
+    /// Says a text on a line of its own.
+    pub fn say(&mut self, look: &Look, text: &Text) {
+        let words = sanitised(&look.locale.text(text));
+        let words = match look.symbols {
+            Symbols::Ascii => ascii::line(&words),
+            _ => words,
+        };
+        let gap = if std::mem::take(&mut self.prompted) {
+            "\n"
+        } else {
+            ""
+        };
+        let left_out = match self.left_out {
+            0 => String::new(),
+            count => format!("... {count} ...\n"),
+        };
+        let line = format!("{gap}{left_out}{words}\n");
+        match self.pieces.try_send(line) {
+            Ok(()) => self.left_out = 0,
+            Err(_) => self.left_out += 1,
+        }
+    }
+
+    /// Asks a person for a line, unless the question stands there already.
+    pub fn prompt(&mut self) {
+        if self.is_person && !self.prompted {
+            self.prompted = self.pieces.try_send("> ".to_owned()).is_ok();
+        }
+    }
+
+    /// The person has ended the line that the prompt began.
+    pub fn line_ended(&mut self) {
+        self.prompted = false;
+    }
+
+    /// Whether somebody still reads.
+    ///
+    /// # Errors
+    /// Nobody does.
+    pub fn check(&self) -> anyhow::Result<()> {
+        match self.outcome.try_recv() {
+            Ok(outcome) => Ok(outcome?),
+            Err(_) => Ok(()),
+        }
+    }
+
+    /// Writes what is left; not for long if the program has been told to end.
+    ///
+    /// # Errors
+    /// Nobody reads.
+    pub fn finish(self, told_to_end: bool) -> anyhow::Result<()> {
+        drop(self.pieces);
+        let outcome = if told_to_end {
+            self.outcome.recv_timeout(LAST_PATIENCE).ok()
+        } else {
+            self.outcome.recv().ok()
+        };
+        Ok(outcome.unwrap_or(Ok(()))?)
+    }
+}

@@ -1,0 +1,298 @@
+//! What there is to say in lines: news, each once, and the state on demand.
+
+use std::collections::BTreeMap;
+
+use crate::app::state::{
+    HelpLine, NoticeLine, Session, State, alert, help_lines, parse_ranges, ranges,
+};
+use crate::ledger::{Entry, EntryId};
+use crate::mission::{ObjectiveProgress, ObjectiveState};
+use crate::notice::Notice;
+use crate::text::{Text, text};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+/// How long the newest notice may still be joined by equal ones.
+const FOLD_TIME: std::time::Duration = std::time::Duration::from_secs(10);
+/// Commands and notices that are listed on demand.
+const LISTED: usize = 20;
+
+/// What has been said.
+#[derive(Debug, Default)]
+pub struct Report {
+    /// The newest notice that has been said, and how many it stood for.
+    notice: Option<(Notice, u32)>,
+    /// The first command whose end has not been looked for.
+    next: Option<EntryId>,
+    /// Commands that had not ended.
+    open: Vec<EntryId>,
+    /// The objectives that were decided, and the hint.
+    objectives: BTreeMap<usize, ObjectiveState>,
+    hint: Option<String>,
+}
+
+impl Report {
+    /// What has happened since it was asked last.
+    pub fn news(&mut self, state: &State) -> Vec<Text> {
+        let mut texts = self.new_notices(state);
+        texts.extend(self.ended_commands(state));
+        texts.extend(self.decided_objectives(state));
+        texts
+    }
+
+    fn new_notices(&mut self, state: &State) -> Vec<Text> {
+        let mut texts = Vec::new();
+        let said = self.notice.as_ref();
+        let is_new = |line: &&NoticeLine| said.is_none_or(|(notice, _)| *notice != line.notice);
+        let mut lines: Vec<&NoticeLine> = state.notices.lines().rev().take_while(is_new).collect();
+        lines.reverse();
+        if let Some((notice, count)) = &mut self.notice {
+            let closed = !lines.is_empty() || state.now.saturating_sub(notice.at) > FOLD_TIME;
+            let mut known = state.notices.lines().rev();
+            let line = known.find(|line| line.notice == *notice);
+            if let Some(line) = line.filter(|line| closed && line.count > *count) {
+                texts.push(notice_text(line, &state.session));
+                *count = line.count;
+            }
+        }
+        for line in lines {
+            texts.push(notice_text(line, &state.session));
+            self.notice = Some((line.notice.clone(), line.count));
+        }
+        texts
+    }
+
+    fn ended_commands(&mut self, state: &State) -> Vec<Text> {
+        let ledger = &state.session.ledger;
+        for entry in ledger.entries().rev() {
+            if self.next.is_some_and(|next| entry.id < next) {
+                break;
+            }
+            self.open.push(entry.id);
+        }
+        self.open.sort_unstable();
+        if let Some(newest) = ledger.entries().next_back() {
+            self.next = Some(EntryId(newest.id.0 + 1));
+        }
+        let mut texts = Vec::new();
+        self.open.retain(|&id| match ledger.entry(id) {
+            Some(entry) if !entry.is_final() => true,
+            Some(entry) => {
+                texts.push(outcome(entry));
+                false
+            }
+            None => false,
+        });
+        texts
+    }
+
+    fn decided_objectives(&mut self, state: &State) -> Vec<Text> {
+        let Some(mission) = &state.session.mission else {
+            return Vec::new();
+        };
+        let mut texts = Vec::new();
+        for (at, objective) in mission.objectives.iter().enumerate() {
+            let before = self.objectives.insert(at, objective.state);
+            if before.is_some_and(|before| before != objective.state) {
+                texts.push(objective_text(objective));
+            }
+        }
+        if mission.hint != self.hint {
+            self.hint.clone_from(&mission.hint);
+            let hint = mission.hint.iter();
+            texts.extend(hint.map(|hint| text!("plain-hint", hint = hint)));
+        }
+        texts
+    }
+}
+
+fn clock(session: &Session, at: std::time::Duration) -> String {
+    let seconds = session.time(at).as_secs();
+    format!("{:02}:{:02}", seconds / 60, seconds % 60)
+}
+
+fn notice_text(line: &NoticeLine, session: &Session) -> Text {
+    let notice = &line.notice;
+    let mut head = clock(session, notice.at);
+    let vehicles = ranges(line.vehicles.iter().copied());
+    if !vehicles.is_empty() {
+        head.push(' ');
+        head.push_str(&vehicles);
+    }
+    let serious = match notice.severity {
+        Severity::Emergency | Severity::Alert | Severity::Critical => Some(text!("plain-critical")),
+        Severity::Error => Some(text!("plain-error")),
+        Severity::Warning => Some(text!("plain-warning")),
+        _ => None,
+    };
+    let mut parts = vec![Text::from(head)];
+    parts.extend(serious);
+    parts.push(notice.text.clone());
+    if line.count as usize > line.vehicles.len().max(1) {
+        parts.push(text!("plain-times", count = line.count));
+    }
+    Text::joined(": ", parts)
+}
+
+/// A command and what became of it, vehicles that fared the same together.
+fn outcome(entry: &Entry) -> Text {
+    let mut groups: Vec<((String, String), Vec<VehicleId>)> = Vec::new();
+    for row in &entry.rows {
+        let explanation = row.explanation.as_ref().map(ToString::to_string);
+        let fate = (row.state.to_string(), explanation.unwrap_or_default());
+        match groups.iter_mut().find(|(known, _)| *known == fate) {
+            Some((_, ids)) => ids.push(row.vehicle),
+            None => groups.push((fate, vec![row.vehicle])),
+        }
+    }
+    let parts = groups.into_iter().map(|((state, explanation), ids)| {
+        let gap = if explanation.is_empty() { "" } else { ", " };
+        format!("{} {state}{gap}{explanation}", ranges(ids))
+    });
+    let parts: Vec<String> = parts.collect();
+    Text::from(format!("{}: {}", entry.line, parts.join("; ")))
+}
+
+fn objective_text(objective: &ObjectiveProgress) -> Text {
+    let (title, detail) = (&objective.title, &objective.detail);
+    let words = Text::joined(", ", vec![title.clone().into(), detail.clone().into()]);
+    match objective.state {
+        ObjectiveState::Open => text!("plain-objective-open", objective = words),
+        ObjectiveState::Met => text!("plain-objective-met", objective = words),
+        ObjectiveState::Missed => text!("plain-objective-missed", objective = words),
+    }
+}
+
+/// How the mission stands.
+pub fn objectives(state: &State) -> Vec<Text> {
+    let Some(mission) = &state.session.mission else {
+        return vec![text!("mission-none")];
+    };
+    let mut texts: Vec<Text> = mission.objectives.iter().map(objective_text).collect();
+    if let Some(score) = mission.score_so_far {
+        texts.push(text!("plain-score", score = score));
+    }
+    let left = mission.limit.saturating_sub(mission.elapsed);
+    texts.push(text!("plain-time-left", seconds = left.as_secs()));
+    texts
+}
+
+/// How vehicles are: those that are named, else those that a command would go to, else all.
+pub fn status(state: &State, targets: &str) -> Vec<Text> {
+    let vehicles = &state.session.vehicles;
+    let all = || vehicles.keys().copied().collect::<Vec<VehicleId>>();
+    let ids = match targets {
+        "all" => all(),
+        "" if state.session.selection.is_empty() => all(),
+        "" => state.addressed(),
+        _ => match targets.strip_prefix('@') {
+            Some(group) => state.session.groups.get(group).cloned().unwrap_or_default(),
+            None => match parse_ranges(targets) {
+                Ok(ids) => ids,
+                Err(fault) => return vec![fault],
+            },
+        },
+    };
+    let known: Vec<Text> = ids
+        .iter()
+        .filter_map(|id| vehicles.get(id))
+        .map(|vehicle| vehicle_text(vehicle, state))
+        .collect();
+    if known.is_empty() {
+        return vec![text!("select-missing", vehicles = targets)];
+    }
+    known
+}
+
+fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
+    let mut parts: Vec<Text> = Vec::new();
+    if let Some(heartbeat) = vehicle.heartbeat {
+        parts.push(heartbeat.mode.to_string().into());
+        let armed = if heartbeat.armed {
+            text!("plain-armed")
+        } else {
+            text!("plain-disarmed")
+        };
+        parts.push(armed);
+    }
+    if let Some(at) = vehicle.global {
+        let height = format!("{:.1}", at.altitude_m);
+        let speed = format!("{:.1}", at.north_m_s.hypot(at.east_m_s));
+        parts.push(text!("plain-flight", height = height, speed = speed));
+        if let Some(home) = vehicle.home {
+            let far = format!("{:.0}", home.at_point.distance_m(at.at_point));
+            parts.push(text!("plain-home", distance = far));
+        }
+    }
+    if let Some(left) = vehicle
+        .battery()
+        .and_then(|battery| battery.remaining_percent)
+    {
+        parts.push(text!("plain-battery", percent = left));
+    }
+    if let Some(alert) = alert(vehicle, state.now) {
+        parts.push(alert.text);
+    }
+    text!(
+        "plain-vehicle",
+        vehicle = vehicle.id.to_string(),
+        state = Text::joined(", ", parts)
+    )
+}
+
+/// The last commands.
+pub fn ledger(state: &State) -> Vec<Text> {
+    let entries = state.session.ledger.entries();
+    let skipped = entries.len().saturating_sub(LISTED);
+    entries.skip(skipped).map(outcome).collect()
+}
+
+/// How the links are doing, and what ails them.
+pub fn links(state: &State) -> Vec<Text> {
+    let session = &state.session;
+    let links = session.links.iter().map(|link| {
+        text!(
+            "plain-link",
+            name = &link.name,
+            state = link.error.as_ref().unwrap_or(&link.state),
+            received = format!("{:.0}", link.messages_in_per_s),
+            sent = format!("{:.0}", link.messages_out_per_s),
+            lost = link.lost.iter().map(|(_, count)| count).sum::<u64>(),
+        )
+    });
+    let findings = session.findings.iter();
+    let ailments = findings.flat_map(|finding| [finding.cause.says(), finding.advice()]);
+    links.chain(ailments).collect()
+}
+
+/// The last notices.
+pub fn notices(state: &State) -> Vec<Text> {
+    let lines = state.notices.lines();
+    let skipped = lines.len().saturating_sub(LISTED);
+    let lines = lines.skip(skipped);
+    lines
+        .map(|line| notice_text(line, &state.session))
+        .collect()
+}
+
+/// The part of the help that is about lines rather than keys.
+pub fn help(state: &State) -> Vec<Text> {
+    let lines = help_lines(&state.keymap, &state.locale);
+    let grammar = state.locale.say("help-commands");
+    let is_start = |line: &&HelpLine| matches!(line, HelpLine::Title(title) if *title == grammar);
+    let start = lines.iter().position(|line| is_start(&line)).unwrap_or(0);
+    let own = [
+        text!("plain-help-status"),
+        text!("plain-help-objectives"),
+        text!("plain-help-wait"),
+    ];
+    let general = lines[start..].iter().map(|line| match line {
+        HelpLine::Title(title) => title.as_str().into(),
+        HelpLine::Entry(what, meaning) if meaning.is_empty() => what.as_str().into(),
+        HelpLine::Entry(what, meaning) => {
+            Text::joined(": ", vec![what.as_str().into(), meaning.as_str().into()])
+        }
+        HelpLine::Note(note) => format!("  {note}").into(),
+        HelpLine::Blank => Text::default(),
+    });
+    general.chain(own).collect()
+}

@@ -1,0 +1,140 @@
+//! Bytes for the terminal, written by a thread of their own.
+
+use std::fs::File;
+use std::io::{self, Write};
+use std::os::fd::AsFd as _;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, mpsc};
+use std::time::{Duration, Instant};
+
+use super::colours;
+
+/// What goes to the terminal.
+#[derive(Debug, Default)]
+pub struct Traffic {
+    state: Mutex<Writing>,
+    /// Signalled when everything has been written.
+    written: Condvar,
+    /// Bytes made so far.
+    bytes: AtomicU64,
+}
+
+#[derive(Debug, Default)]
+struct Writing {
+    /// Pieces of frames that the thread has yet to write.
+    waiting: usize,
+    /// Writes that have gone through since they were asked for last.
+    done: Vec<Written>,
+}
+
+/// A write that has gone through.
+#[derive(Debug, Clone, Copy)]
+pub struct Written {
+    /// How long the operating system took.
+    pub took: Duration,
+    /// Its bytes.
+    pub bytes: u64,
+}
+
+impl Traffic {
+    fn state(&self) -> MutexGuard<'_, Writing> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether everything has been taken by the operating system.
+    pub fn is_idle(&self) -> bool {
+        self.state().waiting == 0
+    }
+
+    /// Bytes made so far.
+    pub fn bytes(&self) -> u64 {
+        self.bytes.load(Ordering::Relaxed)
+    }
+
+    /// The writes that have gone through since the last call.
+    pub fn take_written(&self) -> Vec<Written> {
+        std::mem::take(&mut self.state().done)
+    }
+
+    /// Waits until everything has been written, or for the given time; whether it has been.
+    pub fn wait_until_written(&self, patience: Duration) -> bool {
+        let waited = self
+            .written
+            .wait_timeout_while(self.state(), patience, |writing| writing.waiting > 0);
+        waited.is_ok_and(|(writing, _)| writing.waiting == 0)
+    }
+}
+
+/// Collects what is written and hands it to the writing thread in large pieces.
+pub struct FrameWriter {
+    frame: Vec<u8>,
+    /// The writing thread; none where the frames lead nowhere.
+    frames: Option<mpsc::Sender<Vec<u8>>>,
+    traffic: Arc<Traffic>,
+}
+
+impl FrameWriter {
+    /// A writer that leads nowhere and only counts.
+    pub fn nowhere(traffic: Arc<Traffic>) -> Self {
+        Self {
+            frame: Vec::new(),
+            frames: None,
+            traffic,
+        }
+    }
+
+    /// A writer to standard output.
+    ///
+    /// # Errors
+    /// Standard output is closed.
+    pub fn to_terminal(traffic: Arc<Traffic>) -> io::Result<Self> {
+        // Not `io::stdout()`: its lock would be held during a write to a terminal that does not read.
+        let mut terminal = File::from(io::stdout().as_fd().try_clone_to_owned()?);
+        let (frames, frames_out) = mpsc::channel::<Vec<u8>>();
+        let shared = Arc::clone(&traffic);
+        std::thread::spawn(move || {
+            for frame in frames_out {
+                let began = Instant::now();
+                // A write error means that the terminal is gone; the signal or the end of input that comes
+                // with it ends the console.
+                drop(terminal.write_all(&frame));
+                let mut writing = shared.state();
+                writing.waiting -= 1;
+                writing.done.push(Written {
+                    took: began.elapsed(),
+                    bytes: frame.len() as u64,
+                });
+                shared.written.notify_all();
+            }
+        });
+        Ok(Self {
+            frame: Vec::new(),
+            frames: Some(frames),
+            traffic,
+        })
+    }
+}
+
+impl Write for FrameWriter {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.frame.extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let frame = colours::basic(&self.frame);
+        self.frame.clear();
+        self.traffic
+            .bytes
+            .fetch_add(frame.len() as u64, Ordering::Relaxed);
+        match &self.frames {
+            Some(frames) if !frame.is_empty() => {
+                self.traffic.state().waiting += 1;
+                frames
+                    .send(frame)
+                    .map_err(|_| io::Error::from(io::ErrorKind::BrokenPipe))
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! For terminals that show nothing but ASCII: every other character becomes one that means much the same.
+
+use ratatui::buffer::Buffer;
+
+/// Maps all cells.
+pub fn map(buffer: &mut Buffer) {
+    for cell in &mut buffer.content {
+        if !cell.symbol().is_ascii() {
+            let mapped: String = cell.symbol().chars().map(nearest).take(1).collect();
+            cell.set_symbol(&mapped);
+        }
+    }
+}
+
+/// Maps a line.
+pub fn line(text: &str) -> String {
+    text.chars().map(nearest).collect()
+}
+
+/// The ASCII character that says most of the same; `?` for letters of other scripts.
+fn nearest(c: char) -> char {
+    match c {
+        ' '..='~' => c,
+        '─' | '━' | '═' | '╌' | '┄' | '╴' | '╶' | '–' | '—' | '−' | '‐' | '‑' | '▃' | '▄' | '░' => {
+            '-'
+        }
+        '│' | '┃' | '║' | '┆' | '┊' | '╎' | '▏' | '▕' | '▌' | '▐' => '|',
+        '\u{250c}'..='\u{254b}' | '\u{2552}'..='\u{2570}' | '✚' | '✛' | '⊕' => '+',
+        '╱' | '⁄' | '↗' | '↙' => '/',
+        '╲' | '↖' | '↘' => '\\',
+        '╳' | '×' | '✕' | '✗' | '✘' | '⨯' => 'x',
+        '←' | '◀' | '◂' | '‹' | '«' | '⟵' | '≤' => '<',
+        '→' | '▶' | '▸' | '›' | '»' | '⟶' | '≥' => '>',
+        '↑' | '▲' | '△' | '▴' | '⇑' => '^',
+        '↓' | '▼' | '▽' | '▾' | '⇓' => 'v',
+        '…' | '·' | '•' | '∙' | '⋅' | '∘' => '.',
+        '●' | '○' | '◉' | '◎' | '◯' | '⬤' | '°' | 'º' | '□' | '▫' | '◻' => 'o',
+        '✓' | '✔' | '★' | '☆' | '◆' | '◇' | '♦' => '*',
+        '±' | '≈' | '∼' => '~',
+        '²' => '2',
+        '³' => '3',
+        'µ' | 'μ' => 'u',
+        '“' | '”' | '„' | '″' => '"',
+        '‘' | '’' | 'ʼ' | '′' => '\'',
+        '⚠' => '!',
+        '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{2800}' => ' ',
+        '▁' | '▂' | '⎽' => '_',
+        '▅' | '▆' | '▒' => '=',
+        '▇' | '█' | '▀' | '▓' | '■' | '▪' | '◼' => '#',
+        // Braille, by how much of the cell is dots.
+        '\u{2801}'..='\u{28ff}' => match (u32::from(c) - 0x2800).count_ones() {
+            1 | 2 => '.',
+            3 | 4 => ':',
+            _ => '#',
+        },
+        _ => '?',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ratatui::layout::Rect;
+    use ratatui::widgets::{Block, Widget as _};
+
+    use super::*;
+
+    #[test]
+    fn frames_arrows_dots_and_blocks_keep_their_meaning() {
+        let mapped = line("┌──┐│→↑… 5° ×2 ▁▄█ ⠁⣿ ● ✓ висота");
+        assert_eq!(mapped, "+--+|>^. 5o x2 _-# .# o * ??????");
+    }
+
+    #[test]
+    fn no_cell_keeps_anything_else_and_wide_letters_take_no_more_room() {
+        let area = Rect::new(0, 0, 12, 3);
+        let mut buffer = Buffer::empty(area);
+        Block::bordered().title("東京 é⣤").render(area, &mut buffer);
+        map(&mut buffer);
+        for cell in &buffer.content {
+            assert!(
+                cell.symbol().is_ascii() && cell.symbol().len() == 1,
+                "{cell:?}"
+            );
+        }
+        assert_eq!(buffer.content[11].symbol(), "+");
+    }
+}

@@ -1,0 +1,134 @@
+//! The command line as one list of everything, and macros.
+
+use sortie::app::effect::Effect;
+use sortie::app::state::Room;
+
+use super::palette_line;
+use crate::harness::Console;
+
+fn offered(console: &Console) -> Vec<String> {
+    match &console.state.overlay {
+        Some(sortie::app::state::Overlay::Palette(palette)) => {
+            let texts = palette.completions.iter();
+            texts.map(|choice| choice.text.clone()).collect()
+        }
+        other => panic!("the command line is not open: {other:?}"),
+    }
+}
+
+#[test]
+fn rooms_missions_settings_and_old_lines_are_found_by_any_of_their_words() {
+    let mut console = Console::flying(3);
+    console.give("all takeoff 20");
+    for (written, line) in [
+        ("map", "show map"),
+        ("m01", "fly m01"),
+        ("desktop", "set notify on"),
+        ("light", "set theme light"),
+        ("20", "all takeoff 20"),
+        ("2", "select 2"),
+        ("swarm flight", "show fly"),
+    ] {
+        console.press(":").write(written);
+        assert!(
+            offered(&console).contains(&line.to_owned()),
+            "{written}: {:?}",
+            offered(&console)
+        );
+        console.press("esc");
+    }
+}
+
+#[test]
+fn what_a_line_means_is_searched_in_the_language_of_the_screens() {
+    let mut console = Console::flying(1);
+    console.give("set lang uk").press(":").write("карта");
+    assert_eq!(offered(&console), ["show map"]);
+    console.press("tab").press("enter");
+    assert_eq!(console.state.room, Room::Map);
+}
+
+#[test]
+fn arguments_of_the_consoles_own_verbs_complete() {
+    let mut console = Console::flying(1);
+    console
+        .press(":")
+        .write("set lang ")
+        .press("tab")
+        .press("tab");
+    assert_eq!(palette_line(&console), "set lang uk ");
+    console.press("enter");
+    assert_eq!(
+        console.state.config.lang,
+        Some(sortie::text::Language::Ukrainian)
+    );
+}
+
+#[test]
+fn a_macro_gives_its_lines_in_order() {
+    let mut console = Console::flying(2);
+    let lines = ["all guided", "all arm", "show map"].map(str::to_owned);
+    console
+        .state
+        .config
+        .macros
+        .insert("up".to_owned(), lines.to_vec());
+    console.give("macro up");
+    let given: Vec<String> = console
+        .state
+        .session
+        .ledger
+        .entries()
+        .map(|entry| entry.line.clone())
+        .collect();
+    assert_eq!(given, ["all guided", "all arm"]);
+    assert_eq!(console.state.room, Room::Map);
+}
+
+#[test]
+fn a_macro_waits_for_the_answer_to_a_question_and_no_means_none_of_the_rest() {
+    let mut console = Console::flying(2);
+    let lines = ["1 kill", "2 arm"].map(str::to_owned);
+    console
+        .state
+        .config
+        .macros
+        .insert("m".to_owned(), lines.to_vec());
+    let given = |console: &Console| console.state.session.ledger.entries().len();
+    console.give("macro m");
+    assert_eq!(given(&console), 0);
+    console.press("1");
+    assert_eq!(given(&console), 2);
+    console.give("macro m").press("n").press("esc");
+    assert_eq!(given(&console), 2);
+    assert!(console.state.pending.is_empty());
+}
+
+#[test]
+fn a_macro_that_calls_itself_ends_and_one_that_is_wrong_shows_where() {
+    let mut console = Console::flying(2);
+    let endless = vec!["macro m".to_owned()];
+    console.state.config.macros.insert("m".to_owned(), endless);
+    console.give("macro m");
+    let message = console.state.message().expect("it says so");
+    assert!(
+        message.text.contains("does it call itself"),
+        "{}",
+        message.text
+    );
+    let wrong = vec!["all takeof 20".to_owned(), "all arm".to_owned()];
+    console.state.config.macros.insert("w".to_owned(), wrong);
+    console.give("macro w");
+    assert_eq!(palette_line(&console), "all takeof 20");
+    assert_eq!(console.state.session.ledger.entries().len(), 0);
+}
+
+#[test]
+fn another_mission_from_the_command_line_asks_before_the_present_one_is_lost() {
+    let mut console = Console::flying(1);
+    assert_eq!(
+        console.give("fly m01").effects,
+        [Effect::StartMission("m01".to_owned())],
+        "nothing is armed"
+    );
+}

@@ -1,0 +1,271 @@
+//! Terminals that are slow, stalled, poor or none at all.
+
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use crate::terminal::{Terminal, program};
+
+/// Begins a synchronised update: there is one per frame.
+const FRAME: &str = "\u{1b}[?2026h";
+
+/// Free flight with a log, everybody ready to arm.
+fn logged_flight(log: &Path) -> Terminal {
+    let log = log.to_str().expect("a plain path");
+    let mut terminal = Terminal::start(&["--log", log, "fly", "--speedup", "5"], 120, 40);
+    terminal.wait("four ready vehicles", |screen| {
+        screen.matches("ready").count() >= 4
+    });
+    terminal
+}
+
+/// Memory of the program in kB, where the system tells.
+fn memory_kb(terminal: &Terminal) -> Option<u64> {
+    let status = std::fs::read_to_string(format!("/proc/{}/status", terminal.process_id())).ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmRSS"))?;
+    line.split_whitespace().nth(1)?.parse().ok()
+}
+
+#[test]
+fn a_terminal_that_stops_reading_holds_up_no_command_and_has_no_backlog_afterwards() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let log = folder.path().join("log");
+    let mut terminal = logged_flight(&log);
+    let before_kb = memory_kb(&terminal);
+    terminal.stop_reading();
+    for (line, verb) in [
+        ("all guided", "guided"),
+        ("all arm", "arm"),
+        ("all takeoff 15", "takeoff"),
+    ] {
+        terminal.press(":").press(line).press("\r");
+        let ended = format!("{line}: effect seen");
+        Terminal::wait_for_log(&log, &format!("{verb} of four vehicles"), |log| {
+            log.matches(&ended).count() == 4
+        });
+    }
+    if let (Some(before), Some(after)) = (before_kb, memory_kb(&terminal)) {
+        assert!(after < before + 20_000, "{before} kB became {after} kB");
+    }
+    let read_before = terminal.raw().len();
+    terminal
+        .go_on_reading()
+        .see("all takeoff 15  4 vehicles: 4 effect seen");
+    let backlog = terminal.raw().len() - read_before;
+    assert!(
+        backlog < 100_000,
+        "{backlog} bytes until the screen was right"
+    );
+    terminal.command("quit").see("type y").press("y");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn a_terminal_that_reads_a_kilobyte_a_second_gets_the_newest_state_and_is_told_that_it_is_slow() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let log = folder.path().join("log");
+    let mut terminal = logged_flight(&log);
+    terminal.read_slowly(1000);
+    // Another size is another screen altogether: some seconds of such a line.
+    terminal.resize(118, 38);
+    terminal.press(":").press("all guided").press("\r");
+    Terminal::wait_for_log(&log, "guided of four vehicles", |log| {
+        log.matches("all guided: effect seen").count() == 4
+    });
+    terminal
+        .see("slow line")
+        .see("all guided  4 vehicles: 4 effect seen");
+    terminal.press("\u{3}");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn a_stalled_terminal_can_be_left() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut terminal = logged_flight(&folder.path().join("log"));
+    terminal.stop_reading().press("\u{3}");
+    assert_eq!(terminal.end_unread(), 0);
+}
+
+#[test]
+fn a_flood_of_keys_draws_no_more_frames_than_wanted() {
+    let mut terminal = Terminal::start(&["fly", "--fps", "2"], 80, 24);
+    terminal.see("4 vehicles");
+    let (began, before) = (Instant::now(), terminal.raw().matches(FRAME).count());
+    for _ in 0..300 {
+        terminal.press("jk");
+    }
+    terminal.press("j?").see("this help");
+    terminal.press("\u{1b}").see_no_more("this help");
+    let frames = terminal.raw().matches(FRAME).count() - before;
+    let most = 2 * began.elapsed().as_secs() as usize + 4;
+    assert!(
+        frames <= most,
+        "{frames} frames, {most} were wanted at most"
+    );
+    terminal.press("\u{3}");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn poor_terminals_are_sent_nothing_that_they_do_not_know() {
+    let cases = [
+        ("xterm", "", &["38;2;", "48;2;", "38;5;", "48;5;"][..]),
+        ("linux", "truecolor", &["38;2;", "48;2;"][..]),
+        ("screen", "", &["38;2;", "48;2;"][..]),
+        ("tmux-256color", "", &["38;2;", "48;2;"][..]),
+    ];
+    for (term, colorterm, unknown) in cases {
+        let variables = [("TERM", term), ("COLORTERM", colorterm)];
+        let mut terminal = Terminal::start_with(&["fly"], 80, 24, &variables);
+        terminal.see("4 vehicles").press("\u{3}");
+        assert_eq!(terminal.end(), 0);
+        for sequence in unknown {
+            assert!(!terminal.raw().contains(sequence), "{term}: {sequence}");
+        }
+    }
+}
+
+#[test]
+fn a_locale_without_utf8_is_sent_ascii_alone() {
+    let mut terminal = Terminal::start_with(&["fly", "01"], 120, 40, &[("LC_ALL", "C")]);
+    terminal
+        .see("1 vehicle,")
+        .press("\u{3}")
+        .see("type y")
+        .press("y");
+    assert_eq!(terminal.end(), 0);
+    assert!(terminal.raw().is_ascii());
+}
+
+#[test]
+fn where_no_screen_can_be_the_way_out_is_named() {
+    for term in ["dumb", ""] {
+        let mut terminal = Terminal::start_with(&["fly"], 80, 24, &[("TERM", term)]);
+        assert_eq!(terminal.end(), 1);
+        let said = terminal.raw();
+        assert!(said.contains("TERM") && said.contains("--plain"), "{said}");
+    }
+    let program = program();
+    let piped = Command::new(&program[0])
+        .args(&program[1..])
+        .arg("fly")
+        .stdin(Stdio::null())
+        .output()
+        .expect("it runs");
+    assert_eq!(piped.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&piped.stderr).contains("--plain"));
+}
+
+#[test]
+fn ctrl_z_gives_the_terminal_to_the_shell_and_fg_brings_the_screen_back() {
+    let mut terminal = Terminal::run(
+        &["bash", "--norc", "--noprofile"],
+        80,
+        24,
+        &[("PS1", "shell> ")],
+    );
+    let command = format!("{} fly\r", program().join(" "));
+    terminal.see("shell>").press(&command).see("4 vehicles");
+    terminal.press("\u{1a}").see("Stopped");
+    assert!(!terminal.in_alternate_screen() && !terminal.cursor_is_hidden());
+    terminal.press("fg\r").see("4 vehicles");
+    assert!(terminal.in_alternate_screen() && terminal.cursor_is_hidden());
+    terminal.press("\u{3}").wait("the prompt again", |screen| {
+        screen.trim_end().ends_with("shell>")
+    });
+    terminal.press("exit\r");
+    assert_eq!(terminal.end(), 0);
+}
+
+#[test]
+fn where_no_shell_could_bring_it_back_it_is_not_suspended() {
+    let mut terminal = Terminal::start(&["fly"], 80, 24);
+    terminal
+        .see("4 vehicles")
+        .press("\u{1a}")
+        .see("not suspended");
+    terminal.press("\u{3}");
+    assert_eq!(terminal.end(), 0);
+}
+
+/// Runs the plain console on some lines; what it said, and its exit code.
+fn plain(arguments: &[&str], lines: &str) -> (String, Option<i32>) {
+    let program = program();
+    let mut child = Command::new(&program[0])
+        .args(&program[1..])
+        .args(arguments)
+        .env("LC_ALL", "C.UTF-8")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it runs");
+    let mut input = child.stdin.take().expect("a pipe");
+    input.write_all(lines.as_bytes()).expect("it reads");
+    drop(input);
+    let output = child.wait_with_output().expect("it ends");
+    let said = String::from_utf8(output.stdout).expect("text");
+    (said, output.status.code())
+}
+
+#[test]
+fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
+    let lines = "wait all ready\nall guided\nall arm\nall takeoff 10\nstatus 2\nall takeof 3\n2 kill\nno\n2 kill\n1\nall land\n";
+    let (said, code) = plain(
+        &["fly", "--plain", "--vehicles", "2", "--speedup", "5"],
+        lines,
+    );
+    assert_eq!(code, Some(0), "{said}");
+    for expected in [
+        "all arm: 1-2 effect seen",
+        "all takeoff 10: 1-2 effect seen",
+        "vehicle 2: GUIDED, armed",
+        "did you mean",
+        "KILL 1: 2",
+        "cancelled",
+        "2 kill: 2 effect seen",
+        "all land: ",
+    ] {
+        assert!(said.contains(expected), "{expected:?} in:\n{said}");
+    }
+    assert_eq!(said.matches("2 kill: 2 effect seen").count(), 1, "{said}");
+    assert!(!said.contains('\u{1b}'), "{said}");
+    let places = [
+        "all arm: 1-2",
+        "> all takeoff 10",
+        "all takeoff 10: 1-2",
+        "> status 2",
+    ]
+    .map(|text| said.find(text));
+    assert!(
+        places.is_sorted(),
+        "a line waits for those before it:\n{said}"
+    );
+}
+
+#[test]
+fn a_mission_whose_input_ends_early_has_its_debrief_and_is_not_passed() {
+    let (said, code) = plain(&["fly", "01", "--plain", "--speedup", "5"], "objectives\n");
+    assert_eq!(code, Some(1), "{said}");
+    assert!(
+        said.contains("objective open") && said.contains("ABANDONED"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_person_is_prompted_and_sees_no_escape_sequence() {
+    let mut terminal = Terminal::start_with(&["fly", "--plain"], 80, 24, &[("TERM", "dumb")]);
+    terminal.see("plain console").see("EKF position good");
+    terminal.press("1-2 select\r").see("select");
+    terminal
+        .press("3 kill\r")
+        .see("type 1")
+        .press("2\r")
+        .see("cancelled");
+    terminal.press("help\r").see("objectives");
+    terminal.press("quit\r");
+    assert_eq!(terminal.end(), 0);
+    assert!(!terminal.raw().contains('\u{1b}'), "{:?}", terminal.raw());
+}
