@@ -179,3 +179,14 @@ commands-sent-times = { $count ->
     [one] sent once
    *[other] sent { $count }x
 }
+hint-vehicle = vehicle
+hint-window = window
+hint-page = page
+hint-cursor = cursor
+hint-zoom = zoom
+hint-fit = all
+hint-follow = follow
+hint-goto = goto
+hint-ruler = ruler
+hint-signs = signs
+hint-trails = trails

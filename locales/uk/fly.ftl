@@ -181,3 +181,14 @@ commands-sent-times = { $count ->
     [few] { $count } рази
    *[many] { $count } разів
 }
+hint-vehicle = апарат
+hint-window = відрізок
+hint-page = сторінка
+hint-cursor = курсор
+hint-zoom = масштаб
+hint-fit = усе
+hint-follow = стежити
+hint-goto = goto
+hint-ruler = лінійка
+hint-signs = знаки
+hint-trails = сліди

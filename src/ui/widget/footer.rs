@@ -41,18 +41,36 @@ const LEDGER: &[(&str, &str)] = &[
     ("v", "hint-own"),
     ("Esc", "hint-back"),
 ];
+const VEHICLE: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("[ ]", "hint-vehicle"),
+    ("w", "hint-window"),
+    ("Tab", "hint-page"),
+    ("Space", "hint-select"),
+    ("P", "room-parameters"),
+    ("M", "room-map"),
+    ("F", "room-fly"),
+];
 const MAP: &[(&str, &str)] = &[
-    (":", "command"),
-    ("?", "help"),
-    ("hjkl", "cursor"),
-    ("+ -", "zoom"),
-    ("z", "all"),
-    ("f", "follow"),
-    ("g", "goto"),
-    ("u", "ruler"),
-    ("Tab", "vehicle"),
-    ("i", "signs"),
-    ("w", "trails"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("hjkl", "hint-cursor"),
+    ("+ -", "hint-zoom"),
+    ("z", "hint-fit"),
+    ("f", "hint-follow"),
+    ("g", "hint-goto"),
+    ("u", "hint-ruler"),
+    ("Tab", "hint-vehicle"),
+    ("i", "hint-signs"),
+    ("w", "hint-trails"),
+];
+const MISSION: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("j k", "hint-scroll"),
+    ("F", "room-fly"),
+    ("M", "room-map"),
 ];
 const DEBRIEF: &[(&str, &str)] = &[
     ("j k", "hint-scroll"),
@@ -87,7 +105,6 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
     for (key, what) in hints(state) {
-        // Those that are no message yet are said as they are.
         let what = look.say(what);
         used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
@@ -105,6 +122,7 @@ fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
         Room::Home => HOME,
         Room::Ledger => LEDGER,
         Room::Debrief => DEBRIEF,
+        Room::Vehicle => VEHICLE,
         Room::Map => MAP,
         Room::Messages => messages::HINTS,
         Room::Links => links::HINTS,
@@ -112,6 +130,7 @@ fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
             parameters::COMPARISON_HINTS
         }
         Room::Parameters => parameters::HINTS,
-        _ => FLY,
+        Room::Mission => MISSION,
+        Room::Fly => FLY,
     }
 }
