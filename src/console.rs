@@ -4,7 +4,6 @@
 //! changed and the terminal can take a frame. Time, telemetry and missions go on at their own pace.
 
 use std::io;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -13,31 +12,33 @@ use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
 use crate::app::event::Event;
-use crate::app::keymap::Keymap;
 use crate::app::room::messages;
 use crate::app::state::State;
 use crate::app::update;
-use crate::config::Config;
 use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
 use crate::link::{Address, AddressError};
-use crate::mission::Mission;
 use crate::notice::sanitised;
 use crate::session::Order;
-use crate::store::{self, History, Source, StoreError};
+use crate::store;
 use crate::terminal::input::Input;
 use crate::terminal::{self, Environment, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
-use crate::ui::{self, Look, Themes};
+use crate::ui::{self, Look};
 use crate::vehicle::{Severity, VehicleId};
 
+mod drive;
+mod files;
 mod missions;
+mod options;
 pub mod plain;
 mod session;
 mod signals;
 
+pub use drive::drive;
 use missions::listings;
+pub use options::{Opening, Options, Preferences};
 use session::{Backend, Plan, Running};
 use signals::{Happened, Signals};
 
@@ -48,51 +49,6 @@ const TICK: Duration = Duration::from_millis(100);
 const KEYS_PER_FRAME: usize = 64;
 /// How long the end of the program waits for what the terminal has yet to answer.
 const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
-
-/// What the console begins with.
-#[derive(Debug, Clone)]
-pub enum Opening {
-    /// The home screen.
-    Home,
-    /// A mission.
-    Mission(Arc<Mission>),
-    /// Free flight.
-    Free,
-    /// Vehicles that are already there.
-    Connect(Vec<Address>),
-}
-
-/// How the console is set up.
-#[derive(Debug, Clone)]
-pub struct Options {
-    /// What it begins with.
-    pub opening: Opening,
-    /// Simulated vehicles in free flight.
-    pub vehicles: u8,
-    /// What varies missions and simulation.
-    pub seed: u64,
-    /// Simulated seconds per second.
-    pub speedup: f64,
-    /// What it looks like.
-    pub look: Look,
-    /// What its user has set.
-    pub preferences: Preferences,
-}
-
-/// What a user brings along.
-#[derive(Debug, Clone, Default)]
-pub struct Preferences {
-    /// The settings.
-    pub config: Config,
-    /// What the keys mean.
-    pub keymap: Keymap,
-    /// The themes on offer.
-    pub themes: Themes,
-    /// Where the lines of the command line are kept; nowhere for measurements.
-    pub history: Option<History>,
-    /// What has to be said at the start: what is wrong with the user's files.
-    pub warnings: Vec<Text>,
-}
 
 /// Runs the console until the user leaves it or the terminal goes away.
 ///
@@ -163,40 +119,6 @@ async fn hear_last_answer(screen: &Screen, keyboard: &mut Keyboard) {
     drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
 }
 
-/// Runs the console without a terminal and without a user, for measurements: at each of the given times a line
-/// goes through the command line, and `look` sees the bytes drawn so far after every tick.
-///
-/// # Errors
-/// Drawing failed.
-pub async fn drive(
-    options: Options,
-    size: (u16, u16),
-    lines: &[(Duration, &str)],
-    mut look: impl FnMut(Duration, u64) -> ControlFlow<()>,
-) -> anyhow::Result<()> {
-    let mut console = Console::new(options);
-    let mut screen = Screen::nowhere(size.0, size.1)?;
-    let (columns, rows) = size;
-    console.feed(Event::Resize { columns, rows }).await;
-    console.begin().await;
-    let mut ticks = tokio::time::interval(TICK);
-    let mut lines = lines.iter().peekable();
-    loop {
-        ticks.tick().await;
-        console.tick().await;
-        console.draw(&mut screen)?;
-        let now = console.clock.now();
-        while let Some((_, line)) = lines.next_if(|(at, _)| *at <= now) {
-            console.feed(key(KeyCode::Char(':'))).await;
-            console.feed(Event::Paste((*line).to_owned())).await;
-            console.feed(key(KeyCode::Enter)).await;
-        }
-        if look(now, screen.bytes()).is_break() {
-            return Ok(());
-        }
-    }
-}
-
 fn is_suspend(key: KeyEvent) -> bool {
     key.code == KeyCode::Char('z') && key.modifiers == KeyModifiers::CONTROL
 }
@@ -218,6 +140,8 @@ struct Console {
     /// The revision of the state that was drawn last.
     /// The revision of the state that was drawn last.
     drawn: Option<u64>,
+    /// A new limit for frames, until the screen has heard of it.
+    fps: Option<u8>,
     bell: bool,
     note: Option<String>,
     over: bool,
@@ -233,6 +157,7 @@ impl Console {
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
         state.config = preferences.config.clone();
+        state.config.symbols = Some(options.look.symbols);
         state.locale = Arc::clone(&options.look.locale);
         state.keymap = preferences.keymap.clone();
         if let Some(history) = &preferences.history {
@@ -257,6 +182,7 @@ impl Console {
             state,
             running: None,
             drawn: None,
+            fps: None,
             bell: false,
             note: None,
             over: false,
@@ -294,6 +220,9 @@ impl Console {
         if self.next_frame_in(screen) != Some(Duration::ZERO) {
             return Ok(());
         }
+        if let Some(fps) = self.fps.take() {
+            screen.limit(fps);
+        }
         // A bell that waits is one bell, however often it was to ring.
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
@@ -307,6 +236,7 @@ impl Console {
         }
         self.drawn = Some(self.state.revision());
         self.look.locale = Arc::clone(&self.state.locale);
+        self.look.symbols = self.state.config.symbols.unwrap_or_default();
         screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
     }
 
@@ -383,23 +313,6 @@ impl Console {
         self.keep_line();
     }
 
-    /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
-    fn keep_line(&mut self) {
-        let newest = self.state.history.back();
-        let Some(history) = self.options.preferences.history.clone() else {
-            return;
-        };
-        if let Some(line) = newest.filter(|line| self.kept.as_ref() != Some(*line)) {
-            let line = line.clone();
-            self.kept = Some(line.clone());
-            tokio::task::spawn_blocking(move || {
-                if let Err(error) = history.add(&line) {
-                    tracing::warn!(%error, "the history of the command line was not written");
-                }
-            });
-        }
-    }
-
     async fn carry_out(&mut self, effect: Effect) {
         let plan = match effect {
             Effect::Quit => return self.over = true,
@@ -409,6 +322,7 @@ impl Console {
             }
             Effect::LeaveSession => return self.running = None,
             Effect::SetTheme(name) => return self.set_theme(&name),
+            Effect::SetFps(fps) => return self.fps = Some(fps),
             Effect::FetchParameters(_)
             | Effect::ReadParameters { .. }
             | Effect::SaveParameters { .. } => return self.parameters(effect),
@@ -448,40 +362,8 @@ impl Console {
                 self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
             }
             // Nothing that a failure causes is an effect.
-            Err(error) => drop(update(
-                &mut self.state,
-                Event::Failed(error.to_string().into()),
-            )),
+            Err(error) => drop(update(&mut self.state, Event::Failed(Text::from(&error)))),
         }
-    }
-
-    /// Asks for parameters, or reads or writes a file of them. What comes of it is never an effect.
-    fn parameters(&mut self, effect: Effect) {
-        let event = match effect {
-            Effect::FetchParameters(vehicles) => {
-                return self
-                    .running
-                    .iter()
-                    .for_each(|running| running.fetch_parameters(&vehicles));
-            }
-            Effect::ReadParameters { path } => {
-                match store::read(&store::user_path(&path), "file-parameters") {
-                    Ok(Source { text, .. }) => Event::ParametersRead { path, text },
-                    Err(error) => Event::Failed(Text::from(&error)),
-                }
-            }
-            Effect::SaveParameters {
-                path,
-                text,
-                replace,
-            } => match store::write(&store::user_path(&path), &text, replace) {
-                Ok(()) => Event::ParametersSaved { path },
-                Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
-                Err(error) => Event::Failed(Text::from(&error)),
-            },
-            _ => return,
-        };
-        update(&mut self.state, event);
     }
 
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.

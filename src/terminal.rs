@@ -83,6 +83,11 @@ impl Screen {
         Ok(screen)
     }
 
+    /// From now on at most so many frames a second.
+    pub fn limit(&mut self, frames_per_s: u8) {
+        self.pace.limit(frames_per_s);
+    }
+
     fn enter(&mut self) -> io::Result<()> {
         let writer = self.terminal.backend_mut();
         queue!(writer, EnterAlternateScreen, event::EnableBracketedPaste)?;

@@ -115,3 +115,4 @@ console-columns = the table's columns; none: as many as fit
 console-ack = take note of the worst alerts, or of these
 console-mute = alerts of a kind stay silent; none: which are
 console-unmute = alerts of a kind ring again; none: all do
+setting-lang-ascii = the screen shows only ASCII: set symbols block or braille first

@@ -116,3 +116,4 @@ console-columns = стовпці таблиці; без назв - скільк�
 console-ack = узяти до відома найгірші тривоги або ці
 console-mute = тривоги цього виду мовчатимуть; без назви - які мовчать
 console-unmute = тривоги цього виду знову дзвонять; без назви - усі
+setting-lang-ascii = екран показує лише ASCII: спершу set symbols block або braille

@@ -52,6 +52,8 @@ pub enum Effect {
     LeaveSession,
     /// Draw with this theme from now on, and remember it.
     SetTheme(String),
+    /// Draw at most so many frames a second from now on.
+    SetFps(u8),
     /// Ring the terminal's bell.
     Bell,
     /// Ask the terminal for a note on the desktop.

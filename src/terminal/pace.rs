@@ -72,6 +72,11 @@ impl Pace {
         }
     }
 
+    /// From now on at most so many frames a second.
+    pub fn limit(&mut self, frames_per_s: u8) {
+        self.interval = Duration::from_secs(1) / u32::from(frames_per_s.max(1));
+    }
+
     /// The pace of a screen that nobody reads.
     pub fn unread() -> Self {
         Self {

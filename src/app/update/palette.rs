@@ -14,10 +14,11 @@ use crate::app::room::Room;
 use crate::app::room::parameters;
 use crate::app::setting::Setting;
 use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
+use crate::config::Symbols;
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Completion};
 use crate::text;
-use crate::text::{Locale, Text};
+use crate::text::{Language, Locale, Text};
 use crate::vehicle::Severity;
 use crate::vehicle::VehicleId;
 
@@ -304,11 +305,21 @@ fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
             state.theme.clone_from(name);
             vec![Effect::SetTheme(name.clone())]
         }
+        Setting::Fps(fps) => vec![Effect::SetFps(*fps)],
+        Setting::Lang(Language::Ukrainian) if state.config.symbols == Some(Symbols::Ascii) => {
+            // Words of other scripts would be nothing but question marks.
+            state.say(Severity::Warning, text!("setting-lang-ascii"));
+            Vec::new()
+        }
         Setting::Lang(language) => {
             state.locale = Arc::new(Locale::new(*language));
             Vec::new()
         }
-        Setting::Symbols(_) | Setting::Fps(_) | Setting::Bell(_) | Setting::Notify(_) => Vec::new(),
+        Setting::Symbols(Symbols::Ascii) => {
+            state.locale = Arc::default();
+            Vec::new()
+        }
+        Setting::Symbols(_) | Setting::Bell(_) | Setting::Notify(_) => Vec::new(),
     }
 }
 

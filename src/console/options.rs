@@ -1,0 +1,56 @@
+//! How the console is set up.
+
+use std::sync::Arc;
+
+use crate::app::keymap::Keymap;
+use crate::config::Config;
+use crate::link::Address;
+use crate::mission::Mission;
+use crate::store::History;
+use crate::text::Text;
+use crate::ui::{Look, Themes};
+
+/// What the console begins with.
+#[derive(Debug, Clone)]
+pub enum Opening {
+    /// The home screen.
+    Home,
+    /// A mission.
+    Mission(Arc<Mission>),
+    /// Free flight.
+    Free,
+    /// Vehicles that are already there.
+    Connect(Vec<Address>),
+}
+
+/// How the console is set up.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// What it begins with.
+    pub opening: Opening,
+    /// Simulated vehicles in free flight.
+    pub vehicles: u8,
+    /// What varies missions and simulation.
+    pub seed: u64,
+    /// Simulated seconds per second.
+    pub speedup: f64,
+    /// What it looks like.
+    pub look: Look,
+    /// What its user has set.
+    pub preferences: Preferences,
+}
+
+/// What a user brings along.
+#[derive(Debug, Clone, Default)]
+pub struct Preferences {
+    /// The settings.
+    pub config: Config,
+    /// What the keys mean.
+    pub keymap: Keymap,
+    /// The themes on offer.
+    pub themes: Themes,
+    /// Where the lines of the command line are kept; nowhere for measurements.
+    pub history: Option<History>,
+    /// What has to be said at the start: what is wrong with the user's files.
+    pub warnings: Vec<Text>,
+}
