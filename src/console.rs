@@ -205,7 +205,7 @@ impl Console {
             Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
         if let Err(error) = self.start(plan).await {
-            self.feed(Event::Failed(format!("{error:#}").into())).await;
+            self.feed(Event::Failed(error)).await;
         }
     }
 
@@ -338,9 +338,9 @@ impl Console {
             }
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
-                .map_err(Into::into),
+                .map_err(|error| Text::from(&error)),
             Effect::StartFree => Ok(Plan::Free),
-            Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect).map_err(Into::into),
+            Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect),
             Effect::RestartMission => match &self.running {
                 Some(running) => Ok(running.plan()),
                 None => return,
@@ -352,7 +352,7 @@ impl Console {
         };
         if let Err(error) = outcome {
             // Nothing that a failure causes is an effect.
-            update(&mut self.state, Event::Failed(format!("{error:#}").into()));
+            update(&mut self.state, Event::Failed(error));
         }
     }
 
@@ -362,10 +362,7 @@ impl Console {
                 self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
             }
             // Nothing that a failure causes is an effect.
-            Err(error) => drop(update(
-                &mut self.state,
-                Event::Failed(error.to_string().into()),
-            )),
+            Err(error) => drop(update(&mut self.state, Event::Failed(Text::from(&error)))),
         }
     }
 
@@ -381,7 +378,7 @@ impl Console {
                 let row = order.unsent(
                     vehicle,
                     RowState::Refused,
-                    format!("not sent: {error}"),
+                    text!("outcome-not-sent", reason = Text::from(error)),
                     now,
                 );
                 // Others may have waited for the end of this one.
@@ -390,7 +387,7 @@ impl Console {
         }
     }
 
-    async fn start(&mut self, plan: Plan) -> anyhow::Result<()> {
+    async fn start(&mut self, plan: Plan) -> Result<(), Text> {
         // The old session ends first: the new one may need its ports.
         self.running = None;
         let backend = Backend {
@@ -407,6 +404,8 @@ impl Console {
     }
 }
 
-fn parse(addresses: &[String]) -> Result<Vec<Address>, AddressError> {
-    addresses.iter().map(|address| address.parse()).collect()
+fn parse(addresses: &[String]) -> Result<Vec<Address>, Text> {
+    let parsed = addresses.iter().map(|address| address.parse());
+    let parsed: Result<_, AddressError> = parsed.collect();
+    parsed.map_err(|error| Text::from(&error))
 }

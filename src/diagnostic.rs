@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::text;
 use crate::text::Text;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
@@ -37,7 +38,7 @@ impl Diagnostic {
     #[must_use]
     pub fn with_nearest<'a>(self, written: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
         match nearest(written, names) {
-            Some(name) => self.with_help(format!("did you mean `{name}`?")),
+            Some(name) => self.with_help(text!("grammar-did-you-mean", name = name)),
             None => self,
         }
     }

@@ -15,6 +15,8 @@ use tokio_util::sync::CancellationToken;
 use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
@@ -117,5 +119,11 @@ impl Drop for Fleet {
 
 /// The fleet's hub has ended or has too many requests waiting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the fleet does not take requests now: it is ending or overloaded")]
+#[error("{}", Text::from(*self))]
 pub struct Unreachable;
+
+impl From<Unreachable> for Text {
+    fn from(_: Unreachable) -> Self {
+        text!("transport-fleet-busy")
+    }
+}

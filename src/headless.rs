@@ -13,6 +13,8 @@ use crate::mission::{Flight, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
 use crate::sim::{PortId, World};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
@@ -152,7 +154,7 @@ impl Exercise {
                     at: now,
                     vehicle: None,
                     severity: Severity::Warning,
-                    text: format!("line {line}: `{text}` did not come true in time").into(),
+                    text: text!("grammar-wait-timed-out", line = line, wait = text),
                 }),
                 PilotEvent::Finished => {}
             }
@@ -178,7 +180,7 @@ impl Exercise {
                     at: now,
                     vehicle: None,
                     severity: Severity::Error,
-                    text: format!("`{}`: {text}", statement.line).into(),
+                    text: Text::joined(": ", vec![format!("`{}`", statement.line).into(), text]),
                 });
                 return;
             }

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::time::Duration;
 
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -52,19 +53,35 @@ impl RowState {
     }
 }
 
+impl RowState {
+    /// In a few words.
+    pub fn text(self) -> Text {
+        match self {
+            Self::InProgress(percent) => text!("state-percent", percent = percent),
+            other => other.name(),
+        }
+    }
+
+    /// The same without figures.
+    pub fn name(self) -> Text {
+        match self {
+            Self::Queued => text!("state-queued"),
+            Self::Sent => text!("state-sent"),
+            Self::InProgress(_) => text!("state-in-progress"),
+            Self::Accepted => text!("state-accepted"),
+            Self::Done => text!("state-done"),
+            Self::NoEffect => text!("state-no-effect"),
+            Self::Refused => text!("state-refused"),
+            Self::TimedOut => text!("state-timed-out"),
+            Self::Superseded => text!("state-superseded"),
+        }
+    }
+}
+
 impl fmt::Display for RowState {
+    /// In English.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Queued => "queued",
-            Self::Sent => "sent",
-            Self::InProgress(percent) => return f.pad(&format!("in progress {percent} %")),
-            Self::Accepted => "accepted",
-            Self::Done => "effect seen",
-            Self::NoEffect => "no effect",
-            Self::Refused => "refused",
-            Self::TimedOut => "timed out",
-            Self::Superseded => "superseded",
-        })
+        self.text().fmt(f)
     }
 }
 

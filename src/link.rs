@@ -15,6 +15,8 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
+use crate::text;
+use crate::text::Text;
 use crate::wire::{
     ComponentId, Counters, Frame, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, Outgoing,
     SystemId,
@@ -130,16 +132,25 @@ pub enum LinkState {
     Ended,
 }
 
-impl fmt::Display for LinkState {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl LinkState {
+    /// In a few words.
+    pub fn text(self) -> Text {
         match self {
-            Self::Connecting => f.write_str("connecting"),
-            Self::Up => f.write_str("up"),
+            Self::Connecting => text!("transport-connecting"),
+            Self::Up => text!("transport-up"),
             Self::Waiting { retry_in } => {
-                write!(f, "down, next try in {:.1} s", retry_in.as_secs_f32())
+                let seconds = format!("{:.1}", retry_in.as_secs_f32());
+                text!("transport-waiting", seconds = seconds)
             }
-            Self::Ended => f.write_str("ended"),
+            Self::Ended => text!("transport-ended"),
         }
+    }
+}
+
+impl fmt::Display for LinkState {
+    /// In English.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.text().fmt(f)
     }
 }
 
@@ -186,7 +197,7 @@ pub struct LinkStatus {
     /// How often the link has come up again.
     pub reconnects: u32,
     /// What went wrong last; cleared when the link comes up.
-    pub last_error: Option<String>,
+    pub last_error: Option<Text>,
 }
 
 impl LinkStatus {

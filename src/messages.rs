@@ -8,6 +8,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::notice::Notice;
 use crate::parameters::Parameters;
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
 use crate::wire::{Content, Frame};
@@ -61,12 +62,12 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    fn say(&mut self, severity: Severity, text: impl Into<Text>) {
+    fn say(&mut self, severity: Severity, text: Text) {
         self.notices.push(Notice {
             at: self.now,
             vehicle: Some(self.vehicle),
             severity,
-            text: text.into(),
+            text,
         });
     }
 }
@@ -199,10 +200,7 @@ impl Inbox {
             clock::Step::Rebooted => self.forget(vehicle, report),
             clock::Step::TwoClocks => report.say(
                 Severity::Error,
-                format!(
-                    "two vehicles answer as system id {}: give one another SYSID_THISMAV",
-                    vehicle.id
-                ),
+                text!("heard-two-vehicles", system = vehicle.id),
             ),
         }
         vehicle.boot_ms = Some(boot_ms);
@@ -210,7 +208,7 @@ impl Inbox {
 
     /// Drops what a reboot made stale. Parameters survive a reboot, and so do what we heard and how well.
     fn forget(&mut self, vehicle: &mut Vehicle, report: &mut Report<'_>) {
-        report.say(Severity::Warning, "rebooted");
+        report.say(Severity::Warning, text!("heard-rebooted"));
         vehicle.link.reboots += 1;
         *vehicle = Vehicle {
             heartbeat: vehicle.heartbeat,

@@ -5,6 +5,7 @@
 //! runner drives them in lock step with the simulator. Both therefore behave the same, and every
 //! time-out and retry can be tested without waiting for it.
 
+use crate::text;
 use crate::text::Text;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -213,18 +214,18 @@ impl Session {
             self.plans.forget();
             self.download.resume(now);
             // What was meant for the vehicle before must not reach the one that has just booted.
-            self.clear_the_line("the reboot", now);
-            self.supersede_movements("the reboot", now);
+            self.clear_the_line(&text!("outcome-the-reboot"), now);
+            self.supersede_movements(&text!("outcome-the-reboot"), now);
         }
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
     pub fn order(&mut self, order: Order, now: Duration) {
         if precedence::is_urgent(&order.command, &self.vehicle) {
-            self.clear_the_line(order.verb, now);
+            self.clear_the_line(&order.verb.into(), now);
         }
         if self.queue.len() >= MOST_WAITING {
-            let reason = format!("not sent: {MOST_WAITING} commands wait for this vehicle already");
+            let reason = text!("outcome-queue-full", count = MOST_WAITING);
             self.output
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
@@ -293,7 +294,10 @@ impl Session {
             let gap = now.saturating_sub(silent_since.unwrap_or(now));
             self.notice(
                 Severity::Notice,
-                format!("link back after {:.1} s", gap.as_secs_f64()),
+                text!(
+                    "heard-link-back",
+                    seconds = format!("{:.1}", gap.as_secs_f64())
+                ),
                 now,
             );
             self.streams.forget(now);
@@ -368,7 +372,7 @@ impl Session {
             .is_some_and(|heard| now.saturating_sub(heard) >= LOST_AFTER);
         if silent && !link.lost {
             link.lost = true;
-            self.notice(Severity::Critical, "link lost".to_owned(), now);
+            self.notice(Severity::Critical, text!("heard-link-lost"), now);
         }
     }
 
@@ -389,13 +393,13 @@ impl Session {
 
     /// Gives up everything that waits or has not been answered, because something urgent was ordered. What flies
     /// goes on until the urgent command has been accepted.
-    fn clear_the_line(&mut self, verb: &str, now: Duration) {
-        let reason = format!("{verb} took its place");
+    fn clear_the_line(&mut self, newer: &Text, now: Duration) {
+        let reason = text!("outcome-superseded", by = newer);
         for (order, _) in self.queue.drain(..) {
             self.output.row(order.unsent(
                 self.vehicle.id,
                 RowState::Superseded,
-                reason.as_str(),
+                reason.clone(),
                 now,
             ));
         }
@@ -426,7 +430,7 @@ impl Session {
                 break;
             }
             if active.moves_the_vehicle() {
-                self.supersede_movements(active.verb(), now);
+                self.supersede_movements(&active.verb().into(), now);
                 // Where it was heading says nothing any more; the next message of it does.
                 self.vehicle.target = None;
             }
@@ -440,8 +444,8 @@ impl Session {
     }
 
     /// A vehicle flies to one place at a time: what it was doing before is not awaited any longer.
-    fn supersede_movements(&mut self, verb: &str, now: Duration) {
-        let reason = format!("{verb} took its place");
+    fn supersede_movements(&mut self, newer: &Text, now: Duration) {
+        let reason = text!("outcome-superseded", by = newer);
         let output = &mut self.output;
         self.watched.retain(|transaction| {
             let superseded = transaction.gives_way_to_movement();

@@ -11,6 +11,8 @@ use std::{fs, io};
 
 use crate::diagnostic::Diagnostic;
 use crate::mission::Mission;
+use crate::text;
+use crate::text::Text;
 
 mod folders;
 mod history;
@@ -52,9 +54,9 @@ impl Source {
 
 /// A file that could not be had.
 #[derive(Debug, thiserror::Error)]
+#[error("{}", Text::from(self))]
 pub enum StoreError {
     /// It could not be read.
-    #[error("cannot read {path}: {error}")]
     Unreadable {
         /// The path.
         path: PathBuf,
@@ -62,15 +64,13 @@ pub enum StoreError {
         error: io::Error,
     },
     /// It is too large to be what was asked for.
-    #[error("{path} is too large: a {kind} is at most {LARGEST_FILE} bytes long")]
     TooLarge {
         /// The path.
         path: PathBuf,
-        /// What was expected.
+        /// The id of the message that says what was expected.
         kind: &'static str,
     },
     /// It could not be written.
-    #[error("cannot write {path}: {error}")]
     Unwritable {
         /// The path.
         path: PathBuf,
@@ -78,15 +78,13 @@ pub enum StoreError {
         error: io::Error,
     },
     /// There is a file already, which is not to be lost.
-    #[error("{path} exists already")]
     Exists {
         /// The path.
         path: PathBuf,
     },
     /// Neither a file nor a known name.
-    #[error("there is no {kind} `{name}`: give a path, or one of {known}")]
     Unknown {
-        /// What was expected.
+        /// The id of the message that says what was expected.
         kind: &'static str,
         /// What was asked for.
         name: String,
@@ -94,7 +92,6 @@ pub enum StoreError {
         known: String,
     },
     /// It was read, but makes no sense.
-    #[error("{}", lines(file, faults))]
     Faulty {
         /// What was read.
         file: Source,
@@ -103,7 +100,42 @@ pub enum StoreError {
     },
 }
 
-/// Reads a text file of at most 1 MiB.
+impl From<&StoreError> for Text {
+    fn from(error: &StoreError) -> Self {
+        let shown = |path: &Path| path.display().to_string();
+        let named = |kind: &'static str| Self::new(kind, Vec::new());
+        match error {
+            StoreError::Unreadable { path, error } => {
+                let error = error.to_string();
+                text!("file-unreadable", path = shown(path), error = error)
+            }
+            StoreError::TooLarge { path, kind } => text!(
+                "file-too-large",
+                path = shown(path),
+                kind = named(kind),
+                most = LARGEST_FILE
+            ),
+            StoreError::Unwritable { path, error } => {
+                let error = error.to_string();
+                text!("file-unwritable", path = shown(path), error = error)
+            }
+            StoreError::Exists { path } => text!("file-exists", path = shown(path)),
+            StoreError::Unknown { kind, name, known } => text!(
+                "file-unknown",
+                kind = named(kind),
+                name = name,
+                known = known
+            ),
+            StoreError::Faulty { file, faults } => {
+                let faults = faults.iter();
+                let lines = faults.map(|fault| fault.text(&file.name, &file.text));
+                Self::joined("\n", lines.collect())
+            }
+        }
+    }
+}
+
+/// Reads a text file of at most 1 MiB. `kind` is the id of the message that says what it is to be.
 ///
 /// # Errors
 /// It does not exist, cannot be read, is not UTF-8 or is too large.
@@ -180,14 +212,14 @@ pub fn user_path(written: &str) -> PathBuf {
 /// # Errors
 /// There is no such mission, the file cannot be read, or what it says is faulty.
 pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
-    let source = at_path("mission", path_or_name).unwrap_or_else(|| {
+    let source = at_path("file-mission", path_or_name).unwrap_or_else(|| {
         let all = missions();
         let has_id = |source: &&Source| {
             Mission::parse(&source.text).is_ok_and(|mission| mission.id == path_or_name)
         };
         match all.iter().find(has_id) {
             Some(source) => Ok(source.clone()),
-            None => named("mission", path_or_name, &all),
+            None => named("file-mission", path_or_name, &all),
         }
     })?;
     Mission::parse(&source.text).map_err(|faults| StoreError::Faulty {
@@ -209,21 +241,21 @@ pub fn missions_with_id(id: &str) -> Vec<String> {
 /// # Errors
 /// There is no such file or name, or the file cannot be read.
 pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
-    at_path("pilot script", path_or_name).unwrap_or_else(|| {
-        let all = merged("pilot script", PILOTS, "missions/pilots", "pilot");
-        named("pilot script", path_or_name, &all)
+    at_path("file-pilot", path_or_name).unwrap_or_else(|| {
+        let all = merged("file-pilot", PILOTS, "missions/pilots", "pilot");
+        named("file-pilot", path_or_name, &all)
     })
 }
 
 /// All missions: the embedded ones, with those of the user's folder added or in their place, by name.
 pub fn missions() -> Vec<Source> {
-    merged("mission", MISSIONS, "missions", "toml")
+    merged("file-mission", MISSIONS, "missions", "toml")
 }
 
 /// The themes of the user's folder.
 pub fn themes() -> Vec<Source> {
     let folder = Folders::find().map(|folders| folders.themes());
-    folder.map_or(Vec::new(), |folder| files(&folder, "theme", "toml"))
+    folder.map_or(Vec::new(), |folder| files(&folder, "file-theme", "toml"))
 }
 
 /// The files in a folder with that ending, by name; those that cannot be read are left out and logged.
@@ -282,14 +314,6 @@ fn named(kind: &'static str, name: &str, all: &[Source]) -> Result<Source, Store
     found.map(|at| all[at].clone()).ok_or_else(unknown)
 }
 
-/// The faults of a file, a line each.
-fn lines(source: &Source, faults: &[Diagnostic]) -> String {
-    let lines = faults
-        .iter()
-        .map(|fault| fault.one_line(&source.name, &source.text));
-    lines.collect::<Vec<_>>().join("\n")
-}
-
 fn embedded(name: &str, ending: &str, text: &str) -> Source {
     Source {
         name: format!("{name}.{ending}"),
@@ -319,7 +343,7 @@ mod tests {
         let path = folder.path().join("large.toml");
         fs::write(&path, vec![b'#'; LARGEST_FILE as usize + 1]).expect("written");
         assert!(matches!(
-            read(&path, "mission"),
+            read(&path, "file-mission"),
             Err(StoreError::TooLarge { .. })
         ));
     }
@@ -331,7 +355,7 @@ mod tests {
         write(&path, "A,1\n", false).expect("there is none yet");
         let again = write(&path, "A,2\n", false).expect_err("there is one");
         assert!(matches!(again, StoreError::Exists { .. }), "{again}");
-        let text = |path: &Path| read(path, "parameter file").expect("it is there").text;
+        let text = |path: &Path| read(path, "file-parameters").expect("it is there").text;
         assert_eq!(text(&path), "A,1\n");
         write(&path, "A,3\n", true).expect("it may be replaced");
         assert_eq!(text(&path), "A,3\n");
@@ -357,7 +381,7 @@ mod tests {
         let path = folder.path().join("endless.toml");
         std::os::unix::fs::symlink("/dev/zero", &path).expect("linked");
         assert!(matches!(
-            read(&path, "mission"),
+            read(&path, "file-mission"),
             Err(StoreError::TooLarge { .. })
         ));
     }
@@ -370,10 +394,10 @@ mod tests {
         };
         let all = [source("01-b-c"), source("01-b"), source("02")];
         for (asked, found) in [("01-b", "01-b"), ("01", "01-b-c"), ("02", "02")] {
-            let source = named("mission", asked, &all).expect("it is there");
+            let source = named("file-mission", asked, &all).expect("it is there");
             assert_eq!(source.stem(), found, "{asked}");
         }
-        assert!(named("mission", "0", &all).is_err());
+        assert!(named("file-mission", "0", &all).is_err());
     }
 
     #[test]

@@ -156,6 +156,25 @@ impl Text {
         }
     }
 
+    /// The same about other vehicles: wherever the argument `vehicle` stands in it, these are said.
+    #[must_use]
+    pub fn regarding(&self, vehicles: &str) -> Self {
+        Self(match &self.0 {
+            Content::Verbatim(_) | Content::Written(_) => self.0.clone(),
+            Content::Message { id, arguments } => Content::Message {
+                id: id.clone(),
+                arguments: arguments
+                    .iter()
+                    .map(|(name, argument)| (*name, argument.regarding(name, vehicles)))
+                    .collect(),
+            },
+            Content::Joined { separator, parts } => Content::Joined {
+                separator,
+                parts: parts.iter().map(|part| part.regarding(vehicles)).collect(),
+            },
+        })
+    }
+
     /// Whether its English words contain others; for tests.
     pub fn contains(&self, words: &str) -> bool {
         self.to_string().contains(words)
@@ -173,6 +192,16 @@ impl serde::Serialize for Text {
 impl<'de> serde::Deserialize<'de> for Text {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         String::deserialize(deserializer).map(Self::verbatim)
+    }
+}
+
+impl Argument {
+    fn regarding(&self, name: &str, vehicles: &str) -> Self {
+        match self {
+            Self::Text(text) => Self::Text(text.regarding(vehicles)),
+            _ if name == "vehicle" => Self::Word(vehicles.to_owned()),
+            other => other.clone(),
+        }
     }
 }
 
@@ -314,6 +343,19 @@ mod tests {
         assert_eq!(ukrainian.text(&both), "до A1");
         let english = Text::written("land", []);
         assert_eq!(ukrainian.text(&english), "land");
+    }
+
+    #[test]
+    fn a_text_about_one_vehicle_can_be_said_of_several() {
+        let one = text!("refused-not-armed", verb = "goto", vehicle = 3);
+        let both = Text::joined("; ", vec![one.clone(), "x".into()]);
+        let told = both.regarding("1-3").to_string();
+        assert!(
+            told.contains("`1-3 arm`") && told.ends_with("; x"),
+            "{told}"
+        );
+        let other = text!("refused-not-armed", verb = "goto", vehicle = 4);
+        assert_eq!(one.regarding(""), other.regarding(""));
     }
 
     #[test]

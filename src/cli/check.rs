@@ -40,7 +40,7 @@ pub(super) fn check(files: &[PathBuf]) -> Result<ExitCode, Failure> {
     // Names are the caller's to put right, so nothing is checked before all are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;
     for path in files {
-        match store::read(path, "mission, theme, keymap, configuration or script") {
+        match store::read(path, "file-any") {
             Ok(source) => {
                 let (faults, notes) = examined(kind(path, &source.text), path, &source);
                 for fault in &faults {
@@ -127,7 +127,7 @@ fn examined(kind: Kind, path: &Path, source: &Source) -> (Vec<Diagnostic>, Vec<D
             // It may inherit from those beside it, wherever they lie.
             settings::add_themes(
                 &mut themes,
-                store::files(folder.unwrap_or(Path::new(".")), "theme", "toml"),
+                store::files(folder.unwrap_or(Path::new(".")), "file-theme", "toml"),
             );
             themes.read(source.stem(), text).err()
         }

@@ -203,7 +203,7 @@ impl Settings {
         if !self.is_named && !path.exists() {
             return Ok(());
         }
-        let source = match store::read(&path, "configuration") {
+        let source = match store::read(&path, "file-configuration") {
             Ok(source) => source,
             Err(error) => return self.told(Fault::Whole(Text::verbatim(error.to_string()))),
         };
@@ -278,7 +278,7 @@ impl Settings {
         if !is_named && !path.exists() {
             return Ok(());
         }
-        let source = match store::read(&path, "keymap") {
+        let source = match store::read(&path, "file-keymap") {
             Ok(source) => source,
             Err(error) if is_named => return self.wrong("keymap", &error.to_string()),
             Err(error) => {

@@ -6,6 +6,8 @@ use super::Command;
 use super::request::{holding_mode, mode_number};
 use super::setpoint::{Arrival, arrival, position};
 use crate::geo::{LatLon, wrap_180, wrap_360};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle};
 
 /// How near counts as reached, horizontally.
@@ -84,23 +86,31 @@ impl Effect {
     }
 
     /// What is waited for, in plain words, as "armed" or "within 1.5 m of the target".
-    pub fn describe(&self) -> String {
+    pub fn describe(&self) -> Text {
         match &self.watched {
-            Watched::Nothing => "nothing to see".to_owned(),
-            Watched::Armed(true) => "armed".to_owned(),
-            Watched::Armed(false) => "disarmed".to_owned(),
-            Watched::Mode(mode) => format!("mode {mode}"),
-            Watched::Still => "standing still".to_owned(),
+            Watched::Nothing => text!("effect-nothing"),
+            Watched::Armed(true) => text!("effect-armed"),
+            Watched::Armed(false) => text!("effect-disarmed"),
+            Watched::Mode(mode) => text!("effect-mode", mode = mode.to_string()),
+            Watched::Still => text!("effect-still"),
             Watched::Altitude {
                 altitude_m,
                 tolerance_m,
-            } => format!("{altitude_m:.1} m above home, within {tolerance_m:.1} m"),
-            Watched::Place(_) => format!("within {ARRIVED_M} m of the target"),
-            Watched::Heading(heading) => format!("heading {heading:.0} deg"),
-            Watched::Velocity(_) => "flying with that velocity".to_owned(),
-            Watched::Home(_) => "home moved".to_owned(),
-            Watched::Servo { output, pulse_us } => format!("output {output} at {pulse_us} us"),
-            Watched::Rebooted { .. } => "rebooted".to_owned(),
+            } => text!(
+                "effect-altitude",
+                metres = format!("{altitude_m:.1}"),
+                tolerance = format!("{tolerance_m:.1}")
+            ),
+            Watched::Place(_) => text!("effect-place", metres = ARRIVED_M.to_string()),
+            Watched::Heading(heading) => {
+                text!("effect-heading", degrees = format!("{heading:.0}"))
+            }
+            Watched::Velocity(_) => text!("effect-velocity"),
+            Watched::Home(_) => text!("effect-home"),
+            Watched::Servo { output, pulse_us } => {
+                text!("effect-servo", output = *output, pulse = *pulse_us)
+            }
+            Watched::Rebooted { .. } => text!("effect-rebooted"),
         }
     }
 

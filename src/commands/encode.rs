@@ -9,6 +9,8 @@ use mavlink::dialects::ardupilotmega::{
 use mavlink::{MavlinkVersion, Message as _};
 
 use crate::geo::LatLon;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
@@ -34,7 +36,7 @@ pub(super) fn long(
     command: u16,
     params: [f32; 7],
     confirmation: u8,
-) -> Result<Outgoing, String> {
+) -> Result<Outgoing, Text> {
     finite(&params)?;
     let mut payload = Vec::with_capacity(33);
     for param in params {
@@ -62,7 +64,7 @@ impl IntFields {
         frame: u8,
         params: [f32; 4],
         place: (LatLon, f64),
-    ) -> Result<Self, String> {
+    ) -> Result<Self, Text> {
         let (point, height_m) = place;
         let (x, y) = checked(point)?.to_e7();
         Ok(Self {
@@ -77,7 +79,7 @@ impl IntFields {
 }
 
 /// `COMMAND_INT` to a vehicle.
-pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, String> {
+pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, Text> {
     finite(&fields.params)?;
     finite(&[fields.z])?;
     let mut payload = Vec::with_capacity(35);
@@ -120,7 +122,7 @@ pub(super) fn local_position(
     vehicle: &Vehicle,
     ned_m: [f64; 3],
     yaw_deg: Option<f64>,
-) -> Result<Outgoing, String> {
+) -> Result<Outgoing, Text> {
     let [x, y, z] = ned_m.map(|metres| metres as f32);
     let yaw = yaw_deg.unwrap_or(0.0).to_radians() as f32;
     finite(&[x, y, z, yaw])?;
@@ -138,7 +140,7 @@ pub(super) fn local_position(
 }
 
 /// A velocity target in m/s north, east, down.
-pub(super) fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Outgoing, String> {
+pub(super) fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Outgoing, Text> {
     let [vx, vy, vz] = ned_m_s.map(|speed| speed as f32);
     finite(&[vx, vy, vz])?;
     Ok(local(
@@ -170,7 +172,7 @@ pub(super) fn global_position(
     point: LatLon,
     altitude_m: f64,
     yaw_deg: Option<f64>,
-) -> Result<Outgoing, String> {
+) -> Result<Outgoing, Text> {
     let (lat_int, lon_int) = checked(point)?.to_e7();
     let alt = altitude_m as f32;
     let yaw = yaw_deg.unwrap_or(0.0).to_radians() as f32;
@@ -192,7 +194,7 @@ pub(super) fn global_position(
 }
 
 /// `PARAM_REQUEST_READ` by name.
-pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, String> {
+pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, Text> {
     Ok(MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: -1,
         target_system: vehicle.system,
@@ -203,11 +205,7 @@ pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, 
 }
 
 /// `PARAM_SET`. ArduPilot takes the value as a number and ignores the type field.
-pub(super) fn write_parameter(
-    vehicle: &Vehicle,
-    name: &str,
-    value: f32,
-) -> Result<Outgoing, String> {
+pub(super) fn write_parameter(vehicle: &Vehicle, name: &str, value: f32) -> Result<Outgoing, Text> {
     finite(&[value])?;
     Ok(MavMessage::PARAM_SET(PARAM_SET_DATA {
         param_value: value,
@@ -219,11 +217,9 @@ pub(super) fn write_parameter(
     .into())
 }
 
-fn parameter_id(name: &str) -> Result<[u8; 16], String> {
+fn parameter_id(name: &str) -> Result<[u8; 16], Text> {
     if name.is_empty() || name.len() > 16 || !name.is_ascii() {
-        return Err(format!(
-            "`{name}` cannot be a parameter: names have 1 to 16 plain letters"
-        ));
+        return Err(text!("refused-parameter-name", name = name));
     }
     let mut id = [0; 16];
     id[..name.len()].copy_from_slice(name.as_bytes());
@@ -239,20 +235,21 @@ fn mask(bits: u16) -> PositionTargetTypemask {
     PositionTargetTypemask::from_bits_retain(bits)
 }
 
-fn checked(point: LatLon) -> Result<LatLon, String> {
+fn checked(point: LatLon) -> Result<LatLon, Text> {
     if point.is_valid() {
         Ok(point)
     } else {
-        Err(format!(
-            "{}, {} is no place on the earth",
-            point.lat_deg, point.lon_deg
+        Err(text!(
+            "refused-no-place",
+            lat = point.lat_deg.to_string(),
+            lon = point.lon_deg.to_string()
         ))
     }
 }
 
-fn finite(values: &[f32]) -> Result<(), String> {
+fn finite(values: &[f32]) -> Result<(), Text> {
     match values.iter().find(|value| !value.is_finite()) {
         None => Ok(()),
-        Some(value) => Err(format!("{value} is not a number that can be sent")),
+        Some(value) => Err(text!("refused-not-finite", value = value.to_string())),
     }
 }

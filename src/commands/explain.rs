@@ -1,6 +1,8 @@
 //! Why a command was refused, in plain words.
 
 use super::Command;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 
 /// `MAV_RESULT`: what a `COMMAND_ACK` says.
@@ -52,67 +54,62 @@ impl AckResult {
 /// "arm refused: `PreArm`: Need Position Estimate": the result of a command with the status texts that came with
 /// it. ArduPilot says nothing at all with many refusals; then the reason is read off the vehicle's state.
 pub fn explain(
-    verb: &str,
+    verb: &'static str,
     result: AckResult,
-    texts: &[String],
+    texts: &[Text],
     vehicle: &Vehicle,
     command: &Command,
-) -> String {
-    let outcome = match result {
-        AckResult::Accepted => return format!("{verb} accepted"),
-        AckResult::InProgress => return format!("{verb} in progress"),
-        AckResult::Cancelled => "cancelled",
-        _ => "refused",
+) -> Text {
+    let reason = || {
+        if texts.is_empty() {
+            likely_reason(result, vehicle, command).unwrap_or_else(|| general_reason(result))
+        } else {
+            Text::joined("; ", texts.to_vec())
+        }
     };
-    let reason = if !texts.is_empty() {
-        texts.join("; ")
-    } else if let Some(reason) = likely_reason(result, vehicle, command) {
-        reason
-    } else {
-        general_reason(result)
-    };
-    format!("{verb} {outcome}: {reason}")
+    match result {
+        AckResult::Accepted => text!("outcome-verb-accepted", verb = verb),
+        AckResult::InProgress => text!("outcome-verb-in-progress", verb = verb),
+        AckResult::Cancelled => text!("outcome-verb-cancelled", verb = verb, reason = reason()),
+        _ => text!("outcome-verb-refused", verb = verb, reason = reason()),
+    }
 }
 
 /// What the vehicle's state says about a refusal without words.
-fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Option<String> {
+fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Option<Text> {
     let mode = vehicle.mode();
     match command {
-        Command::Orbit { .. } if result == AckResult::Unsupported => {
-            Some("this autopilot cannot orbit; mode CIRCLE can".to_owned())
-        }
+        Command::Orbit { .. } if result == AckResult::Unsupported => Some(text!("reason-no-orbit")),
         _ if result == AckResult::Unsupported => None,
-        Command::Takeoff { .. } if !vehicle.armed() => Some("it is not armed".to_owned()),
-        Command::Takeoff { .. } if vehicle.airborne() => Some("it is flying already".to_owned()),
+        Command::Takeoff { .. } if !vehicle.armed() => Some(text!("reason-not-armed")),
+        Command::Takeoff { .. } if vehicle.airborne() => Some(text!("reason-flying")),
         Command::Takeoff { .. } => mode
             .filter(|mode| !mode.is("GUIDED"))
-            .map(|mode| format!("it is in {mode}, takeoff needs GUIDED")),
-        Command::Disarm if vehicle.airborne() => {
-            Some("it is in the air; land it, or say kill to stop the motors".to_owned())
-        }
+            .map(|mode| text!("reason-takeoff-mode", mode = mode.to_string())),
+        Command::Disarm if vehicle.airborne() => Some(text!("reason-in-the-air")),
         Command::Arm if !vehicle.prearm.is_empty() => {
-            Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")))
+            Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")).into())
         }
         Command::Arm => mode
             .filter(|mode| mode.is("LAND") || mode.is("RTL"))
-            .map(|mode| format!("{mode} is not armable; change to GUIDED first")),
-        Command::Reboot if vehicle.armed() => Some("it is armed".to_owned()),
-        Command::SetMode { name } => Some(format!("it cannot enter {name} now")),
+            .map(|mode| text!("reason-arm-mode", mode = mode.to_string())),
+        Command::Reboot if vehicle.armed() => Some(text!("reason-armed")),
+        Command::SetMode { name } => Some(text!("reason-mode", mode = name)),
         _ => None,
     }
 }
 
-fn general_reason(result: AckResult) -> String {
+fn general_reason(result: AckResult) -> Text {
     match result {
-        AckResult::TemporarilyRejected => "not possible just now, try again".to_owned(),
-        AckResult::Denied => "the vehicle does not take these values".to_owned(),
-        AckResult::Unsupported => "this autopilot does not know the command".to_owned(),
-        AckResult::Failed => "the vehicle gave no reason".to_owned(),
-        AckResult::Cancelled => "another command took its place".to_owned(),
-        AckResult::LongOnly => "the vehicle wants it as COMMAND_LONG".to_owned(),
-        AckResult::IntOnly => "the vehicle wants it as COMMAND_INT".to_owned(),
-        AckResult::UnsupportedFrame => "the vehicle does not know the coordinate frame".to_owned(),
-        AckResult::Accepted | AckResult::InProgress => String::new(),
-        AckResult::Other(number) => format!("result {number}"),
+        AckResult::TemporarilyRejected => text!("reason-not-now"),
+        AckResult::Denied => text!("reason-denied"),
+        AckResult::Unsupported => text!("reason-unsupported"),
+        AckResult::Failed => text!("reason-failed"),
+        AckResult::Cancelled => text!("reason-cancelled"),
+        AckResult::LongOnly => text!("reason-long-only"),
+        AckResult::IntOnly => text!("reason-int-only"),
+        AckResult::UnsupportedFrame => text!("reason-frame"),
+        AckResult::Accepted | AckResult::InProgress => Text::default(),
+        AckResult::Other(number) => text!("reason-other", number = number),
     }
 }

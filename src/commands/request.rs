@@ -8,6 +8,8 @@ use super::setpoint::{
 };
 use super::{Command, SpeedAxis};
 use crate::geo::wrap_360;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleClass};
 use crate::wire::Outgoing;
 
@@ -97,7 +99,7 @@ impl Command {
     /// Plain words when it makes no sense for this vehicle now: a mode that its class lacks, a setpoint outside
     /// GUIDED (ArduCopter would ignore it silently), a relative target without a position, a value that is
     /// no finite number.
-    pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, String> {
+    pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
         match self {
             Self::Goto {
                 destination,
@@ -154,7 +156,7 @@ impl Command {
     /// # Errors
     /// In plain words when the vehicle kept another value than was set. Whole-numbered parameters cut off the
     /// fraction, which is no fault.
-    pub fn parameter_outcome(&self, value: f32) -> Result<String, String> {
+    pub fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
         match self {
             Self::SetParameter {
                 name,
@@ -162,23 +164,25 @@ impl Command {
             } if (value - wanted).abs() > 1e-6 * wanted.abs()
                 && (value - wanted.trunc()).abs() > f32::EPSILON =>
             {
-                Err(format!("{name} stayed {value}, it did not take {wanted}"))
+                Err(text!(
+                    "refused-value",
+                    name = name,
+                    value = value.to_string(),
+                    wanted = wanted.to_string()
+                ))
             }
             Self::SetParameter { name, .. } | Self::GetParameter { name } => {
-                Ok(format!("{name} = {value}"))
+                Ok(format!("{name} = {value}").into())
             }
-            _ => Ok(value.to_string()),
+            _ => Ok(value.to_string().into()),
         }
     }
 
     /// Command and parameters of those that go as `COMMAND_LONG`.
-    fn long_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), String> {
-        let number = vehicle.id;
+    fn long_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), Text> {
         Ok(match self {
             Self::Arm if vehicle.airborne() && !vehicle.armed() => {
-                return Err(format!(
-                    "vehicle {number} is in the air: arm it on the ground"
-                ));
+                return Err(text!("refused-arm-in-the-air"));
             }
             Self::Arm => (cmd::COMPONENT_ARM_DISARM, params(&[1.0])),
             Self::Disarm => (cmd::COMPONENT_ARM_DISARM, params(&[0.0])),
@@ -203,9 +207,7 @@ impl Command {
             Self::Resume => (cmd::DO_PAUSE_CONTINUE, params(&[1.0])),
             Self::SetHome { .. } => (cmd::DO_SET_HOME, params(&[1.0])),
             Self::Reboot if vehicle.armed() => {
-                return Err(format!(
-                    "vehicle {number} is armed: disarm it before a reboot"
-                ));
+                return Err(text!("refused-reboot-armed"));
             }
             Self::Reboot => (cmd::PREFLIGHT_REBOOT_SHUTDOWN, params(&[1.0])),
             Self::Speed { .. } | Self::Yaw { .. } => return self.motion_fields(vehicle),
@@ -214,7 +216,7 @@ impl Command {
     }
 
     /// `COMMAND_LONG` of what changes a movement.
-    fn motion_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), String> {
+    fn motion_fields(&self, vehicle: &Vehicle) -> Result<(u16, [f32; 7]), Text> {
         Ok(match self {
             Self::Speed { axis, speed_m_s } => {
                 let kind = match axis {
@@ -235,12 +237,12 @@ impl Command {
                 let turned = yaw_params(vehicle, *angle_deg, *relative, rate)?;
                 (cmd::CONDITION_YAW, turned)
             }
-            other => return Err(format!("{other:?} is not sent as COMMAND_LONG")),
+            other => return Err(other.has_no_encoding("COMMAND_LONG")),
         })
     }
 
     /// `COMMAND_LONG` of what does not depend on the vehicle's state.
-    fn device_fields(&self) -> Result<(u16, [f32; 7]), String> {
+    fn device_fields(&self) -> Result<(u16, [f32; 7]), Text> {
         Ok(match self {
             Self::Servo { output, pulse_us } => (
                 cmd::DO_SET_SERVO,
@@ -259,12 +261,12 @@ impl Command {
             }
             Self::RequestMessage { message } => (cmd::REQUEST_MESSAGE, params(&[*message as f32])),
             Self::Long { command, params } => (*command, *params),
-            other => return Err(format!("{other:?} is not sent as COMMAND_LONG")),
+            other => return Err(other.has_no_encoding("COMMAND_LONG")),
         })
     }
 
     /// The fields of those that go as `COMMAND_INT`.
-    fn int_fields(&self, vehicle: &Vehicle) -> Result<IntFields, String> {
+    fn int_fields(&self, vehicle: &Vehicle) -> Result<IntFields, Text> {
         match self {
             Self::Orbit {
                 radius_m,
@@ -306,8 +308,13 @@ impl Command {
                 y: *y,
                 z: *z,
             }),
-            other => Err(format!("{other:?} is not sent as COMMAND_INT")),
+            other => Err(other.has_no_encoding("COMMAND_INT")),
         }
+    }
+
+    fn has_no_encoding(&self, message: &'static str) -> Text {
+        let command = format!("{self:?}");
+        text!("refused-encoding", command = command, message = message)
     }
 }
 
@@ -324,7 +331,7 @@ fn yaw_params(
     angle_deg: f64,
     relative: bool,
     rate_deg_s: f64,
-) -> Result<[f32; 7], String> {
+) -> Result<[f32; 7], Text> {
     let (heading, direction) = if relative {
         let now = f64::from(heading(vehicle)?);
         (now + angle_deg, if angle_deg < 0.0 { -1.0 } else { 1.0 })
@@ -352,16 +359,16 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
 }
 
 /// The number of a mode; a plain number is taken as it is.
-pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, String> {
+pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     if let Ok(number) = name.parse::<u8>() {
         return Ok(u32::from(number));
     }
     let Some(heartbeat) = vehicle.heartbeat else {
-        return Err(format!("vehicle {} has not been heard yet", vehicle.id));
+        return Err(text!("refused-not-heard"));
     };
     heartbeat
         .class
         .mode(name)
         .map(|mode| mode.number)
-        .ok_or_else(|| format!("vehicle {} has no mode {name}", vehicle.id))
+        .ok_or_else(|| text!("refused-no-mode", mode = name))
 }

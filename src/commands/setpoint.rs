@@ -4,6 +4,8 @@ use super::encode::{self, FRAME_RELATIVE, IntFields};
 use super::request::{Answer, Request, cmd};
 use super::{Destination, Heading};
 use crate::geo::LatLon;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{LandedState, Vehicle, VehicleClass};
 use crate::wire::Outgoing;
 
@@ -20,7 +22,7 @@ pub(super) fn goto(
     vehicle: &Vehicle,
     destination: Destination,
     heading: Heading,
-) -> Result<Request, String> {
+) -> Result<Request, Text> {
     needs_guided("goto", vehicle)?;
     let yaw_deg = match heading {
         Heading::Auto => None,
@@ -43,7 +45,7 @@ pub(super) fn goto(
 }
 
 /// `ArduPlane` flies to a point by `DO_REPOSITION` only.
-fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, String> {
+fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Text> {
     let (point, altitude_m) = match destination {
         Destination::Global {
             at_point,
@@ -58,10 +60,7 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, St
             height(vehicle)? + up_m,
         ),
         Destination::Local { .. } => {
-            return Err(format!(
-                "vehicle {} is a plane: it goes to LAT LON or `by n .. e ..`, not to local metres",
-                vehicle.id
-            ));
+            return Err(text!("refused-plane"));
         }
     };
     // Default speed (-1), stay in or change to GUIDED (1).
@@ -82,7 +81,7 @@ pub(super) enum Arrival {
 }
 
 /// Works out relative and missing parts of a destination from where the vehicle is.
-pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Arrival, String> {
+pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Arrival, Text> {
     match destination {
         Destination::Global {
             at_point,
@@ -129,24 +128,24 @@ fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
 }
 
 /// Setpoints are ignored without a word outside GUIDED, disarmed, or before takeoff: say so instead.
-pub(super) fn needs_guided(verb: &str, vehicle: &Vehicle) -> Result<(), String> {
+pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     let id = vehicle.id;
     let Some(heartbeat) = vehicle.heartbeat else {
-        return Err(format!("vehicle {id} has not been heard yet"));
+        return Err(text!("refused-not-heard"));
     };
     if heartbeat.class == VehicleClass::Other {
         return Ok(());
     }
     if !heartbeat.mode.is("GUIDED") {
-        return Err(format!(
-            "{verb} needs GUIDED: vehicle {id} is in {}; say `{id} guided` first",
-            heartbeat.mode
+        return Err(text!(
+            "refused-not-guided",
+            verb = verb,
+            mode = heartbeat.mode.to_string(),
+            vehicle = id
         ));
     }
     if !heartbeat.armed {
-        return Err(format!(
-            "{verb} needs an armed vehicle: say `{id} arm` first"
-        ));
+        return Err(text!("refused-not-armed", verb = verb, vehicle = id));
     }
     if heartbeat.class == VehicleClass::Copter {
         return flies_freely(verb, vehicle);
@@ -155,8 +154,7 @@ pub(super) fn needs_guided(verb: &str, vehicle: &Vehicle) -> Result<(), String> 
 }
 
 /// On the ground a setpoint does nothing, and during a takeoff it breaks that off without a word.
-fn flies_freely(verb: &str, vehicle: &Vehicle) -> Result<(), String> {
-    let id = vehicle.id;
+fn flies_freely(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     let climb_m_s = vehicle.global.map_or(0.0, |global| -global.down_m_s);
     let low = vehicle
         .altitude_m()
@@ -167,25 +165,25 @@ fn flies_freely(verb: &str, vehicle: &Vehicle) -> Result<(), String> {
         _ => false,
     };
     if taking_off {
-        return Err(format!(
-            "{verb} would break off a takeoff: vehicle {id} is still taking off: wait"
-        ));
+        return Err(text!("refused-taking-off", verb = verb));
     }
     if !vehicle.airborne() {
-        return Err(format!(
-            "{verb} needs a flying vehicle: vehicle {id} is on the ground; say `{id} takeoff 10` first, \
-             and wait until it has climbed"
+        return Err(text!(
+            "refused-on-the-ground",
+            verb = verb,
+            vehicle = vehicle.id
         ));
     }
     Ok(())
 }
 
 /// A multirotor flies into the ground when told to.
-pub(super) fn above_ground(vehicle: &Vehicle, altitude_m: f64) -> Result<(), String> {
+pub(super) fn above_ground(vehicle: &Vehicle, altitude_m: f64) -> Result<(), Text> {
     if class(vehicle) == VehicleClass::Copter && altitude_m < LOWEST_M {
-        return Err(format!(
-            "{altitude_m:.1} m above home is too low to fly to; say `{} land` to come down",
-            vehicle.id
+        return Err(text!(
+            "refused-too-low",
+            metres = format!("{altitude_m:.1}"),
+            vehicle = vehicle.id
         ));
     }
     Ok(())
@@ -197,39 +195,39 @@ fn class(vehicle: &Vehicle) -> VehicleClass {
         .map_or(VehicleClass::Other, |heartbeat| heartbeat.class)
 }
 
-pub(super) fn position(vehicle: &Vehicle) -> Result<LatLon, String> {
+pub(super) fn position(vehicle: &Vehicle) -> Result<LatLon, Text> {
     vehicle
         .global
         .map(|global| global.at_point)
-        .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
+        .ok_or_else(|| text!("refused-no-position"))
 }
 
-pub(super) fn heading(vehicle: &Vehicle) -> Result<f32, String> {
+pub(super) fn heading(vehicle: &Vehicle) -> Result<f32, Text> {
     vehicle
         .heading_deg()
-        .ok_or_else(|| format!("vehicle {} has not said where its nose points", vehicle.id))
+        .ok_or_else(|| text!("refused-no-heading"))
 }
 
-pub(super) fn height(vehicle: &Vehicle) -> Result<f64, String> {
+pub(super) fn height(vehicle: &Vehicle) -> Result<f64, Text> {
     vehicle
         .altitude_m()
-        .ok_or_else(|| format!("vehicle {} has not said how high it is", vehicle.id))
+        .ok_or_else(|| text!("refused-no-height"))
 }
 
-fn local(vehicle: &Vehicle) -> Result<[f64; 3], String> {
+fn local(vehicle: &Vehicle) -> Result<[f64; 3], Text> {
     vehicle
         .local
         .map(|local| local.ned_m.map(f64::from))
-        .ok_or_else(|| format!("vehicle {} has not said where it is", vehicle.id))
+        .ok_or_else(|| text!("refused-no-position"))
 }
 
 /// A request that `COMMAND_ACK` answers.
-pub(super) fn acknowledged_int(vehicle: &Vehicle, fields: &IntFields) -> Result<Request, String> {
+pub(super) fn acknowledged_int(vehicle: &Vehicle, fields: &IntFields) -> Result<Request, Text> {
     let message = encode::int(vehicle, fields)?;
     Ok(Request::new(message, Answer::Ack(fields.command)))
 }
 
 /// A request that nothing answers.
-pub(super) fn setpoint(message: Result<Outgoing, String>) -> Result<Request, String> {
+pub(super) fn setpoint(message: Result<Outgoing, Text>) -> Result<Request, Text> {
     Ok(Request::new(message?, Answer::None))
 }

@@ -238,7 +238,7 @@ fn what_makes_no_sense_is_said_in_plain_words() {
         (
             &up,
             flying("LOITER"),
-            "goto needs GUIDED: vehicle 3 is in LOITER; say `3 guided` first",
+            "goto needs GUIDED: it is in LOITER; say `3 guided` first",
         ),
         (&up, on_the_ground("GUIDED"), "say `3 arm` first"),
         (&up, waiting, "say `3 takeoff 10` first"),

@@ -5,6 +5,7 @@ use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::update;
 use crate::store::{self, Source, StoreError};
+use crate::text::Text;
 
 impl Console {
     /// Asks for parameters, or reads or writes a file of them. What comes of it is never an effect.
@@ -17,9 +18,9 @@ impl Console {
                     .for_each(|running| running.fetch_parameters(&vehicles));
             }
             Effect::ReadParameters { path } => {
-                match store::read(&store::user_path(&path), "parameter file") {
+                match store::read(&store::user_path(&path), "file-parameters") {
                     Ok(Source { text, .. }) => Event::ParametersRead { path, text },
-                    Err(error) => Event::Failed(error.to_string().into()),
+                    Err(error) => Event::Failed(Text::from(&error)),
                 }
             }
             Effect::SaveParameters {
@@ -29,7 +30,7 @@ impl Console {
             } => match store::write(&store::user_path(&path), &text, replace) {
                 Ok(()) => Event::ParametersSaved { path },
                 Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
-                Err(error) => Event::Failed(error.to_string().into()),
+                Err(error) => Event::Failed(Text::from(&error)),
             },
             _ => return,
         };

@@ -18,6 +18,8 @@ use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 mod inspection;
@@ -85,7 +87,7 @@ impl Running {
     ///
     /// # Errors
     /// The fleet has ended.
-    pub async fn start(plan: Plan, backend: &Backend) -> anyhow::Result<(Self, Started)> {
+    pub async fn start(plan: Plan, backend: &Backend) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
         let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
         let mut running = Self {
@@ -127,7 +129,7 @@ impl Running {
         &mut self,
         mission: Arc<Mission>,
         backend: &Backend,
-    ) -> anyhow::Result<Started> {
+    ) -> Result<Started, Text> {
         let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
         self.simulate(&config, backend.speedup).await?;
@@ -150,7 +152,7 @@ impl Running {
     }
 
     /// Starts the embedded simulator: one in-memory pipe per vehicle, no port that others could reach.
-    async fn simulate(&self, config: &WorldConfig, speedup: f64) -> anyhow::Result<()> {
+    async fn simulate(&self, config: &WorldConfig, speedup: f64) -> Result<(), Text> {
         let world = World::new(config);
         let simulator =
             Simulator::start(world, speedup, &[Endpoint::Pipes], self.cancel.clone()).await?;
@@ -312,7 +314,7 @@ enum LinkNews {
     /// It carries data.
     Up,
     /// It does not, for this reason.
-    Down(String),
+    Down(Text),
     /// Closed for good, as a recording that has been played to its end.
     Ended,
 }
@@ -329,15 +331,18 @@ impl LinkNews {
 
     fn notice(&self, name: &str, now: Duration) -> Notice {
         let (severity, text) = match self {
-            Self::Silent | Self::Up => (Severity::Info, format!("link {name} is up")),
-            Self::Ended => (Severity::Notice, format!("{name} has ended")),
-            Self::Down(reason) => (Severity::Error, format!("link {name}: {reason}")),
+            Self::Silent | Self::Up => (Severity::Info, text!("transport-is-up", link = name)),
+            Self::Ended => (Severity::Notice, text!("transport-has-ended", link = name)),
+            Self::Down(reason) => {
+                let text = text!("transport-is-down", link = name, reason = reason);
+                (Severity::Error, text)
+            }
         };
         Notice {
             at: now,
             vehicle: None,
             severity,
-            text: text.into(),
+            text,
         }
     }
 }
@@ -372,7 +377,7 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
     let up = status.state == LinkState::Up;
     LinkSummary {
         name: status.name.clone(),
-        state: status.state.to_string(),
+        state: status.state.text(),
         up,
         error: status.last_error.clone().filter(|_| !up),
         peers: status.peers,

@@ -15,6 +15,8 @@ use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{LOST_AFTER, Order, Report, Session};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, SystemId};
 
@@ -111,10 +113,10 @@ impl Hub {
     async fn order(&mut self, vehicle: VehicleId, order: Order) {
         let system = SystemId::try_from(vehicle).ok();
         let reason = match system.and_then(|system| self.routes.get(&system)) {
-            None => "not sent: no such vehicle is heard",
+            None => text!("outcome-not-heard"),
             Some(route) => match route.inbox.try_send(ToVehicle::Order(order.clone())) {
                 Ok(()) => return,
-                Err(_) => "not sent: the vehicle's task does not keep up",
+                Err(_) => text!("outcome-task-busy"),
             },
         };
         let now = self.clock.now();
@@ -197,10 +199,10 @@ impl Hub {
         }
         let before = std::mem::replace(&mut route.link, from.0);
         route.peer = from.1;
-        let text = format!(
-            "is heard by {} now, no longer by {}",
-            self.name_of(from.0),
-            self.name_of(before)
+        let text = text!(
+            "heard-by-another-link",
+            link = self.name_of(from.0),
+            before = self.name_of(before)
         );
         self.warn(system, text, now).await;
         true
@@ -256,24 +258,25 @@ impl Hub {
         route.conflict_said_at = Some(now);
         let used = route.link;
         let other = if used == from.0 {
-            "another sender there".to_owned()
+            text!("heard-another-sender")
         } else {
-            self.name_of(from.0)
+            self.name_of(from.0).into()
         };
-        let text = format!(
-            "system id {system} comes from two places: {} (used), {other} (ignored). Two vehicles? Give \
-             one another SYSID_THISMAV and reboot it",
-            self.name_of(used),
+        let text = text!(
+            "heard-two-places",
+            system = system,
+            used = self.name_of(used),
+            ignored = other
         );
         self.warn(system, text, now).await;
     }
 
-    async fn warn(&self, system: SystemId, text: String, now: Duration) {
+    async fn warn(&self, system: SystemId, text: Text, now: Duration) {
         let notice = Notice {
             at: now,
             vehicle: Some(VehicleId::from(system)),
             severity: Severity::Error,
-            text: text.into(),
+            text,
         };
         self.tell(FleetEvent::Report(Report::Notice(notice))).await;
     }

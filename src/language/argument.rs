@@ -3,6 +3,8 @@
 use std::ops::Range;
 
 use crate::geo::LatLon;
+use crate::text;
+use crate::text::Text;
 
 /// One argument of a [`Form`](super::Form).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +17,7 @@ pub struct Argument {
     pub kind: Kind,
     /// Whether it may be left out.
     pub optional: bool,
-    /// What it means.
+    /// The id of the message that says what it means; empty where that is plain.
     pub help: &'static str,
 }
 
@@ -85,19 +87,27 @@ impl Argument {
     }
 
     /// A fault in a number, with the argument that it belongs to: of a row of numbers nobody knows which was meant.
-    pub(super) fn about(&self, message: String) -> String {
+    pub(super) fn about(&self, message: Text) -> Text {
         match self.kind {
-            Kind::Number(..) | Kind::Whole(..) => format!("{}: {message}", self.placeholder()),
+            Kind::Number(..) | Kind::Whole(..) => {
+                Text::joined(": ", vec![self.placeholder().into(), message])
+            }
             _ => message,
         }
     }
 
     /// What it means and which values it takes: "height above home, 0.5 to 1000 m".
-    pub(super) fn explained(&self) -> String {
-        match self.kind.limits() {
-            Some(limits) if self.help.is_empty() => limits,
-            Some(limits) => format!("{}, {limits}", self.help),
-            None => self.help.to_owned(),
+    pub(super) fn explained(&self) -> Text {
+        let meaning = Some(self.meaning()).filter(|text| !text.is_empty());
+        let parts = meaning.into_iter().chain(self.kind.limits());
+        Text::joined(", ", parts.collect())
+    }
+
+    /// What it means, without its values.
+    pub(super) fn meaning(&self) -> Text {
+        match self.help {
+            "" => Text::default(),
+            id => Text::new(id, Vec::new()),
         }
     }
 }
@@ -127,22 +137,24 @@ pub enum Kind {
 
 impl Kind {
     /// The range of a number in words.
-    pub(super) fn limits(self) -> Option<String> {
+    pub(super) fn limits(self) -> Option<Text> {
         let (Self::Number(unit, least, greatest) | Self::Whole(unit, least, greatest)) = self
         else {
             return None;
         };
-        let symbol = unit.symbol();
-        let blank = if symbol.is_empty() { "" } else { " " };
-        if greatest >= f64::from(f32::MAX) {
-            Some(if symbol.is_empty() {
-                "a number".to_owned()
-            } else {
-                format!("in {symbol}")
-            })
-        } else {
-            Some(format!("{least} to {greatest}{blank}{symbol}"))
-        }
+        let (least, most) = (least.to_string(), greatest.to_string());
+        let is_endless = greatest >= f64::from(f32::MAX);
+        Some(match unit.symbol() {
+            "" if is_endless => text!("grammar-a-number"),
+            symbol if is_endless => text!("grammar-in-unit", unit = symbol),
+            "" => text!("grammar-range", least = least, most = most),
+            symbol => text!(
+                "grammar-range-in-unit",
+                least = least,
+                most = most,
+                unit = symbol
+            ),
+        })
     }
 }
 
@@ -211,15 +223,16 @@ pub(super) struct Problem {
     /// The argument to point at.
     pub argument: &'static str,
     /// What is wrong.
-    pub message: String,
+    pub message: Text,
 }
 
 impl Problem {
-    pub fn new(argument: &'static str, message: impl Into<String>) -> Self {
-        Self {
-            argument,
-            message: message.into(),
-        }
+    pub fn new(argument: &'static str, message: Text) -> Self {
+        Self { argument, message }
+    }
+
+    fn missing(argument: &'static str) -> Self {
+        Self::new(argument, text!("grammar-is-missing", argument = argument))
     }
 }
 
@@ -276,19 +289,16 @@ impl Arguments {
 
     /// A number that the form requires.
     pub fn required(&self, name: &'static str) -> Result<f64, Problem> {
-        self.number(name)
-            .ok_or_else(|| Problem::new(name, format!("{name} is missing")))
+        self.number(name).ok_or_else(|| Problem::missing(name))
     }
 
     /// A word that the form requires.
     pub fn required_word(&self, name: &'static str) -> Result<&str, Problem> {
-        self.word(name)
-            .ok_or_else(|| Problem::new(name, format!("{name} is missing")))
+        self.word(name).ok_or_else(|| Problem::missing(name))
     }
 
     /// A point that the form requires.
     pub fn required_point(&self, name: &'static str) -> Result<LatLon, Problem> {
-        self.point(name)
-            .ok_or_else(|| Problem::new(name, format!("{name} is missing")))
+        self.point(name).ok_or_else(|| Problem::missing(name))
     }
 }

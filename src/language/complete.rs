@@ -13,6 +13,7 @@ use super::parse::{Head, head};
 use super::read::{mode_names, mode_warning};
 use super::verb::{Form, Verb};
 use super::{Context, Targets, verbs};
+use crate::text;
 use crate::text::Text;
 
 /// How many completions are worth showing.
@@ -52,7 +53,7 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         .take(SHOWN)
         .map(|(text, hint)| Completion {
             text,
-            hint: hint.into(),
+            hint,
             replaces: replaces.clone(),
         })
         .collect()
@@ -61,7 +62,7 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
 /// What to write next. Where the line fits one form of the verb, that form with the next argument between ‹ and ›
 /// and what it means: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". Where several fit, the arguments
 /// that could come next. When nothing can, what the verb does. `None` before there is a verb, and after a fault.
-pub fn hint(line: &str, context: &Context) -> Option<String> {
+pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let words = words(line);
     let head = head(&words, context).ok()?;
     let rest = &words[head.len..];
@@ -76,21 +77,25 @@ pub fn hint(line: &str, context: &Context) -> Option<String> {
     let name = head.verb.name;
     match fitting.as_slice() {
         [] => None,
-        [(_, None)] => Some(format!("{name}: {}", head.verb.summary)),
+        [(_, None)] => Some(described(name.into(), head.verb.summary())),
         [(form, Some(next))] => {
             let usage = form.usage(name, Some(next));
-            let explained = next.explained();
-            let separator = if explained.is_empty() { "" } else { ": " };
-            Some(format!("{usage}{separator}{explained}"))
+            Some(described(usage.into(), next.explained()))
         }
         several => {
             let next: Vec<String> = several
                 .iter()
                 .filter_map(|(_, next)| next.map(Argument::usage))
                 .collect();
-            Some(format!("{name} ‹{}›", next.join(" | ")))
+            Some(format!("{name} ‹{}›", next.join(" | ")).into())
         }
     }
+}
+
+/// A word and what it means, if that is to be said.
+fn described(word: Text, meaning: Text) -> Text {
+    let parts = [word, meaning].into_iter();
+    Text::joined(": ", parts.filter(|part| !part.is_empty()).collect())
 }
 
 /// The argument that should come next: one that is required, else any.
@@ -103,7 +108,7 @@ fn next_argument(fit: &Fit) -> Option<&'static Argument> {
 }
 
 /// Everything that could follow these words, with what it means.
-fn candidates(before: &[Word], context: &Context) -> Vec<(String, String)> {
+fn candidates(before: &[Word], context: &Context) -> Vec<(String, Text)> {
     match before {
         [] => {
             // What is meant most often comes first: verbs, then `all`, then modes, then single vehicles.
@@ -129,9 +134,9 @@ fn candidates(before: &[Word], context: &Context) -> Vec<(String, String)> {
     }
 }
 
-fn following(head: &Head, words: &[Word], context: &Context) -> Vec<(String, String)> {
+fn following(head: &Head, words: &[Word], context: &Context) -> Vec<(String, Text)> {
     let rest = &words[head.len..];
-    let mut all: Vec<(String, String)> = Vec::new();
+    let mut all: Vec<(String, Text)> = Vec::new();
     let waits = head.verb.name == "wait" && head.targets == Targets::Selection && rest.is_empty();
     if waits {
         all.extend(target_names(context));
@@ -149,12 +154,12 @@ fn following(head: &Head, words: &[Word], context: &Context) -> Vec<(String, Str
     all
 }
 
-fn names(expected: Expected, context: &Context) -> Vec<(String, String)> {
+fn names(expected: Expected, context: &Context) -> Vec<(String, Text)> {
     match expected {
         Expected::Keyword(argument) => {
             let hint = match argument.kind {
-                Kind::Flag => argument.help.to_owned(),
-                _ => format!("{}: {}", argument.usage(), argument.explained()),
+                Kind::Flag => argument.meaning(),
+                _ => described(argument.usage().into(), argument.explained()),
             };
             vec![(argument.keyword.to_owned(), hint)]
         }
@@ -162,7 +167,7 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, String)> {
             let mut names = argument.kind.names(context);
             for (_, hint) in &mut names {
                 if hint.is_empty() {
-                    argument.help.clone_into(hint);
+                    *hint = argument.meaning();
                 }
             }
             names
@@ -170,23 +175,21 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, String)> {
     }
 }
 
-fn verb_names() -> Vec<(String, String)> {
-    let described = |verb: &Verb| {
-        let usage = verb.usage();
-        (
-            verb.name.to_owned(),
-            format!("{}: {}", usage.join(" | "), verb.summary),
-        )
+fn verb_names() -> Vec<(String, Text)> {
+    let explained = |verb: &Verb| {
+        let usage = verb.usage().join(" | ");
+        let hint = described(usage.into(), verb.summary());
+        (verb.name.to_owned(), hint)
     };
-    verbs().iter().map(described).collect()
+    verbs().iter().map(explained).collect()
 }
 
 /// The modes whose names alone change to them, unless a verb is called so.
-fn modes_as_verbs(context: &Context) -> Vec<(String, String)> {
+fn modes_as_verbs(context: &Context) -> Vec<(String, Text)> {
     let described = |mode: &'static str| {
-        let warning = mode_warning(mode, context).map_or(String::new(), |text| format!("; {text}"));
-        let hint = format!("change the mode to {mode}{warning}");
-        (mode.to_ascii_lowercase(), hint)
+        let mut hint = vec![text!("grammar-change-mode", mode = mode)];
+        hint.extend(mode_warning(mode, context));
+        (mode.to_ascii_lowercase(), Text::joined("; ", hint))
     };
     mode_names(context)
         .into_iter()
@@ -196,13 +199,16 @@ fn modes_as_verbs(context: &Context) -> Vec<(String, String)> {
 }
 
 /// Every target, `all` first.
-fn target_names(context: &Context) -> Vec<(String, String)> {
-    let mut names = vec![("all".to_owned(), "every vehicle".to_owned())];
+fn target_names(context: &Context) -> Vec<(String, Text)> {
+    let mut names = vec![("all".to_owned(), text!("grammar-every-vehicle"))];
     for (group, ids) in context.groups {
-        names.push((format!("@{group}"), Targets::Ids(ids.clone()).to_string()));
+        names.push((
+            format!("@{group}"),
+            Targets::Ids(ids.clone()).to_string().into(),
+        ));
     }
     for id in context.vehicles {
-        names.push((id.to_string(), "vehicle".to_owned()));
+        names.push((id.to_string(), text!("grammar-vehicle")));
     }
     names
 }
@@ -234,7 +240,7 @@ impl Match {
 /// Those that match what is written, best first; all in their order where nothing is written yet. Words that begin
 /// as written keep their order, too. Where there are such words, scattered letters are no match: nobody who
 /// wrote `al` meant `interval`.
-fn ranked(candidates: Vec<(String, String)>, written: &str) -> Vec<(String, String)> {
+fn ranked(candidates: Vec<(String, Text)>, written: &str) -> Vec<(String, Text)> {
     if written.is_empty() {
         return candidates;
     }
@@ -246,7 +252,7 @@ fn ranked(candidates: Vec<(String, String)>, written: &str) -> Vec<(String, Stri
     );
     let mut matcher = Matcher::new(Config::DEFAULT);
     let mut buffer = Vec::new();
-    let mut scored: Vec<(Match, u32, (String, String))> = candidates
+    let mut scored: Vec<(Match, u32, (String, Text))> = candidates
         .into_iter()
         .filter_map(|candidate| {
             let score = pattern.score(Utf32Str::new(&candidate.0, &mut buffer), &mut matcher)?;

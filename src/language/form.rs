@@ -5,6 +5,7 @@ use super::argument::{Argument, Arguments, Kind, Value};
 use super::lexer::Word;
 use super::read::Misread;
 use super::verb::Form;
+use crate::text::Text;
 
 /// How far the words of a line fit a form.
 pub(super) struct Fit {
@@ -25,7 +26,7 @@ pub(super) struct Misfit {
     /// Whether it is of the right kind and only its value is wrong.
     pub specific: bool,
     /// What is wrong, if only one thing was possible.
-    pub message: Option<String>,
+    pub message: Option<Text>,
     /// What was expected instead.
     pub expected: Vec<Expected>,
 }
@@ -48,15 +49,16 @@ impl Expected {
     }
 
     /// In an error or a hint: "`up`" or "ALTITUDE (height above home, 0.5 to 1000 m)".
-    pub fn describe(self) -> String {
+    pub fn describe(self) -> Text {
         match self {
-            Self::Keyword(argument) => format!("`{}`", argument.keyword),
+            Self::Keyword(argument) => format!("`{}`", argument.keyword).into(),
             Self::Value(argument) => {
                 let explained = argument.explained();
+                let name = argument.placeholder();
                 if explained.is_empty() {
-                    argument.placeholder()
+                    name.into()
                 } else {
-                    format!("{} ({explained})", argument.placeholder())
+                    Text::joined("", vec![name.into(), " (".into(), explained, ")".into()])
                 }
             }
         }

@@ -14,7 +14,7 @@ pub fn manual() -> String {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{usage}");
         }
-        let _ = writeln!(text, "    {}", verb.summary);
+        let _ = writeln!(text, "    {}", verb.summary());
         if !verb.aliases.is_empty() {
             let _ = writeln!(text, "    also: {}", verb.aliases.join(", "));
         }

@@ -10,6 +10,8 @@ use super::table::{verb, verbs};
 use super::verb::{Meaning, Verb};
 use super::{Action, Context, Statement, Targets};
 use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::Text;
 
 /// The beginning of a line: everything before the arguments.
 pub(super) struct Head {
@@ -59,8 +61,8 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
     }
     let Some(word) = words.get(at) else {
         let end = end_of(words);
-        return Err(Diagnostic::new(end, "a command is missing")
-            .with_help("such as `all arm` or `1-3 takeoff 20`"));
+        return Err(Diagnostic::new(end, text!("grammar-no-command"))
+            .with_help(text!("grammar-no-command-help")));
     };
     let Some(found) = verb(word.text) else {
         // A mode's name alone changes to it.
@@ -96,7 +98,7 @@ fn targets_after(head: &mut Head, words: &[Word], context: &Context) -> Result<(
         return Ok(());
     }
     if head.targets != Targets::Selection {
-        let message = "the targets are named twice";
+        let message = text!("grammar-targets-twice");
         return Err(Diagnostic::new(word.span.clone(), message));
     }
     head.targets = Targets::read(word, context)?;
@@ -166,8 +168,9 @@ fn fault(
         };
         let missing = list(expected.copied().filter(needed));
         let example = example_of(verb, &forms);
-        return Diagnostic::new(end_of(all), format!("{} needs {missing}", verb.name))
-            .with_help(format!("for example `{example}`"));
+        let message = text!("grammar-needs", verb = verb.name, missing = missing);
+        return Diagnostic::new(end_of(all), message)
+            .with_help(text!("grammar-for-example", line = example));
     };
     let misfits: Vec<&Misfit> = closest
         .iter()
@@ -204,9 +207,11 @@ fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context
         _ => None,
     };
     if expected().next().is_none() {
-        let message = format!("`{}` is too much: nothing can follow here", word.text);
+        let message = text!("grammar-too-much", word = word.text);
+        let usages = verb.usage().into_iter();
+        let usages = usages.map(|usage| format!("`{usage}`").into());
         return Diagnostic::new(span, message)
-            .with_help(format!("say it as `{}`", verb.usage().join("` or `")));
+            .with_help(text!("grammar-say-it-as", usage = either(usages.collect())));
     }
     let what = list(expected());
     let specific = misfits.iter().any(|misfit| misfit.specific);
@@ -214,12 +219,17 @@ fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context
         .flat_map(|item| names_of(item, context))
         .collect();
     let says_what = message.is_none() || specific;
-    let message =
-        message.unwrap_or_else(|| format!("`{}` does not fit here: expected {what}", word.text));
+    let message = message.unwrap_or_else(|| {
+        text!(
+            "grammar-does-not-fit",
+            word = word.text,
+            expected = what.clone()
+        )
+    });
     let fault =
         Diagnostic::new(span, message).with_nearest(word.text, names.iter().map(String::as_str));
     match fault.help {
-        None if !says_what => fault.with_help(format!("expected {what}")),
+        None if !says_what => fault.with_help(text!("grammar-expected", expected = what)),
         _ => fault,
     }
 }
@@ -240,24 +250,37 @@ fn names_of(expected: Expected, context: &Context) -> Vec<String> {
 }
 
 /// "A, B or C", each once.
-fn list(expected: impl Iterator<Item = Expected>) -> String {
-    let mut texts: Vec<String> = Vec::new();
+fn list(expected: impl Iterator<Item = Expected>) -> Text {
+    let mut texts: Vec<Text> = Vec::new();
     for text in expected.map(Expected::describe) {
         if !texts.contains(&text) {
             texts.push(text);
         }
     }
-    match texts.split_last() {
-        None => "nothing more".to_owned(),
-        Some((last, [])) => last.clone(),
-        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+    match texts.as_slice() {
+        [] => text!("grammar-nothing-more"),
+        [only] => only.clone(),
+        [others @ .., last] => text!(
+            "grammar-or",
+            others = Text::joined(", ", others.to_vec()),
+            last = last
+        ),
     }
+}
+
+/// "A or B or C".
+fn either(texts: Vec<Text>) -> Text {
+    let mut texts = texts.into_iter();
+    let first = texts.next().unwrap_or_default();
+    texts.fold(first, |all, text| {
+        text!("grammar-or", others = all, last = text)
+    })
 }
 
 fn unknown_verb(word: &Word, context: &Context) -> Diagnostic {
     let fault = Diagnostic::new(
         word.span.clone(),
-        format!("there is no command `{}`", word.text),
+        text!("grammar-unknown-command", word = word.text),
     );
     let names = verbs()
         .iter()

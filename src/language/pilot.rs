@@ -8,6 +8,7 @@ use super::wait::{Until, Wait};
 use super::{Action, Context, Statement, Targets, parse};
 use crate::diagnostic::Diagnostic;
 use crate::ledger::Ledger;
+use crate::text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
@@ -68,8 +69,8 @@ fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic
     let span = words(line).first().map_or(0..0, |word| word.span.clone());
     let vehicles = match &statement.targets {
         Targets::Selection if !pause => {
-            return Err(Diagnostic::new(span, "a script has no selection")
-                .with_help(format!("say who, as `{}`", with_all(&statement))));
+            return Err(Diagnostic::new(span, text!("grammar-script-selection"))
+                .with_help(text!("grammar-say-who", line = with_all(&statement))));
         }
         Targets::Selection | Targets::All => None,
         targets => Some(

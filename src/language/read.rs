@@ -8,6 +8,8 @@ use super::lexer::Word;
 use crate::commands::{command_by_name, command_names};
 use crate::geo::LatLon;
 use crate::parameters::{Parameters, shown};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Mode, VehicleClass};
 
 /// Message ids have 24 bits.
@@ -39,12 +41,12 @@ pub(super) enum Misread {
         /// Whether it is of the right kind and only its value is wrong: then no other argument was meant.
         specific: bool,
         /// What is wrong.
-        message: String,
+        message: Text,
     },
 }
 
 impl Misread {
-    fn kind(message: String) -> Self {
+    fn kind(message: Text) -> Self {
         Self::Wrong {
             word: 0,
             specific: false,
@@ -52,7 +54,7 @@ impl Misread {
         }
     }
 
-    fn value(message: String) -> Self {
+    fn value(message: Text) -> Self {
         Self::Wrong {
             word: 0,
             specific: true,
@@ -61,7 +63,7 @@ impl Misread {
     }
 
     /// The same for a part of a value, by its place and name.
-    fn part(self, at: usize, name: &str) -> Self {
+    fn part(self, at: usize, name: &'static str) -> Self {
         match self {
             Self::Wrong {
                 word,
@@ -70,7 +72,7 @@ impl Misread {
             } => Self::Wrong {
                 word: word + at,
                 specific,
-                message: format!("{name}: {message}"),
+                message: Text::joined(": ", vec![name.into(), message]),
             },
             Self::Incomplete => Self::Incomplete,
         }
@@ -92,7 +94,7 @@ impl Kind {
             Self::Whole(unit, least, greatest) => {
                 let value = number(text, unit, least, greatest)?;
                 if value.fract() != 0.0 {
-                    return Err(Misread::value(format!("`{text}` is no whole number")));
+                    return Err(Misread::value(text!("grammar-not-whole", word = text)));
                 }
                 Value::Number(value)
             }
@@ -101,7 +103,8 @@ impl Kind {
                 .find(|choice| first.is(choice))
                 .map(|choice| Value::Word((*choice).to_owned()))
                 .ok_or_else(|| {
-                    Misread::kind(format!("`{text}` is none of {}", choices.join(", ")))
+                    let choices = choices.join(", ");
+                    Misread::kind(text!("grammar-none-of", word = text, choices = choices))
                 })?,
             Self::Mode => Value::Word(mode(text, context)?),
             Self::Point => return point(words, context),
@@ -113,38 +116,47 @@ impl Kind {
     }
 
     /// The words that this kind of value can be, with what each means.
-    pub(super) fn names(self, context: &Context) -> Vec<(String, String)> {
+    pub(super) fn names(self, context: &Context) -> Vec<(String, Text)> {
         match self {
             Self::Choice(choices) => choices
                 .iter()
-                .map(|choice| ((*choice).to_owned(), String::new()))
+                .map(|choice| ((*choice).to_owned(), Text::default()))
                 .collect(),
             Self::Mode => mode_names(context)
                 .into_iter()
                 .map(|name| {
-                    let hint = mode_warning(name, context).unwrap_or("mode");
-                    (name.to_owned(), hint.to_owned())
+                    let warning = mode_warning(name, context);
+                    let hint = warning.unwrap_or_else(|| text!("grammar-mode"));
+                    (name.to_owned(), hint)
                 })
                 .collect(),
             Self::Point => context
                 .places
                 .into_iter()
                 .flatten()
-                .map(|(name, at)| (name.clone(), format!("{:.6} {:.6}", at.lat_deg, at.lon_deg)))
+                .map(|(name, at)| {
+                    let degrees = format!("{:.6} {:.6}", at.lat_deg, at.lon_deg);
+                    (name.clone(), degrees.into())
+                })
                 .collect(),
             Self::Message => MavMessage::all_messages()
                 .iter()
-                .map(|(name, id)| ((*name).to_owned(), format!("message {id}")))
+                .map(|(name, id)| ((*name).to_owned(), text!("grammar-message", id = *id)))
                 .collect(),
             Self::MavCommand => command_names()
                 .iter()
-                .map(|(number, name)| ((*name).to_owned(), format!("command {number}")))
+                .map(|(number, name)| {
+                    (
+                        (*name).to_owned(),
+                        text!("grammar-mav-command", number = *number),
+                    )
+                })
                 .collect(),
             Self::Parameter => context
                 .parameters
                 .into_iter()
                 .flat_map(Parameters::iter)
-                .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value))))
+                .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value)).into()))
                 .collect(),
             Self::Flag | Self::Number(..) | Self::Whole(..) => Vec::new(),
         }
@@ -155,7 +167,7 @@ impl Kind {
 fn number(text: &str, unit: Unit, least: f64, greatest: f64) -> Result<f64, Misread> {
     let (digits, suffix) = text.split_at(number_length(text));
     let Ok(written) = digits.parse::<f64>() else {
-        return Err(Misread::kind(format!("`{text}` is no number")));
+        return Err(Misread::kind(text!("grammar-no-number", word = text)));
     };
     let spelling = unit
         .spellings()
@@ -173,17 +185,20 @@ fn number(text: &str, unit: Unit, least: f64, greatest: f64) -> Result<f64, Misr
     }
     let limits = Kind::Number(unit, least, greatest).limits();
     Err(Misread::value(match limits {
-        Some(limits) if value.is_finite() => format!("`{text}` is out of range: {limits}"),
-        _ => format!("`{text}` is too large"),
+        Some(limits) if value.is_finite() => {
+            text!("grammar-out-of-range", word = text, limits = limits)
+        }
+        _ => text!("grammar-too-large", word = text),
     }))
 }
 
-fn wrong_unit(text: &str, suffix: &str, unit: Unit) -> String {
+fn wrong_unit(text: &str, suffix: &str, unit: Unit) -> Text {
     let known: Vec<&str> = unit.spellings().iter().map(|&(name, _)| name).collect();
     if known.is_empty() {
-        format!("`{text}`: this number has no unit")
+        text!("grammar-no-unit-here", word = text)
     } else {
-        format!("`{suffix}` is no unit for this: use {}", known.join(", "))
+        let known = known.join(", ");
+        text!("grammar-wrong-unit", unit = suffix, known = known)
     }
 }
 
@@ -216,16 +231,13 @@ fn mode(text: &str, context: &Context) -> Result<String, Misread> {
         return Ok(text.to_owned());
     }
     mode_named(text, context).map(str::to_owned).ok_or_else(|| {
-        Misread::kind(format!(
-            "there is no mode `{text}`{}",
-            match context.class {
-                VehicleClass::Copter => " in a copter",
-                VehicleClass::Plane => " in a plane",
-                VehicleClass::Rover => " in a rover",
-                VehicleClass::Sub => " in a sub",
-                VehicleClass::Other => "",
-            }
-        ))
+        Misread::kind(match context.class {
+            VehicleClass::Copter => text!("grammar-no-mode-copter", mode = text),
+            VehicleClass::Plane => text!("grammar-no-mode-plane", mode = text),
+            VehicleClass::Rover => text!("grammar-no-mode-rover", mode = text),
+            VehicleClass::Sub => text!("grammar-no-mode-sub", mode = text),
+            VehicleClass::Other => text!("grammar-no-mode", mode = text),
+        })
     })
 }
 
@@ -237,13 +249,13 @@ pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> 
 }
 
 /// What a pilot without a stick in the hand should know before entering a mode.
-pub(super) fn mode_warning(name: &str, context: &Context) -> Option<&'static str> {
+pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
     if !matches!(context.class, VehicleClass::Copter | VehicleClass::Other) {
         None
     } else if STICK_CLIMBS.contains(&name) {
-        Some("with the throttle stick down it sinks")
+        Some(text!("grammar-stick-sinks"))
     } else if STICK_LIFTS.contains(&name) {
-        Some("with the throttle stick down it falls")
+        Some(text!("grammar-stick-falls"))
     } else {
         None
     }
@@ -288,7 +300,7 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
         if context.places.is_none() {
             return Ok((Value::Point(NOWHERE), 1));
         }
-        return Err(Misread::kind(format!("there is no place `{}`", first.text)));
+        return Err(Misread::kind(text!("grammar-no-place", place = first.text)));
     }
     let lat_deg =
         number(first.text, Unit::Degrees, -90.0, 90.0).map_err(|misread| misread.part(0, "LAT"))?;
@@ -307,9 +319,7 @@ fn parameter(text: &str) -> Result<String, Misread> {
     if good && text.len() <= 16 {
         Ok(text.to_ascii_uppercase())
     } else {
-        Err(Misread::value(format!(
-            "`{text}` cannot be a parameter: 1 to 16 letters, digits and `_`"
-        )))
+        Err(Misread::value(text!("grammar-no-parameter", word = text)))
     }
 }
 
@@ -318,8 +328,10 @@ fn message(text: &str) -> Result<u32, Misread> {
         return if id <= HIGHEST_MESSAGE {
             Ok(id)
         } else {
-            Err(Misread::value(format!(
-                "{id} is no message id: they run to {HIGHEST_MESSAGE}"
+            Err(Misread::value(text!(
+                "grammar-no-message-id",
+                word = text,
+                highest = HIGHEST_MESSAGE
             )))
         };
     }
@@ -327,14 +339,14 @@ fn message(text: &str) -> Result<u32, Misread> {
         .iter()
         .find(|(name, _)| name.eq_ignore_ascii_case(text))
         .map(|&(_, id)| id)
-        .ok_or_else(|| Misread::kind(format!("there is no message `{text}`")))
+        .ok_or_else(|| Misread::kind(text!("grammar-no-message", word = text)))
 }
 
 fn command(text: &str) -> Result<u16, Misread> {
     if text.bytes().all(|byte| byte.is_ascii_digit()) {
         return text
             .parse()
-            .map_err(|_| Misread::value(format!("{text} is no MAV_CMD: they run to 65535")));
+            .map_err(|_| Misread::value(text!("grammar-no-mav-cmd-number", word = text)));
     }
-    command_by_name(text).ok_or_else(|| Misread::kind(format!("there is no MAV_CMD `{text}`")))
+    command_by_name(text).ok_or_else(|| Misread::kind(text!("grammar-no-mav-cmd", word = text)))
 }

@@ -5,6 +5,8 @@ use std::fmt;
 use super::Context;
 use super::lexer::Word;
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 
 /// Whom a line concerns.
@@ -53,13 +55,10 @@ impl Targets {
         &self,
         selection: &[VehicleId],
         context: &Context,
-    ) -> Result<Vec<VehicleId>, String> {
+    ) -> Result<Vec<VehicleId>, Text> {
         let ids = match self {
             Self::Selection if selection.is_empty() => {
-                return Err(
-                    "no vehicle is selected: select some, or say who, such as `all` or `1-3`"
-                        .to_owned(),
-                );
+                return Err(text!("grammar-none-selected"));
             }
             Self::Selection => selection.to_vec(),
             Self::All => context.vehicles.to_vec(),
@@ -72,13 +71,13 @@ impl Targets {
             Self::Group(name) => context
                 .groups
                 .get(name)
-                .ok_or_else(|| format!("there is no group `@{name}`"))?
+                .ok_or_else(|| text!("grammar-no-group", group = name))?
                 .clone(),
         };
         if ids.is_empty() {
             return Err(match self {
-                Self::Group(name) => format!("the group `@{name}` is empty"),
-                _ => "there are no vehicles yet".to_owned(),
+                Self::Group(name) => text!("grammar-group-empty", group = name),
+                _ => text!("grammar-no-vehicles-yet"),
             });
         }
         Ok(ids)
@@ -118,32 +117,30 @@ impl Targets {
 }
 
 fn unknown_group(name: &str, word: &Word, context: &Context) -> Diagnostic {
-    let fault = Diagnostic::new(word.span.clone(), format!("there is no group `@{name}`"));
+    let fault = Diagnostic::new(word.span.clone(), text!("grammar-no-group", group = name));
     let names = context.groups.keys().map(String::as_str);
     if let Some(near) = nearest(name, names.clone()) {
-        fault.with_help(format!("did you mean `@{near}`?"))
+        fault.with_help(text!("grammar-did-you-mean", name = format!("@{near}")))
     } else if context.groups.is_empty() {
-        fault.with_help("there are no groups here")
+        fault.with_help(text!("grammar-no-groups"))
     } else {
         let known: Vec<String> = names.map(|name| format!("@{name}")).collect();
-        fault.with_help(format!("there are {}", known.join(", ")))
+        fault.with_help(text!("grammar-there-are", names = known.join(", ")))
     }
 }
 
 /// The ids of `4` or `1-4`.
-fn range(part: &str, context: &Context) -> Result<Vec<VehicleId>, String> {
+fn range(part: &str, context: &Context) -> Result<Vec<VehicleId>, Text> {
     if part.is_empty() {
-        return Err(
-            "a vehicle is missing beside the comma: write numbers and ranges as in `1-4,7`"
-                .to_owned(),
-        );
+        return Err(text!("grammar-empty-part"));
     }
     let (first, last) = match part.split_once('-') {
         Some((first, last)) => (id(first, part)?, id(last, part)?),
         None => (id(part, part)?, id(part, part)?),
     };
     if first > last {
-        return Err(format!("`{part}` runs backwards: say `{last}-{first}`"));
+        let turned = format!("{last}-{first}");
+        return Err(text!("grammar-backwards", range = part, turned = turned));
     }
     match (first..=last).find(|&id| !exists(id, context)) {
         Some(missing) => Err(no_vehicle(missing, context)),
@@ -151,17 +148,19 @@ fn range(part: &str, context: &Context) -> Result<Vec<VehicleId>, String> {
     }
 }
 
-fn id(text: &str, part: &str) -> Result<VehicleId, String> {
+fn id(text: &str, part: &str) -> Result<VehicleId, Text> {
     if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
-        return Err(format!(
-            "`{part}` names no vehicles: say a number, a range such as `1-4`, `@group` or `all`"
-        ));
+        return Err(text!("grammar-no-targets", word = part));
     }
     text.parse()
         .ok()
         .filter(|id| (1..=HIGHEST_VEHICLE).contains(id))
         .ok_or_else(|| {
-            format!("{text} is no vehicle: they are numbered from 1 to {HIGHEST_VEHICLE}")
+            text!(
+                "grammar-no-vehicle-number",
+                word = text,
+                highest = HIGHEST_VEHICLE
+            )
         })
 }
 
@@ -169,8 +168,12 @@ fn exists(id: VehicleId, context: &Context) -> bool {
     context.vehicles.is_empty() || context.vehicles.contains(&id)
 }
 
-fn no_vehicle(id: VehicleId, context: &Context) -> String {
+fn no_vehicle(id: VehicleId, context: &Context) -> Text {
     let mut known = context.vehicles.to_vec();
     known.sort_unstable();
-    format!("there is no vehicle {id}, only {}", Targets::Ids(known))
+    text!(
+        "grammar-no-vehicle",
+        vehicle = id,
+        known = Targets::Ids(known).to_string()
+    )
 }

@@ -6,16 +6,15 @@ use std::time::Duration;
 use super::argument::{Argument, Arguments, Problem};
 use super::wait::Wait;
 use crate::commands::Command;
+use crate::text::Text;
 
-/// One verb: everything that the program knows about it.
+/// One verb: everything that the program knows about it. The message `verb-NAME` says what it does.
 #[derive(Clone, Copy)]
 pub struct Verb {
     /// Its name.
     pub name: &'static str,
     /// Other words for it.
     pub aliases: &'static [&'static str],
-    /// What it does, in one line.
-    pub summary: &'static str,
     /// Lines that use it.
     pub examples: &'static [&'static str],
     /// The ways to say it.
@@ -80,6 +79,11 @@ impl Verb {
                 .aliases
                 .iter()
                 .any(|alias| alias.eq_ignore_ascii_case(word))
+    }
+
+    /// What it does, in one line.
+    pub fn summary(&self) -> Text {
+        Text::new(format!("verb-{}", self.name), Vec::new())
     }
 
     /// How to say it, a line per form: "takeoff ALTITUDE".

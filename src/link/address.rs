@@ -4,6 +4,9 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use crate::text;
+use crate::text::Text;
+
 /// The baud rate of a serial port whose address names none.
 const DEFAULT_BAUD: u32 = 115_200;
 /// Who is meant by an address that is only a port: this machine and nobody else.
@@ -66,13 +69,17 @@ pub enum Address {
 
 /// Text that is not a link address.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "\"{text}\" is not a link address: {problem}; write tcp:HOST:PORT (connect), tcpin:HOST:PORT (listen), \
-     udp:HOST:PORT (send to), udpin:HOST:PORT (listen), udpbcast:HOST:PORT, serial:PATH:BAUD or file:FILE.tlog"
-)]
+#[error("{}", Text::from(self))]
 pub struct AddressError {
     text: String,
-    problem: String,
+    problem: Text,
+}
+
+impl From<&AddressError> for Text {
+    fn from(error: &AddressError) -> Self {
+        let AddressError { text, problem } = error;
+        text!("transport-no-address", address = text, problem = problem)
+    }
 }
 
 impl FromStr for Address {
@@ -110,9 +117,9 @@ impl fmt::Display for Address {
     }
 }
 
-fn parse(text: &str) -> Result<Address, String> {
+fn parse(text: &str) -> Result<Address, Text> {
     if text.is_empty() {
-        return Err("it is empty".into());
+        return Err(text!("transport-address-empty"));
     }
     let (kind, rest) = text.split_once(':').unwrap_or(("", text));
     match kind {
@@ -122,14 +129,14 @@ fn parse(text: &str) -> Result<Address, String> {
         "udpin" => socket(rest).map(|(host, port)| Address::UdpIn { host, port }),
         "udpbcast" => target(rest).map(|(host, port)| Address::UdpBroadcast { host, port }),
         "serial" => serial(rest),
-        "file" if rest.is_empty() => Err("the file is missing".into()),
+        "file" if rest.is_empty() => Err(text!("transport-file-missing")),
         "file" => Ok(Address::File { path: rest.into() }),
         _ => bare(text),
     }
 }
 
 /// An address that names no kind.
-fn bare(text: &str) -> Result<Address, String> {
+fn bare(text: &str) -> Result<Address, Text> {
     if Path::new(text)
         .extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("tlog"))
@@ -145,33 +152,34 @@ fn bare(text: &str) -> Result<Address, String> {
         }
         Some(_) => {
             let kind = text.split(':').next().unwrap_or_default();
-            Err(format!("there is no kind of link called \"{kind}\""))
+            Err(text!("transport-no-kind", kind = kind))
         }
-        None => Err("it names neither a kind of link nor a port".into()),
+        None => Err(text!("transport-no-kind-no-port")),
     }
 }
 
 /// Host and port of somebody else, who cannot be at port 0.
-fn target(text: &str) -> Result<(String, u16), String> {
+fn target(text: &str) -> Result<(String, u16), Text> {
     match socket(text)? {
-        (_, 0) => Err("nobody can be reached at port 0".into()),
+        (_, 0) => Err(text!("transport-port-zero")),
         found => Ok(found),
     }
 }
 
 /// `HOST:PORT`, `[IPV6]:PORT`, `:PORT` or `PORT`.
-fn socket(text: &str) -> Result<(String, u16), String> {
+fn socket(text: &str) -> Result<(String, u16), Text> {
     let (host, port) = text.rsplit_once(':').unwrap_or(("", text));
     let port = port.parse().map_err(|_| match port {
-        "" => "the port is missing".to_owned(),
-        _ => format!("\"{port}\" is not a port (0 to 65535)"),
+        "" => text!("transport-port-missing"),
+        _ => text!("transport-no-port", port = port),
     })?;
     let host = match host.strip_prefix('[') {
         Some(inner) => inner
             .strip_suffix(']')
-            .ok_or_else(|| format!("\"{host}\" lacks its closing bracket"))?,
+            .ok_or_else(|| text!("transport-no-bracket", host = host))?,
         None if host.contains(':') => {
-            return Err(format!("an IPv6 address needs brackets: [{host}]:{port}"));
+            let address = format!("[{host}]:{port}");
+            return Err(text!("transport-brackets", address = address));
         }
         None => host,
     };
@@ -181,7 +189,7 @@ fn socket(text: &str) -> Result<(String, u16), String> {
 
 /// `PATH:BAUD`, `PATH,BAUD` or `PATH`. A path may hold colons (`/dev/serial/by-path/pci-0:2:1.0-port0`), so what
 /// is behind the last one is a rate unless a part of such a path stands there.
-fn serial(text: &str) -> Result<Address, String> {
+fn serial(text: &str) -> Result<Address, Text> {
     let split = text.rsplit_once(',').or_else(|| {
         text.rsplit_once(':')
             .filter(|(_, tail)| !is_part_of_path(tail))
@@ -191,7 +199,7 @@ fn serial(text: &str) -> Result<Address, String> {
         None => (text, DEFAULT_BAUD),
     };
     if path.is_empty() {
-        return Err("the serial port's path is missing".into());
+        return Err(text!("transport-serial-missing"));
     }
     Ok(Address::Serial {
         path: path.to_owned(),
@@ -205,13 +213,11 @@ fn is_part_of_path(tail: &str) -> bool {
     tail.contains(['/', '.']) || tail.rfind('-').is_some_and(|at| at > 0)
 }
 
-fn rate(text: &str) -> Result<u32, String> {
+fn rate(text: &str) -> Result<u32, Text> {
     match text.parse() {
         Ok(baud) if baud > 0 => Ok(baud),
-        _ if text.is_empty() => Err("the baud rate is missing after the colon".into()),
-        _ => Err(format!(
-            "the baud rate \"{text}\" is not a positive number such as 57600 or 115200"
-        )),
+        _ if text.is_empty() => Err(text!("transport-baud-missing")),
+        _ => Err(text!("transport-no-baud", baud = text)),
     }
 }
 

@@ -9,6 +9,8 @@ use tokio::time::timeout;
 
 use super::task::{Link, Outcome};
 use super::{Address, datagram, server, stream};
+use crate::text;
+use crate::text::Text;
 
 /// How long a TCP server may take to answer.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
@@ -71,28 +73,33 @@ async fn open(address: &Address) -> Result<Opened, Outcome> {
     opened.map_err(Outcome::Lost)
 }
 
-async fn tcp(host: &str, port: u16) -> Result<TcpStream, String> {
+async fn tcp(host: &str, port: u16) -> Result<TcpStream, Text> {
     let socket = match timeout(CONNECT_TIMEOUT, TcpStream::connect((host, port))).await {
         Ok(Ok(socket)) => socket,
         Ok(Err(error)) if error.kind() == io::ErrorKind::ConnectionRefused => {
-            return Err(format!(
-                "connection refused: nothing listens on port {port} of {host}"
+            return Err(text!("transport-refused", host = host, port = port));
+        }
+        Ok(Err(error)) => {
+            return Err(text!(
+                "transport-unreachable",
+                host = host,
+                port = port,
+                error = error.to_string()
             ));
         }
-        Ok(Err(error)) => return Err(format!("cannot connect to port {port} of {host}: {error}")),
         Err(_) => {
             let seconds = CONNECT_TIMEOUT.as_secs();
-            return Err(format!("{host} did not answer within {seconds} s"));
+            return Err(text!("transport-no-answer", host = host, seconds = seconds));
         }
     };
     // Commands are small and must not wait for one another.
     socket
         .set_nodelay(true)
         .map(|()| socket)
-        .map_err(|error| error.to_string())
+        .map_err(|error| error.to_string().into())
 }
 
-async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<Opened, String> {
+async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<Opened, Text> {
     let target = resolve(host, port).await?;
     let any: SocketAddr = match target {
         SocketAddr::V4(_) => (Ipv4Addr::UNSPECIFIED, 0).into(),
@@ -101,31 +108,42 @@ async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<Opened, String
     let socket = UdpSocket::bind(any)
         .await
         .and_then(|socket| socket.set_broadcast(broadcast).map(|()| socket))
-        .map_err(|error| format!("cannot open a UDP socket: {error}"))?;
+        .map_err(|error| text!("transport-no-udp-socket", error = error.to_string()))?;
     Ok(Opened::Datagrams(socket, Some(target)))
 }
 
 /// The address of a host, by IPv4 if it has both: most vehicles listen only there.
-pub(super) async fn resolve(host: &str, port: u16) -> Result<SocketAddr, String> {
+pub(super) async fn resolve(host: &str, port: u16) -> Result<SocketAddr, Text> {
     let mut found: Vec<_> = lookup_host((host, port))
         .await
-        .map_err(|error| format!("{host} is not found: {error}"))?
+        .map_err(|error| {
+            text!(
+                "transport-not-found",
+                host = host,
+                error = error.to_string()
+            )
+        })?
         .collect();
     found.sort_by_key(SocketAddr::is_ipv6);
     let first = found.first().copied();
-    first.ok_or_else(|| format!("{host} has no address"))
+    first.ok_or_else(|| text!("transport-without-address", host = host))
 }
 
 /// Why a port could not be listened on.
-pub(super) fn bind_failure(host: &str, port: u16, error: &io::Error) -> String {
+pub(super) fn bind_failure(host: &str, port: u16, error: &io::Error) -> Text {
     match error.kind() {
-        io::ErrorKind::AddrInUse => format!(
-            "port {port} on {host} is in use: end the program that has it, or choose another port"
-        ),
-        io::ErrorKind::AddrNotAvailable => {
-            format!("{host} is not an address of this machine: listen on 127.0.0.1 or 0.0.0.0")
+        io::ErrorKind::AddrInUse => {
+            text!("transport-port-in-use", host = host, port = port)
         }
-        _ => format!("cannot listen on port {port} of {host}: {error}"),
+        io::ErrorKind::AddrNotAvailable => {
+            text!("transport-not-here", host = host)
+        }
+        _ => text!(
+            "transport-cannot-listen",
+            host = host,
+            port = port,
+            error = error.to_string()
+        ),
     }
 }
 
@@ -133,12 +151,19 @@ pub(super) fn bind_failure(host: &str, port: u16, error: &io::Error) -> String {
 fn serial(path: &str, baud: u32) -> Result<Opened, Outcome> {
     tokio_serial::SerialStream::open(&tokio_serial::new(path, baud))
         .map(Opened::Serial)
-        .map_err(|error| Outcome::Lost(format!("cannot open {path} at {baud} baud: {error}")))
+        .map_err(|error| {
+            let error = error.to_string();
+            Outcome::Lost(text!(
+                "transport-no-serial",
+                path = path,
+                baud = baud,
+                error = error
+            ))
+        })
 }
 
 #[cfg(not(feature = "serial"))]
 fn serial(path: &str, _baud: u32) -> Result<Opened, Outcome> {
-    Err(Outcome::Over(Some(format!(
-        "cannot open {path}: this program was built without serial ports; build it with --features serial"
-    ))))
+    let reason = text!("transport-without-serial", path = path);
+    Err(Outcome::Over(Some(reason)))
 }

@@ -13,6 +13,8 @@ use super::peer::{Ending, PeerStream};
 use super::stream::PAUSE;
 use super::task::{Chore, Link, Outcome};
 use super::{LinkConfig, Peer, To};
+use crate::text;
+use crate::text::Text;
 use crate::wire::{Frame, Outgoing};
 
 /// The longest datagram that there can be.
@@ -54,7 +56,7 @@ pub(super) async fn session(
                     }
                 }
                 Err(error) if is_icmp(&error) => {}
-                Err(error) => return Outcome::Lost(format!("the UDP socket failed: {error}")),
+                Err(error) => return Outcome::Lost(text!("transport-udp-failed", error = error.to_string())),
             },
             from = paused(pause), if link.may_read() => {
                 if let Some((peer, frames)) = peers.receive(from, &[], Ending::Closed, &mut link.meter) {
@@ -260,7 +262,7 @@ impl Remote {
         socket: &UdpSocket,
         outgoing: &Outgoing,
         meter: &mut Meter,
-    ) -> Result<(), String> {
+    ) -> Result<(), Text> {
         let mut datagram = Vec::new();
         self.stream.encode(outgoing, &mut datagram, meter);
         match socket.send_to(&datagram, self.address).await {
@@ -268,7 +270,11 @@ impl Remote {
             Err(error) if is_icmp(&error) => meter.sent(1, datagram.len()),
             Err(error) => {
                 meter.dropped(1);
-                return Err(format!("cannot send to {}: {error}", self.address));
+                return Err(text!(
+                    "transport-cannot-send",
+                    address = self.address.to_string(),
+                    error = error.to_string()
+                ));
             }
         }
         Ok(())
@@ -276,7 +282,7 @@ impl Remote {
 }
 
 /// Shows a failure to send for as long as it lasts.
-fn note(sent: Result<(), String>, sending_fails: &mut bool, meter: &mut Meter) {
+fn note(sent: Result<(), Text>, sending_fails: &mut bool, meter: &mut Meter) {
     let failed = sent.is_err();
     if failed || *sending_fails {
         meter.complain(sent.err());

@@ -10,6 +10,7 @@ use tokio::sync::watch;
 use tokio::time::Instant;
 
 use super::{LinkState, LinkStatus, Rates, Tap};
+use crate::text::Text;
 use crate::wire::{ComponentId, Counters, Frame, SystemId};
 
 /// Over how long the rates are taken.
@@ -94,8 +95,9 @@ impl Meter {
     }
 
     /// The link does not carry data, for a reason if there is one to tell.
-    pub(super) fn down(&mut self, state: LinkState, reason: Option<String>) {
-        tracing::info!(link = %self.status.name, %state, reason, "down");
+    pub(super) fn down(&mut self, state: LinkState, reason: Option<Text>) {
+        let said = reason.as_ref().map(tracing::field::display);
+        tracing::info!(link = %self.status.name, %state, reason = said, "down");
         if reason.is_some() {
             self.status.last_error = reason;
         }
@@ -114,7 +116,7 @@ impl Meter {
     }
 
     /// Tells of a fault that does not bring the link down, or that it has passed.
-    pub(super) fn complain(&mut self, reason: Option<String>) {
+    pub(super) fn complain(&mut self, reason: Option<Text>) {
         self.status.last_error = reason;
     }
 

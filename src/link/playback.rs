@@ -11,6 +11,8 @@ use super::peer::{Ending, PeerStream};
 use super::task::Link;
 use super::tlog::{Piece, Salvage};
 use super::{Peer, Playback};
+use crate::text;
+use crate::text::Text;
 use crate::wire::Frame;
 
 const PEER: Peer = Peer(0);
@@ -20,11 +22,11 @@ const CHUNKS_AHEAD: usize = 4;
 /// No pause in a recording is kept for longer, in its own time: logs that were joined have gaps of days.
 const LONGEST_GAP: Duration = Duration::from_secs(10);
 
-type Chunk = Result<Vec<Piece>, String>;
+type Chunk = Result<Vec<Piece>, Text>;
 
 /// Plays a recording to its end, and returns what was wrong with it, if anything was. Both directions of the
 /// recorded traffic are delivered.
-pub(super) async fn play(link: &mut Link, path: &Path) -> Option<String> {
+pub(super) async fn play(link: &mut Link, path: &Path) -> Option<Text> {
     let (read, mut chunks) = mpsc::channel(CHUNKS_AHEAD);
     let path = PathBuf::from(path);
     tokio::task::spawn_blocking(move || read_ahead(&path, &read));
@@ -72,14 +74,13 @@ impl Damage {
         self.bytes += len;
     }
 
-    fn reason(&self) -> Option<String> {
+    fn reason(&self) -> Option<Text> {
         let (first, bytes) = (self.first?, self.bytes);
-        let place = match self.stretches {
-            1 => format!("at byte {first}"),
-            count => format!("in {count} places, first at byte {first}"),
-        };
-        Some(format!(
-            "the recording is damaged {place}: {bytes} bytes were passed over"
+        Some(text!(
+            "transport-damage",
+            count = self.stretches,
+            byte = first,
+            bytes = bytes
         ))
     }
 }
@@ -117,21 +118,25 @@ impl Player {
         self.damage.note(offset, len);
         if is_first {
             let reason = self.damage.reason();
-            tracing::warn!(reason);
+            let said = reason.as_ref().map(tracing::field::display);
+            tracing::warn!(reason = said);
             link.meter.complain(reason);
         }
     }
 
     /// What was wrong with the recording, now that it is over.
-    fn verdict(&self, end: Option<String>) -> Option<String> {
+    fn verdict(&self, end: Option<Text>) -> Option<Text> {
         let faults: Vec<_> = self.damage.reason().into_iter().chain(end).collect();
-        match faults.join("; and ") {
-            none if none.is_empty() => None,
-            faults if self.has_records => Some(faults),
-            faults => Some(format!(
-                "{faults}; no record was found in it: is it a tlog?"
-            )),
-        }
+        let mut faults = faults.into_iter();
+        let first = faults.next()?;
+        let faults = faults.fold(first, |all, fault| {
+            text!("transport-faults", first = all, second = fault)
+        });
+        Some(if self.has_records {
+            faults
+        } else {
+            text!("transport-no-tlog", faults = faults)
+        })
     }
 }
 
@@ -175,7 +180,8 @@ fn read_ahead(path: &Path, chunks: &mpsc::Sender<Chunk>) {
     let file = match File::open(path) {
         Ok(file) => file,
         Err(error) => {
-            let reason = format!("cannot open {}: {error}", path.display());
+            let (path, error) = (path.display().to_string(), error.to_string());
+            let reason = text!("transport-no-file", path = path, error = error);
             let _ = chunks.blocking_send(Err(reason));
             return;
         }
@@ -193,7 +199,7 @@ fn read_ahead(path: &Path, chunks: &mpsc::Sender<Chunk>) {
             return;
         }
         if let Some(error) = failure {
-            let _ = chunks.blocking_send(Err(error.to_string()));
+            let _ = chunks.blocking_send(Err(Text::from(&error)));
         }
         if at_end {
             return;

@@ -14,6 +14,7 @@ use super::peer::{Ending, PeerStream};
 use super::stream::{PAUSE, READ_LEN};
 use super::task::{Chore, Link, Outcome};
 use super::{Peer, To};
+use crate::text;
 use crate::wire::Outgoing;
 
 /// Further clients wait in the listener's queue.
@@ -68,7 +69,7 @@ pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
                     link.meter.set_peers(clients.len());
                 }
                 Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
-                Err(error) => return Outcome::Lost(format!("cannot accept clients: {error}")),
+                Err(error) => return Outcome::Lost(text!("transport-no-clients", error = error.to_string())),
             },
             Some((peer, has_data)) = readable.next(), if link.may_read() => {
                 let client = clients.get_mut(&peer);

@@ -16,6 +16,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
 use crate::sim::{STEP, World};
+use crate::text::Text;
 
 mod door;
 #[cfg(test)]
@@ -99,6 +100,13 @@ pub enum SimulatorError {
     /// The speed is no speed.
     #[error("a speedup of {0} is not possible: it must be a number above 0 and at most 1000")]
     Speedup(f64),
+}
+
+impl From<SimulatorError> for Text {
+    /// What can go wrong lies in the options of a command line, which is English.
+    fn from(error: SimulatorError) -> Self {
+        Self::verbatim(error.to_string())
+    }
 }
 
 /// The server of the embedded simulator.
@@ -213,7 +221,9 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
         port,
         reason,
     };
-    let target = resolve(host, port).await.map_err(failure)?;
+    let target = resolve(host, port)
+        .await
+        .map_err(|reason| failure(reason.to_string()))?;
     let any = if target.is_ipv4() {
         "0.0.0.0:0"
     } else {

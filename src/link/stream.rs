@@ -8,6 +8,7 @@ use tokio::time::{Instant, sleep_until};
 use super::Peer;
 use super::peer::{Ending, PeerStream};
 use super::task::{Chore, Link, Outcome};
+use crate::text;
 
 /// The one peer of a stream.
 const PEER: Peer = Peer(0);
@@ -43,19 +44,19 @@ where
                 }
             },
             read = reader.read(&mut input), if link.may_read() => match read {
-                Ok(0) => return Outcome::Lost("it was closed from the other side".into()),
+                Ok(0) => return Outcome::Lost(text!("transport-closed")),
                 Ok(count) => {
                     let frames = peer.receive(&input[..count], Ending::Open, &mut link.meter);
                     link.deliver(PEER, frames);
                     last_read = Some(Instant::now());
                     paused = false;
                 }
-                Err(error) => return Outcome::Lost(error.to_string()),
+                Err(error) => return Outcome::Lost(error.to_string().into()),
             },
             written = writer.write(&output), if !output.is_empty() => match written {
-                Ok(0) => return Outcome::Lost("it takes no more data".into()),
+                Ok(0) => return Outcome::Lost(text!("transport-takes-nothing")),
                 Ok(count) => drop(output.drain(..count)),
-                Err(error) => return Outcome::Lost(error.to_string()),
+                Err(error) => return Outcome::Lost(error.to_string().into()),
             },
             () = sleep_until(heard_at + PAUSE), if !paused && link.may_read() => {
                 let frames = peer.receive(&[], Ending::Closed, &mut link.meter);
@@ -66,7 +67,7 @@ where
                 if silence.is_some() && last_read.is_some() && link.may_read() =>
             {
                 let seconds = silence.unwrap_or_default().as_secs();
-                return Outcome::Lost(format!("nothing was heard for {seconds} s"));
+                return Outcome::Lost(text!("transport-silent", seconds = seconds));
             }
         }
     }

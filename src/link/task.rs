@@ -10,6 +10,8 @@ use super::meter::Meter;
 use super::{
     Address, Inbound, LinkConfig, LinkId, LinkState, Peer, To, Transport, connect, playback, stream,
 };
+use crate::text;
+use crate::text::Text;
 use crate::wire::{Frame, Outgoing, ground_station_heartbeat};
 
 const HEARTBEAT_PERIOD: Duration = Duration::from_secs(1);
@@ -51,9 +53,9 @@ pub(super) enum Outcome {
     /// Nobody wants it any more.
     Unwanted,
     /// It failed for this reason and is worth another try.
-    Lost(String),
+    Lost(Text),
     /// It is over, for this reason if it is not the ordinary end.
-    Over(Option<String>),
+    Over(Option<Text>),
 }
 
 impl Link {
@@ -174,7 +176,7 @@ pub(super) async fn run(mut link: Link, transport: Transport) {
             match stream::session(&mut link, pipe, None).await {
                 Outcome::Unwanted => None,
                 Outcome::Over(reason) => reason,
-                Outcome::Lost(reason) => Some(format!("the pipe's other end is gone: {reason}")),
+                Outcome::Lost(reason) => Some(text!("transport-pipe-gone", reason = reason)),
             }
         }
         Transport::Address(Address::File { path }) => playback::play(&mut link, &path).await,
@@ -186,7 +188,7 @@ pub(super) async fn run(mut link: Link, transport: Transport) {
 }
 
 /// Opens an address again and again; returns why it gave up, if it did.
-async fn reconnect_for_ever(link: &mut Link, address: &Address) -> Option<String> {
+async fn reconnect_for_ever(link: &mut Link, address: &Address) -> Option<Text> {
     let mut retry_in = FIRST_RETRY;
     loop {
         link.meter.down(LinkState::Connecting, None);

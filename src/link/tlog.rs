@@ -3,6 +3,9 @@
 
 use std::io::{self, Read, Write};
 
+use crate::text;
+use crate::text::Text;
+
 mod salvage;
 
 pub(super) use salvage::{Piece, Salvage};
@@ -22,20 +25,14 @@ pub struct TlogRecord {
 
 /// What is wrong with a tlog, and where.
 #[derive(Debug, thiserror::Error)]
+#[error("{}", Text::from(self))]
 pub enum TlogError {
     /// The file ends inside a record: the recorder was killed, or the copy is incomplete.
-    #[error(
-        "the recording is cut off: its last record, at byte {offset}, ends too early; what came before it is sound"
-    )]
     Truncated {
         /// Where the incomplete record starts, in bytes from the start of the file.
         offset: u64,
     },
     /// No frame follows a time stamp.
-    #[error(
-        "the recording is damaged: there is no MAVLink frame in the record at byte {offset} (found 0x{found:02X} \
-         where 0xFD or 0xFE belongs); is it a tlog?"
-    )]
     Damaged {
         /// Where the bad record starts, in bytes from the start of the file.
         offset: u64,
@@ -43,13 +40,30 @@ pub enum TlogError {
         found: u8,
     },
     /// The file could not be read on.
-    #[error("the recording cannot be read at byte {offset}: {source}")]
     Read {
         /// Where the record starts that could not be read.
         offset: u64,
         /// Why.
         source: io::Error,
     },
+}
+
+impl From<&TlogError> for Text {
+    fn from(error: &TlogError) -> Self {
+        match error {
+            TlogError::Truncated { offset } => text!("transport-tlog-cut-off", byte = *offset),
+            TlogError::Damaged { offset, found } => text!(
+                "transport-tlog-damaged",
+                byte = *offset,
+                found = format!("0x{found:02X}")
+            ),
+            TlogError::Read { offset, source } => text!(
+                "transport-tlog-unreadable",
+                byte = *offset,
+                error = source.to_string()
+            ),
+        }
+    }
 }
 
 /// Reads a tlog record by record; give it a buffered reader. After an error it yields nothing more, since

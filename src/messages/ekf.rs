@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::EKF_STATUS_REPORT_DATA;
 
 use super::Report;
+use crate::text;
 use crate::vehicle::{Ekf, EkfFlags, Severity, Vehicle};
 
 /// Applies `EKF_STATUS_REPORT` and says when the filter loses or finds its position on the earth.
@@ -20,8 +21,8 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &EKF_STATUS_REPORT_DATA, report
     };
     let knows = |ekf: Ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE);
     match (knows(before), knows(ekf)) {
-        (true, false) => report.say(Severity::Error, "EKF position lost"),
-        (false, true) => report.say(Severity::Notice, "EKF position good"),
+        (true, false) => report.say(Severity::Error, text!("heard-ekf-lost")),
+        (false, true) => report.say(Severity::Notice, text!("heard-ekf-good")),
         _ => {}
     }
 }

@@ -3,6 +3,8 @@
 use mavlink::dialects::ardupilotmega::{FENCE_STATUS_DATA, FenceBreach};
 
 use super::Report;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Fence, Severity, Vehicle};
 
 /// Applies `FENCE_STATUS` and says when the vehicle leaves the fence or is back.
@@ -16,19 +18,18 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &FENCE_STATUS_DATA, report: &mu
     vehicle.fence = Some(fence);
     match (was_breached, fence.breached) {
         (false, true) => {
-            let text = format!("fence breached{}", side(data.breach_type));
-            report.say(Severity::Warning, text);
+            report.say(Severity::Warning, breached(data.breach_type));
         }
-        (true, false) => report.say(Severity::Notice, "back inside the fence"),
+        (true, false) => report.say(Severity::Notice, text!("heard-fence-back")),
         _ => {}
     }
 }
 
-fn side(breach: FenceBreach) -> &'static str {
+fn breached(breach: FenceBreach) -> Text {
     match breach {
-        FenceBreach::FENCE_BREACH_NONE => "",
-        FenceBreach::FENCE_BREACH_MINALT => " (too low)",
-        FenceBreach::FENCE_BREACH_MAXALT => " (too high)",
-        FenceBreach::FENCE_BREACH_BOUNDARY => " (boundary)",
+        FenceBreach::FENCE_BREACH_NONE => text!("heard-fence"),
+        FenceBreach::FENCE_BREACH_MINALT => text!("heard-fence-low"),
+        FenceBreach::FENCE_BREACH_MAXALT => text!("heard-fence-high"),
+        FenceBreach::FENCE_BREACH_BOUNDARY => text!("heard-fence-boundary"),
     }
 }

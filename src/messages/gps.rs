@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::GPS_RAW_INT_DATA;
 
 use super::Report;
+use crate::text;
 use crate::vehicle::{FixType, Gps, GpsAccuracy, Severity, Vehicle};
 
 /// Applies `GPS_RAW_INT` and says when the fix is lost or found. Its own position is left out: before the
@@ -23,8 +24,11 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut
         return;
     };
     match (locates(before.fix), locates(gps.fix)) {
-        (true, false) => report.say(Severity::Warning, format!("GPS fix lost ({})", gps.fix)),
-        (false, true) => report.say(Severity::Notice, format!("GPS fix {}", gps.fix)),
+        (true, false) => report.say(
+            Severity::Warning,
+            text!("heard-fix-lost", fix = gps.fix.text()),
+        ),
+        (false, true) => report.say(Severity::Notice, text!("heard-fix", fix = gps.fix.text())),
         _ => {}
     }
 }

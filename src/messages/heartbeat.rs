@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::HEARTBEAT_DATA;
 
 use super::Report;
+use crate::text;
 use crate::vehicle::{Heartbeat, Mode, Severity, SystemStatus, Vehicle, VehicleClass};
 
 /// `MAV_TYPE_GCS`.
@@ -89,12 +90,19 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) 
     let before = vehicle.heartbeat.replace(heartbeat);
     let Some(before) = before else { return };
     if before.mode != heartbeat.mode {
-        report.say(Severity::Notice, format!("mode {}", heartbeat.mode));
+        report.say(
+            Severity::Notice,
+            text!("heard-mode", mode = heartbeat.mode.to_string()),
+        );
         // The new mode heads for its own target and says so, or has none.
         vehicle.target = None;
     }
     if before.armed != heartbeat.armed {
-        let text = if heartbeat.armed { "armed" } else { "disarmed" };
+        let text = if heartbeat.armed {
+            text!("heard-armed")
+        } else {
+            text!("heard-disarmed")
+        };
         report.say(Severity::Notice, text);
         if heartbeat.armed {
             vehicle.prearm.clear();

@@ -212,7 +212,7 @@ pub(super) fn apply(
         let excess = vehicle.prearm.len().saturating_sub(TEXTS_KEPT);
         vehicle.prearm.drain(..excess);
     }
-    report.say(joined.severity, text.clone());
+    report.say(joined.severity, text.clone().into());
     vehicle.texts.push(StatusText {
         severity: joined.severity,
         text,

@@ -1,6 +1,5 @@
 //! One command to one vehicle, from the first transmission to the effect in telemetry.
 
-use crate::text::Text;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
@@ -10,6 +9,8 @@ use super::{Order, Output, precedence};
 use crate::commands::{AckResult, Answer, Effect, Repeat, Request, explain};
 use crate::ledger::{RowState, RowUpdate};
 use crate::notice::Notice;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{Content, Frame};
 
@@ -79,7 +80,7 @@ pub(super) struct Transaction {
     /// The effect has shown while setpoints were being repeated.
     effect_has_shown: bool,
     /// What the vehicle said since the first transmission.
-    texts: Vec<String>,
+    texts: Vec<Text>,
 }
 
 impl Transaction {
@@ -155,14 +156,14 @@ impl Transaction {
     }
 
     /// Gives way to another command.
-    pub fn supersede(&self, reason: &str, now: Duration, output: &mut Output) {
-        self.report(RowState::Superseded, Some(reason.to_owned()), now, output);
+    pub fn supersede(&self, reason: &Text, now: Duration, output: &mut Output) {
+        self.report(RowState::Superseded, Some(reason.clone()), now, output);
     }
 
     /// Remembers what the vehicle says meanwhile; it may be the reason of a refusal.
     pub fn hear_text(&mut self, notice: &Notice) {
         if notice.severity <= Severity::Warning {
-            self.texts.push(notice.text.to_string());
+            self.texts.push(notice.text.clone());
         }
     }
 
@@ -239,7 +240,7 @@ impl Transaction {
             return;
         };
         if self.effect_shows(vehicle) == Some(true) {
-            let remark = "seen in telemetry, the answer was lost".to_owned();
+            let remark = text!("outcome-answer-lost");
             return self.end(RowState::Done, Some(remark), now, output);
         }
         if now >= deadline {
@@ -247,7 +248,7 @@ impl Transaction {
                 return self.refuse(AckResult::TemporarilyRejected, vehicle, now, output);
             }
             let text = if in_progress {
-                "it said that it is working on it, and then nothing more".to_owned()
+                text!("outcome-fell-silent")
             } else {
                 self.silence(now)
             };
@@ -263,18 +264,18 @@ impl Transaction {
         }
     }
 
-    fn silence(&self, now: Duration) -> String {
-        let tries = match self.tries {
-            1 => "1 try".to_owned(),
-            tries => format!("{tries} tries"),
-        };
+    fn silence(&self, now: Duration) -> Text {
         let seconds = now.saturating_sub(self.first_sent).as_secs_f64();
-        let guess = match &self.request.answer {
+        let seconds = format!("{seconds:.1}");
+        let silence = text!("outcome-no-answer", tries = self.tries, seconds = seconds);
+        match &self.request.answer {
             // Vehicles say nothing at all to the name of a parameter that they lack.
-            Answer::Parameter(name) => format!("; perhaps it has no parameter {name}"),
-            _ => String::new(),
-        };
-        format!("no answer to {tries} in {seconds:.1} s{guess}")
+            Answer::Parameter(name) => {
+                let guess = text!("outcome-no-parameter", name = name);
+                Text::joined("; ", vec![silence, guess])
+            }
+            _ => silence,
+        }
     }
 
     fn await_effect(
@@ -288,7 +289,11 @@ impl Transaction {
             None | Some(true) => self.end(RowState::Done, None, now, output),
             Some(false) if now >= since + self.effect.within() => {
                 let within_s = self.effect.within().as_secs_f64();
-                let text = format!("{} not seen within {within_s:.0} s", self.effect.describe());
+                let text = text!(
+                    "outcome-not-seen-within",
+                    effect = self.effect.describe(),
+                    seconds = format!("{within_s:.0}")
+                );
                 self.end(RowState::NoEffect, Some(text), now, output);
             }
             Some(false) => self.repeat_setpoint(now, output),
@@ -319,7 +324,7 @@ impl Transaction {
         self.effect_has_shown |= self.effect_shows(vehicle) == Some(true);
         let mode = vehicle.mode();
         if let Some(mode) = mode.filter(|mode| !mode.is("GUIDED")) {
-            let text = format!("the vehicle left GUIDED for {mode}");
+            let text = text!("outcome-left-guided", mode = mode.to_string());
             return self.end(RowState::NoEffect, Some(text), now, output);
         }
         if now >= self.first_sent + repeat.lasting {
@@ -327,7 +332,7 @@ impl Transaction {
             if self.effect_has_shown || repeat.lasting < GATHERING_SPEED {
                 return self.end(RowState::Done, None, now, output);
             }
-            let text = format!("{} was not seen", self.effect.describe());
+            let text = text!("outcome-not-seen", effect = self.effect.describe());
             return self.end(RowState::NoEffect, Some(text), now, output);
         }
         if now >= self.last_sent + repeat.every {
@@ -381,7 +386,7 @@ impl Transaction {
         }
     }
 
-    fn accept(&mut self, remark: Option<String>, now: Duration, output: &mut Output) {
+    fn accept(&mut self, remark: Option<Text>, now: Duration, output: &mut Output) {
         self.is_accepted = true;
         self.phase = Phase::AwaitingEffect {
             since: now,
@@ -399,7 +404,7 @@ impl Transaction {
     fn end(
         &mut self,
         state: RowState,
-        explanation: Option<String>,
+        explanation: Option<Text>,
         now: Duration,
         output: &mut Output,
     ) {
@@ -410,7 +415,7 @@ impl Transaction {
     fn report(
         &self,
         state: RowState,
-        explanation: Option<String>,
+        explanation: Option<Text>,
         now: Duration,
         output: &mut Output,
     ) {
@@ -420,7 +425,7 @@ impl Transaction {
             state,
             tries: self.tries,
             at: now,
-            explanation: explanation.map(Text::from),
+            explanation,
         });
     }
 }
@@ -431,10 +436,10 @@ fn prepare(
     deadline: Duration,
     vehicle: &Vehicle,
     now: Duration,
-) -> Result<Request, (RowState, String)> {
+) -> Result<Request, (RowState, Text)> {
     if now >= deadline {
         let allowed_s = order.retry.deadline.as_secs_f64();
-        let reason = format!("not sent: its {allowed_s:.1} s were over before the line was free");
+        let reason = text!("outcome-too-late", seconds = format!("{allowed_s:.1}"));
         return Err((RowState::TimedOut, reason));
     }
     order

@@ -32,6 +32,13 @@ catalogue! {
     "scoring",
     "terminal",
     "vehicle",
+    "files",
+    "grammar",
+    "outcomes",
+    "refusals",
+    "telemetry",
+    "transport",
+    "verbs",
 }
 
 /// The message files of a language: subject and contents.

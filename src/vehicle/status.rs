@@ -3,6 +3,9 @@
 
 use std::fmt;
 
+use crate::text;
+use crate::text::Text;
+
 /// `MAV_STATE`: the autopilot's summary of itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SystemStatus {
@@ -89,18 +92,26 @@ impl FixType {
     }
 }
 
+impl FixType {
+    /// In a word.
+    pub fn text(self) -> Text {
+        match self {
+            Self::NoGps => text!("fix-no-gps"),
+            Self::NoFix => text!("fix-none"),
+            Self::Fix2d => "2D".into(),
+            Self::Fix3d => "3D".into(),
+            Self::Dgps => "DGPS".into(),
+            Self::RtkFloat => text!("fix-float"),
+            Self::RtkFixed => "RTK".into(),
+            Self::Other => text!("fix-other"),
+        }
+    }
+}
+
 impl fmt::Display for FixType {
+    /// In English.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::NoGps => "no gps",
-            Self::NoFix => "no fix",
-            Self::Fix2d => "2D",
-            Self::Fix3d => "3D",
-            Self::Dgps => "DGPS",
-            Self::RtkFloat => "float",
-            Self::RtkFixed => "RTK",
-            Self::Other => "other",
-        })
+        self.text().fmt(f)
     }
 }
 

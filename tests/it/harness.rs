@@ -120,6 +120,16 @@ impl Console {
 
     /// The newest command's row of a vehicle changes.
     pub fn row(&mut self, vehicle: u16, state: RowState, explanation: Option<&str>) -> &mut Self {
+        self.explained_row(vehicle, state, explanation.map(Text::from))
+    }
+
+    /// The same with an explanation in whichever language.
+    pub fn explained_row(
+        &mut self,
+        vehicle: u16,
+        state: RowState,
+        explanation: Option<Text>,
+    ) -> &mut Self {
         let newest = self.state.session.ledger.entries().len() as u32 - 1;
         self.hear(Event::Row(RowUpdate {
             entry: EntryId(newest),
@@ -127,7 +137,7 @@ impl Console {
             state,
             tries: 1,
             at: self.state.now,
-            explanation: explanation.map(Text::from),
+            explanation,
         }))
     }
 

@@ -17,3 +17,4 @@ mod settings;
 mod terminal;
 mod terminals;
 mod texts;
+mod ukrainian;

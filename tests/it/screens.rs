@@ -32,7 +32,7 @@ fn check(name: &str, console: &Console) {
 fn link(name: &str, state: &str, up: bool) -> LinkSummary {
     LinkSummary {
         name: name.to_owned(),
-        state: state.to_owned(),
+        state: state.into(),
         up,
         bytes_in_per_s: 4123.0,
         bytes_out_per_s: 52.0,
@@ -40,7 +40,7 @@ fn link(name: &str, state: &str, up: bool) -> LinkSummary {
         messages_out_per_s: 2.0,
         bad_crc: 3,
         skipped_bytes: 1205,
-        error: (!up).then(|| "port 14550 is in use: another program listens there".to_owned()),
+        error: (!up).then(|| "port 14550 is in use: another program listens there".into()),
         peers: 1,
         lost: vec![((1, 1), 0), ((3, 1), 17)],
         unknown: 1,

@@ -9,6 +9,7 @@ use sortie::app::action::Action;
 use sortie::app::console::CONSOLE_VERBS;
 use sortie::app::setting::Setting;
 use sortie::app::state::Room;
+use sortie::language::verbs;
 use sortie::text::{Language, Locale, messages};
 
 /// The variables of each message of a language, by id.
@@ -148,17 +149,23 @@ fn name(part: &str) -> Option<String> {
 fn from_tables() -> BTreeSet<String> {
     let actions = Action::ALL.iter().map(|(name, _)| format!("action-{name}"));
     let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
-    let verbs = CONSOLE_VERBS
+    let console = CONSOLE_VERBS
         .iter()
         .map(|verb| format!("console-{}", verb.name));
     let classes =
         ["copter", "plane", "rover", "sub", "vehicle"].map(|class| format!("class-{class}"));
     let settings = Setting::NAMES.iter().map(|name| format!("setting-{name}"));
+    let summaries = verbs().iter().map(|verb| format!("verb-{}", verb.name));
+    let forms = verbs().iter().flat_map(|verb| verb.forms);
+    let arguments = forms.flat_map(|form| form.arguments);
+    let meanings = arguments.map(|argument| argument.help.to_owned());
     actions
         .chain(rooms)
-        .chain(verbs)
+        .chain(console)
         .chain(settings)
         .chain(classes)
+        .chain(summaries)
+        .chain(meanings.filter(|id| !id.is_empty()))
         .collect()
 }
 

@@ -4,7 +4,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Keymap, Meaning, Place};
-use crate::language::{Verb, verbs};
+use crate::language::verbs;
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -50,7 +50,7 @@ pub fn help_lines(keymap: &Keymap, locale: &Locale) -> Vec<HelpLine> {
         .iter()
         .filter(|verb| !SCRIPT_VERBS.contains(&verb.name));
     for verb in for_people {
-        lines.extend(explained(&verb.usage(), &locale.text(&summary(verb))));
+        lines.extend(explained(&verb.usage(), &locale.text(&verb.summary())));
     }
     lines.push(HelpLine::Blank);
     lines.push(title(text!("help-console")));
@@ -59,10 +59,6 @@ pub fn help_lines(keymap: &Keymap, locale: &Locale) -> Vec<HelpLine> {
         lines.extend(explained(&usage, &locale.text(&verb.summary())));
     }
     lines
-}
-
-fn summary(verb: &Verb) -> Text {
-    verb.summary.into()
 }
 
 /// A verb: its summary beside its usage, or below where one of them is long.

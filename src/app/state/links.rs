@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::text::Text;
 use crate::wire::{ComponentId, SystemId};
 
 /// What a link counts.
@@ -10,11 +11,11 @@ pub struct LinkSummary {
     /// Its address.
     pub name: String,
     /// Its state in words, such as `up` or `down, next try in 4 s`.
-    pub state: String,
+    pub state: Text,
     /// Whether it carries data.
     pub up: bool,
     /// Why it does not.
-    pub error: Option<String>,
+    pub error: Option<Text>,
     /// Senders at its other end.
     pub peers: usize,
     /// Bytes per second received.

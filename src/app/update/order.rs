@@ -55,7 +55,7 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
     };
     state.overlay = Some(Overlay::Confirm(Confirm {
         question: format!("{} {count}: {named}", order.verb.name.to_uppercase()).into(),
-        reason: order.verb.summary.into(),
+        reason: order.verb.summary(),
         answer: count.to_string(),
         typed: String::new(),
         cancelled: false,

@@ -89,10 +89,9 @@ fn judge(state: &State, palette: &mut Palette) {
     let line = palette.input.value();
     palette.recipients = recipients(state, line);
     palette.hint = console::usage(line)
-        .map(str::to_owned)
+        .map(Text::from)
         .or_else(|| state.with_context(|context| language::hint(line, context)))
-        .or_else(|| usage(line))
-        .map(Text::from);
+        .or_else(|| usage(line).map(Text::from));
     let checked = match console::parse(line, &state.names()) {
         Some(own) => own.map(|_| None),
         None => order::prepare(state, line).map(|order| Some(order::announced(&order))),

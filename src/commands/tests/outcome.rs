@@ -1,6 +1,7 @@
 //! Effects and explanations.
 
 use super::*;
+use crate::text::Text;
 use crate::vehicle::Place;
 
 #[test]
@@ -78,14 +79,21 @@ fn patience_grows_with_the_way() {
 }
 
 /// Verb, texts, vehicle, command, `MAV_RESULT`, and what is made of them.
-type Refusal<'a> = (&'a str, &'a [String], &'a Vehicle, &'a Command, u8, &'a str);
+type Refusal<'a> = (
+    &'static str,
+    &'a [Text],
+    &'a Vehicle,
+    &'a Command,
+    u8,
+    &'a str,
+);
 
 #[test]
 fn refusals_are_explained_by_the_texts_else_by_the_state() {
     let air = flying("GUIDED");
     let mut ground = on_the_ground("GUIDED");
     ground.prearm = vec!["Need Position Estimate".to_owned()];
-    let text = ["Arm: LAND mode not armable".to_owned()];
+    let text = [Text::from("Arm: LAND mode not armable")];
     let takeoff = Command::Takeoff { altitude_m: 5.0 };
     let orbit = Command::Orbit {
         radius_m: 5.0,
@@ -163,13 +171,7 @@ fn a_parameter_that_kept_its_value_is_noticed() {
         name: "X".to_owned(),
         value,
     };
-    assert_eq!(
-        set(500.0).parameter_outcome(500.0),
-        Ok("X = 500".to_owned())
-    );
-    assert_eq!(
-        set(1500.7).parameter_outcome(1500.0),
-        Ok("X = 1500".to_owned())
-    );
+    assert_eq!(set(500.0).parameter_outcome(500.0), Ok("X = 500".into()));
+    assert_eq!(set(1500.7).parameter_outcome(1500.0), Ok("X = 1500".into()));
     assert!(set(500.0).parameter_outcome(7.0).is_err());
 }

@@ -135,21 +135,23 @@ fn notice_text(line: &NoticeLine, session: &Session) -> Text {
 
 /// A command and what became of it, vehicles that fared the same together.
 fn outcome(entry: &Entry) -> Text {
-    let mut groups: Vec<((String, String), Vec<VehicleId>)> = Vec::new();
+    let mut groups: Vec<((Text, Option<Text>), Vec<VehicleId>)> = Vec::new();
     for row in &entry.rows {
-        let explanation = row.explanation.as_ref().map(ToString::to_string);
-        let fate = (row.state.to_string(), explanation.unwrap_or_default());
+        let explanation = row.explanation.as_ref().map(|text| text.regarding(""));
+        let fate = (row.state.text(), explanation);
         match groups.iter_mut().find(|(known, _)| *known == fate) {
             Some((_, ids)) => ids.push(row.vehicle),
             None => groups.push((fate, vec![row.vehicle])),
         }
     }
     let parts = groups.into_iter().map(|((state, explanation), ids)| {
-        let gap = if explanation.is_empty() { "" } else { ", " };
-        format!("{} {state}{gap}{explanation}", ranges(ids))
+        let vehicles = ranges(ids);
+        let explanation = explanation.map(|text| text.regarding(&vehicles));
+        let state = Text::joined(" ", vec![vehicles.into(), state]);
+        Text::joined(", ", std::iter::once(state).chain(explanation).collect())
     });
-    let parts: Vec<String> = parts.collect();
-    Text::from(format!("{}: {}", entry.line, parts.join("; ")))
+    let parts = Text::joined("; ", parts.collect());
+    Text::joined(": ", vec![entry.line.as_str().into(), parts])
 }
 
 fn objective_text(objective: &ObjectiveProgress) -> Text {

@@ -97,7 +97,9 @@ fn the_hint_marks_what_comes_next() {
         "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m"
     );
     assert!(
-        hint("goto n 1 ").starts_with("goto n NORTH ‹e EAST› [up UP]"),
+        hint("goto n 1 ")
+            .to_string()
+            .starts_with("goto n NORTH ‹e EAST› [up UP]"),
         "{}",
         hint("goto n 1 ")
     );

@@ -4,6 +4,7 @@ use super::{ASK, Built, ONCE, command};
 use crate::commands::Command;
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Danger, Form, Verb};
+use crate::text;
 
 /// Whatever fits a float on the wire.
 const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::MAX as f64);
@@ -12,15 +13,18 @@ const ANY_I32: Kind = Kind::Whole(Unit::None, i32::MIN as f64, i32::MAX as f64);
 pub(super) const SERVO: Verb = Verb {
     name: "servo",
     aliases: &[],
-    summary: "set a servo output",
     examples: &["servo 9 1500us"],
     forms: &[Form {
         arguments: &[
-            Argument::value("output", Kind::Whole(Unit::None, 1.0, 16.0), "output"),
+            Argument::value(
+                "output",
+                Kind::Whole(Unit::None, 1.0, 16.0),
+                "argument-output",
+            ),
             Argument::value(
                 "pulse",
                 Kind::Whole(Unit::Microseconds, 500.0, 2500.0),
-                "pulse width",
+                "argument-pulse",
             ),
         ],
         build: |given| {
@@ -37,11 +41,14 @@ pub(super) const SERVO: Verb = Verb {
 pub(super) const RELAY: Verb = Verb {
     name: "relay",
     aliases: &[],
-    summary: "switch a relay",
     examples: &["relay 0 on"],
     forms: &[Form {
         arguments: &[
-            Argument::value("relay", Kind::Whole(Unit::None, 0.0, 15.0), "relay"),
+            Argument::value(
+                "relay",
+                Kind::Whole(Unit::None, 0.0, 15.0),
+                "argument-relay",
+            ),
             Argument::value("state", Kind::Choice(&["on", "off"]), ""),
         ],
         build: |given| {
@@ -58,7 +65,6 @@ pub(super) const RELAY: Verb = Verb {
 pub(super) const REBOOT: Verb = Verb {
     name: "reboot",
     aliases: &[],
-    summary: "reboot the autopilot; refused while armed",
     examples: &["2 reboot"],
     forms: &[Form {
         arguments: &[],
@@ -71,11 +77,10 @@ pub(super) const REBOOT: Verb = Verb {
 pub(super) const INTERVAL: Verb = Verb {
     name: "interval",
     aliases: &[],
-    summary: "ask for a message so many times a second; 0 switches it off",
     examples: &["interval ATTITUDE 10", "interval 33 2Hz"],
     forms: &[Form {
         arguments: &[
-            Argument::value("message", Kind::Message, "name or id"),
+            Argument::value("message", Kind::Message, "argument-name-or-id"),
             Argument::value("rate", Kind::Number(Unit::Hertz, 0.0, 1000.0), ""),
         ],
         build: |given| {
@@ -92,10 +97,13 @@ pub(super) const INTERVAL: Verb = Verb {
 pub(super) const REQUEST: Verb = Verb {
     name: "request",
     aliases: &[],
-    summary: "ask for a message once",
     examples: &["request AUTOPILOT_VERSION", "1 request 242"],
     forms: &[Form {
-        arguments: &[Argument::value("message", Kind::Message, "name or id")],
+        arguments: &[Argument::value(
+            "message",
+            Kind::Message,
+            "argument-name-or-id",
+        )],
         build: |given| {
             command(Command::RequestMessage {
                 message: given.required("message")? as u32,
@@ -109,13 +117,12 @@ pub(super) const REQUEST: Verb = Verb {
 pub(super) const PARAM: Verb = Verb {
     name: "param",
     aliases: &["parameter"],
-    summary: "read or write a parameter",
     examples: &["param get WPNAV_SPEED", "all param set WPNAV_SPEED 500"],
     forms: &[
         Form {
             arguments: &[
-                Argument::flag("get", "read it"),
-                Argument::value("name", Kind::Parameter, "its name"),
+                Argument::flag("get", "argument-parameter-get"),
+                Argument::value("name", Kind::Parameter, "argument-parameter-name"),
             ],
             build: |given| {
                 let name = given.required_word("name")?.to_owned();
@@ -124,9 +131,9 @@ pub(super) const PARAM: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::flag("set", "write it"),
-                Argument::value("name", Kind::Parameter, "its name"),
-                Argument::value("value", ANY, "the new value"),
+                Argument::flag("set", "argument-parameter-set"),
+                Argument::value("name", Kind::Parameter, "argument-parameter-name"),
+                Argument::value("value", ANY, "argument-parameter-value"),
             ],
             build: |given| {
                 command(Command::SetParameter {
@@ -143,11 +150,10 @@ pub(super) const PARAM: Verb = Verb {
 pub(super) const LONG: Verb = Verb {
     name: "long",
     aliases: &[],
-    summary: "any MAV_CMD as COMMAND_LONG; parameters left out are 0",
     examples: &["long NAV_TAKEOFF 0 0 0 0 0 0 20", "long 400 1"],
     forms: &[Form {
         arguments: &[
-            Argument::value("command", Kind::MavCommand, "name or number"),
+            Argument::value("command", Kind::MavCommand, "argument-name-or-number"),
             Argument::value("p1", ANY, "").optional(),
             Argument::value("p2", ANY, "").optional(),
             Argument::value("p3", ANY, "").optional(),
@@ -171,12 +177,15 @@ pub(super) const LONG: Verb = Verb {
 pub(super) const INT: Verb = Verb {
     name: "int",
     aliases: &[],
-    summary: "any MAV_CMD as COMMAND_INT; x and y are degrees times 1e7 where they are a place",
     examples: &["int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40"],
     forms: &[Form {
         arguments: &[
-            Argument::value("command", Kind::MavCommand, "name or number"),
-            Argument::value("frame", Kind::Whole(Unit::None, 0.0, 255.0), "MAV_FRAME"),
+            Argument::value("command", Kind::MavCommand, "argument-name-or-number"),
+            Argument::value(
+                "frame",
+                Kind::Whole(Unit::None, 0.0, 255.0),
+                "argument-mav-frame",
+            ),
             Argument::value("p1", ANY, ""),
             Argument::value("p2", ANY, ""),
             Argument::value("p3", ANY, ""),
@@ -201,7 +210,7 @@ fn int(given: &Arguments) -> Built {
         frame: given.required("frame")? as u8,
         params: params?
             .try_into()
-            .map_err(|_| Problem::new("p4", "four parameters are needed"))?,
+            .map_err(|_| Problem::new("p4", text!("grammar-four-parameters")))?,
         x: given.required("x")? as i32,
         y: given.required("y")? as i32,
         z: given.required("z")? as f32,

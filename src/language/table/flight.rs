@@ -8,7 +8,6 @@ use crate::language::verb::{Danger, Form, Verb};
 pub(super) const ARM: Verb = Verb {
     name: "arm",
     aliases: &[],
-    summary: "start the motors",
     examples: &["arm", "all arm"],
     forms: &[Form {
         arguments: &[],
@@ -21,7 +20,6 @@ pub(super) const ARM: Verb = Verb {
 pub(super) const DISARM: Verb = Verb {
     name: "disarm",
     aliases: &[],
-    summary: "stop the motors on the ground; refused in flight",
     examples: &["disarm"],
     forms: &[Form {
         arguments: &[],
@@ -34,7 +32,6 @@ pub(super) const DISARM: Verb = Verb {
 pub(super) const KILL: Verb = Verb {
     name: "kill",
     aliases: &[],
-    summary: "stop the motors at once, in flight too: it falls",
     examples: &["3 kill"],
     forms: &[Form {
         arguments: &[],
@@ -47,10 +44,13 @@ pub(super) const KILL: Verb = Verb {
 pub(super) const MODE: Verb = Verb {
     name: "mode",
     aliases: &[],
-    summary: "change the flight mode; its name alone does it too. LOITER and the like sink with the throttle stick down",
     examples: &["mode guided", "all loiter"],
     forms: &[Form {
-        arguments: &[Argument::value("mode", Kind::Mode, "name or number")],
+        arguments: &[Argument::value(
+            "mode",
+            Kind::Mode,
+            "argument-name-or-number",
+        )],
         build: |given| {
             let name = given.required_word("mode")?.to_owned();
             command(Command::SetMode { name })
@@ -63,13 +63,12 @@ pub(super) const MODE: Verb = Verb {
 pub(super) const TAKEOFF: Verb = Verb {
     name: "takeoff",
     aliases: &[],
-    summary: "climb straight up, armed and in GUIDED",
     examples: &["takeoff 20", "all takeoff 20m"],
     forms: &[Form {
         arguments: &[Argument::value(
             "altitude",
             Kind::Number(Unit::Metres, 0.5, 1000.0),
-            "height above home",
+            "argument-height",
         )],
         build: takeoff,
     }],
@@ -86,7 +85,6 @@ fn takeoff(given: &Arguments) -> Built {
 pub(super) const LAND: Verb = Verb {
     name: "land",
     aliases: &[],
-    summary: "land where it is",
     examples: &["land"],
     forms: &[Form {
         arguments: &[],
@@ -99,7 +97,6 @@ pub(super) const LAND: Verb = Verb {
 pub(super) const RTL: Verb = Verb {
     name: "rtl",
     aliases: &[],
-    summary: "return to launch and land there",
     examples: &["all rtl"],
     forms: &[Form {
         arguments: &[],
@@ -112,7 +109,6 @@ pub(super) const RTL: Verb = Verb {
 pub(super) const HOLD: Verb = Verb {
     name: "hold",
     aliases: &["pause", "stop"],
-    summary: "stop and stay: pauses GUIDED and AUTO, brakes in other modes",
     examples: &["all hold"],
     forms: &[Form {
         arguments: &[],
@@ -125,7 +121,6 @@ pub(super) const HOLD: Verb = Verb {
 pub(super) const RESUME: Verb = Verb {
     name: "resume",
     aliases: &["continue"],
-    summary: "go on after a hold in GUIDED or AUTO",
     examples: &["resume", "1-2 continue"],
     forms: &[Form {
         arguments: &[],

@@ -6,6 +6,7 @@ use super::{ASK, Built, CHANGE, SETPOINT, command, given};
 use crate::commands::{Command, Destination, Heading, SpeedAxis};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Danger, Form, Verb};
+use crate::text;
 
 /// Heights above home or the origin; below lies the ground.
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
@@ -14,14 +15,12 @@ const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
 const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
 const VELOCITY_LIMIT: Kind = Kind::Number(Unit::MetresPerSecond, -50.0, 50.0);
 
-const KEEP: Argument = Argument::flag("keep", "the nose stays as it is").optional();
-const FACE: Argument =
-    Argument::keyed("face", "heading", HEADING, "where the nose points").optional();
+const KEEP: Argument = Argument::flag("keep", "argument-keep").optional();
+const FACE: Argument = Argument::keyed("face", "heading", HEADING, "argument-face").optional();
 
 pub(super) const GOTO: Verb = Verb {
     name: "goto",
     aliases: &["go"],
-    summary: "fly to a place in GUIDED: metres from the vehicle's own origin, metres from where it is, or a point",
     examples: &[
         "1-2 goto n 100 e 50 up 30",
         "goto by n 10 e -5 up 2",
@@ -31,9 +30,9 @@ pub(super) const GOTO: Verb = Verb {
     forms: &[
         Form {
             arguments: &[
-                Argument::keyed("n", "north", WAY, "north of the origin"),
-                Argument::keyed("e", "east", WAY, "east of the origin"),
-                Argument::keyed("up", "up", HEIGHT, "above the origin").optional(),
+                Argument::keyed("n", "north", WAY, "argument-north-of-origin"),
+                Argument::keyed("e", "east", WAY, "argument-east-of-origin"),
+                Argument::keyed("up", "up", HEIGHT, "argument-above-origin").optional(),
                 KEEP,
                 FACE,
             ],
@@ -50,10 +49,10 @@ pub(super) const GOTO: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::flag("by", "from where it is"),
-                Argument::keyed("n", "north", WAY, "to the north").optional(),
-                Argument::keyed("e", "east", WAY, "to the east").optional(),
-                Argument::keyed("up", "up", WAY, "upwards").optional(),
+                Argument::flag("by", "argument-from-here"),
+                Argument::keyed("n", "north", WAY, "argument-to-north").optional(),
+                Argument::keyed("e", "east", WAY, "argument-to-east").optional(),
+                Argument::keyed("up", "up", WAY, "argument-upwards").optional(),
                 KEEP,
                 FACE,
             ],
@@ -61,8 +60,8 @@ pub(super) const GOTO: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::value("point", Kind::Point, "a named place or degrees"),
-                Argument::keyed("up", "up", HEIGHT, "above home").optional(),
+                Argument::value("point", Kind::Point, "argument-place"),
+                Argument::keyed("up", "up", HEIGHT, "argument-above-home").optional(),
                 KEEP,
                 FACE,
             ],
@@ -83,10 +82,7 @@ pub(super) const GOTO: Verb = Verb {
 
 fn goto_by(arguments: &Arguments) -> Built {
     if given(arguments, &["north", "east", "up"]).is_none() {
-        return Err(Problem::new(
-            "by",
-            "by how much? say `by n 10`, `by e -5`, `by up 2`",
-        ));
+        return Err(Problem::new("by", text!("grammar-by-how-much")));
     }
     let part = |name| arguments.number(name).unwrap_or(0.0);
     goto(
@@ -102,7 +98,7 @@ fn goto_by(arguments: &Arguments) -> Built {
 fn goto(arguments: &Arguments, destination: Destination) -> Built {
     let heading = match (arguments.flag("keep"), arguments.number("heading")) {
         (true, Some(_)) => {
-            let message = "the nose can keep its heading or face another, not both";
+            let message = text!("grammar-keep-or-face");
             return Err(Problem::new("heading", message));
         }
         (true, None) => Heading::Keep,
@@ -118,10 +114,9 @@ fn goto(arguments: &Arguments, destination: Destination) -> Built {
 pub(super) const ALTITUDE: Verb = Verb {
     name: "altitude",
     aliases: &["alt"],
-    summary: "climb or descend where it is, in GUIDED",
     examples: &["altitude 35", "2 alt 12.5m"],
     forms: &[Form {
-        arguments: &[Argument::value("altitude", HEIGHT, "height above home")],
+        arguments: &[Argument::value("altitude", HEIGHT, "argument-height")],
         build: |given| {
             command(Command::Altitude {
                 altitude_m: given.required("altitude")?,
@@ -135,14 +130,13 @@ pub(super) const ALTITUDE: Verb = Verb {
 pub(super) const SPEED: Verb = Verb {
     name: "speed",
     aliases: &[],
-    summary: "change how fast it flies",
     examples: &["speed 5", "all speed climb 2m/s"],
     forms: &[Form {
         arguments: &[
             Argument::value(
                 "axis",
                 Kind::Choice(&["ground", "climb", "descend"]),
-                "over ground unless said",
+                "argument-axis",
             )
             .optional(),
             Argument::value("speed", Kind::Number(Unit::MetresPerSecond, 0.1, 100.0), ""),
@@ -166,25 +160,24 @@ pub(super) const SPEED: Verb = Verb {
 pub(super) const YAW: Verb = Verb {
     name: "yaw",
     aliases: &["turn"],
-    summary: "turn the nose: to a heading, or `by` so much (clockwise positive)",
     examples: &["yaw 270", "yaw by -90deg rate 30"],
     forms: &[
         Form {
             arguments: &[
-                Argument::value("angle", HEADING, "clockwise from north"),
-                Argument::keyed("rate", "rate", TURN_RATE, "how fast").optional(),
+                Argument::value("angle", HEADING, "argument-heading"),
+                Argument::keyed("rate", "rate", TURN_RATE, "argument-turn-rate").optional(),
             ],
             build: |given| yaw(given, false),
         },
         Form {
             arguments: &[
-                Argument::flag("by", "from the present heading").optional(),
+                Argument::flag("by", "argument-by-heading").optional(),
                 Argument::value(
                     "angle",
                     Kind::Number(Unit::Degrees, -180.0, 180.0),
-                    "clockwise positive",
+                    "argument-clockwise",
                 ),
-                Argument::keyed("rate", "rate", TURN_RATE, "how fast").optional(),
+                Argument::keyed("rate", "rate", TURN_RATE, "argument-turn-rate").optional(),
             ],
             build: yaw_by,
         },
@@ -197,10 +190,7 @@ fn yaw_by(arguments: &Arguments) -> Built {
     if arguments.flag("by") {
         return yaw(arguments, true);
     }
-    Err(Problem::new(
-        "angle",
-        "a heading runs from 0 to 360; say `by` to turn the other way",
-    ))
+    Err(Problem::new("angle", text!("grammar-heading-range")))
 }
 
 const TURN_RATE: Kind = Kind::Number(Unit::DegreesPerSecond, 1.0, 360.0);
@@ -216,19 +206,18 @@ fn yaw(arguments: &Arguments, relative: bool) -> Built {
 pub(super) const VELOCITY: Verb = Verb {
     name: "velocity",
     aliases: &["vel"],
-    summary: "fly with a velocity in GUIDED for so long, 0.2 to 600 s, then stop",
     examples: &["velocity n 1 e 0 d 0 for 5s", "2 velocity up 0.5m/s for 10"],
     forms: &[Form {
         arguments: &[
-            Argument::keyed("n", "north", VELOCITY_LIMIT, "northwards").optional(),
-            Argument::keyed("e", "east", VELOCITY_LIMIT, "eastwards").optional(),
-            Argument::keyed("d", "down", VELOCITY_LIMIT, "downwards").optional(),
-            Argument::keyed("up", "up", VELOCITY_LIMIT, "upwards").optional(),
+            Argument::keyed("n", "north", VELOCITY_LIMIT, "argument-northwards").optional(),
+            Argument::keyed("e", "east", VELOCITY_LIMIT, "argument-eastwards").optional(),
+            Argument::keyed("d", "down", VELOCITY_LIMIT, "argument-downwards").optional(),
+            Argument::keyed("up", "up", VELOCITY_LIMIT, "argument-upwards").optional(),
             Argument::keyed(
                 "for",
                 "time",
                 Kind::Number(Unit::Seconds, 0.2, 600.0),
-                "for how long",
+                "argument-duration",
             ),
         ],
         build: velocity,
@@ -239,13 +228,10 @@ pub(super) const VELOCITY: Verb = Verb {
 
 fn velocity(arguments: &Arguments) -> Built {
     if given(arguments, &["north", "east", "down", "up"]).is_none() {
-        return Err(Problem::new(
-            "time",
-            "which way? say `n`, `e`, `d` or `up` and a speed",
-        ));
+        return Err(Problem::new("time", text!("grammar-which-way")));
     }
     if arguments.flag("down") && arguments.flag("up") {
-        return Err(Problem::new("up", "it can go `d` or `up`, not both"));
+        return Err(Problem::new("up", text!("grammar-down-or-up")));
     }
     let part = |name| arguments.number(name).unwrap_or(0.0);
     command(Command::Velocity {
@@ -261,32 +247,28 @@ fn velocity(arguments: &Arguments) -> Built {
 pub(super) const ORBIT: Verb = Verb {
     name: "orbit",
     aliases: &[],
-    summary: "circle around a point; a negative radius turns the other way",
     examples: &["orbit 30", "orbit -20m speed 3 at 50.4501 30.5234 up 25"],
     forms: &[Form {
         arguments: &[
             Argument::value(
                 "radius",
                 Kind::Number(Unit::Metres, -10_000.0, 10_000.0),
-                "clockwise positive",
+                "argument-clockwise",
             ),
             Argument::keyed(
                 "speed",
                 "speed",
                 Kind::Number(Unit::MetresPerSecond, 0.1, 50.0),
-                "3 m/s unless said",
+                "argument-orbit-speed",
             )
             .optional(),
-            Argument::keyed("at", "centre", Kind::Point, "where it is unless said").optional(),
-            Argument::keyed("up", "up", HEIGHT, "above home").optional(),
+            Argument::keyed("at", "centre", Kind::Point, "argument-orbit-centre").optional(),
+            Argument::keyed("up", "up", HEIGHT, "argument-above-home").optional(),
         ],
         build: |given| {
             let radius_m = given.required("radius")?;
             if radius_m.abs() < 1.0 {
-                return Err(Problem::new(
-                    "radius",
-                    "a circle needs a radius of 1 m at least",
-                ));
+                return Err(Problem::new("radius", text!("grammar-small-circle")));
             }
             command(Command::Orbit {
                 radius_m,
@@ -303,17 +285,16 @@ pub(super) const ORBIT: Verb = Verb {
 pub(super) const ROI: Verb = Verb {
     name: "roi",
     aliases: &["look"],
-    summary: "point nose and camera at a place, until `roi off`",
     examples: &["roi 50.4501 30.5234 up 2", "all roi off"],
     forms: &[
         Form {
             arguments: &[
-                Argument::value("point", Kind::Point, "a named place or degrees"),
+                Argument::value("point", Kind::Point, "argument-place"),
                 Argument::keyed(
                     "up",
                     "up",
                     Kind::Number(Unit::Metres, -1000.0, 10_000.0),
-                    "above home, 0 unless said",
+                    "argument-roi-height",
                 )
                 .optional(),
             ],
@@ -325,7 +306,7 @@ pub(super) const ROI: Verb = Verb {
             },
         },
         Form {
-            arguments: &[Argument::flag("off", "look ahead again")],
+            arguments: &[Argument::flag("off", "argument-roi-off")],
             build: |_| command(Command::RegionOfInterest { target: None }),
         },
     ],
@@ -336,20 +317,19 @@ pub(super) const ROI: Verb = Verb {
 pub(super) const HOME: Verb = Verb {
     name: "home",
     aliases: &["sethome"],
-    summary: "set home: where it is, or a point with its height above sea level",
     examples: &["home here", "home 50.4501 30.5234 180"],
     forms: &[
         Form {
-            arguments: &[Argument::flag("here", "where it is")],
+            arguments: &[Argument::flag("here", "argument-here")],
             build: |_| command(Command::SetHome { place: None }),
         },
         Form {
             arguments: &[
-                Argument::value("point", Kind::Point, "a named place or degrees"),
+                Argument::value("point", Kind::Point, "argument-place"),
                 Argument::value(
                     "altitude",
                     Kind::Number(Unit::Metres, -500.0, 9000.0),
-                    "above mean sea level",
+                    "argument-above-sea",
                 ),
             ],
             build: |given| {

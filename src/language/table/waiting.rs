@@ -6,23 +6,17 @@ use super::{Built, ONCE};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Danger, Form, Meaning, Verb};
 use crate::language::wait::{DEFAULT_TIMEOUT, Field, Relation, Situation, Until, Wait};
+use crate::text;
 
 /// Times in scripts: up to a day.
 const TIME: Kind = Kind::Number(Unit::Seconds, 0.0, 86_400.0);
-const TIMEOUT: Argument = Argument::keyed(
-    "timeout",
-    "timeout",
-    TIME,
-    "when to go on regardless, 60 s unless said",
-)
-.optional();
+const TIMEOUT: Argument =
+    Argument::keyed("timeout", "timeout", TIME, "argument-timeout").optional();
 const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");
 
 pub(super) const WAIT: Verb = Verb {
     name: "wait",
     aliases: &[],
-    summary: "hold a script for a time, or until something is true of all targets; goes on after 60 s \
-              unless a timeout is given",
     examples: &[
         "wait 5s",
         "wait all altitude > 19 timeout 30s",
@@ -32,7 +26,7 @@ pub(super) const WAIT: Verb = Verb {
     ],
     forms: &[
         Form {
-            arguments: &[Argument::value("time", TIME, "how long")],
+            arguments: &[Argument::value("time", TIME, "argument-pause")],
             build: |given| wait(given, Until::Passed(seconds(given.required("time")?))),
         },
         Form {
@@ -48,14 +42,15 @@ pub(super) const WAIT: Verb = Verb {
             ],
             build: |given| {
                 let situation = Situation::named(given.required_word("situation")?);
-                let situation = situation.ok_or_else(|| Problem::new("situation", "unknown"))?;
+                let situation = situation
+                    .ok_or_else(|| Problem::new("situation", text!("grammar-unknown-word")))?;
                 wait(given, Until::Situation(situation))
             },
         },
         Form {
             arguments: &[
-                Argument::flag("mode", "in this mode"),
-                Argument::value("name", Kind::Mode, "name or number"),
+                Argument::flag("mode", "argument-in-mode"),
+                Argument::value("name", Kind::Mode, "argument-name-or-number"),
                 TIMEOUT,
             ],
             build: |given| wait(given, Until::Mode(given.required_word("name")?.to_owned())),
@@ -65,7 +60,7 @@ pub(super) const WAIT: Verb = Verb {
                 Argument::value(
                     "field",
                     Kind::Choice(&["altitude", "distance"]),
-                    "above home, to home",
+                    "argument-altitude-or-distance",
                 ),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Metres, -10_000.0, 1e6), ""),
@@ -75,7 +70,7 @@ pub(super) const WAIT: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::value("field", Kind::Choice(&["speed"]), "over ground"),
+                Argument::value("field", Kind::Choice(&["speed"]), "argument-ground-speed"),
                 RELATION,
                 Argument::value(
                     "value",
@@ -88,7 +83,7 @@ pub(super) const WAIT: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::value("field", Kind::Choice(&["battery"]), "charge left"),
+                Argument::value("field", Kind::Choice(&["battery"]), "argument-charge"),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Percent, 0.0, 100.0), ""),
                 TIMEOUT,
@@ -97,7 +92,7 @@ pub(super) const WAIT: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::value("field", Kind::Choice(&["heading"]), "clockwise from north"),
+                Argument::value("field", Kind::Choice(&["heading"]), "argument-heading"),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Degrees, 0.0, 360.0), ""),
                 TIMEOUT,
@@ -106,7 +101,7 @@ pub(super) const WAIT: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::value("field", Kind::Choice(&["sats"]), "satellites in use"),
+                Argument::value("field", Kind::Choice(&["sats"]), "argument-satellites"),
                 RELATION,
                 Argument::value("value", Kind::Whole(Unit::None, 0.0, 255.0), ""),
                 TIMEOUT,
@@ -124,8 +119,9 @@ fn compare(given: &Arguments) -> Built {
     wait(
         given,
         Until::Compared {
-            field: field.ok_or_else(|| Problem::new("field", "unknown"))?,
-            relation: relation.ok_or_else(|| Problem::new("relation", "unknown"))?,
+            field: field.ok_or_else(|| Problem::new("field", text!("grammar-unknown-word")))?,
+            relation: relation
+                .ok_or_else(|| Problem::new("relation", text!("grammar-unknown-word")))?,
             value: given.required("value")?,
         },
     )

@@ -180,8 +180,8 @@ fn is_intact(frame: &[u8]) -> bool {
 mod tests {
     use super::*;
     use crate::link::TlogWriter;
-    use crate::link::tlog::LONGEST_FRAME;
     use crate::link::tests::heartbeat;
+    use crate::link::tlog::LONGEST_FRAME;
     use proptest::prelude::*;
 
     const START_US: u64 = 1_700_000_000_000_000;

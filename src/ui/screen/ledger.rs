@@ -166,7 +166,7 @@ fn entry_line(
         Span::styled(
             format!(
                 " {}",
-                aligned(&format!(" {}", summary(entry, false)), outcome, false)
+                aligned(&format!(" {}", summary(entry, look, false)), outcome, false)
             ),
             look.style(entry_role(entry)),
         ),
@@ -228,7 +228,7 @@ fn row_lines(row: &Row, look: &Look, width: usize) -> Vec<Line<'static>> {
     let muted = look.style(Role::Muted);
     let answer = row.answered_after;
     let answer = answer.map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
-    let state = aligned(&row.state.to_string(), STATE_WIDTH, false);
+    let state = aligned(&look.text(&row.state.text()), STATE_WIDTH, false);
     let tries = text!("commands-sent-times", count = row.tries);
     let head = Line::from(vec![
         Span::raw(format!("{:>5}  ", row.vehicle)),

@@ -174,11 +174,11 @@ fn draw_link(state: &State, at: usize, look: &Look, area: Rect, buffer: &mut Buf
 
 /// The counters with their labels.
 fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
-    let mut lines = vec![(text!("links-state"), link.state.clone())];
+    let mut lines = vec![(text!("links-state"), look.text(&link.state))];
     lines.extend(
         link.error
             .iter()
-            .map(|it| (text!("links-error"), it.clone())),
+            .map(|it| (text!("links-error"), look.text(it))),
     );
     let traffic = |bytes: f64, messages: f64| {
         let (bytes, messages) = (format!("{bytes:.0}"), format!("{messages:.0}"));

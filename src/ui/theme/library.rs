@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{EMBEDDED, Theme, file};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::text::Text;
 
 /// Themes by name. One of the user's stands before the embedded one of the same name, and may inherit it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -41,6 +42,20 @@ pub enum ThemeError {
         /// Every fault, with its place.
         faults: Vec<Diagnostic>,
     },
+}
+
+impl From<&ThemeError> for Text {
+    fn from(error: &ThemeError) -> Self {
+        match error {
+            // The console offers names that there are; only a command line can ask for others.
+            ThemeError::Unknown { .. } => Self::verbatim(error.to_string()),
+            ThemeError::Faulty { file, faults } => {
+                let faults = faults.iter();
+                let lines = faults.map(|fault| fault.text(&file.path, &file.text));
+                Self::joined("\n", lines.collect())
+            }
+        }
+    }
 }
 
 impl Themes {

@@ -9,6 +9,8 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Session, State, ranges};
 use crate::ledger::{Entry, Row, RowState};
+use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, clock, put, row_role, titled, wrap};
@@ -57,12 +59,16 @@ pub fn entry_lines<'a>(
     let style = look.style(entry_role(entry));
     let mut lines = head_lines(entry, session, width, look);
     // Where all rows ended with a remark, it stands in the place of their states.
-    let told = outcome(entry).is_some();
+    let told = outcome(entry, look).is_some();
     let left = explanations(entry);
     for (text, vehicles) in left.into_iter().filter(|_| !told) {
-        let plural = if vehicles.len() == 1 { "" } else { "s" };
-        let text = format!("vehicle{plural} {}: {text}", ranges(vehicles));
-        let wrapped = wrap(&text, width.saturating_sub(INDENT));
+        let text = text!(
+            "state-explained",
+            count = vehicles.len(),
+            vehicles = ranges(vehicles),
+            text = text
+        );
+        let wrapped = wrap(&look.text(&text), width.saturating_sub(INDENT));
         lines.extend(wrapped.iter().map(|line| indented(line, style)));
     }
     lines
@@ -75,9 +81,10 @@ fn head_lines<'a>(entry: &Entry, session: &Session, width: usize, look: &Look) -
     let time = Span::styled(time, look.style(Role::Muted));
     let room = width.saturating_sub(time.width());
     let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
-    let outcome = outcome(entry);
-    let short = outcome.clone().unwrap_or_else(|| summary(entry, false));
-    let long = outcome.unwrap_or_else(|| summary(entry, true));
+    let outcome = outcome(entry, look);
+    let short = outcome.clone();
+    let short = short.unwrap_or_else(|| summary(entry, look, false));
+    let long = outcome.unwrap_or_else(|| summary(entry, look, true));
     let mut fitting = [long, short.clone()].into_iter();
     if let Some(text) = fitting.find(|text| text.chars().count() <= free) {
         let line = Span::raw(format!("{}  ", entry.line));
@@ -94,40 +101,33 @@ fn indented<'a>(text: &str, style: Style) -> Line<'a> {
 }
 
 /// How many vehicles are in which state, in words.
-pub fn summary(entry: &Entry, with_count: bool) -> String {
+pub fn summary(entry: &Entry, look: &Look, with_count: bool) -> String {
     if let [row] = entry.rows.as_slice() {
-        let again = row.state == RowState::Sent && row.tries > 1;
-        let tries = if again {
-            format!(", try {}", row.tries)
-        } else {
-            String::new()
-        };
-        return format!("{}{tries}", row.state);
+        return look.text(&match row.state {
+            RowState::Sent if row.tries > 1 => text!("state-sent-again", tries = row.tries),
+            state => state.text(),
+        });
     }
-    let mut counts: BTreeMap<(u8, String), usize> = BTreeMap::new();
+    // How many percent each vehicle has done would be too much here.
+    let mut counts: BTreeMap<u8, (RowState, usize)> = BTreeMap::new();
     for row in &entry.rows {
-        *counts
-            .entry((order(row.state), name(row.state)))
-            .or_default() += 1;
+        let (_, count) = counts.entry(order(row.state)).or_insert((row.state, 0));
+        *count += 1;
     }
-    let parts: Vec<_> = counts
-        .iter()
-        .map(|((_, name), count)| format!("{count} {name}"))
+    let parts: Vec<Text> = counts
+        .into_values()
+        .map(|(state, count)| text!("state-count", count = count, state = state.name()))
         .collect();
-    let parts = parts.join(", ");
-    if with_count {
-        format!("{} vehicles: {parts}", entry.rows.len())
+    let parts = Text::joined(", ", parts);
+    look.text(&if with_count {
+        text!(
+            "state-of-all",
+            vehicles = text!("count-vehicles", count = entry.rows.len()),
+            states = parts
+        )
     } else {
         parts
-    }
-}
-
-/// The state's name; how many percent each vehicle has done would be too much here.
-fn name(state: RowState) -> String {
-    match state {
-        RowState::InProgress(_) => "in progress".to_owned(),
-        other => other.to_string(),
-    }
+    })
 }
 
 /// What went wrong comes last, where the explanation follows.
@@ -161,16 +161,19 @@ pub fn entry_role(entry: &Entry) -> Role {
 }
 
 /// What was asked for, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` where they differ.
-fn outcome(entry: &Entry) -> Option<String> {
+fn outcome(entry: &Entry, look: &Look) -> Option<String> {
     let told = |row: &Row| row.state == RowState::Done && row.explanation.is_some();
     if !entry.rows.iter().all(told) {
         return None;
     }
     // The line has named already what the value belongs to.
     let asked = entry.line.split_whitespace().next_back()?;
-    let short = |text: &str| match text.split_once(' ') {
-        Some((name, value)) if name.eq_ignore_ascii_case(asked) => value.to_owned(),
-        _ => text.to_owned(),
+    let short = |text: &Text| {
+        let text = look.text(text);
+        match text.split_once(' ') {
+            Some((name, value)) if name.eq_ignore_ascii_case(asked) => value.to_owned(),
+            _ => text,
+        }
     };
     let remarks = explanations(entry);
     if let [(text, _)] = remarks.as_slice() {
@@ -184,33 +187,21 @@ fn outcome(entry: &Entry) -> Option<String> {
 }
 
 /// The explanations of rows, those that differ only in their vehicle together, in the order of their first one.
-fn explanations(entry: &Entry) -> Vec<(String, Vec<VehicleId>)> {
-    let mut found: Vec<(String, Vec<VehicleId>)> = Vec::new();
+fn explanations(entry: &Entry) -> Vec<(Text, Vec<VehicleId>)> {
+    let mut found: Vec<(Text, Vec<VehicleId>)> = Vec::new();
     let explained = |row: &&Row| row.state != RowState::Superseded;
     for row in entry.rows.iter().filter(explained) {
-        let Some(text) = row.explanation.as_ref().map(ToString::to_string) else {
+        let Some(text) = row.explanation.as_ref() else {
             continue;
         };
-        let text = impersonal(&text, row.vehicle);
+        let text = text.regarding("");
         match found.iter_mut().find(|(known, _)| *known == text) {
             Some((_, vehicles)) => vehicles.push(row.vehicle),
             None => found.push((text, vec![row.vehicle])),
         }
     }
     for (text, vehicles) in &mut found {
-        let all = format!("`{} ", ranges(vehicles.iter().copied()));
-        *text = text.replace(ANY_VEHICLE, &all);
+        *text = text.regarding(&ranges(vehicles.iter().copied()));
     }
     found
-}
-
-/// Stands for the vehicles of a line that an explanation advises, such as `3 guided`.
-const ANY_VEHICLE: &str = "`\u{0} ";
-
-/// A text without the vehicle that it is about: the line that shows it names the vehicles itself.
-fn impersonal(text: &str, vehicle: VehicleId) -> String {
-    let name = format!("vehicle {vehicle}");
-    let text = text.strip_prefix(&format!("{name}: ")).unwrap_or(text);
-    let text = text.replace(&format!("{name} "), "it ");
-    text.replace(&format!("`{vehicle} "), ANY_VEHICLE)
 }

@@ -37,7 +37,7 @@ fn waiting_lines(session: &Session, look: &Look, width: u16) -> Vec<(String, Rol
     let waiting = format!("  {}", look.say("fly-waiting"));
     let mut lines = vec![(waiting, Role::Muted)];
     for link in &session.links {
-        let reason = link.error.as_deref().unwrap_or(&link.state);
+        let reason = look.text(link.error.as_ref().unwrap_or(&link.state));
         let role = if link.error.is_some() {
             Role::Warning
         } else {

@@ -208,7 +208,7 @@ fn gps(vehicle: &Vehicle) -> Text {
     let Some(gps) = vehicle.gps else {
         return Text::default();
     };
-    let fix = Text::from(gps.fix.to_string());
+    let fix = gps.fix.text();
     let satellites = gps.satellites;
     let satellites = satellites.map(|count| text!("telemetry-satellites", count = count));
     let hdop = gps.hdop.map(|hdop| Text::from(format!("HDOP {hdop:.1}")));

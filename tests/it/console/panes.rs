@@ -3,6 +3,7 @@
 use sortie::app::event::Event;
 use sortie::app::state::{Activity, LinkSummary};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
+use sortie::text;
 use sortie::vehicle::Severity;
 
 use crate::fixtures;
@@ -66,12 +67,16 @@ fn one_reason_of_many_vehicles_is_one_line() {
     let mut console = Console::flying(3);
     console.give("all takeoff 10");
     for vehicle in 1..=3 {
-        let text =
-            format!("needs GUIDED: vehicle {vehicle} is in LOITER; say `{vehicle} guided` first");
-        console.row(vehicle, RowState::Refused, Some(&text));
+        let text = text!(
+            "refused-not-guided",
+            verb = "takeoff",
+            mode = "LOITER",
+            vehicle = vehicle
+        );
+        console.explained_row(vehicle, RowState::Refused, Some(text));
     }
     let screen = console.screen(120, 40);
-    let merged = "vehicles 1-3: needs GUIDED: it is in LOITER; say `1-3 guided`";
+    let merged = "vehicles 1-3: takeoff needs GUIDED: it is in LOITER; say `1-3 guided`";
     assert!(screen.contains(merged), "{screen}");
 }
 
@@ -97,8 +102,8 @@ fn why_a_link_is_down_is_never_cut() {
                   console was started from; give its whole path";
     console.hear(Event::Links(vec![LinkSummary {
         name: "file:none.tlog".to_owned(),
-        state: "ended".to_owned(),
-        error: Some(reason.to_owned()),
+        state: "ended".into(),
+        error: Some(reason.into()),
         ..LinkSummary::default()
     }]));
     let screen = console.screen(80, 24);

@@ -14,9 +14,9 @@ use crate::harness::Console;
 fn link(name: &str, up: bool) -> LinkSummary {
     LinkSummary {
         name: name.to_owned(),
-        state: if up { "up" } else { "down, next try in 4.0 s" }.to_owned(),
+        state: if up { "up" } else { "down, next try in 4.0 s" }.into(),
         up,
-        error: (!up).then(|| "port 14550 on 0.0.0.0 is in use".to_owned()),
+        error: (!up).then(|| "port 14550 on 0.0.0.0 is in use".into()),
         bytes_in_per_s: 4123.0,
         bytes_out_per_s: 52.0,
         messages_in_per_s: 96.0,

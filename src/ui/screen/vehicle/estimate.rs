@@ -47,7 +47,7 @@ fn gps(vehicle: &Vehicle, look: &Look) -> [Line<'static>; 2] {
             .map_or(UNKNOWN.to_owned(), |count| count.to_string());
         let text = text!(
             "vehicle-gps",
-            fix = gps.fix.to_string(),
+            fix = gps.fix.text(),
             satellites = satellites,
             hdop = number(gps.hdop, 1)
         );

@@ -13,6 +13,17 @@ use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 /// A text and how it looks.
 pub type Cell = (String, Role);
 
+/// What may become of a command, where no figure belongs to it.
+const STATES: [RowState; 7] = [
+    RowState::Queued,
+    RowState::Sent,
+    RowState::Accepted,
+    RowState::NoEffect,
+    RowState::Refused,
+    RowState::TimedOut,
+    RowState::Superseded,
+];
+
 /// The words that many rows say, looked up once.
 pub struct Words {
     pub armed: String,
@@ -24,6 +35,7 @@ pub struct Words {
     pub landing: String,
     pub lost: String,
     pub done: String,
+    states: Vec<(RowState, String)>,
 }
 
 impl Words {
@@ -39,7 +51,15 @@ impl Words {
             landing: look.say("fly-landing"),
             lost: look.say("fly-lost"),
             done: look.say("fly-done"),
+            states: STATES
+                .map(|state| (state, look.text(&state.name())))
+                .to_vec(),
         }
+    }
+
+    fn state(&self, state: RowState) -> String {
+        let known = self.states.iter().find(|(known, _)| *known == state);
+        known.map_or_else(String::new, |(_, word)| word.clone())
     }
 }
 
@@ -71,7 +91,7 @@ pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cel
         Column::Armed => armed(row),
         Column::State => landed(row),
         Column::Battery => battery(row.vehicle),
-        Column::Gps => gps(row.vehicle),
+        Column::Gps => gps(row.vehicle, look),
         Column::Link => link(row),
         Column::Command => command(row, look, width),
         Column::Item => item(row.vehicle),
@@ -151,7 +171,7 @@ fn battery(vehicle: &Vehicle) -> Cell {
     (format!("{left}%"), role)
 }
 
-fn gps(vehicle: &Vehicle) -> Cell {
+fn gps(vehicle: &Vehicle, look: &Look) -> Cell {
     let Some(gps) = vehicle.gps else {
         return unknown();
     };
@@ -163,7 +183,8 @@ fn gps(vehicle: &Vehicle) -> Cell {
     let satellites = gps
         .satellites
         .map_or(String::new(), |count| format!(" {count}"));
-    (format!("{}{satellites}", gps.fix), role)
+    let fix = look.text(&gps.fix.text());
+    (format!("{fix}{satellites}"), role)
 }
 
 fn link(row: &Row<'_>) -> Cell {
@@ -194,7 +215,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
         RowState::Done => row.words.done.clone(),
         RowState::InProgress(percent) => format!("{percent} %"),
         RowState::Sent if line.tries > 1 => look.text(&text!("fly-try", count = line.tries)),
-        other => other.to_string(),
+        other => row.words.state(other),
     };
     // The state is what must not be cut off.
     let left = room.saturating_sub(width(&state) + 1);

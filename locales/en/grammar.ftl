@@ -1,0 +1,74 @@
+# Lines of the command language: what is wrong with one, and what could come next.
+
+grammar-no-command = a command is missing
+grammar-no-command-help = such as `all arm` or `1-3 takeoff 20`
+grammar-unknown-command = there is no command `{ $word }`
+grammar-did-you-mean = did you mean `{ $name }`?
+grammar-targets-twice = the targets are named twice
+grammar-needs = { $verb } needs { $missing }
+grammar-for-example = for example `{ $line }`
+grammar-too-much = `{ $word }` is too much: nothing can follow here
+grammar-say-it-as = say it as { $usage }
+grammar-does-not-fit = `{ $word }` does not fit here: expected { $expected }
+grammar-expected = expected { $expected }
+grammar-nothing-more = nothing more
+grammar-or = { $others } or { $last }
+grammar-is-missing = { $argument } is missing
+
+grammar-a-number = a number
+grammar-in-unit = in { $unit }
+grammar-range = { $least } to { $most }
+grammar-range-in-unit = { $least } to { $most } { $unit }
+
+grammar-none-selected = no vehicle is selected: select some, or say who, such as `all` or `1-3`
+grammar-no-vehicles-yet = there are no vehicles yet
+grammar-no-group = there is no group `@{ $group }`
+grammar-group-empty = the group `@{ $group }` is empty
+grammar-no-groups = there are no groups here
+grammar-there-are = there are { $names }
+grammar-empty-part = a vehicle is missing beside the comma: write numbers and ranges as in `1-4,7`
+grammar-backwards = `{ $range }` runs backwards: say `{ $turned }`
+grammar-no-targets = `{ $word }` names no vehicles: say a number, a range such as `1-4`, `@group` or `all`
+grammar-no-vehicle-number = { $word } is no vehicle: they are numbered from 1 to { $highest }
+grammar-no-vehicle = there is no vehicle { $vehicle }, only { $known }
+
+grammar-not-whole = `{ $word }` is no whole number
+grammar-none-of = `{ $word }` is none of { $choices }
+grammar-no-number = `{ $word }` is no number
+grammar-out-of-range = `{ $word }` is out of range: { $limits }
+grammar-too-large = `{ $word }` is too large
+grammar-no-unit-here = `{ $word }`: this number has no unit
+grammar-wrong-unit = `{ $unit }` is no unit for this: use { $known }
+grammar-no-mode = there is no mode `{ $mode }`
+grammar-no-mode-copter = there is no mode `{ $mode }` in a copter
+grammar-no-mode-plane = there is no mode `{ $mode }` in a plane
+grammar-no-mode-rover = there is no mode `{ $mode }` in a rover
+grammar-no-mode-sub = there is no mode `{ $mode }` in a sub
+grammar-no-place = there is no place `{ $place }`
+grammar-no-parameter = `{ $word }` cannot be a parameter: 1 to 16 letters, digits and `_`
+grammar-no-message = there is no message `{ $word }`
+grammar-no-message-id = { $word } is no message id: they run to { $highest }
+grammar-no-mav-cmd = there is no MAV_CMD `{ $word }`
+grammar-no-mav-cmd-number = { $word } is no MAV_CMD: they run to 65535
+
+grammar-by-how-much = by how much? say `by n 10`, `by e -5`, `by up 2`
+grammar-keep-or-face = the nose can keep its heading or face another, not both
+grammar-heading-range = a heading runs from 0 to 360; say `by` to turn the other way
+grammar-which-way = which way? say `n`, `e`, `d` or `up` and a speed
+grammar-down-or-up = it can go `d` or `up`, not both
+grammar-small-circle = a circle needs a radius of 1 m at least
+grammar-four-parameters = four parameters are needed
+grammar-unknown-word = unknown
+
+grammar-mode = mode
+grammar-change-mode = change the mode to { $mode }
+grammar-stick-sinks = with the throttle stick down it sinks
+grammar-stick-falls = with the throttle stick down it falls
+grammar-message = message { $id }
+grammar-mav-command = command { $number }
+grammar-every-vehicle = every vehicle
+grammar-vehicle = vehicle
+
+grammar-script-selection = a script has no selection
+grammar-say-who = say who, as `{ $line }`
+grammar-wait-timed-out = line { $line }: `{ $wait }` did not come true in time

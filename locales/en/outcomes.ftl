@@ -1,0 +1,55 @@
+# What becomes of commands: states in a few words, and what there is to say about them.
+
+state-queued = queued
+state-sent = sent
+state-sent-again = sent, try { $tries }
+state-percent = in progress { $percent } %
+state-in-progress = in progress
+state-accepted = accepted
+state-done = effect seen
+state-no-effect = no effect
+state-refused = refused
+state-timed-out = timed out
+state-superseded = superseded
+state-count = { $count } { $state }
+state-of-all = { $vehicles }: { $states }
+state-explained = { $count ->
+    [one] vehicle { $vehicles }: { $text }
+   *[other] vehicles { $vehicles }: { $text }
+}
+
+outcome-verb-accepted = { $verb } accepted
+outcome-verb-in-progress = { $verb } in progress
+outcome-verb-cancelled = { $verb } cancelled: { $reason }
+outcome-verb-refused = { $verb } refused: { $reason }
+outcome-superseded = { $by } took its place
+outcome-the-reboot = the reboot
+outcome-answer-lost = seen in telemetry, the answer was lost
+outcome-fell-silent = it said that it is working on it, and then nothing more
+outcome-no-answer = { $tries ->
+    [one] no answer to { $tries } try in { $seconds } s
+   *[other] no answer to { $tries } tries in { $seconds } s
+}
+outcome-no-parameter = perhaps it has no parameter { $name }
+outcome-not-seen = { $effect } was not seen
+outcome-not-seen-within = { $effect } not seen within { $seconds } s
+outcome-left-guided = the vehicle left GUIDED for { $mode }
+outcome-not-sent = not sent: { $reason }
+outcome-too-late = not sent: its { $seconds } s were over before the line was free
+outcome-queue-full = not sent: { $count } commands wait for this vehicle already
+outcome-not-heard = not sent: no such vehicle is heard
+outcome-task-busy = not sent: the vehicle's task does not keep up
+
+# What was awaited in the telemetry; goes into outcome-not-seen and its like.
+effect-nothing = nothing to see
+effect-armed = armed
+effect-disarmed = disarmed
+effect-mode = mode { $mode }
+effect-still = standing still
+effect-altitude = { $metres } m above home, within { $tolerance } m
+effect-place = within { $metres } m of the target
+effect-heading = heading { $degrees } deg
+effect-velocity = flying with that velocity
+effect-home = home moved
+effect-servo = output { $output } at { $pulse } us
+effect-rebooted = rebooted

@@ -1,0 +1,26 @@
+# What is heard of vehicles: notices, and words for what they report.
+
+heard-mode = mode { $mode }
+heard-armed = armed
+heard-disarmed = disarmed
+heard-rebooted = rebooted
+heard-link-lost = link lost
+heard-link-back = link back after { $seconds } s
+heard-ekf-lost = EKF position lost
+heard-ekf-good = EKF position good
+heard-fix = GPS fix { $fix }
+heard-fix-lost = GPS fix lost ({ $fix })
+heard-fence = fence breached
+heard-fence-low = fence breached (too low)
+heard-fence-high = fence breached (too high)
+heard-fence-boundary = fence breached (boundary)
+heard-fence-back = back inside the fence
+heard-two-vehicles = two vehicles answer as system id { $system }: give one another SYSID_THISMAV
+heard-two-places = system id { $system } comes from two places: { $used } (used), { $ignored } (ignored). Two vehicles? Give one another SYSID_THISMAV and reboot it
+heard-another-sender = another sender there
+heard-by-another-link = is heard by { $link } now, no longer by { $before }
+
+fix-no-gps = no gps
+fix-none = no fix
+fix-float = float
+fix-other = other

@@ -1,0 +1,74 @@
+# Рядки мови команд: що в них не так і що може йти далі.
+
+grammar-no-command = бракує команди
+grammar-no-command-help = наприклад, `all arm` або `1-3 takeoff 20`
+grammar-unknown-command = немає команди `{ $word }`
+grammar-did-you-mean = може, `{ $name }`?
+grammar-targets-twice = апарати названо двічі
+grammar-needs = після { $verb } треба { $missing }
+grammar-for-example = наприклад, `{ $line }`
+grammar-too-much = `{ $word }` зайве: далі нічого не може бути
+grammar-say-it-as = пишіть { $usage }
+grammar-does-not-fit = `{ $word }` тут не годиться: треба { $expected }
+grammar-expected = треба { $expected }
+grammar-nothing-more = більше нічого
+grammar-or = { $others } або { $last }
+grammar-is-missing = бракує { $argument }
+
+grammar-a-number = число
+grammar-in-unit = у { $unit }
+grammar-range = від { $least } до { $most }
+grammar-range-in-unit = від { $least } до { $most } { $unit }
+
+grammar-none-selected = не вибрано жодного апарата: виберіть або назвіть їх, наприклад `all` чи `1-3`
+grammar-no-vehicles-yet = апаратів ще немає
+grammar-no-group = немає групи `@{ $group }`
+grammar-group-empty = група `@{ $group }` порожня
+grammar-no-groups = груп тут немає
+grammar-there-are = є { $names }
+grammar-empty-part = біля коми бракує апарата: пишіть номери та діапазони так: `1-4,7`
+grammar-backwards = `{ $range }` задом наперед: пишіть `{ $turned }`
+grammar-no-targets = `{ $word }` не називає апаратів: пишіть номер, діапазон на зразок `1-4`, `@групу` або `all`
+grammar-no-vehicle-number = { $word } не може бути апаратом: їхні номери від 1 до { $highest }
+grammar-no-vehicle = немає апарата { $vehicle }, є лише { $known }
+
+grammar-not-whole = `{ $word }` не ціле число
+grammar-none-of = `{ $word }` не є жодним із { $choices }
+grammar-no-number = `{ $word }` не число
+grammar-out-of-range = `{ $word }` поза межами: { $limits }
+grammar-too-large = `{ $word }` завелике
+grammar-no-unit-here = `{ $word }`: це число не має одиниці
+grammar-wrong-unit = `{ $unit }` тут не одиниця: можна { $known }
+grammar-no-mode = немає режиму `{ $mode }`
+grammar-no-mode-copter = у коптера немає режиму `{ $mode }`
+grammar-no-mode-plane = у літака немає режиму `{ $mode }`
+grammar-no-mode-rover = у ровера немає режиму `{ $mode }`
+grammar-no-mode-sub = у підводного апарата немає режиму `{ $mode }`
+grammar-no-place = немає місця `{ $place }`
+grammar-no-parameter = `{ $word }` не може бути параметром: від 1 до 16 літер, цифр і `_`
+grammar-no-message = немає повідомлення `{ $word }`
+grammar-no-message-id = { $word } не номер повідомлення: вони до { $highest }
+grammar-no-mav-cmd = немає MAV_CMD `{ $word }`
+grammar-no-mav-cmd-number = { $word } не номер MAV_CMD: вони до 65535
+
+grammar-by-how-much = на скільки? Пишіть `by n 10`, `by e -5`, `by up 2`
+grammar-keep-or-face = ніс або зберігає курс, або повертається на інший, не те й те разом
+grammar-heading-range = курс буває від 0 до 360; щоб повернути в інший бік, пишіть `by`
+grammar-which-way = куди? Пишіть `n`, `e`, `d` або `up` і швидкість
+grammar-down-or-up = можна або `d`, або `up`, не те й те разом
+grammar-small-circle = радіус кола має бути не менший ніж 1 m
+grammar-four-parameters = треба чотири параметри
+grammar-unknown-word = невідоме слово
+
+grammar-mode = режим
+grammar-change-mode = змінити режим на { $mode }
+grammar-stick-sinks = якщо стік газу внизу, апарат знижується
+grammar-stick-falls = якщо стік газу внизу, апарат падає
+grammar-message = повідомлення { $id }
+grammar-mav-command = команда { $number }
+grammar-every-vehicle = усі апарати
+grammar-vehicle = апарат
+
+grammar-script-selection = у скрипті немає вибраних апаратів
+grammar-say-who = назвіть, кому: `{ $line }`
+grammar-wait-timed-out = рядок { $line }: `{ $wait }` не справдилося вчасно

@@ -1,0 +1,60 @@
+# Що стається з командами: стан у кількох словах і пояснення до нього.
+
+state-queued = у черзі
+state-sent = надіслано
+state-sent-again = надіслано, спроба { $tries }
+state-percent = у роботі { $percent } %
+state-in-progress = у роботі
+state-accepted = прийнято
+state-done = виконано
+state-no-effect = без ефекту
+state-refused = відхилено
+state-timed-out = без відповіді
+state-superseded = замінено
+state-count = { $count } { $state }
+state-of-all = { $vehicles }: { $states }
+state-explained = { $count ->
+    [1] апарат { $vehicles }: { $text }
+   *[other] апарати { $vehicles }: { $text }
+}
+
+outcome-verb-accepted = { $verb } прийнято
+outcome-verb-in-progress = { $verb } у роботі
+outcome-verb-cancelled = { $verb } скасовано: { $reason }
+outcome-verb-refused = { $verb } відхилено: { $reason }
+outcome-superseded = замість цього { $by }
+outcome-the-reboot = перезапуск
+outcome-answer-lost = видно в телеметрії, відповідь загубилася
+outcome-fell-silent = почато виконання, а далі тиша
+outcome-no-answer = { $tries ->
+    [one] немає відповіді на { $tries } спробу за { $seconds } s
+    [few] немає відповіді на { $tries } спроби за { $seconds } s
+   *[many] немає відповіді на { $tries } спроб за { $seconds } s
+}
+outcome-no-parameter = можливо, параметра { $name } немає
+outcome-not-seen = не помічено: { $effect }
+outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
+outcome-left-guided = режим змінився з GUIDED на { $mode }
+outcome-not-sent = не надіслано: { $reason }
+outcome-too-late = не надіслано: { $seconds } s минули, перш ніж звільнилася лінія
+outcome-queue-full = не надіслано: у черзі до апарата вже { $count ->
+    [one] { $count } команда
+    [few] { $count } команди
+   *[many] { $count } команд
+}
+outcome-not-heard = не надіслано: такого апарата не чути
+outcome-task-busy = не надіслано: обробка цього апарата не встигає
+
+# Чого чекали в телеметрії; стоїть в outcome-not-seen і подібних.
+effect-nothing = нічого
+effect-armed = двигуни активовано
+effect-disarmed = двигуни деактивовано
+effect-mode = режим { $mode }
+effect-still = зупинка на місці
+effect-altitude = { $metres } m над домом, ±{ $tolerance } m
+effect-place = до цілі менше ніж { $metres } m
+effect-heading = курс { $degrees } deg
+effect-velocity = політ із такою швидкістю
+effect-home = новий дім
+effect-servo = вихід { $output } на { $pulse } us
+effect-rebooted = перезапуск

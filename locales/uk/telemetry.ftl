@@ -1,0 +1,26 @@
+# Що чути від апаратів: сповіщення й слова для того, про що вони доповідають.
+
+heard-mode = режим { $mode }
+heard-armed = двигуни активовано
+heard-disarmed = двигуни деактивовано
+heard-rebooted = перезапуск
+heard-link-lost = зв'язок втрачено
+heard-link-back = зв'язок відновлено за { $seconds } s
+heard-ekf-lost = EKF: позицію втрачено
+heard-ekf-good = EKF: позиція є
+heard-fix = GPS: фікс { $fix }
+heard-fix-lost = GPS: фікс втрачено ({ $fix })
+heard-fence = геозону порушено
+heard-fence-low = геозону порушено (занизько)
+heard-fence-high = геозону порушено (зависоко)
+heard-fence-boundary = геозону порушено (межа)
+heard-fence-back = знову в межах геозони
+heard-two-vehicles = два апарати відповідають за номером системи { $system }: задайте одному інший SYSID_THISMAV
+heard-two-places = номер системи { $system } надходить із двох місць: { $used } (у роботі), { $ignored } (без уваги). Два апарати? Задайте одному інший SYSID_THISMAV і перезапустіть його
+heard-another-sender = інший відправник там само
+heard-by-another-link = тепер на зв'язку через { $link }, більше не через { $before }
+
+fix-no-gps = без GPS
+fix-none = немає
+fix-float = плав.
+fix-other = інший

@@ -1,0 +1,54 @@
+# Канали зв'язку: їхній стан, що з ними не так і що не так з їхніми адресами.
+
+transport-connecting = з'єднується
+transport-up = працює
+transport-waiting = немає, наступна спроба за { $seconds } s
+transport-ended = завершено
+transport-is-up = канал { $link } працює
+transport-is-down = канал { $link }: { $reason }
+transport-has-ended = { $link } завершено
+
+transport-refused = у з'єднанні відмовлено: ніхто не слухає на порту { $port } вузла { $host }
+transport-unreachable = не вдається з'єднатися з портом { $port } вузла { $host }: { $error }
+transport-no-answer = { $host } не відповідає вже { $seconds } s
+transport-not-found = { $host } не знайдено: { $error }
+transport-without-address = { $host } не має адреси
+transport-no-udp-socket = не вдається відкрити сокет UDP: { $error }
+transport-udp-failed = збій сокета UDP: { $error }
+transport-cannot-send = не вдається надіслати до { $address }: { $error }
+transport-port-in-use = порт { $port } на { $host } зайнято: завершіть програму, що його тримає, або виберіть інший порт
+transport-not-here = { $host } не є адресою цієї машини: слухайте на 127.0.0.1 або 0.0.0.0
+transport-cannot-listen = не вдається слухати на порту { $port } вузла { $host }: { $error }
+transport-no-clients = не вдається приймати клієнтів: { $error }
+transport-no-serial = не вдається відкрити { $path } на { $baud } бод: { $error }
+transport-without-serial = не вдається відкрити { $path }: програму зібрано без послідовних портів; зберіть її з --features serial
+transport-closed = закрито з іншого боку
+transport-takes-nothing = більше не приймає даних
+transport-silent = тиша вже { $seconds } s
+transport-pipe-gone = іншого кінця каналу вже немає: { $reason }
+transport-fleet-busy = рій зараз не приймає запитів: він завершується або перевантажений
+
+transport-no-file = не вдається відкрити { $path }: { $error }
+transport-damage = { $count ->
+    [1] запис пошкоджено на байті { $byte }: пропущено байтів: { $bytes }
+   *[other] запис пошкоджено в багатьох місцях ({ $count }), уперше на байті { $byte }: пропущено байтів: { $bytes }
+}
+transport-faults = { $first }; і { $second }
+transport-no-tlog = { $faults }; жодного повідомлення в ньому не знайдено: чи це tlog?
+transport-tlog-cut-off = запис обірвано: останнє повідомлення, на байті { $byte }, закінчується зарано; до нього все справне
+transport-tlog-damaged = запис пошкоджено: на байті { $byte } немає кадру MAVLink (знайдено { $found } там, де має бути 0xFD або 0xFE); чи це tlog?
+transport-tlog-unreadable = запис не читається на байті { $byte }: { $error }
+
+transport-no-address = «{ $address }» не є адресою зв'язку: { $problem }; пишіть tcp:HOST:PORT (з'єднатися), tcpin:HOST:PORT (слухати), udp:HOST:PORT (надсилати), udpin:HOST:PORT (слухати), udpbcast:HOST:PORT, serial:PATH:BAUD або file:FILE.tlog
+transport-address-empty = вона порожня
+transport-file-missing = бракує файлу
+transport-no-kind = немає такого виду зв'язку: «{ $kind }»
+transport-no-kind-no-port = у ній немає ні виду зв'язку, ні порту
+transport-port-zero = на порту 0 нікого немає
+transport-port-missing = бракує порту
+transport-no-port = «{ $port }» не є портом (від 0 до 65535)
+transport-no-bracket = «{ $host }» не має закривної дужки
+transport-brackets = адреса IPv6 має бути в дужках: { $address }
+transport-serial-missing = бракує шляху до послідовного порту
+transport-baud-missing = після двокрапки бракує швидкості
+transport-no-baud = швидкість «{ $baud }» не є додатним числом на зразок 57600 чи 115200
