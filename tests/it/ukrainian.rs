@@ -19,7 +19,7 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 /// Names that no table has: of things, of keys, of figures, and words that are typed.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
-    "AHRS ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB",
+    "AHRS ASCII ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB",
     "sortie tlog heartbeat ok",
     // Keys.
     "Ctrl Enter Esc Tab R1 w3",
@@ -56,7 +56,10 @@ fn from_tables() -> BTreeSet<String> {
     for verb in CONSOLE_VERBS {
         add(verb.usage);
     }
-    Setting::NAMES.iter().copied().for_each(&mut add);
+    for name in Setting::NAMES {
+        add(name);
+        Setting::values(name).iter().copied().for_each(&mut add);
+    }
     for room in Room::ALL {
         add(room.name());
     }
