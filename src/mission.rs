@@ -12,6 +12,7 @@
 //! | key | meaning |
 //! | --- | --- |
 //! | `schema` | 1 |
+//! | `title_uk`, `brief_uk`, `text_uk` | each beside its English text, the same in Ukrainian; where one is missing, English is shown |
 //! | `id`, `rev`, `title`, `brief` | name for files and results; revision; for people |
 //! | `tier`, `tags`, `authors` | difficulty 0-3 (0); for lists |
 //! | `[sim]` `time_limit`, `origin = { lat, lon, alt, heading }` | seconds; where [0, 0] is, height above sea level, heading of the parked vehicles (0) |
@@ -41,12 +42,14 @@ use crate::diagnostic::Diagnostic;
 use crate::geo::LatLon;
 use crate::scoring;
 use crate::sim::{Start, WorldConfig};
+use crate::text::Text;
 
 mod area;
 mod craft;
 mod file;
 mod flight;
 mod hazard;
+mod listing;
 mod objective;
 mod progress;
 mod sensor;
@@ -56,6 +59,7 @@ mod zone;
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
 pub use flight::{Flight, Outcome};
+pub use listing::{Listing, ObjectiveListing};
 pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
 
 /// The step of missions and scoring.
@@ -72,9 +76,11 @@ pub struct Mission {
     /// Its revision; results compare only within one.
     pub rev: u32,
     /// Its name for people.
-    pub title: String,
+    pub title: Text,
     /// What the trainee is told.
-    pub brief: String,
+    pub brief: Text,
+    /// Where a text has no translation; not a fault.
+    pub untranslated: Vec<Diagnostic>,
     /// Difficulty, 0 (first steps) to 3.
     pub tier: u8,
     /// Subjects, for lists.
@@ -109,7 +115,7 @@ pub struct Hint {
     /// When it is shown.
     pub phase: Phase,
     /// What it says; `{next_cell}` stands for the next cell to sample.
-    pub text: String,
+    pub text: Text,
 }
 
 /// Phases of a flight, for hints.

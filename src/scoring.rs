@@ -22,6 +22,8 @@ pub use report::{
 };
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 
+use crate::text;
+use crate::text::Text;
 use serde::{Deserialize, Serialize};
 
 /// How a mission wants to be scored.
@@ -66,11 +68,11 @@ pub enum Medal {
 
 impl Medal {
     /// Its name in lower case.
-    pub fn name(self) -> &'static str {
+    pub fn title(self) -> Text {
         match self {
-            Self::Bronze => "bronze",
-            Self::Silver => "silver",
-            Self::Gold => "gold",
+            Self::Bronze => text!("scoring-bronze"),
+            Self::Silver => text!("scoring-silver"),
+            Self::Gold => text!("scoring-gold"),
         }
     }
 }
@@ -81,7 +83,7 @@ pub struct ObjectiveFact {
     /// Its id in the mission file.
     pub id: String,
     /// Its title.
-    pub title: String,
+    pub title: Text,
     /// Its share of the objectives' points.
     pub value: f64,
     /// How far it was reached, 0 to 1.
@@ -93,11 +95,11 @@ pub struct ObjectiveFact {
     /// Whether the mission fails without it.
     pub mandatory: bool,
     /// The measured result in words.
-    pub result: String,
+    pub result: Text,
     /// What was asked for, in words.
-    pub target: String,
+    pub target: Text,
     /// What would have reached it, in words.
-    pub advice: String,
+    pub advice: Text,
 }
 
 /// Everything about a flight that the score depends on.
@@ -106,9 +108,9 @@ pub struct Facts {
     /// How the objectives went, in the mission's order.
     pub objectives: Vec<ObjectiveFact>,
     /// Quality of the product (map, detections), 0 to 1, with what it came from; `None` where a mission asks for none.
-    pub quality: Option<(f64, String)>,
+    pub quality: Option<(f64, Text)>,
     /// What would make the product better, in words; may be empty.
-    pub quality_advice: String,
+    pub quality_advice: Text,
     /// Mission time used.
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
@@ -131,7 +133,7 @@ pub struct Score {
     /// The medal, if it earned one.
     pub medal: Option<Medal>,
     /// What kept it from gold although the points would do, in words.
-    pub gold_missing: Vec<String>,
+    pub gold_missing: Vec<Text>,
 }
 
 impl Score {
@@ -148,11 +150,11 @@ pub fn score(rules: &Rules, facts: &Facts) -> Score {
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
     let points = ((tenths + 5) / 10).min(1000) as u16;
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
-    let gold_missing: Vec<String> = rules
+    let gold_missing: Vec<Text> = rules
         .gold_requires
         .iter()
         .filter(|gate| !gate.holds(facts, &components))
-        .map(Gate::to_string)
+        .map(Gate::text)
         .collect();
     let medal = medal(rules.medals, points, gold_missing.is_empty()).filter(|_| mandatory_met);
     Score {

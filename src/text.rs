@@ -12,9 +12,11 @@ use std::fmt;
 use std::sync::LazyLock;
 
 mod catalogue;
+mod layout;
 mod locale;
 
 pub use catalogue::messages;
+pub use layout::{reflow, wrap};
 pub use locale::Locale;
 
 /// A language that the program speaks.
@@ -65,6 +67,8 @@ enum Content {
         separator: &'static str,
         parts: Vec<Text>,
     },
+    /// What somebody wrote in several languages; English comes first.
+    Written(Vec<(Language, String)>),
 }
 
 /// What goes into a message.
@@ -103,6 +107,32 @@ impl Text {
         Self(Content::Verbatim(text.into()))
     }
 
+    /// What somebody wrote in English, and in other languages as far as they did.
+    pub fn written(
+        english: impl Into<String>,
+        others: impl IntoIterator<Item = (Language, String)>,
+    ) -> Self {
+        let english = (Language::English, english.into());
+        Self(Content::Written(
+            std::iter::once(english).chain(others).collect(),
+        ))
+    }
+
+    /// The same with a word in place of a mark, in every language that it was written in.
+    #[must_use]
+    pub fn filled(&self, mark: &str, word: &str) -> Self {
+        let content = match &self.0 {
+            Content::Verbatim(words) => Content::Verbatim(words.replace(mark, word)),
+            Content::Written(all) => {
+                let fill =
+                    |(language, words): &(Language, String)| (*language, words.replace(mark, word));
+                Content::Written(all.iter().map(fill).collect())
+            }
+            other => other.clone(),
+        };
+        Self(content)
+    }
+
     /// Several texts in a row.
     pub fn joined(separator: &'static str, parts: Vec<Self>) -> Self {
         Self(Content::Joined { separator, parts })
@@ -122,6 +152,7 @@ impl Text {
             Content::Verbatim(text) => text.is_empty(),
             Content::Message { .. } => false,
             Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
+            Content::Written(all) => all.iter().all(|(_, words)| words.is_empty()),
         }
     }
 
@@ -129,7 +160,7 @@ impl Text {
     #[must_use]
     pub fn regarding(&self, vehicles: &str) -> Self {
         Self(match &self.0 {
-            Content::Verbatim(text) => Content::Verbatim(text.clone()),
+            Content::Verbatim(_) | Content::Written(_) => self.0.clone(),
             Content::Message { id, arguments } => Content::Message {
                 id: id.clone(),
                 arguments: arguments
@@ -157,6 +188,20 @@ impl Argument {
             _ if name == "vehicle" => Self::Word(vehicles.to_owned()),
             other => other.clone(),
         }
+    }
+}
+
+/// Programs read English.
+impl serde::Serialize for Text {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+/// What comes from a file is foreign text.
+impl<'de> serde::Deserialize<'de> for Text {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer).map(Self::verbatim)
     }
 }
 
@@ -300,6 +345,17 @@ mod tests {
         );
         let other = text!("refused-not-armed", verb = "goto", vehicle = 4);
         assert_eq!(one.regarding(""), other.regarding(""));
+    }
+
+    #[test]
+    fn what_was_written_in_one_language_only_is_said_in_that() {
+        let ukrainian = Locale::new(Language::Ukrainian);
+        let both = Text::written("fly to {x}", [(Language::Ukrainian, "до {x}".to_owned())]);
+        let both = both.filled("{x}", "A1");
+        assert_eq!(both.to_string(), "fly to A1");
+        assert_eq!(ukrainian.text(&both), "до A1");
+        let english = Text::written("land", []);
+        assert_eq!(ukrainian.text(&english), "land");
     }
 
     #[test]

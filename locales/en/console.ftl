@@ -27,9 +27,6 @@ palette-asks = Enter asks before it sends to { $vehicles }
 
 prompt-connect = connect to
 
-home-connect-empty = write an address, such as tcp:127.0.0.1:5760
-home-starting-mission = starting the mission ...
-home-starting-simulator = starting the simulator ...
 
 help-commands = commands: [targets] verb [arguments]
 help-console = the console itself

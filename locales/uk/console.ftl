@@ -28,9 +28,6 @@ palette-asks = Enter перепитує, перш ніж надіслати дл
 
 prompt-connect = під'єднатися до
 
-home-connect-empty = впишіть адресу, наприклад tcp:127.0.0.1:5760
-home-starting-mission = завдання починається ...
-home-starting-simulator = симулятор запускається ...
 
 help-commands = команди: [цілі] дієслово [аргументи]
 help-console = сама консоль

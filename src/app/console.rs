@@ -195,7 +195,7 @@ impl<'a> Names<'a> {
                 .map(|room| (room.name(), room.explained()))
                 .to_vec(),
             (Kind::Fly, []) => {
-                let listing = |it: &'a MissionListing| (it.id.as_str(), it.title.as_str().into());
+                let listing = |it: &'a MissionListing| (it.id.as_str(), it.title.clone());
                 self.missions.iter().map(listing).collect()
             }
             (Kind::Macro, []) => {

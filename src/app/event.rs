@@ -10,7 +10,7 @@ use super::state::{Activity, LinkSummary};
 use crate::doctor::Finding;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
-use crate::mission::{Area, Progress};
+use crate::mission::{Area, Listing, Progress};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::scoring::Report;
@@ -95,6 +95,8 @@ pub enum Event {
 pub struct Started {
     /// What is being done.
     pub activity: Activity,
+    /// The mission, if it is one.
+    pub mission: Option<Box<Listing>>,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.

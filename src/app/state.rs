@@ -26,6 +26,7 @@ mod session;
 
 pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
+pub use crate::mission::Listing as MissionListing;
 pub use alarms::{Alarms, Pressing, Standing};
 pub use alert::{Alert, AlertKind, alert, alerts};
 pub use bell::{Call, Due};
@@ -86,17 +87,6 @@ pub struct State {
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,
-}
-
-/// A mission on offer.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct MissionListing {
-    /// Its id.
-    pub id: String,
-    /// Its name.
-    pub title: String,
-    /// What the trainee is told before.
-    pub brief: String,
 }
 
 /// The console's own answer to something, shown for a while on the last line.
@@ -228,10 +218,7 @@ impl State {
 
     /// The listing of the mission that is being flown.
     pub fn flown_mission(&self) -> Option<&MissionListing> {
-        let Some(Activity::Mission { id, .. }) = &self.session.activity else {
-            return None;
-        };
-        self.missions.iter().find(|mission| mission.id == *id)
+        self.session.listing.as_deref()
     }
 
     /// The class whose modes a command line may name: that of the first vehicle it would go to.

@@ -42,9 +42,13 @@ pub(super) fn check(files: &[PathBuf]) -> Result<ExitCode, Failure> {
     for path in files {
         match store::read(path, "file-any") {
             Ok(source) => {
-                let faults = faults(kind(path, &source.text), path, &source);
+                let (faults, notes) = examined(kind(path, &source.text), path, &source);
                 for fault in &faults {
                     say!("{}", fault.one_line(&source.name, &source.text))?;
+                }
+                for note in &notes {
+                    let line = note.one_line(&source.name, &source.text);
+                    say!("{line} (a note, no fault)")?;
                 }
                 if faults.is_empty() {
                     say!("{}: good", source.name)?;
@@ -111,7 +115,8 @@ fn kind(path: &Path, text: &str) -> Kind {
     best.map_or(Kind::Mission, |&(kind, ..)| kind)
 }
 
-fn faults(kind: Kind, path: &Path, source: &Source) -> Vec<Diagnostic> {
+/// Faults, and what is only worth a word.
+fn examined(kind: Kind, path: &Path, source: &Source) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
     let text = &source.text;
     let faults = match kind {
         Kind::Theme => {
@@ -131,7 +136,10 @@ fn faults(kind: Kind, path: &Path, source: &Source) -> Vec<Diagnostic> {
             Keymap::default().overlay(text, &themes).err()
         }
         Kind::Configuration => settings::faults_in(source, &settings::themes()),
-        Kind::Mission => Mission::parse(text).err(),
+        Kind::Mission => match Mission::parse(text) {
+            Ok(mission) => return (Vec::new(), mission.untranslated),
+            Err(faults) => Some(faults),
+        },
         Kind::Script => {
             // Which mission it will fly, nobody has said: its places may have any name.
             let context = Context {
@@ -141,5 +149,5 @@ fn faults(kind: Kind, path: &Path, source: &Source) -> Vec<Diagnostic> {
             Script::parse(text, &context).err()
         }
     };
-    faults.unwrap_or_default()
+    (faults.unwrap_or_default(), Vec::new())
 }

@@ -14,6 +14,7 @@ use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source, StoreError};
 use crate::text;
+use crate::text::{Language, Locale};
 use crate::vehicle::VehicleId;
 
 /// Options of `sortie run`.
@@ -61,9 +62,10 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
 }
 
 /// Flies and prints. The exit code tells whether the mission was passed.
-pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
+pub(super) fn run(options: &RunArguments, language: Language) -> Result<ExitCode, Failure> {
     let mission = Arc::new(load_mission(&options.mission)?);
     let script = load_script(&options.pilot, &mission)?;
+    let locale = Locale::new(language);
     let started = Instant::now();
     let mut exercise = Exercise::new(mission, options.seed, script);
     while !exercise.is_over() {
@@ -73,13 +75,14 @@ pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
             std::thread::sleep(due.saturating_sub(started.elapsed()));
         }
         for notice in exercise.take_notices() {
-            let vehicle = notice
-                .vehicle
-                .map_or(String::new(), |id| format!("vehicle {id}: "));
-            let line = format!("{} {vehicle}{}", clock(notice.at), notice.text);
-            tracing::info!("{line}");
+            let words = match notice.vehicle {
+                Some(id) => text!("debrief-vehicle", vehicle = id, what = &notice.text),
+                None => notice.text,
+            };
+            let at = clock(notice.at);
+            tracing::info!("{at} {words}");
             if !options.json {
-                eprintln!("{line}");
+                eprintln!("{at} {}", locale.text(&words));
             }
         }
     }
@@ -89,7 +92,7 @@ pub(super) fn run(options: &RunArguments) -> Result<ExitCode, Failure> {
         report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
         say!("{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        say!("{}", debrief::text(&report).trim_end())?;
+        say!("{}", debrief::text(&report, &locale).trim_end())?;
     }
     Ok(if report.passed {
         ExitCode::SUCCESS

@@ -26,11 +26,7 @@ pub fn listings() -> (Vec<MissionListing>, Vec<Text>) {
                     ));
                     continue;
                 }
-                listings.push(MissionListing {
-                    id: mission.id,
-                    title: mission.title,
-                    brief: mission.brief,
-                });
+                listings.push(mission.listing());
                 names.push(source.name);
             }
             Err(faults) => {

@@ -291,11 +291,10 @@ impl Plain {
     }
 
     fn brief(&mut self) {
-        let brief = self
-            .console
-            .state
+        let state = &self.console.state;
+        let brief = state
             .flown_mission()
-            .map(|mission| mission.brief.clone());
+            .map(|mission| state.locale.text(&mission.brief));
         for line in brief.unwrap_or_default().lines() {
             self.say(&Text::from(line));
         }
@@ -342,7 +341,7 @@ impl Plain {
         let mut passed = !matches!(self.console.options.opening, Opening::Mission(_));
         if let Some(debrief) = debrief {
             passed = debrief.report.passed;
-            for line in &debrief.lines {
+            for line in &debrief.lines(&self.console.state.locale) {
                 self.say(&Text::from(line.as_str()));
             }
         }

@@ -141,6 +141,7 @@ impl Running {
             ended: false,
         });
         Ok(Started {
+            mission: Some(Box::new(mission.listing())),
             places: mission.places(),
             areas: mission.areas(),
             ..started(Activity::Mission {
@@ -355,6 +356,7 @@ impl Drop for Running {
 fn started(activity: Activity) -> Started {
     Started {
         activity,
+        mission: None,
         places: BTreeMap::new(),
         areas: Vec::new(),
     }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};
+use crate::text::Language;
 
 fn bad_flight() -> Report {
     let mut pilot = Pilot::new(1);
@@ -19,17 +20,31 @@ fn bad_flight() -> Report {
 }
 
 #[test]
-fn no_line_is_wider_than_the_page() {
-    for report in [
-        fly_the_cells(1).report(),
-        do_nothing().report(),
-        bad_flight(),
-    ] {
-        let text = text(&report);
-        for line in text.lines() {
-            assert!(line.chars().count() <= WIDTH, "{line}");
+fn no_line_is_wider_than_the_page_in_any_language() {
+    for language in Language::ALL {
+        for (_, report) in flights() {
+            let text = text(&report, &Locale::new(language));
+            for line in text.lines() {
+                assert!(line.width() <= WIDTH, "{line}");
+            }
         }
     }
+}
+
+#[test]
+fn wide_and_combining_letters_leave_the_columns_straight() {
+    for (words, fitted) in [
+        ("дім", "дім  "),
+        ("日本", "日本 "),
+        ("日本語", "日本~"),
+        ("дiм за лісом", "дiм ~"),
+        ("и\u{306}о\u{301}", "и\u{306}о\u{301}   "),
+    ] {
+        assert_eq!(fit(words, 5), fitted);
+        assert_eq!(fit(words, 5).width(), 5, "{words}");
+    }
+    assert_eq!(right("日本", 5), " 日本");
+    assert_eq!(pieces("日本語", 3), ["日", "本", "語"]);
 }
 
 #[test]
@@ -54,7 +69,7 @@ fn the_components_add_up_to_the_score() {
 
 #[test]
 fn every_rule_broken_and_every_rejection_stands_in_the_timeline() {
-    let text = text(&bad_flight());
+    let text = text(&bad_flight(), &Locale::default());
     for words in [
         "r 1 arm: refused",
         "x drone 1: above 60 m",
@@ -79,11 +94,65 @@ fn improvements_stand_by_their_gain() {
 #[test]
 fn foreign_text_cannot_break_the_page() {
     let mut report = do_nothing().report();
-    report.events[0].text = "a\u{1b}[2Jb\nc".to_owned();
-    assert!(!text(&report).contains('\u{1b}'));
+    report.events[0].text = "a\u{1b}[2Jb\nc".into();
+    assert!(!text(&report, &Locale::default()).contains('\u{1b}'));
+}
+
+/// Comes home late, with an empty battery, beside the pad, after a forced arm.
+fn late_flight() -> Report {
+    let mut pilot = Pilot::new(2);
+    pilot.command("1 long COMPONENT_ARM_DISARM 1 2989", RowState::Done);
+    pilot.command("1 kill", RowState::TimedOut);
+    pilot.command("1 rtl", RowState::Done);
+    pilot.command("1 rtl", RowState::Done);
+    pilot.take_off(20.0);
+    pilot.goto(40.0, -20.0, 5.0);
+    pilot.wait(6.0);
+    pilot.hear("Battery 1 is low 10.70V used 341 mAh");
+    pilot.hear("GCS Failsafe");
+    pilot.wait(330.0);
+    pilot.goto(7.0, 0.0, 5.0);
+    pilot.land();
+    pilot.report()
+}
+
+fn hard_landing() -> Report {
+    let mut pilot = Pilot::new(3);
+    pilot.take_off(20.0);
+    pilot.hear("Battery 1 is critical 9.60V used 554 mAh");
+    pilot.wait(1.0);
+    pilot.hear("SIM Hit ground at 13.6 m/s");
+    pilot.wait(1.0);
+    pilot.report()
+}
+
+fn flights() -> [(&'static str, Report); 5] {
+    [
+        ("good", fly_the_cells(1).report()),
+        ("idle", do_nothing().report()),
+        ("bad", bad_flight()),
+        ("late", late_flight()),
+        ("hard", hard_landing()),
+    ]
 }
 
 #[test]
-fn a_whole_debrief_reads_like_this() {
-    insta::assert_snapshot!(text(&fly_the_cells(1).report()));
+fn programs_read_the_same_english_words_whatever_people_read() {
+    for (name, report) in flights() {
+        let json = serde_json::to_string_pretty(&report).expect("plain data");
+        insta::assert_snapshot!(format!("json_{name}"), json);
+    }
+}
+
+#[test]
+fn debriefs_of_flights_that_went_wrong_read_like_this() {
+    for (name, report) in flights() {
+        for (language, code) in [
+            (Language::English, "english"),
+            (Language::Ukrainian, "ukrainian"),
+        ] {
+            let text = text(&report, &Locale::new(language));
+            insta::assert_snapshot!(format!("{code}_{name}"), text);
+        }
+    }
 }

@@ -6,6 +6,8 @@ use super::sensor::Probe;
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
 use crate::scoring::SafetyKind;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{GlobalPosition, StatusText, Vehicle};
 
@@ -54,7 +56,7 @@ pub(crate) struct Craft {
 }
 
 /// A rule that a vehicle breaks, as the step finds it.
-pub(crate) type Breach = (SafetyKind, String);
+pub(crate) type Breach = (SafetyKind, Text);
 
 impl Craft {
     pub fn new(id: VehicleId, probes: Vec<Probe>) -> Self {
@@ -102,14 +104,14 @@ impl Craft {
             .filter_map(|text| from_text(&text.text))
             .collect();
         if was_armed && !self.armed && was_airborne && self.airborne && old_height_m > FALL_FROM_M {
-            let text = format!("motors stopped {old_height_m:.0} m up");
+            let text = text!(
+                "mission-motors-stopped",
+                height = format!("{old_height_m:.0}")
+            );
             breaches.push((SafetyKind::DisarmInFlight, text));
         }
         if was_airborne && !self.airborne && self.sink_m_s > HARD_TOUCHDOWN_M_S {
-            breaches.push((
-                SafetyKind::Crash,
-                format!("hit the ground at {:.1} m/s", self.sink_m_s),
-            ));
+            breaches.push(hit_ground(self.sink_m_s));
         }
         if let Some(loss) = breaches.iter().position(|(kind, _)| kind.is_loss()) {
             self.lost = true;
@@ -184,7 +186,10 @@ impl Craft {
     fn place_breaches(&self, mission: &Mission) -> Vec<Breach> {
         let mut breaches = Vec::new();
         if self.height_m > mission.max_height_m {
-            let text = format!("above {:.0} m", mission.max_height_m);
+            let text = text!(
+                "mission-too-high",
+                height = format!("{:.0}", mission.max_height_m)
+            );
             breaches.push((SafetyKind::TooHigh, text));
         }
         let Some(at) = self.at else { return breaches };
@@ -192,10 +197,8 @@ impl Craft {
             if let ZoneKind::Geofence { ceiling_m } = zone.kind {
                 let over = ceiling_m.is_some_and(|ceiling| self.height_m > ceiling);
                 if over || !zone.shape.contains(at) {
-                    breaches.push((
-                        SafetyKind::Geofence,
-                        format!("outside geofence {}", zone.id),
-                    ));
+                    let text = text!("mission-outside-fence", fence = &zone.id);
+                    breaches.push((SafetyKind::Geofence, text));
                 }
             }
         }
@@ -207,7 +210,7 @@ impl Craft {
         if let Some(distance) = self.pad_distance_m.filter(|&distance| distance > OFF_PAD_M) {
             breaches.push((
                 SafetyKind::OffPad,
-                format!("landed {distance:.1} m off the pad"),
+                text!("mission-off-pad", distance = format!("{distance:.1}")),
             ));
         }
         if let Some(percent) = self
@@ -216,23 +219,23 @@ impl Craft {
         {
             breaches.push((
                 SafetyKind::LowReserve,
-                format!("landed with {percent:.0} % battery"),
+                text!("mission-low-reserve", percent = format!("{percent:.0}")),
             ));
         }
         breaches
     }
 }
 
+fn hit_ground(speed_m_s: f64) -> Breach {
+    let text = text!("mission-hit-ground", speed = format!("{speed_m_s:.1}"));
+    (SafetyKind::Crash, text)
+}
+
 /// What a status text of `ArduPilot` or its simulator tells about safety.
 fn from_text(text: &str) -> Option<Breach> {
     if let Some(rest) = text.strip_prefix("SIM Hit ground at ") {
         let speed: f64 = rest.split_whitespace().next()?.parse().ok()?;
-        return (speed > HARD_TOUCHDOWN_M_S).then(|| {
-            (
-                SafetyKind::Crash,
-                format!("hit the ground at {speed:.1} m/s"),
-            )
-        });
+        return (speed > HARD_TOUCHDOWN_M_S).then(|| hit_ground(speed));
     }
     let known = [
         ("Crash:", SafetyKind::Crash),
@@ -241,15 +244,18 @@ fn from_text(text: &str) -> Option<Breach> {
     ];
     if let Some((_, kind)) = known.iter().find(|(start, _)| text.starts_with(start)) {
         let cleared = text.ends_with("Cleared");
-        return (!cleared).then(|| (*kind, text.to_owned()));
+        return (!cleared).then(|| (*kind, Text::verbatim(text)));
     }
     if !text.starts_with("Battery ") {
         return None;
     }
     if text.contains(" is critical") {
-        Some((SafetyKind::BatteryCritical, "battery critical".to_owned()))
+        Some((
+            SafetyKind::BatteryCritical,
+            text!("mission-battery-critical"),
+        ))
     } else if text.contains(" is low") {
-        Some((SafetyKind::BatteryLow, "battery low".to_owned()))
+        Some((SafetyKind::BatteryLow, text!("mission-battery-low")))
     } else {
         None
     }

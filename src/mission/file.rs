@@ -1,7 +1,8 @@
 //! Reading a mission file. Every section is read on its own, so that one fault does not hide the others; what
 //! refers to another section is checked after that one was read.
 
-use crate::text::Text;
+use crate::text;
+use crate::text::{Language, Text};
 use std::ops::RangeInclusive;
 
 use serde::Deserialize;
@@ -27,8 +28,8 @@ pub(super) const POINT_RANGE: f64 = 20_000.0;
 const SHORTEST_LIMIT: std::time::Duration = std::time::Duration::from_secs(10);
 
 /// Keys of the file that stand before its first section.
-const HEAD: [&str; 8] = [
-    "schema", "id", "rev", "title", "tier", "tags", "authors", "brief",
+const HEAD: [&str; 10] = [
+    "schema", "id", "rev", "title", "title_uk", "tier", "tags", "authors", "brief", "brief_uk",
 ];
 /// The sections.
 const SECTIONS: [&str; 9] = [
@@ -62,17 +63,36 @@ pub(super) struct Draft {
 
 /// The faults found so far.
 #[derive(Debug, Default)]
-pub(super) struct Faults(Vec<Diagnostic>);
+pub(super) struct Faults {
+    found: Vec<Diagnostic>,
+    /// Texts without a translation, which are no faults.
+    untranslated: Vec<Diagnostic>,
+    /// Whether there is any translation.
+    translated: bool,
+}
 
 /// Reads a mission file.
 pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
     let root = DeTable::parse(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
     let mut faults = Faults::default();
     let mission = sections::mission(root, &mut faults);
-    let mut found = faults.0;
+    let mut found = faults.found;
     found.sort_by_key(|fault| fault.span.start);
     match mission {
-        Some(mission) if found.is_empty() => Ok(mission),
+        Some(mission) if found.is_empty() => {
+            let mut untranslated = faults.untranslated;
+            untranslated.sort_by_key(|note| note.span.start);
+            if !faults.translated {
+                // One note for a file that nobody has begun to translate.
+                untranslated.truncate(1);
+                let note = |note: &mut Diagnostic| note.message = text!("mission-english-only");
+                untranslated.iter_mut().for_each(note);
+            }
+            Ok(Mission {
+                untranslated,
+                ..mission
+            })
+        }
         _ if found.is_empty() => Err(vec![Diagnostic::new(0..0, "this is no mission file")]),
         _ => Err(found),
     }
@@ -81,7 +101,7 @@ pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
 impl Faults {
     /// Adds a fault at a place.
     pub fn add(&mut self, span: std::ops::Range<usize>, message: impl Into<Text>) {
-        self.0.push(Diagnostic::new(span, message));
+        self.found.push(Diagnostic::new(span, message));
     }
 
     /// Adds a fault about a name that is not among the known ones.
@@ -96,7 +116,8 @@ impl Faults {
             written.span(),
             format!("unknown {what} `{name}`; known: {list}"),
         );
-        self.0.push(fault.with_nearest(name, known.iter().copied()));
+        self.found
+            .push(fault.with_nearest(name, known.iter().copied()));
     }
 
     /// Reads a table into a type; a fault in it is added and gives `None`.
@@ -129,13 +150,35 @@ impl Faults {
                 let unknown = message.starts_with("unknown ");
                 // Of names of one letter, all are equally close.
                 let named = |written: &&str| unknown && written.len() > 1;
-                self.0.push(match quoted.next().filter(named) {
+                self.found.push(match quoted.next().filter(named) {
                     Some(written) => fault.with_nearest(written, quoted),
                     None => fault,
                 });
                 None
             }
         }
+    }
+
+    /// A text with its translation, if there is one, which `key` would name.
+    pub fn written(
+        &mut self,
+        english: Spanned<String>,
+        ukrainian: Option<Spanned<String>>,
+        key: &str,
+    ) -> Text {
+        match &ukrainian {
+            None => {
+                let note = text!("mission-untranslated", key = key);
+                self.untranslated
+                    .push(Diagnostic::new(english.span(), note));
+            }
+            Some(words) if words.get_ref().trim().is_empty() => {
+                self.add(words.span(), text!("mission-translation-empty", key = key));
+            }
+            Some(_) => self.translated = true,
+        }
+        let translated = ukrainian.map(|words| (Language::Ukrainian, words.into_inner()));
+        Text::written(english.into_inner(), translated)
     }
 
     /// A number that must lie in a range; NaN never does.
@@ -221,7 +264,8 @@ impl Draft {
         known: &[&str],
         faults: &mut Faults,
     ) {
-        if faults.0.is_empty() || !(known.is_empty() || self.declared.contains(name.get_ref())) {
+        if faults.found.is_empty() || !(known.is_empty() || self.declared.contains(name.get_ref()))
+        {
             faults.unknown(what, name, known);
         }
     }
@@ -328,7 +372,8 @@ fn objective(
     check_unique(seen, &section.id, faults);
     let span = section.rest.span();
     let table = section.rest.get_mut();
-    let title = take::<String>(table, "title", &span, faults);
+    let title = take::<Spanned<String>>(table, "title", &span, faults);
+    let title_uk = take_optional::<Spanned<String>>(table, "title_uk", faults);
     let value = take::<Spanned<f64>>(table, "value", &span, faults);
     let mandatory = take_optional::<bool>(table, "mandatory", faults).unwrap_or(false);
     let id = section.id.get_ref().clone();
@@ -337,7 +382,7 @@ fn objective(
     draft.surveys.extend(kind.survey().cloned());
     Some(Objective {
         id,
-        title: title?,
+        title: faults.written(title?, title_uk, "title_uk"),
         value: faults.number(&value?, 0.1..=1000.0, "value"),
         mandatory,
         kind,

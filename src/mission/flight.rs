@@ -1,7 +1,6 @@
 //! One try at a mission.
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -19,6 +18,8 @@ use crate::notice::Notice;
 use crate::scoring::{
     CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, rounded,
 };
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
@@ -41,14 +42,15 @@ pub enum Outcome {
     Abandoned,
 }
 
-impl fmt::Display for Outcome {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Passed => "passed",
-            Self::Failed => "failed",
-            Self::TimedOut => "timed out",
-            Self::Abandoned => "abandoned",
-        })
+impl Outcome {
+    /// The same in a word or two.
+    pub fn text(self) -> Text {
+        match self {
+            Self::Passed => text!("mission-passed"),
+            Self::Failed => text!("mission-failed"),
+            Self::TimedOut => text!("mission-timed-out"),
+            Self::Abandoned => text!("mission-abandoned"),
+        }
     }
 }
 
@@ -59,7 +61,7 @@ pub(crate) struct World {
 }
 
 impl World {
-    fn new(mission: &Mission, seed: u64) -> Self {
+    pub fn new(mission: &Mission, seed: u64) -> Self {
         // Streams from 0 on belong to the sensors.
         let release = |(hazard, stream): (&dyn Hazard, u64)| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -220,7 +222,7 @@ impl Flight {
         &mut self,
         kind: SafetyKind,
         id: VehicleId,
-        text: &str,
+        text: &Text,
         notices: &mut Vec<Notice>,
     ) {
         if self.safety.note(kind, id, self.elapsed, text) {
@@ -229,7 +231,7 @@ impl Flight {
             } else {
                 Severity::Warning
             };
-            self.say("rule", Some(id), severity, text.to_owned(), notices);
+            self.say("rule", Some(id), severity, text.clone(), notices);
         }
     }
 
@@ -249,7 +251,7 @@ impl Flight {
                     self.break_rule(
                         SafetyKind::ForcedArm,
                         vehicle,
-                        "arming checks bypassed",
+                        &text!("mission-checks-bypassed"),
                         notices,
                     );
                 }
@@ -275,7 +277,13 @@ impl Flight {
                 };
                 if let Some(cell) = survey.step(at, craft.height_m, craft.speed_m_s, probe.shown) {
                     let (name, count) = (&survey.plan.cells[cell].name, survey.sampled());
-                    let text = format!("cell {name} sampled  {count}/{}", survey.plan.cells.len());
+                    let all = survey.plan.cells.len();
+                    let text = text!(
+                        "mission-cell-sampled",
+                        cell = name,
+                        count = count,
+                        all = all
+                    );
                     sampled.push((craft.id, text));
                 }
             }
@@ -285,7 +293,7 @@ impl Flight {
                 at: self.elapsed,
                 vehicle: Some(id),
                 severity: Severity::Info,
-                text: text.into(),
+                text,
             });
         }
     }
@@ -296,8 +304,12 @@ impl Flight {
         for (index, (objective, standing)) in mission.objectives.iter().zip(standings).enumerate() {
             if standing.met != self.met[index] {
                 self.met[index] = standing.met;
-                let verb = if standing.met { "met" } else { "open again" };
-                let text = format!("objective {verb}: {} ({})", objective.id, standing.result);
+                let (id, result) = (&objective.id, &standing.result);
+                let text = if standing.met {
+                    text!("mission-objective-met", objective = id, result = result)
+                } else {
+                    text!("mission-objective-open", objective = id, result = result)
+                };
                 self.say("objective", None, Severity::Notice, text, notices);
             }
         }
@@ -314,7 +326,7 @@ impl Flight {
                     "alert",
                     None,
                     Severity::Warning,
-                    format!("{seconds} s left"),
+                    text!("mission-time-left", seconds = seconds),
                     notices,
                 );
             }
@@ -357,7 +369,7 @@ impl Flight {
             "phase",
             None,
             Severity::Notice,
-            format!("mission {outcome}"),
+            text!("mission-over", outcome = outcome.text()),
             notices,
         );
     }
@@ -367,19 +379,19 @@ impl Flight {
         kind: &str,
         vehicle: Option<VehicleId>,
         severity: Severity,
-        text: String,
+        text: Text,
         notices: &mut Vec<Notice>,
     ) {
         notices.push(Notice {
             at: self.elapsed,
             vehicle,
             severity,
-            text: text.clone().into(),
+            text: text.clone(),
         });
         self.record(kind, vehicle, text);
     }
 
-    fn record(&mut self, kind: &str, vehicle: Option<VehicleId>, text: String) {
+    fn record(&mut self, kind: &str, vehicle: Option<VehicleId>, text: Text) {
         self.events.push(EventReport {
             at_s: rounded(self.elapsed.as_secs_f64(), 1),
             kind: kind.to_owned(),

@@ -7,6 +7,7 @@ use super::craft::Craft;
 use super::file::Reader;
 use super::flight::World;
 use super::survey::{Survey, SurveyPlan};
+use crate::text::Text;
 
 pub(super) mod map_error;
 pub(super) mod recover;
@@ -16,7 +17,7 @@ pub(super) mod sample_cells;
 #[derive(Debug)]
 pub(crate) struct Objective {
     pub id: String,
-    pub title: String,
+    pub title: Text,
     /// Its share of the objectives' points.
     pub value: f64,
     /// Whether the mission fails without it.
@@ -67,17 +68,17 @@ pub(crate) struct Standing {
     /// Whether it is about coming home, the last thing of a flight.
     pub landing: bool,
     /// Quality of the product, 0 to 1, with what it came from, for kinds that make one.
-    pub quality: Option<(f64, String)>,
+    pub quality: Option<(f64, Text)>,
     /// The result in words.
-    pub result: String,
+    pub result: Text,
     /// What it still needs, while it is flown for; `None` where the result says all.
-    pub outlook: Option<String>,
+    pub outlook: Option<Text>,
     /// What would make the product better, in words; empty for kinds that make none.
-    pub quality_advice: String,
+    pub quality_advice: Text,
     /// The target in words.
-    pub target: String,
+    pub target: Text,
     /// What would reach it, in words.
-    pub advice: String,
+    pub advice: Text,
 }
 
 /// How long vehicles must stand still on the ground before the flight counts as over.

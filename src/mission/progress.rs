@@ -3,13 +3,14 @@
 use std::time::Duration;
 
 use crate::geo::LatLon;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// A mission as it stands now.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
     /// Its title.
-    pub title: String,
+    pub title: Text,
     /// Mission time used.
     pub elapsed: Duration,
     /// Mission time allowed.
@@ -21,7 +22,7 @@ pub struct Progress {
     /// What the virtual sensors show, in order of vehicle.
     pub readings: Vec<Reading>,
     /// What to do next, where the mission has advice.
-    pub hint: Option<String>,
+    pub hint: Option<Text>,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
 }
@@ -30,11 +31,11 @@ pub struct Progress {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectiveProgress {
     /// Its title.
-    pub title: String,
+    pub title: Text,
     /// Whether it is decided.
     pub state: ObjectiveState,
     /// How it stands, such as `7/9 cells`.
-    pub detail: String,
+    pub detail: Text,
     /// How far it is reached, 0 to 1.
     pub fraction: f64,
 }
@@ -56,7 +57,7 @@ pub struct Reading {
     /// Which vehicle carries it.
     pub vehicle: VehicleId,
     /// Its name.
-    pub sensor: String,
+    pub sensor: Text,
     /// What it shows.
     pub value: f64,
     /// In this unit.

@@ -9,7 +9,7 @@ use rand_distr::{Distribution, StandardNormal};
 pub(crate) struct Sensor {
     /// Its id in mission files and in the parts catalogue.
     pub id: &'static str,
-    /// Its name for people.
+    /// The message with its name for people.
     pub name: &'static str,
     /// What it shows.
     pub unit: &'static str,
@@ -32,7 +32,7 @@ pub(crate) struct Sensor {
 pub(crate) static SENSORS: [Sensor; 2] = [
     Sensor {
         id: "s_voc",
-        name: "gas",
+        name: "mission-sensor-gas",
         unit: "ppm",
         unit_per_ug_m3: 24.45 / 56.11 * 1e-3,
         tau_s: 1.3,
@@ -42,7 +42,7 @@ pub(crate) static SENSORS: [Sensor; 2] = [
     },
     Sensor {
         id: "s_pm25",
-        name: "PM2.5",
+        name: "mission-sensor-particles",
         unit: "ug/m3",
         unit_per_ug_m3: 1.0,
         tau_s: 8.0,

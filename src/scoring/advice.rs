@@ -6,6 +6,8 @@ use std::collections::BTreeSet;
 use serde::{Deserialize, Serialize};
 
 use super::{CommandTally, Facts, Rules, score};
+use crate::text;
+use crate::text::Text;
 
 /// At most this many: more is not read.
 const SHOWN: usize = 5;
@@ -18,7 +20,7 @@ pub struct Improvement {
     /// The points that it would have brought.
     pub points: u16,
     /// What to do.
-    pub text: String,
+    pub text: Text,
 }
 
 /// The improvements of a flight, biggest gain first.
@@ -38,7 +40,7 @@ pub fn improvements(rules: &Rules, facts: &Facts) -> Vec<Improvement> {
 }
 
 /// The same flight with one thing mended, for each thing that could be.
-fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
+fn remedies(rules: &Rules, facts: &Facts) -> Vec<(Text, Facts)> {
     let mut remedies = Remedies {
         facts,
         list: Vec::new(),
@@ -52,14 +54,21 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
     if let Some((quality, words)) = &facts.quality
         && *quality < GOOD_QUALITY
     {
-        let how = match facts.quality_advice.as_str() {
-            "" => String::new(),
-            advice => format!(": {advice}"),
+        let (from, to) = (format!("{quality:.2}"), format!("{GOOD_QUALITY:.2}"));
+        let how = &facts.quality_advice;
+        let text = if how.is_empty() {
+            text!("scoring-improve-quality", from = from, to = to, now = words)
+        } else {
+            text!(
+                "scoring-improve-quality-how",
+                from = from,
+                to = to,
+                now = words,
+                how = how
+            )
         };
-        let text =
-            format!("Bring the quality from {quality:.2} to {GOOD_QUALITY:.2} ({words}){how}.");
         remedies.mend(text, |facts| {
-            facts.quality = Some((GOOD_QUALITY, String::new()));
+            facts.quality = Some((GOOD_QUALITY, Text::default()));
         });
     }
     remedies.reach_par(rules);
@@ -69,11 +78,11 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(String, Facts)> {
 
 struct Remedies<'a> {
     facts: &'a Facts,
-    list: Vec<(String, Facts)>,
+    list: Vec<(Text, Facts)>,
 }
 
 impl Remedies<'_> {
-    fn mend(&mut self, text: String, change: impl FnOnce(&mut Facts)) {
+    fn mend(&mut self, text: Text, change: impl FnOnce(&mut Facts)) {
         let mut mended = self.facts.clone();
         change(&mut mended);
         self.list.push((text, mended));
@@ -81,15 +90,16 @@ impl Remedies<'_> {
 
     fn reach_par(&mut self, rules: &Rules) {
         let late = self.facts.elapsed.saturating_sub(rules.par_time);
-        let text = format!("Be {:.0} s faster: that is par.", late.as_secs_f64());
+        let text = text!(
+            "scoring-be-faster",
+            seconds = format!("{:.0}", late.as_secs_f64())
+        );
         self.mend(text, |facts| {
             facts.elapsed = facts.elapsed.min(rules.par_time);
         });
         if let Some(used_wh) = self.facts.energy_wh {
-            let text = format!(
-                "Use {:.1} Wh less: that is par.",
-                used_wh - rules.par_energy_wh
-            );
+            let over = used_wh - rules.par_energy_wh;
+            let text = text!("scoring-use-less", energy = format!("{over:.1}"));
             self.mend(text, |facts| {
                 facts.energy_wh = Some(used_wh.min(rules.par_energy_wh));
             });
@@ -99,13 +109,11 @@ impl Remedies<'_> {
     fn keep_rules(&mut self) {
         let kinds: BTreeSet<_> = self.facts.safety.iter().map(|event| event.kind).collect();
         for kind in kinds {
-            self.mend(kind.advice().to_owned(), |facts| {
+            self.mend(kind.advice(), |facts| {
                 facts.safety.retain(|event| event.kind != kind);
             });
         }
-        let text =
-            "Give commands that can work, once: read the reason of a refusal first.".to_owned();
-        self.mend(text, |facts| {
+        self.mend(text!("scoring-advice-commands"), |facts| {
             facts.commands = CommandTally {
                 accepted: facts.commands.accepted,
                 ..CommandTally::default()

@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, btree_map};
 use std::time::Duration;
 
 use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
@@ -32,22 +34,35 @@ impl CommandTally {
         (1.0 - faults / (0.25 * f64::from(self.accepted) + 2.0)).max(0.0)
     }
 
-    pub(super) fn value_and_words(&self) -> (f64, String) {
+    pub(super) fn value_and_words(&self) -> (f64, Text) {
         let all = self.accepted + self.rejected + self.duplicates;
         let mut faults = Vec::new();
-        for (count, word) in [
-            (self.rejected, "rejected"),
-            (self.dangerous, "unsafe"),
-            (self.duplicates, "given twice"),
+        for (count, words) in [
+            (
+                self.rejected,
+                text!("scoring-rejected", count = self.rejected),
+            ),
+            (
+                self.dangerous,
+                text!("scoring-unsafe", count = self.dangerous),
+            ),
+            (
+                self.duplicates,
+                text!("scoring-twice", count = self.duplicates),
+            ),
         ] {
             if count > 0 {
-                faults.push(format!("{count} {word}"));
+                faults.push(words);
             }
         }
         let words = match (all, faults.is_empty()) {
-            (0, true) => "no commands".to_owned(),
-            (_, true) => format!("{all} commands, none rejected"),
-            _ => format!("{} of {all} commands", faults.join(", ")),
+            (0, true) => text!("scoring-no-commands"),
+            (_, true) => text!("scoring-commands-clean", count = all),
+            _ => text!(
+                "scoring-commands-faulty",
+                faults = Text::joined(", ", faults),
+                count = all
+            ),
         };
         (self.value(), words)
     }
@@ -69,7 +84,7 @@ pub enum CommandEvent {
         /// By which vehicle.
         vehicle: VehicleId,
         /// The line and the reason.
-        text: String,
+        text: Text,
     },
     /// Arming was forced or its checks were switched off.
     Forced {
@@ -119,13 +134,10 @@ impl CommandLog {
             .is_none_or(|vehicle| vehicle.link.lost);
         self.excused
             .insert(key, unheard && row.state == RowState::TimedOut);
-        let reason = row
-            .explanation
-            .as_ref()
-            .map_or_else(|| row.state.to_string(), ToString::to_string);
+        let reason = row.explanation.clone().unwrap_or_else(|| row.state.text());
         Some(CommandEvent::Rejected {
             vehicle: row.vehicle,
-            text: format!("{}: {reason}", entry.line),
+            text: Text::joined(": ", vec![entry.line.as_str().into(), reason]),
         })
     }
 

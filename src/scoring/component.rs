@@ -1,9 +1,10 @@
 //! The components: what each is worth and what moved it.
 
-use std::fmt::Write as _;
 use std::time::Duration;
 
 use super::{Facts, Rules, safety_value};
+use crate::text;
+use crate::text::Text;
 
 /// Time is worth nothing to a flight that reached less of its objectives than this (no credit for quitting early).
 const TIME_NEEDS_OBJECTIVES: f64 = 0.6;
@@ -46,7 +47,7 @@ impl Component {
         Self::Utilisation,
     ];
 
-    /// Its name in mission files, reports and debriefs.
+    /// Its name in mission files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Objective => "objective",
@@ -57,6 +58,20 @@ impl Component {
             Self::Command => "command",
             Self::Attention => "attention",
             Self::Utilisation => "utilisation",
+        }
+    }
+
+    /// Its name for people; the English one is [`name`](Self::name).
+    pub fn title(self) -> Text {
+        match self {
+            Self::Objective => text!("scoring-objective"),
+            Self::Quality => text!("scoring-quality"),
+            Self::Time => text!("scoring-time"),
+            Self::Energy => text!("scoring-energy"),
+            Self::Safety => text!("scoring-safety"),
+            Self::Command => text!("scoring-command"),
+            Self::Attention => text!("scoring-attention"),
+            Self::Utilisation => text!("scoring-utilisation"),
         }
     }
 }
@@ -110,13 +125,13 @@ pub struct ComponentScore {
     /// Its points, in tenths.
     pub points_tenths: u32,
     /// What moved it, in a few words.
-    pub moved_by: String,
+    pub moved_by: Text,
 }
 
 /// All components that apply and have a weight.
 pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
     let objective = objective_value(facts);
-    let values: [Option<(f64, String)>; 8] = [
+    let values: [Option<(f64, Text)>; 8] = [
         Some((objective, objective_words(facts))),
         facts.quality.clone(),
         Some(time(rules, facts.elapsed, objective)),
@@ -164,7 +179,7 @@ fn objective_value(facts: &Facts) -> f64 {
     }
 }
 
-fn objective_words(facts: &Facts) -> String {
+fn objective_words(facts: &Facts) -> Text {
     let missed: Vec<&str> = facts
         .objectives
         .iter()
@@ -172,53 +187,59 @@ fn objective_words(facts: &Facts) -> String {
         .map(|o| o.id.as_str())
         .collect();
     if missed.is_empty() {
-        format!("all {} objectives met", facts.objectives.len())
+        text!("scoring-all-met", count = facts.objectives.len())
     } else {
-        format!("missed: {}", missed.join(", "))
+        text!("scoring-missed", objectives = missed.join(", "))
     }
 }
 
-fn time(rules: &Rules, elapsed: Duration, objective: f64) -> (f64, String) {
+fn time(rules: &Rules, elapsed: Duration, objective: f64) -> (f64, Text) {
     let (used, par, limit) = (
         elapsed.as_secs_f64(),
         rules.par_time.as_secs_f64(),
         rules.time_limit.as_secs_f64(),
     );
     if objective < TIME_NEEDS_OBJECTIVES {
-        return (0.0, "needs .60 of the objectives".to_owned());
+        return (0.0, text!("scoring-needs-objectives", share = ".60"));
     }
     let value = if used <= par {
         1.0
     } else {
         ((limit - used) / (limit - par)).clamp(0.0, 1.0)
     };
-    (value, against_par(used, par, "s"))
+    (value, against_par(used, par, text!("scoring-seconds")))
 }
 
-fn energy(rules: &Rules, used_wh: f64, objective: f64) -> (f64, String) {
+fn energy(rules: &Rules, used_wh: f64, objective: f64) -> (f64, Text) {
     if objective < ENERGY_NEEDS_OBJECTIVES {
-        return (0.0, "needs .80 of the objectives".to_owned());
+        return (0.0, text!("scoring-needs-objectives", share = ".80"));
     }
     let value = (1.0 - (used_wh / rules.par_energy_wh - 1.0) / 0.6).clamp(0.0, 1.0);
-    (value, against_par(used_wh, rules.par_energy_wh, "Wh"))
+    (
+        value,
+        against_par(used_wh, rules.par_energy_wh, text!("scoring-watt-hours")),
+    )
 }
 
-fn against_par(used: f64, par: f64, unit: &str) -> String {
-    let side = if used <= par { "inside" } else { "over" };
-    format!("{:.0} {unit} {side} par", (used - par).abs())
+fn against_par(used: f64, par: f64, unit: Text) -> Text {
+    let by = format!("{:.0}", (used - par).abs());
+    if used <= par {
+        text!("scoring-inside-par", by = by, unit = unit)
+    } else {
+        text!("scoring-over-par", by = by, unit = unit)
+    }
 }
 
-fn safety_words(facts: &Facts) -> String {
+fn safety_words(facts: &Facts) -> Text {
     let Some(worst) = facts
         .safety
         .iter()
         .max_by(|a, b| a.lambda().total_cmp(&b.lambda()))
     else {
-        return "no rule broken".to_owned();
+        return text!("scoring-no-rule-broken");
     };
-    let mut words = worst.text.clone();
-    if facts.safety.len() > 1 {
-        let _ = write!(words, "; {} more", facts.safety.len() - 1);
+    match facts.safety.len() - 1 {
+        0 => worst.text.clone(),
+        more => text!("scoring-rules-broken", worst = &worst.text, more = more),
     }
-    words
 }

@@ -1,8 +1,8 @@
 //! What gold needs besides points: `safety >= 0.85`, `crashes == 0`, `cells >= 9`.
 
-use std::fmt;
-
 use super::{Component, ComponentScore, Facts};
+use crate::text;
+use crate::text::Text;
 
 /// One condition: a name, a comparison and a number.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,12 +89,20 @@ impl Gate {
     }
 }
 
-impl fmt::Display for Gate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Gate {
+    /// The condition as it is written, with the name that people know.
+    pub fn text(&self) -> Text {
+        let component = Component::ALL.into_iter().find(|c| c.name() == self.name);
+        let name = match component {
+            Some(component) => component.title(),
+            None if self.name == "crashes" => text!("scoring-crashes"),
+            None => self.name.as_str().into(),
+        };
         let sign = COMPARISONS
             .iter()
             .find(|(_, comparison)| *comparison == self.comparison)
             .map_or("", |(sign, _)| sign);
-        write!(f, "{} {sign} {}", self.name, self.number)
+        let parts = vec![name, sign.into(), self.number.to_string().into()];
+        Text::joined(" ", parts)
     }
 }

@@ -1,10 +1,12 @@
 //! The report of a finished flight: what `sortie run --json` prints, what is stored, what a debrief is made from.
 //!
+//! Words are kept as texts, so that a debrief can be read in any language; a document has the English ones.
 //! Numbers are rounded to fixed decimals when the report is made, so that equal flights give equal bytes.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Improvement, Medal};
+use crate::text::Text;
 
 /// A flight's result with every point explained. The order of the fields is the order in the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,9 +36,9 @@ pub struct Report {
     /// What happened, oldest first.
     pub events: Vec<EventReport>,
     /// Title of the mission.
-    pub title: String,
+    pub title: Text,
     /// `passed`, `failed`, `timed out`, `abandoned`, or `flying` for a flight that is not over.
-    pub outcome: String,
+    pub outcome: Text,
     /// S, A, B, C, D or F.
     pub grade: String,
     /// How many vehicles took part.
@@ -50,7 +52,7 @@ pub struct Report {
     /// Energy that gets all points, in Wh.
     pub par_energy_wh: f64,
     /// What gold still needs besides points.
-    pub gold_missing: Vec<String>,
+    pub gold_missing: Vec<Text>,
     /// What to do better, biggest gain first.
     pub improvements: Vec<Improvement>,
     /// Real time that the run took, in seconds; set by the shell, the only field that may differ between equal runs.
@@ -64,15 +66,15 @@ pub struct ObjectiveReport {
     /// Its id in the mission file.
     pub id: String,
     /// Its title.
-    pub title: String,
+    pub title: Text,
     /// Whether the mission fails without it.
     pub mandatory: bool,
     /// Whether it was reached.
     pub met: bool,
     /// The measured result in words.
-    pub result: String,
+    pub result: Text,
     /// What was asked for, in words.
-    pub target: String,
+    pub target: Text,
     /// Points within the objectives' component.
     pub points: f64,
     /// The most that there are.
@@ -83,7 +85,7 @@ pub struct ObjectiveReport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ComponentReport {
     /// Its name.
-    pub name: String,
+    pub name: Text,
     /// Its weight after sharing out what does not apply.
     pub weight: f64,
     /// 0 to 1.
@@ -91,7 +93,7 @@ pub struct ComponentReport {
     /// Its points of 1000, to a tenth.
     pub points: f64,
     /// What moved it.
-    pub moved_by: String,
+    pub moved_by: Text,
 }
 
 /// One command as it was given.
@@ -111,13 +113,13 @@ pub struct RowReport {
     /// Which vehicle.
     pub vehicle: u16,
     /// How it ended, in words.
-    pub state: String,
+    pub state: Text,
     /// Whether that is otherwise than the operator wanted.
     pub failed: bool,
     /// How often it was sent.
     pub tries: u8,
     /// The reason of a refusal, or a remark.
-    pub explanation: Option<String>,
+    pub explanation: Option<Text>,
 }
 
 /// Something that happened.
@@ -130,7 +132,7 @@ pub struct EventReport {
     /// Which vehicle, where it is about one.
     pub vehicle: Option<u16>,
     /// In words.
-    pub text: String,
+    pub text: Text,
 }
 
 /// A number rounded to `decimals` places; what is not finite becomes 0.

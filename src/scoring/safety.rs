@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// The same event of the same vehicle within this time is one event.
@@ -54,21 +56,17 @@ impl SafetyKind {
     }
 
     /// How to avoid it, in words.
-    pub fn advice(self) -> &'static str {
+    pub fn advice(self) -> Text {
         match self {
-            Self::Geofence => {
-                "Stay inside the fence: check a goto's numbers against the map before Enter."
-            }
-            Self::TooHigh => "Stay below the mission's highest height; it is in the brief.",
-            Self::Crash => "Bring the vehicle down with rtl or land and wait for the disarm.",
-            Self::DisarmInFlight => "Never stop motors in the air; rtl or land end a flight.",
-            Self::ForcedArm => "Arm without force: wait until the checks before arming pass.",
-            Self::LowReserve => "Turn home earlier: land above the battery reserve.",
-            Self::OffPad => "Land on the pad: rtl flies there by itself.",
-            Self::BatteryLow | Self::BatteryCritical => {
-                "Turn home before the battery failsafe does it for you."
-            }
-            Self::OtherFailsafe => "Watch the vehicle's alerts: a failsafe took over.",
+            Self::Geofence => text!("scoring-advice-geofence"),
+            Self::TooHigh => text!("scoring-advice-height"),
+            Self::Crash => text!("scoring-advice-crash"),
+            Self::DisarmInFlight => text!("scoring-advice-motors"),
+            Self::ForcedArm => text!("scoring-advice-force"),
+            Self::LowReserve => text!("scoring-advice-reserve"),
+            Self::OffPad => text!("scoring-advice-pad"),
+            Self::BatteryLow | Self::BatteryCritical => text!("scoring-advice-battery"),
+            Self::OtherFailsafe => text!("scoring-advice-failsafe"),
         }
     }
 }
@@ -85,7 +83,7 @@ pub struct SafetyEvent {
     /// How long it lasted; zero for what happens at once.
     pub lasted: Duration,
     /// In words, for the debrief.
-    pub text: String,
+    pub text: Text,
 }
 
 impl SafetyEvent {
@@ -116,7 +114,7 @@ impl SafetyLog {
         kind: SafetyKind,
         vehicle: VehicleId,
         now: Duration,
-        text: &str,
+        text: &Text,
     ) -> bool {
         if let Some((index, seen)) = self.newest.get_mut(&(vehicle, kind))
             && now.saturating_sub(*seen) <= MERGED_WITHIN
@@ -135,7 +133,7 @@ impl SafetyLog {
             vehicle,
             at: now,
             lasted: Duration::ZERO,
-            text: text.to_owned(),
+            text: text.clone(),
         });
         true
     }

@@ -25,23 +25,23 @@ fn rules() -> Rules {
 fn objective(fraction: f64, mandatory: bool) -> ObjectiveFact {
     ObjectiveFact {
         id: "cells".to_owned(),
-        title: String::new(),
+        title: Text::default(),
         value: 50.0,
         fraction,
         measure: fraction,
         met: fraction >= 1.0,
         mandatory,
-        result: String::new(),
-        target: String::new(),
-        advice: "Sample more.".to_owned(),
+        result: Text::default(),
+        target: Text::default(),
+        advice: "Sample more.".into(),
     }
 }
 
 fn perfect() -> Facts {
     Facts {
         objectives: vec![objective(1.0, true)],
-        quality: Some((1.0, "map".to_owned())),
-        quality_advice: String::new(),
+        quality: Some((1.0, "map".into())),
+        quality_advice: Text::default(),
         elapsed: Duration::from_secs(200),
         energy_wh: Some(15.0),
         safety: Vec::new(),
@@ -59,7 +59,7 @@ fn event(kind: SafetyKind, lasted_s: u64) -> SafetyEvent {
         vehicle: 1,
         at: Duration::ZERO,
         lasted: Duration::from_secs(lasted_s),
-        text: "broken".to_owned(),
+        text: "broken".into(),
     }
 }
 
@@ -256,8 +256,8 @@ proptest! {
     ) {
         let facts = Facts {
             objectives: fractions.iter().map(|&(fraction, mandatory)| objective(fraction, mandatory)).collect(),
-            quality: quality.map(|quality| (quality, "map".to_owned())),
-            quality_advice: String::new(),
+            quality: quality.map(|quality| (quality, "map".into())),
+            quality_advice: Text::default(),
             elapsed: Duration::from_secs(elapsed_s),
             energy_wh: energy,
             safety: breaches.iter().map(|&s| event(SafetyKind::Geofence, s)).collect(),

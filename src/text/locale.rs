@@ -44,6 +44,11 @@ impl Locale {
                 let parts: Vec<String> = parts.iter().map(|part| self.text(part)).collect();
                 parts.join(separator)
             }
+            Content::Written(all) => {
+                let ours = all.iter().find(|(language, _)| *language == self.language);
+                let found = ours.or(all.first());
+                found.map_or_else(String::new, |(_, words)| words.clone())
+            }
         }
     }
 

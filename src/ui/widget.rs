@@ -10,6 +10,7 @@ use ratatui::widgets::{Block, Clear, Widget};
 use super::look::Look;
 use super::theme::Role;
 use crate::ledger::RowState;
+pub use crate::text::{reflow, wrap};
 use crate::vehicle::Severity;
 
 pub mod alerts;
@@ -165,57 +166,6 @@ pub fn aligned(text: &str, columns: usize, right: bool) -> String {
     }
 }
 
-/// A text broken into lines of at most `width` columns, between words where possible. Line breaks in the text stay.
-pub fn wrap(text: &str, width: usize) -> Vec<String> {
-    let width = width.max(1);
-    let mut lines = Vec::new();
-    for paragraph in text.trim_end().split('\n') {
-        let indent = paragraph.len() - paragraph.trim_start().len();
-        let mut line = " ".repeat(indent.min(width / 2));
-        let mut empty = true;
-        for word in paragraph.split_whitespace() {
-            let joined = Span::raw(line.as_str()).width() + 1 + Span::raw(word).width();
-            if !empty && joined > width {
-                lines.push(std::mem::take(&mut line));
-                empty = true;
-            }
-            if !empty {
-                line.push(' ');
-            }
-            empty = false;
-            line.push_str(word);
-            while Span::raw(line.as_str()).width() > width {
-                let at = line
-                    .char_indices()
-                    .nth(width)
-                    .map_or(line.len(), |(at, _)| at);
-                if at == line.len() {
-                    break;
-                }
-                let rest = line.split_off(at);
-                lines.push(std::mem::replace(&mut line, rest));
-            }
-        }
-        lines.push(line);
-    }
-    lines
-}
-
-/// A text whose lines were broken for another width, as paragraphs: only blank and indented lines stay apart.
-pub fn reflow(text: &str) -> String {
-    let mut flowing = String::new();
-    let mut open = false;
-    for line in text.trim_end().lines() {
-        let joins = open && !line.trim().is_empty() && !line.starts_with(' ');
-        if !flowing.is_empty() {
-            flowing.push(if joins { ' ' } else { '\n' });
-        }
-        flowing.push_str(line.trim_end());
-        open = !line.trim().is_empty() && !line.starts_with(' ');
-    }
-    flowing
-}
-
 /// A time as minutes and seconds, with hours where there are any.
 pub fn clock(time: Duration) -> String {
     let seconds = time.as_secs();
@@ -262,24 +212,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn text_is_cut_with_a_mark_and_wrapped_between_words() {
+    fn text_is_cut_with_a_mark() {
         assert_eq!(clip("position", 8), "position");
         assert_eq!(clip("position", 5), "posi…");
         assert_eq!(clip("position", 0), "");
         assert_eq!(clip("日本語", 4), "日…");
-        assert_eq!(
-            wrap("one two  three\n\nfour", 8),
-            ["one two", "three", "", "four"]
-        );
-        assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
-    }
-
-    #[test]
-    fn paragraphs_are_broken_anew_and_lists_are_not() {
-        assert_eq!(
-            reflow("one\ntwo\n\nthree:\n  a\n  b\nfour\n"),
-            "one two\n\nthree:\n  a\n  b\nfour"
-        );
     }
 
     #[test]

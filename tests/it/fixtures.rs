@@ -3,7 +3,9 @@
 use std::time::Duration;
 
 use sortie::geo::LatLon;
-use sortie::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+use sortie::mission::{
+    Cell, Listing, Mission, ObjectiveProgress, ObjectiveState, Progress, Reading,
+};
 use sortie::scoring::{ComponentReport, EventReport, ObjectiveReport, Report};
 use sortie::vehicle::{
     Attitude, Battery, Ekf, EkfFlags, FixType, GlobalPosition, Gps, Health, Heartbeat, LandedState,
@@ -120,12 +122,23 @@ pub fn airborne(id: u16, north_m: f64, altitude_m: f64) -> Vehicle {
     vehicle
 }
 
+/// The mission that ships, under another name.
+pub fn listing() -> Listing {
+    let source = include_str!("../../missions/01-air-sample.toml");
+    Listing {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+        brief: BRIEF.into(),
+        ..Mission::parse(source).expect("it is good").listing()
+    }
+}
+
 /// A mission under way: nine cells, four of them sampled.
 pub fn progress() -> Progress {
     let objective = |title: &str, state, detail: &str, fraction| ObjectiveProgress {
-        title: title.to_owned(),
+        title: title.into(),
         state,
-        detail: detail.to_owned(),
+        detail: detail.into(),
         fraction,
     };
     let cells = (0..9).map(|at| Cell {
@@ -136,7 +149,7 @@ pub fn progress() -> Progress {
         value: (at < 5).then_some(3.0 + 17.25 * at as f64),
     });
     Progress {
-        title: "Air sample at the yard".to_owned(),
+        title: "Air sample at the yard".into(),
         elapsed: Duration::from_secs(192),
         limit: Duration::from_secs(600),
         score_so_far: Some(412),
@@ -157,11 +170,11 @@ pub fn progress() -> Progress {
         ],
         readings: vec![Reading {
             vehicle: 1,
-            sensor: "co".to_owned(),
+            sensor: "co".into(),
             value: 37.52,
             unit: "ppm",
         }],
-        hint: Some("hover 3 s over a cell before you fly on".to_owned()),
+        hint: Some("hover 3 s over a cell before you fly on".into()),
         cells: cells.collect(),
     }
 }
@@ -179,30 +192,30 @@ pub fn report() -> Report {
         sim_time_s: 312.4,
         objectives: vec![ObjectiveReport {
             id: "measure".to_owned(),
-            title: "Measure the air over the yard".to_owned(),
+            title: "Measure the air over the yard".into(),
             mandatory: true,
             met: true,
-            result: "9/9 cells".to_owned(),
-            target: "9 cells".to_owned(),
+            result: "9/9 cells".into(),
+            target: "9 cells".into(),
             points: 60.0,
             points_max: 60.0,
         }],
         components: vec![ComponentReport {
-            name: "objective".to_owned(),
+            name: "objective".into(),
             weight: 0.35,
             value: 1.0,
             points: 350.0,
-            moved_by: "all objectives met".to_owned(),
+            moved_by: "all objectives met".into(),
         }],
         ledger: Vec::new(),
         events: vec![EventReport {
             at_s: 120.0,
             kind: "objective".to_owned(),
             vehicle: Some(1),
-            text: "cell A1 sampled".to_owned(),
+            text: "cell A1 sampled".into(),
         }],
-        title: "Air sample at the yard".to_owned(),
-        outcome: "passed".to_owned(),
+        title: "Air sample at the yard".into(),
+        outcome: "passed".into(),
         grade: "B".to_owned(),
         vehicles: 1,
         time_limit_s: 600.0,

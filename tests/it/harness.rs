@@ -9,7 +9,7 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use sortie::app::effect::Effect;
 use sortie::app::event::{Event, Started};
-use sortie::app::state::{Activity, MissionListing, State};
+use sortie::app::state::{Activity, State};
 use sortie::app::update;
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::notice::Notice;
@@ -28,11 +28,7 @@ pub struct Console {
 impl Console {
     /// On the home screen, with one mission on offer.
     pub fn new() -> Self {
-        let missions = vec![MissionListing {
-            id: "m01".to_owned(),
-            title: "Air sample at the yard".to_owned(),
-            brief: fixtures::BRIEF.to_owned(),
-        }];
+        let missions = vec![fixtures::listing()];
         let themes = Theme::names().map(str::to_owned).collect();
         let mut console = Self {
             state: State::new(missions, themes, "dark".to_owned()),
@@ -54,6 +50,8 @@ impl Console {
 
     pub fn start(&mut self, activity: Activity) {
         self.hear(Event::Started(Box::new(Started {
+            mission: matches!(activity, Activity::Mission { .. })
+                .then(|| Box::new(fixtures::listing())),
             activity,
             places: BTreeMap::new(),
             areas: Vec::new(),

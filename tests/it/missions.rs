@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use sortie::mission::Mission;
+use sortie::text::{Language, Locale};
 
 /// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.
 const REFUSALS: &[&str] = &[
@@ -95,6 +96,74 @@ fn the_file_that_the_bad_ones_are_made_from_is_good() {
         faults(&folder("tests/data/good_mission.toml")),
         Vec::<String>::new()
     );
+}
+
+fn noted(source: &str) -> Vec<String> {
+    let mission = Mission::parse(source).expect("no faults");
+    let notes = mission.untranslated.iter();
+    notes.map(|note| note.one_line("m.toml", source)).collect()
+}
+
+#[test]
+fn shipped_missions_speak_both_languages_and_what_is_left_out_is_named() {
+    let source = std::fs::read_to_string(folder("missions/01-air-sample.toml")).expect("there");
+    assert_eq!(noted(&source), Vec::<String>::new());
+    let ukrainian = Locale::new(Language::Ukrainian);
+    let listing = Mission::parse(&source).expect("no faults").listing();
+    assert_eq!(ukrainian.text(&listing.title), "Проба повітря");
+    let without: Vec<&str> = source
+        .lines()
+        .filter(|line| !line.starts_with("title_uk = \"карта"))
+        .collect();
+    let without = without.join("\n");
+    let notes = noted(&without);
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(notes[0].contains("no `title_uk`"), "{notes:?}");
+    let listing = Mission::parse(&without).expect("no faults").listing();
+    assert_eq!(
+        ukrainian.text(&listing.objectives[1].title),
+        "gas map at 20 m"
+    );
+}
+
+#[test]
+fn a_mission_in_english_only_is_good_and_gets_one_note() {
+    let source = std::fs::read_to_string(folder("tests/data/good_mission.toml")).expect("there");
+    let notes = noted(&source);
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(notes[0].contains("in English only"), "{notes:?}");
+}
+
+#[test]
+fn faults_of_translations_are_named_at_their_place() {
+    let source = std::fs::read_to_string(folder("tests/data/good_mission.toml")).expect("there");
+    let title = source
+        .lines()
+        .position(|line| line.starts_with("title"))
+        .expect("a title");
+    let with = |line: &str| {
+        let mut lines: Vec<&str> = source.lines().collect();
+        lines.insert(title + 1, line);
+        let source = lines.join("\n");
+        let faults = Mission::parse(&source).expect_err("a fault");
+        let faults: Vec<String> = faults
+            .iter()
+            .map(|fault| fault.one_line("m.toml", &source))
+            .collect();
+        faults.join("; ")
+    };
+    let place = format!("m.toml:{}:", title + 2);
+    for (line, fault) in [
+        ("title_uk = 3", "invalid type"),
+        ("title_ua = \"x\"", "did you mean `title_uk`?"),
+        ("brief_uk = \" \"", "`brief_uk` is empty"),
+    ] {
+        let found = with(line);
+        assert!(
+            found.starts_with(&place) && found.contains(fault),
+            "{found}"
+        );
+    }
 }
 
 #[test]

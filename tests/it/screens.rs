@@ -14,6 +14,7 @@ mod fly;
 mod inspector;
 mod link_room;
 mod map;
+mod mission;
 mod parameters;
 mod vehicle;
 
@@ -53,7 +54,7 @@ fn busy() -> Console {
     let mut console = Console::new();
     console.start(Activity::Mission {
         id: "m01".to_owned(),
-        title: "Air sample at the yard".to_owned(),
+        title: "Air sample at the yard".into(),
     });
     let mut lost: Vehicle = fixtures::airborne(3, 120.0, 31.5);
     lost.link.lost = true;
@@ -179,13 +180,12 @@ fn the_command_line_offers_and_marks() {
 }
 
 #[test]
-fn questions_help_links_and_brief() {
+fn questions_help_and_links() {
     let mut console = busy();
     check("confirm", console.give("1-3 kill"));
     insta::assert_snapshot!("cancelled_80x24", console.press("x").screen(80, 24));
     check("help", console.press("esc").press("?"));
     check("links", console.press("esc").give("links"));
-    check("brief", console.press("F").press("b"));
     check("ledger", console.press("esc").press("c"));
     console.press("F");
     check("notices", console.press("esc").press("n").press("k"));

@@ -7,11 +7,10 @@ fn themes() -> Vec<String> {
 /// Runs a test with some themes, a mission, a macro and a group.
 fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
     let themes = themes();
-    let missions = [MissionListing {
-        id: "01-air-sample".to_owned(),
-        title: "Air sample".to_owned(),
-        brief: String::new(),
-    }];
+    let source = include_str!("../../../missions/01-air-sample.toml");
+    let missions = [crate::mission::Mission::parse(source)
+        .expect("it is good")
+        .listing()];
     let macros = BTreeMap::from([("up".to_owned(), vec!["all arm".to_owned()])]);
     let groups = BTreeMap::from([("red".to_owned(), vec![1, 2])]);
     work(&Names {

@@ -45,6 +45,8 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Action::Move(step) => {
             let cursor = state.rooms.home.cursor;
             state.rooms.home.cursor = step.apply(cursor, items(state).len());
+            // The room of the mission shows another one now.
+            state.rooms.mission.scroll = 0;
             Some(Vec::new())
         }
         Action::Submit => {

@@ -32,8 +32,6 @@ pub enum Overlay {
         /// The entry under the cursor; `None` is the newest, also when newer ones come.
         cursor: Option<usize>,
     },
-    /// The mission's brief.
-    Brief,
 }
 
 /// What can be looked back through.

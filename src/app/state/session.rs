@@ -7,7 +7,7 @@ use super::{Alarms, Groups, Histories, LinkSummary, Selection};
 use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
-use crate::mission::{Area, Progress};
+use crate::mission::{Area, Listing, Progress};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -34,6 +34,8 @@ pub struct Session {
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
     pub links: Vec<LinkSummary>,
+    /// The mission that is flown, if one is.
+    pub listing: Option<Box<Listing>>,
     /// What the link doctor has found, worst first.
     pub findings: Vec<Finding>,
     /// Findings that were told already, by link and name.
@@ -62,7 +64,7 @@ pub enum Activity {
         /// Its id.
         id: String,
         /// Its name.
-        title: String,
+        title: Text,
     },
     /// Simulated vehicles without a task.
     Free,
@@ -77,7 +79,7 @@ impl Activity {
     /// What the header says.
     pub fn title(&self) -> Text {
         match self {
-            Self::Mission { title, .. } => title.as_str().into(),
+            Self::Mission { title, .. } => title.clone(),
             Self::Free => text!("session-free"),
             Self::Connected { addresses } => addresses.join(" ").into(),
         }

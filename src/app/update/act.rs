@@ -50,13 +50,9 @@ pub fn look_back(state: &mut State, log: Log) {
     state.overlay = Some(Overlay::Log { log, cursor: None });
 }
 
-/// Shows the mission's brief, if a mission is flown.
+/// Shows the mission's brief.
 pub fn brief(state: &mut State) {
-    if state.flown_mission().is_some() {
-        state.overlay = Some(Overlay::Brief);
-    } else {
-        state.say(Severity::Notice, text!("mission-none"));
-    }
+    show(state, Room::Mission);
 }
 
 /// Leaves the program; asks first where something would be lost.
@@ -96,10 +92,12 @@ pub fn abandon(state: &mut State) -> Vec<Effect> {
     ask(state, text!("ask-abandon"), reason, Effect::AbandonMission)
 }
 
-/// Forgets the session and shows the home screen.
+/// Forgets the session and shows the home screen. The debrief stays until another session starts.
 pub fn go_home(state: &mut State) {
     state.session = Session::default();
+    let debrief = state.rooms.debrief.take();
     state.rooms.forget_session();
+    state.rooms.debrief = debrief;
     state.typed.clear();
     state.room = Room::Home;
 }

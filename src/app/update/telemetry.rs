@@ -9,9 +9,8 @@ use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
 use crate::app::state::{AlertKind, Call, NoticeLog, Overlay, Session, State};
-use crate::debrief;
 use crate::mission::Progress;
-use crate::notice::{Notice, sanitised};
+use crate::notice::Notice;
 use crate::scoring::Report;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
@@ -73,6 +72,7 @@ pub fn signals(state: &mut State) -> Vec<Effect> {
 
 pub fn started(state: &mut State, started: Started) {
     let mut session = Session::new(started.activity, started.places);
+    session.listing = started.mission;
     session.began_at = state.now;
     session.areas = started.areas;
     // What was said and dropped before belongs to the session before.
@@ -107,6 +107,7 @@ pub fn notice(state: &mut State, notice: &Notice) {
 
 pub fn progress(state: &mut State, progress: Progress) {
     if state.session.activity.is_some() {
+        state.rooms.mission.hear(&progress);
         map::measured(state, &progress);
         state.session.mission = Some(progress);
     }
@@ -115,9 +116,7 @@ pub fn progress(state: &mut State, progress: Progress) {
 /// Shows the debrief. The command line stays open over it, or the rest of a line that is being typed
 /// would be taken as keys of the debrief.
 pub fn ended(state: &mut State, report: Box<Report>) {
-    let text = debrief::text(&report);
     state.rooms.debrief = Some(Debrief {
-        lines: text.lines().map(sanitised).collect(),
         report,
         scroll: 0,
         since: state.now,

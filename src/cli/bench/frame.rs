@@ -136,6 +136,7 @@ fn swarm(vehicles: VehicleId) -> State {
     let mut state = State::new(Vec::new(), Vec::new(), "dark".to_owned());
     let started = Started {
         activity: Activity::Free,
+        mission: None,
         places: std::collections::BTreeMap::new(),
         areas: Vec::new(),
     };

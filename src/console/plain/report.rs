@@ -27,7 +27,7 @@ pub struct Report {
     open: Vec<EntryId>,
     /// The objectives that were decided, and the hint.
     objectives: BTreeMap<usize, ObjectiveState>,
-    hint: Option<String>,
+    hint: Option<Text>,
 }
 
 impl Report {
@@ -159,7 +159,7 @@ fn outcome(entry: &Entry) -> Text {
 
 fn objective_text(objective: &ObjectiveProgress) -> Text {
     let (title, detail) = (&objective.title, &objective.detail);
-    let words = Text::joined(", ", vec![title.clone().into(), detail.clone().into()]);
+    let words = Text::joined(", ", vec![title.clone(), detail.clone()]);
     match objective.state {
         ObjectiveState::Open => text!("plain-objective-open", objective = words),
         ObjectiveState::Met => text!("plain-objective-met", objective = words),

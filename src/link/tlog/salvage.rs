@@ -181,6 +181,7 @@ mod tests {
     use super::*;
     use crate::link::TlogWriter;
     use crate::link::tests::heartbeat;
+    use crate::link::tlog::LONGEST_FRAME;
     use proptest::prelude::*;
 
     const START_US: u64 = 1_700_000_000_000_000;
@@ -254,7 +255,10 @@ mod tests {
                 }
             }
             prop_assert_eq!(len, bytes.len() as u64);
-            let touched = noise.len() / records[0].bytes.len() + 2;
+            // The end of the noise may look like the start of a frame of an unknown message, which nobody can
+            // check and which takes what follows with it.
+            let reach = noise.len() + LONGEST_FRAME;
+            let touched = reach / records[0].bytes.len() + 2;
             prop_assert!(found >= 40 - touched, "{} of 40", found);
         }
     }

@@ -80,7 +80,7 @@ pub(super) fn rules(
                     text.span(),
                     format!("unknown name `{}` in a gate", gate.name()),
                 );
-                faults.0.push(fault.with_nearest(gate.name(), names()));
+                faults.found.push(fault.with_nearest(gate.name(), names()));
             }
             Err(reason) => faults.add(text.span(), reason),
         }

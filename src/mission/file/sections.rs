@@ -65,8 +65,9 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
     Some(Mission {
         id: head.id.into_inner(),
         rev: head.rev,
-        title: head.title.into_inner(),
-        brief: head.brief,
+        title: faults.written(head.title, head.title_uk, "title_uk"),
+        brief: faults.written(head.brief, head.brief_uk, "brief_uk"),
+        untranslated: Vec::new(),
         tier: head.tier,
         tags: head.tags,
         authors: head.authors,
@@ -187,7 +188,7 @@ fn check_keys(root: &DeTable<'_>, faults: &mut Faults) {
         let name = key.get_ref().as_ref();
         if !known().any(|known| known == name) {
             let fault = Diagnostic::new(key.span(), format!("unknown key `{name}`"));
-            faults.0.push(fault.with_nearest(name, known()));
+            faults.found.push(fault.with_nearest(name, known()));
         }
     }
 }
@@ -199,13 +200,15 @@ struct HeadFile {
     id: Spanned<String>,
     rev: u32,
     title: Spanned<String>,
+    title_uk: Option<Spanned<String>>,
     #[serde(default)]
     tier: u8,
     #[serde(default)]
     tags: Vec<String>,
     #[serde(default)]
     authors: Vec<String>,
-    brief: String,
+    brief: Spanned<String>,
+    brief_uk: Option<Spanned<String>>,
 }
 
 impl HeadFile {
@@ -226,8 +229,15 @@ impl HeadFile {
                 "a mission's id is 1 to 40 small letters, digits and `-`",
             );
         }
-        if !(1..=60).contains(&self.title.get_ref().chars().count()) {
-            faults.add(self.title.span(), "`title` must have 1 to 60 characters");
+        for (title, key) in [
+            (Some(&self.title), "title"),
+            (self.title_uk.as_ref(), "title_uk"),
+        ] {
+            let Some(title) = title else { continue };
+            if !(1..=60).contains(&title.get_ref().chars().count()) {
+                let fault = format!("`{key}` must have 1 to 60 characters");
+                faults.add(title.span(), fault);
+            }
         }
         self
     }
@@ -277,7 +287,7 @@ fn objectives(
         objective(value, draft, &mut seen, faults)
     });
     let none_mandatory = !objectives.iter().any(|objective| objective.mandatory);
-    if let Some(place) = place.filter(|_| none_mandatory && faults.0.is_empty()) {
+    if let Some(place) = place.filter(|_| none_mandatory && faults.found.is_empty()) {
         faults.add(
             place,
             "at least one objective must be `mandatory`, or the mission can never be passed",
@@ -291,24 +301,27 @@ fn objectives(
 struct HintFile {
     phase: Phase,
     text: Spanned<String>,
+    text_uk: Option<Spanned<String>>,
 }
 
 impl HintFile {
     fn checked(self, draft: &Draft, faults: &mut Faults) -> Hint {
-        let text = self.text.get_ref();
-        let rest = text.replace(NEXT_CELL, "");
-        if rest.contains(['{', '}']) {
-            let message = format!("a hint knows one placeholder only: `{NEXT_CELL}`");
-            faults.add(self.text.span(), message);
-        }
-        let no_cells = draft.surveys.is_empty() && faults.0.is_empty();
-        if rest.len() < text.len() && no_cells {
-            let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
-            faults.add(self.text.span(), message);
+        let no_cells = draft.surveys.is_empty() && faults.found.is_empty();
+        for written in std::iter::once(&self.text).chain(&self.text_uk) {
+            let text = written.get_ref();
+            let rest = text.replace(NEXT_CELL, "");
+            if rest.contains(['{', '}']) {
+                let message = format!("a hint knows one placeholder only: `{NEXT_CELL}`");
+                faults.add(written.span(), message);
+            }
+            if rest.len() < text.len() && no_cells {
+                let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
+                faults.add(written.span(), message);
+            }
         }
         Hint {
             phase: self.phase,
-            text: self.text.into_inner(),
+            text: faults.written(self.text, self.text_uk, "text_uk"),
         }
     }
 }

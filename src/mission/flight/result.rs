@@ -6,6 +6,8 @@ use crate::scoring::{
     ComponentReport, Facts, LedgerReport, ObjectiveFact, ObjectiveReport, Report, RowReport, Score,
     grade, improvements, rounded, score,
 };
+use crate::text;
+use crate::text::Text;
 
 /// What the score depends on.
 pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
@@ -41,20 +43,20 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
 }
 
 /// The mean over all products.
-fn mean_quality(standings: &[Standing]) -> Option<(f64, String)> {
-    let all: Vec<&(f64, String)> = standings
+fn mean_quality(standings: &[Standing]) -> Option<(f64, Text)> {
+    let all: Vec<&(f64, Text)> = standings
         .iter()
         .filter_map(|s| s.quality.as_ref())
         .collect();
-    let words: Vec<&str> = all.iter().map(|(_, words)| words.as_str()).collect();
+    let words = all.iter().map(|(_, words)| words.clone()).collect();
     let sum: f64 = all.iter().map(|(value, _)| value).sum();
-    (!all.is_empty()).then(|| (sum / all.len() as f64, words.join(", ")))
+    (!all.is_empty()).then(|| (sum / all.len() as f64, Text::joined(", ", words)))
 }
 
-fn quality_advice(standings: &[Standing]) -> String {
-    let all = standings.iter().map(|standing| &*standing.quality_advice);
-    let all: Vec<&str> = all.filter(|advice| !advice.is_empty()).collect();
-    all.join("; ")
+fn quality_advice(standings: &[Standing]) -> Text {
+    let all = standings.iter().map(|standing| &standing.quality_advice);
+    let all = all.filter(|advice| !advice.is_empty()).cloned();
+    Text::joined("; ", all.collect())
 }
 
 /// The report.
@@ -85,7 +87,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         title: mission.title.clone(),
         outcome: flight
             .ended
-            .map_or("flying".to_owned(), |outcome| outcome.to_string()),
+            .map_or_else(|| text!("mission-flying"), super::Outcome::text),
         grade: grade(score.points).to_owned(),
         vehicles: flight.crafts.len(),
         time_limit_s: rounded(mission.time_limit.as_secs_f64(), 1),
@@ -114,7 +116,7 @@ fn objectives(facts: &Facts) -> Vec<ObjectiveReport> {
 
 fn components(score: &Score) -> Vec<ComponentReport> {
     let report = |component: &crate::scoring::ComponentScore| ComponentReport {
-        name: component.component.name().to_owned(),
+        name: component.component.title(),
         weight: rounded(component.weight, 3),
         value: rounded(component.value, 3),
         points: rounded(f64::from(component.points_tenths) / 10.0, 1),
@@ -126,10 +128,10 @@ fn components(score: &Score) -> Vec<ComponentReport> {
 fn command(at_s: f64, entry: &Entry) -> LedgerReport {
     let row = |row: &crate::ledger::Row| RowReport {
         vehicle: row.vehicle,
-        state: row.state.to_string(),
+        state: row.state.text(),
         failed: row.state.is_failure(),
         tries: row.tries,
-        explanation: row.explanation.as_ref().map(ToString::to_string),
+        explanation: row.explanation.clone(),
     };
     LedgerReport {
         at_s: rounded(at_s, 1),

@@ -5,6 +5,7 @@ use crate::mission::{
     Cell, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
 };
 use crate::scoring::score;
+use crate::text::Text;
 
 impl Flight {
     /// How it stands, for the mission panel.
@@ -52,7 +53,7 @@ impl Flight {
             let id = craft.id;
             let reading = move |probe: &Probe| Reading {
                 vehicle: id,
-                sensor: probe.sensor.name.to_owned(),
+                sensor: Text::new(probe.sensor.name, Vec::new()),
                 value: probe.shown,
                 unit: probe.sensor.unit,
             };
@@ -61,7 +62,7 @@ impl Flight {
         self.crafts.iter().flat_map(of).collect()
     }
 
-    fn hint(&self, standings: &[Standing]) -> Option<String> {
+    fn hint(&self, standings: &[Standing]) -> Option<Text> {
         let open = standings
             .iter()
             .any(|standing| !standing.landing && !standing.settled);
@@ -79,14 +80,14 @@ impl Flight {
     }
 
     /// A hint with the name of the first cell that is not sampled; once all are, that of the way home.
-    fn filled(&self, text: &str) -> String {
+    fn filled(&self, text: &Text) -> Text {
         let next = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();
             let mut open = cells.filter(|(index, _)| !survey.is_sampled(*index));
             open.next().map(|(_, cell)| cell.name.clone())
         };
         let next = self.surveys.iter().find_map(next);
-        text.replace(NEXT_CELL, next.as_deref().unwrap_or("pad"))
+        text.filled(NEXT_CELL, next.as_deref().unwrap_or("pad"))
     }
 
     fn cells(&self) -> Vec<Cell> {

@@ -11,6 +11,8 @@ use crate::mission::Point;
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::flight::World;
 use crate::mission::survey::{Survey, SurveyPlan};
+use crate::text;
+use crate::text::Text;
 
 /// The truth of a cell is the mean over a grid of this many points squared.
 const POINTS_PER_SIDE: u32 = 5;
@@ -120,18 +122,18 @@ impl MapTracker {
 impl MapTracker {
     /// The error is made of blanks, of readings at another height or in a corner of the cell, and of a sensor that
     /// lags behind.
-    fn quality_advice(&self, survey: Option<&Survey>) -> String {
+    fn quality_advice(&self, survey: Option<&Survey>) -> Text {
         let blank = survey.and_then(|survey| {
             let cells = survey.plan.cells.iter().enumerate();
             let mut blanks = cells.filter(|(index, _)| !survey.is_sampled(*index));
             blanks.next().map(|(_, cell)| cell.name.as_str())
         });
-        let height_m = self.height_m;
-        let how = format!(
-            "fly slower at {height_m:.0} m, right through the middle of each cell, and stay longer in it"
+        let how = text!(
+            "mission-map-slower",
+            height = format!("{:.0}", self.height_m)
         );
         match blank {
-            Some(name) => format!("sample {name} too, a blank counts as clean air; {how}"),
+            Some(name) => text!("mission-map-blank", cell = name, how = how),
             None => how,
         }
     }
@@ -143,7 +145,15 @@ impl Tracker for MapTracker {
         let begun = survey.is_some_and(|survey| survey.sampled() > 0);
         let error = survey.filter(|_| begun).map(|survey| self.error(survey));
         let whole = survey.is_some_and(|survey| survey.sampled() == self.truth.len());
-        let result = error.map_or("no map".to_owned(), |error| format!("error {error:.2}"));
+        let words = error.map(|error| format!("{error:.2}"));
+        let result = words.clone().map_or_else(
+            || text!("mission-map-none"),
+            |error| text!("mission-map-error", error = error),
+        );
+        let quality = words.map_or_else(
+            || text!("mission-map-none"),
+            |error| text!("mission-map-quality", error = error),
+        );
         let met = error.is_some_and(|error| error <= self.target);
         Standing {
             fraction: error.map_or(0.0, |error| {
@@ -155,15 +165,15 @@ impl Tracker for MapTracker {
             landing: false,
             quality: Some((
                 error.map_or(0.0, |error| 1.0 - (error / WORTHLESS).min(1.0)),
-                error.map_or("no map".to_owned(), |error| format!("map error {error:.2}")),
+                quality,
             )),
             result,
             outlook: None,
             quality_advice: self.quality_advice(survey),
-            target: format!("{:.2}", self.target),
-            advice: format!(
-                "Map every cell at {:.0} m with readings that have settled: fly slower, turn outside.",
-                self.height_m
+            target: format!("{:.2}", self.target).into(),
+            advice: text!(
+                "mission-map-advice",
+                height = format!("{:.0}", self.height_m)
             ),
         }
     }

@@ -7,6 +7,8 @@ use super::{DOWN_FOR, Kind, Scene, Standing, Tracker};
 use crate::mission::craft::Craft;
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::flight::World;
+use crate::text;
+use crate::text::Text;
 
 /// The battery is named before the distance when it is less than this many percent above what is needed.
 const RUNNING_SHORT: f64 = 10.0;
@@ -70,9 +72,13 @@ impl Tracker for Recover {
             landing: true,
             quality: None,
             result: result(scene.vehicles, home),
-            target: format!("{:.0} m, {:.0} %", self.radius_m, self.battery_percent),
+            target: text!(
+                "mission-recover-target",
+                radius = format!("{:.0}", self.radius_m),
+                percent = format!("{:.0}", self.battery_percent)
+            ),
             outlook: self.outlook(scene.vehicles),
-            quality_advice: String::new(),
+            quality_advice: Text::default(),
             advice: self.advice(scene.vehicles),
         }
     }
@@ -91,16 +97,25 @@ impl Recover {
 
     /// What one vehicle needs next, while it flies: the battery when that grows short, else the way home. Short,
     /// since it stands beside the title.
-    fn outlook(&self, vehicles: &[Craft]) -> Option<String> {
+    fn outlook(&self, vehicles: &[Craft]) -> Option<Text> {
         let [craft] = vehicles else { return None };
         if craft.lost || !craft.flown || craft.is_down() {
             return None;
         }
         let least = self.battery_percent;
-        let away = self
-            .is_off(craft)
-            .map(|distance_m| format!("{distance_m:.0} m from the pad"));
-        let battery = |percent: f64| format!("needs {least:.0} %, has {:.0} %", percent.floor());
+        let away = self.is_off(craft).map(|distance_m| {
+            text!(
+                "mission-recover-away",
+                distance = format!("{distance_m:.0}")
+            )
+        });
+        let battery = |percent: f64| {
+            text!(
+                "mission-recover-charge",
+                needed = format!("{least:.0}"),
+                percent = format!("{:.0}", percent.floor())
+            )
+        };
         match (away, craft.battery_percent) {
             (_, Some(percent)) if percent < least + RUNNING_SHORT => Some(battery(percent)),
             (Some(away), _) => Some(away),
@@ -109,51 +124,57 @@ impl Recover {
     }
 
     /// What the first vehicle that is not home did wrong: only that is worth a word.
-    fn advice(&self, vehicles: &[Craft]) -> String {
-        let (radius_m, least) = (self.radius_m, self.battery_percent);
+    fn advice(&self, vehicles: &[Craft]) -> Text {
+        let radius = format!("{:.0}", self.radius_m);
+        let least = format!("{:.0}", self.battery_percent);
         let astray = vehicles.iter().find(|craft| !self.is_home(craft));
         let Some(craft) = astray.filter(|craft| craft.flown && !craft.lost) else {
-            return format!(
-                "Fly, then land within {radius_m:.0} m of a pad with {least:.0} % battery and wait for the disarm: \
-                 rtl lands there."
-            );
+            return text!("mission-recover-fly", radius = radius, percent = least);
         };
         let mut advice = Vec::new();
+        // Only the first begins with a capital letter.
+        let place = |advice: &[Text]| if advice.is_empty() { "first" } else { "later" };
         if let Some(percent) = self.is_short(craft) {
-            let percent = percent.floor();
-            advice.push(format!(
-                "come home before {least:.0} %: you had {percent:.0} %"
+            advice.push(text!(
+                "mission-recover-earlier",
+                place = place(&advice),
+                least = least,
+                percent = format!("{:.0}", percent.floor())
             ));
         }
         if let Some(distance_m) = self.is_off(craft) {
-            advice.push(format!(
-                "land within {radius_m:.0} m of a pad: you were {distance_m:.1} m away, rtl lands there"
+            advice.push(text!(
+                "mission-recover-closer",
+                place = place(&advice),
+                radius = radius,
+                distance = format!("{distance_m:.1}")
             ));
         }
         if !craft.is_down() {
-            advice.push("land and disarm before the time is up: rtl does both".to_owned());
+            advice.push(text!("mission-recover-disarm", place = place(&advice)));
         }
-        let advice = advice.join("; ");
-        let mut letters = advice.chars();
-        let first = letters.next().map(|letter| letter.to_ascii_uppercase());
-        first.into_iter().chain(letters).chain(['.']).collect()
+        Text::joined("", vec![Text::joined("; ", advice), ".".into()])
     }
 }
 
-fn result(vehicles: &[Craft], home: usize) -> String {
+fn result(vehicles: &[Craft], home: usize) -> Text {
     match vehicles {
-        [craft] if craft.lost => "vehicle lost".to_owned(),
-        [craft] if !craft.flown => "not flown".to_owned(),
-        [craft] if !craft.is_down() => "in the air".to_owned(),
+        [craft] if craft.lost => text!("mission-recover-lost"),
+        [craft] if !craft.flown => text!("mission-recover-not-flown"),
+        [craft] if !craft.is_down() => text!("mission-recover-in-air"),
         [craft] => {
-            let distance = craft
-                .pad_distance_m
-                .map_or("?".to_owned(), |m| format!("{m:.1} m"));
+            let unknown = || Text::from("?");
+            let distance = craft.pad_distance_m.map_or_else(unknown, |distance_m| {
+                text!(
+                    "mission-recover-metres",
+                    distance = format!("{distance_m:.1}")
+                )
+            });
             let battery = craft
                 .battery_percent
-                .map_or("?".to_owned(), |p| format!("{p:.0} %"));
-            format!("{distance}, {battery}")
+                .map_or_else(unknown, |percent| format!("{percent:.0} %").into());
+            Text::joined(", ", vec![distance, battery])
         }
-        _ => format!("{home}/{} home", vehicles.len()),
+        _ => text!("mission-recover-home", home = home, count = vehicles.len()),
     }
 }

@@ -8,6 +8,8 @@ use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::flight::World;
 use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
 use crate::mission::zone::Shape;
+use crate::text;
+use crate::text::Text;
 
 /// More cells than a trainee could ever fly, fewer than would slow a step down.
 const MOST_CELLS: usize = 10_000;
@@ -148,29 +150,35 @@ impl Tracker for SampleCells {
             landing: false,
             quality: None,
             outlook: None,
-            quality_advice: String::new(),
-            result: format!("{sampled}/{} cells", self.plan.cells.len()),
-            target: format!("{} cells", self.target),
-            advice: format!(
-                "Sample {} too: {:.0} s each, at most {:.0} m/s, {low:.0} to {high:.0} m high.",
-                shortened(&missing),
-                self.plan.dwell_s,
-                self.plan.max_speed_m_s,
+            quality_advice: Text::default(),
+            result: text!(
+                "mission-cells-of",
+                sampled = sampled,
+                count = self.plan.cells.len()
+            ),
+            target: text!("mission-cells", count = self.target),
+            advice: text!(
+                "mission-cells-advice",
+                cells = shortened(&missing),
+                dwell = format!("{:.0}", self.plan.dwell_s),
+                speed = format!("{:.0}", self.plan.max_speed_m_s),
+                low = format!("{low:.0}"),
+                high = format!("{high:.0}"),
             ),
         }
     }
 }
 
 /// The first few names and how many more there are.
-fn shortened(names: &[&str]) -> String {
+fn shortened(names: &[&str]) -> Text {
     const SHOWN: usize = 6;
     if names.len() <= SHOWN {
-        names.join(", ")
+        names.join(", ").into()
     } else {
-        format!(
-            "{} and {} more",
-            names[..SHOWN].join(", "),
-            names.len() - SHOWN
+        text!(
+            "mission-cells-more",
+            cells = names[..SHOWN].join(", "),
+            more = names.len() - SHOWN
         )
     }
 }

@@ -19,7 +19,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         put(buffer, below(area, 1), 0, &line);
         return;
     };
-    let (lines, scroll) = (&debrief.lines, debrief.scroll);
+    let (lines, scroll) = (debrief.lines(&look.locale), debrief.scroll);
     let column = centred(TEXT_WIDTH, area.height, area);
     let rows = usize::from(column.height);
     let first = scroll.min(lines.len().saturating_sub(rows));

@@ -85,9 +85,9 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     let telemetry = telemetry::height(state, look, SIDE_WIDTH).max(TELEMETRY_LEAST);
     match &state.session.mission {
         Some(progress) if width >= THREE_COLUMNS => {
-            telemetry.max(mission::height(progress, MISSION_WIDTH))
+            telemetry.max(mission::height(progress, MISSION_WIDTH, look))
         }
-        Some(progress) => telemetry + mission::height(progress, SIDE_WIDTH),
+        Some(progress) => telemetry + mission::height(progress, SIDE_WIDTH, look),
         None => telemetry,
     }
 }
@@ -107,7 +107,7 @@ fn draw_side(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rec
     }
     let left = side
         .height
-        .saturating_sub(mission::height(progress, side.width));
+        .saturating_sub(mission::height(progress, side.width, look));
     let most = telemetry::height(state, look, side.width).max(TELEMETRY_LEAST);
     let rows = left.clamp(TELEMETRY_LEAST, most);
     telemetry::draw(state, look, upper(side, rows), buffer);

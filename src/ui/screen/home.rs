@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::room::home::{HomeItem, items};
-use crate::app::state::State;
+use crate::app::state::{Room, State};
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, columns, put, reflow, row_of, titled, wrap};
@@ -15,22 +16,34 @@ const LIST_WIDTH: u16 = 34;
 /// Columns of the text at most: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
 
-/// What free flight is for, with lines that can be given as they stand.
-const FREE_FLIGHT: &str =
-    "Simulated drones and no task: learn the commands, try things, break nothing.
-
-A first flight, each line after `:`
-
-  all guided
-  all arm
-  all takeoff 20
-  all goto by n 50
-  all rtl";
+/// Lines that can be given as they stand.
+const FIRST_FLIGHT: [&str; 5] = [
+    "all guided",
+    "all arm",
+    "all takeoff 20",
+    "all goto by n 50",
+    "all rtl",
+];
 
 /// Draws the list with its cursor, and a text about the line under it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let cursor = state.rooms.home.cursor;
-    let area = below(area, 1);
+    let mut area = below(area, 1);
+    if let Some(activity) = &state.session.activity {
+        let running = text!(
+            "home-running",
+            session = activity.title(),
+            key = Room::Fly.key()
+        );
+        let line = format!(" {}", look.text(&running));
+        put(
+            buffer,
+            area,
+            0,
+            &Line::styled(line, look.style(Role::Accent)),
+        );
+        area = below(area, 2);
+    }
     draw_list(state, cursor, look, columns(area, 1, LIST_WIDTH), buffer);
     let width = area.width.saturating_sub(LIST_WIDTH + 4).min(TEXT_WIDTH);
     draw_about(
@@ -43,7 +56,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = list(state);
+    let lines = list(state, look);
     let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
     let inner = titled("sortie", look, area, buffer);
     let rows = usize::from(inner.height);
@@ -67,21 +80,21 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
 }
 
 /// The lines of the list: items with their number, headings and blanks without.
-fn list(state: &State) -> Vec<(Option<usize>, String)> {
+fn list(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
     for (at, item) in items(state).into_iter().enumerate() {
         let heading = match item {
-            HomeItem::Mission(0) => Some("missions"),
-            HomeItem::Free => Some("without a task"),
+            HomeItem::Mission(0) => Some("home-missions"),
+            HomeItem::Free => Some("home-others"),
             _ => None,
         };
         if let Some(heading) = heading {
             if at > 0 {
                 lines.push((None, String::new()));
             }
-            lines.push((None, heading.to_owned()));
+            lines.push((None, look.say(heading)));
         }
-        lines.push((Some(at), name(state, item)));
+        lines.push((Some(at), name(state, item, look)));
     }
     lines
 }
@@ -90,63 +103,70 @@ fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mu
     let Some(item) = items(state).get(cursor).copied() else {
         return;
     };
-    let inner = titled(&name(state, item), look, area, buffer);
-    let text = about(state, item);
+    let inner = titled(&name(state, item, look), look, area, buffer);
+    let text = about(state, item, look);
     let mut row = 0;
     for line in wrap(&reflow(&text), usize::from(inner.width)) {
         put(buffer, inner, row, &Line::raw(line));
         row += 1;
     }
-    let enter = Line::from(vec![
-        Span::styled("Enter", look.style(Role::Key)),
-        Span::styled(deed(item), look.style(Role::Muted)),
-    ]);
-    put(buffer, inner, row + 1, &enter);
+    let mut keys = vec![("Enter".to_owned(), look.say(deed(item)))];
+    if let HomeItem::Mission(_) = item
+        && state.session.activity.is_none()
+    {
+        let rules = look.say("home-mission-rules");
+        keys.push((Room::Mission.key().to_string(), rules));
+    }
+    let spans = keys.into_iter().flat_map(|(key, what)| {
+        [
+            Span::styled(key, look.style(Role::Key)),
+            Span::styled(format!(" {what}   "), look.style(Role::Muted)),
+        ]
+    });
+    let line: Line<'_> = spans.collect();
+    put(buffer, inner, row + 1, &line);
 }
 
-fn name(state: &State, item: HomeItem) -> String {
+fn name(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => state.missions[at].title.clone(),
-        HomeItem::Free => "Free flight".to_owned(),
-        HomeItem::Connect => "Connect to vehicles".to_owned(),
-        HomeItem::Quit => "Quit".to_owned(),
+        HomeItem::Mission(at) => look.text(&state.missions[at].title),
+        HomeItem::Free => look.say("home-free"),
+        HomeItem::Connect => look.say("home-connect"),
+        HomeItem::Quit => look.say("home-quit"),
     }
 }
 
-fn about(state: &State, item: HomeItem) -> String {
+fn about(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => state.missions[at].brief.clone(),
-        HomeItem::Free => FREE_FLIGHT.to_owned(),
-        HomeItem::Connect => "Command real drones or a simulator elsewhere: anything that speaks \
-                              MAVLink over TCP, UDP or a serial port."
-            .to_owned(),
-        HomeItem::Quit => "Leave the program.".to_owned(),
+        HomeItem::Mission(at) => look.locale.text(&state.missions[at].brief),
+        HomeItem::Free => {
+            let (about, first) = (look.say("home-free-about"), look.say("home-free-first"));
+            let lines = FIRST_FLIGHT.map(|line| format!("  {line}")).join("\n");
+            format!("{about}\n\n{first}\n\n{lines}")
+        }
+        HomeItem::Connect => look.say("home-connect-about"),
+        HomeItem::Quit => look.say("home-quit-about"),
     }
 }
 
 fn deed(item: HomeItem) -> &'static str {
     match item {
-        HomeItem::Mission(_) => " flies the mission",
-        HomeItem::Free => " starts",
-        HomeItem::Connect => " asks for the address",
-        HomeItem::Quit => " leaves",
+        HomeItem::Mission(_) => "home-mission-deed",
+        HomeItem::Free => "home-free-deed",
+        HomeItem::Connect => "home-connect-deed",
+        HomeItem::Quit => "home-quit-deed",
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::FREE_FLIGHT;
+    use super::FIRST_FLIGHT;
     use crate::language::{Context, parse};
 
     #[test]
     fn the_first_flight_can_be_flown_as_it_is_written() {
-        let lines: Vec<&str> = FREE_FLIGHT
-            .lines()
-            .filter(|line| line.starts_with("  "))
-            .collect();
-        assert_eq!(lines.len(), 5);
-        for line in lines {
-            assert!(parse(line.trim(), &Context::default()).is_ok(), "{line}");
+        for line in FIRST_FLIGHT {
+            assert!(parse(line, &Context::default()).is_ok(), "{line}");
         }
     }
 }

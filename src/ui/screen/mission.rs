@@ -1,10 +1,64 @@
-//! The room of that name.
+//! The mission's brief, objectives and rules.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::text::Line;
 
+use crate::app::room::mission::{self, PageLine, Tone, visible};
 use crate::app::state::State;
+use crate::notice::sanitised;
+use crate::text;
 use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, columns, put, row_of, titled, upper};
 
-/// Draws it.
-pub fn draw(_state: &State, _look: &Look, _area: Rect, _buffer: &mut Buffer) {}
+/// Draws the lines from the first one shown on; the last page stays full.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let pages = mission::columns(state, &look.locale, area.width);
+    if pages.is_empty() {
+        let line = Line::styled(
+            format!(" {}", look.say("mission-none")),
+            look.style(Role::Muted),
+        );
+        put(buffer, below(area, 1), 0, &line);
+        return;
+    }
+    let longest = pages.iter().map(Vec::len).max().unwrap_or(0);
+    let rows = visible(longest, area.height);
+    let last = longest.saturating_sub(rows);
+    let first = state.rooms.mission.scroll.min(last);
+    let width = area.width / pages.len() as u16;
+    for (at, page) in pages.iter().enumerate() {
+        let left = at as u16 * width + 1;
+        let here = columns(upper(area, rows as u16), left, width.saturating_sub(2));
+        for (row, line) in page.iter().skip(first).take(rows).enumerate() {
+            draw_line(line, look, row_of(here, row as u16), buffer);
+        }
+    }
+    if longest > rows {
+        let shown = text!(
+            "mission-lines",
+            first = first + 1,
+            last = (first + rows).min(longest),
+            count = longest
+        );
+        let line = Line::styled(format!(" {}", look.text(&shown)), look.style(Role::Muted));
+        put(buffer, area, rows as u16, &line);
+    }
+}
+
+fn draw_line(line: &PageLine, look: &Look, place: Rect, buffer: &mut Buffer) {
+    let role = match line.tone {
+        Tone::Title => {
+            titled(&sanitised(&line.text), look, place, buffer);
+            return;
+        }
+        Tone::Plain => Role::Text,
+        Tone::Muted => Role::Muted,
+        Tone::Met => Role::Ok,
+        Tone::Missed => Role::Danger,
+        Tone::Hint => Role::Accent,
+    };
+    let text = sanitised(&line.text);
+    put(buffer, place, 0, &Line::styled(text, look.style(role)));
+}

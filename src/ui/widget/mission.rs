@@ -4,9 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
+use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::state::State;
 use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, clock, columns, put, titled, wrap};
@@ -18,9 +20,9 @@ const CELL_WIDTH: u16 = 7;
 const GRID_LIMIT: usize = 64;
 
 /// Rows that the pane would like to have.
-pub fn height(progress: &Progress, width: u16) -> u16 {
+pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
-    let hint = hint_lines(progress, usize::from(width)).len();
+    let hint = hint_lines(progress, usize::from(width), look).len();
     (1 + progress.objectives.len() + progress.readings.chunks(2).len() + grid + hint) as u16
 }
 
@@ -29,15 +31,14 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(progress) = &state.session.mission else {
         return;
     };
-    let title = format!(
-        "mission  {} of {}  score {}",
-        clock(progress.elapsed),
-        clock(progress.limit),
-        progress
-            .score_so_far
-            .map_or("-".to_owned(), |score| score.to_string())
+    let score = progress.score_so_far;
+    let title = text!(
+        "mission-pane",
+        elapsed = clock(progress.elapsed),
+        limit = clock(progress.limit),
+        score = score.map_or("-".to_owned(), |score| score.to_string())
     );
-    let mut rest = titled(&title, look, area, buffer);
+    let mut rest = titled(&look.text(&title), look, area, buffer);
     let width = usize::from(rest.width);
     let objectives = progress
         .objectives
@@ -55,7 +56,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         grid.draw(state, look, rest, buffer);
         rest = below(rest, grid.rows() as u16);
     }
-    for line in hint_lines(progress, width) {
+    for line in hint_lines(progress, width, look) {
         put(
             buffer,
             rest,
@@ -66,9 +67,11 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn hint_lines(progress: &Progress, width: usize) -> Vec<String> {
-    let hint = progress.hint.as_ref();
-    hint.map_or_else(Vec::new, |hint| wrap(&format!("hint: {hint}"), width))
+fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
+    let Some(hint) = &progress.hint else {
+        return Vec::new();
+    };
+    wrap(&look.text(&text!("mission-hint", hint = hint)), width)
 }
 
 fn objective_line(objective: &ObjectiveProgress, width: usize, look: &Look) -> Line<'static> {
@@ -77,19 +80,20 @@ fn objective_line(objective: &ObjectiveProgress, width: usize, look: &Look) -> L
         ObjectiveState::Met => ("[x]", Role::Ok),
         ObjectiveState::Missed => ("[!]", Role::Danger),
     };
-    let room = width.saturating_sub(mark.len() + 2 + objective.detail.chars().count());
-    let title = clip(&objective.title, room);
-    let title = format!("{title:room$}");
+    let detail = look.text(&objective.detail);
+    let room = width.saturating_sub(mark.len() + 2 + detail.width());
+    let title = clip(&look.text(&objective.title), room);
+    let gap = " ".repeat(room.saturating_sub(title.width()));
     Line::from(vec![
-        Span::styled(format!("{mark} {title} "), look.style(role)),
-        Span::styled(objective.detail.clone(), look.style(Role::Muted)),
+        Span::styled(format!("{mark} {title}{gap} "), look.style(role)),
+        Span::styled(detail, look.style(Role::Muted)),
     ])
 }
 
 fn reading_line(readings: &[Reading], look: &Look) -> Line<'static> {
     let mut spans = Vec::new();
     for reading in readings {
-        let label = format!("{} {} ", reading.vehicle, reading.sensor);
+        let label = format!("{} {} ", reading.vehicle, look.text(&reading.sensor));
         spans.push(Span::styled(label, look.style(Role::Muted)));
         spans.push(Span::raw(format!(
             "{} {}   ",
@@ -165,7 +169,7 @@ impl<'a> Grid<'a> {
         let mut rows = area.height;
         if self.rows() > usize::from(rows) {
             rows -= 1;
-            let text = "more cells on a larger screen";
+            let text = look.say("mission-more-cells");
             put(
                 buffer,
                 area,
@@ -200,7 +204,7 @@ impl<'a> Grid<'a> {
         let text = match cell.value {
             Some(value) if cell.sampled && value.abs() < 99.95 => format!("{value:.1}"),
             Some(value) if cell.sampled => format!("{value:.0}"),
-            None if cell.sampled => "done".to_owned(),
+            None if cell.sampled => look.say("mission-cell-done"),
             _ => cell.name.clone(),
         };
         match here {

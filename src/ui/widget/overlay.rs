@@ -1,4 +1,4 @@
-//! The overlays that are read: help, brief, and the question before something dangerous.
+//! The overlays that are read: help, and the question before something dangerous.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use crate::app::state::{Confirm, HelpLine, Overlay, SHORT_USAGE, State, help_lines};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{boxed, centred, clip, put, reflow, wrap};
+use crate::ui::widget::{boxed, centred, clip, put, wrap};
 
 /// Columns that one column of help takes.
 const HELP_COLUMN: u16 = 74;
@@ -20,7 +20,6 @@ pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &
         Overlay::Log { log, cursor } => {
             super::log::draw(state, (*log, *cursor), look, area, buffer);
         }
-        Overlay::Brief => draw_brief(state, look, area, buffer),
         Overlay::Palette(_) | Overlay::Prompt(_) => {}
     }
 }
@@ -100,22 +99,5 @@ fn help_line(line: HelpLine, look: &Look) -> Line<'static> {
             Span::styled(format!("  {what:SHORT_USAGE$} "), look.style(Role::Key)),
             Span::raw(meaning),
         ]),
-    }
-}
-
-fn draw_brief(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let Some(mission) = state.flown_mission() else {
-        return;
-    };
-    let width = 76.min(area.width);
-    let lines = wrap(
-        &reflow(&mission.brief),
-        usize::from(width).saturating_sub(4),
-    );
-    let height = (lines.len() as u16).saturating_add(2).min(area.height - 2);
-    let place = centred(width, height, area);
-    let inner = boxed(&mission.title, Role::Accent, look, place, buffer);
-    for (row, line) in lines.into_iter().enumerate() {
-        put(buffer, inner, row as u16, &Line::raw(line));
     }
 }

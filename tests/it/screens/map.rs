@@ -43,9 +43,10 @@ pub fn surveyed() -> Console {
         outline: Outline::square(fixtures::HOME.moved(40.0, 10.0), side_m),
     };
     console.hear(Event::Started(Box::new(Started {
+        mission: None,
         activity: Activity::Mission {
             id: "m01".to_owned(),
-            title: "Air sample at the yard".to_owned(),
+            title: "Air sample at the yard".into(),
         },
         places: [("street".to_owned(), fixtures::HOME.moved(0.0, -40.0))].into(),
         areas: vec![

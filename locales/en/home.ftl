@@ -1,0 +1,20 @@
+# The home screen.
+
+home-missions = missions
+home-others = without a task
+home-free = Free flight
+home-connect = Connect to vehicles
+home-quit = Quit
+home-free-about = Simulated drones and no task: learn the commands, try things, break nothing.
+home-free-first = A first flight, each line after `:`
+home-connect-about = Command real drones or a simulator elsewhere: anything that speaks MAVLink over TCP, UDP or a serial port.
+home-quit-about = Leave the program.
+home-mission-deed = flies the mission
+home-mission-rules = objectives and rules
+home-free-deed = starts
+home-connect-deed = asks for the address
+home-quit-deed = leaves
+home-running = { $session } goes on: { $key } returns to it
+home-connect-empty = write an address, such as tcp:127.0.0.1:5760
+home-starting-mission = starting the mission ...
+home-starting-simulator = starting the simulator ...

@@ -1,0 +1,103 @@
+# How a mission goes: progress, notices, events.
+
+mission-passed = passed
+mission-failed = failed
+mission-timed-out = timed out
+mission-abandoned = abandoned
+mission-flying = flying
+mission-over = mission { $outcome }
+mission-time-left = { $seconds } s left
+mission-objective-met = objective met: { $objective } ({ $result })
+mission-objective-open = objective open again: { $objective } ({ $result })
+
+mission-sensor-gas = gas
+mission-sensor-particles = PM2.5
+
+# Cells of a survey.
+mission-cell-sampled = cell { $cell } sampled  { $count }/{ $all }
+mission-cells = { $count } cells
+mission-cells-of = { $sampled }/{ $count } cells
+mission-cells-more = { $cells } and { $more } more
+mission-cells-advice = Sample { $cells } too: { $dwell } s each, at most { $speed } m/s, { $low } to { $high } m high.
+
+# The map made of them.
+mission-map-none = no map
+mission-map-error = error { $error }
+mission-map-quality = map error { $error }
+mission-map-slower = fly slower at { $height } m, right through the middle of each cell, and stay longer in it
+mission-map-blank = sample { $cell } too, a blank counts as clean air; { $how }
+mission-map-advice = Map every cell at { $height } m with readings that have settled: fly slower, turn outside.
+
+# Coming home. Advice at the first place begins a sentence.
+mission-recover-target = { $radius } m, { $percent } %
+mission-recover-metres = { $distance } m
+mission-recover-home = { $home }/{ $count } home
+mission-recover-lost = vehicle lost
+mission-recover-not-flown = not flown
+mission-recover-in-air = in the air
+mission-recover-away = { $distance } m from the pad
+mission-recover-charge = needs { $needed } %, has { $percent } %
+mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait for the disarm: rtl lands there.
+mission-recover-earlier = { $place ->
+    [first] Come home before { $least } %: you had { $percent } %
+   *[later] come home before { $least } %: you had { $percent } %
+}
+mission-recover-closer = { $place ->
+    [first] Land within { $radius } m of a pad: you were { $distance } m away, rtl lands there
+   *[later] land within { $radius } m of a pad: you were { $distance } m away, rtl lands there
+}
+mission-recover-disarm = { $place ->
+    [first] Land and disarm before the time is up: rtl does both
+   *[later] land and disarm before the time is up: rtl does both
+}
+
+# Rules broken.
+mission-checks-bypassed = arming checks bypassed
+mission-motors-stopped = motors stopped { $height } m up
+mission-hit-ground = hit the ground at { $speed } m/s
+mission-too-high = above { $height } m
+mission-outside-fence = outside geofence { $fence }
+mission-off-pad = landed { $distance } m off the pad
+mission-low-reserve = landed with { $percent } % battery
+mission-battery-critical = battery critical
+mission-battery-low = battery low
+
+# Translations in mission files.
+mission-untranslated = no `{ $key }`: Ukrainian shows the English text
+mission-english-only = in English only: `title_uk`, `brief_uk`, `text_uk` beside the English texts translate them
+mission-translation-empty = `{ $key }` is empty: leave it out, and the English text is shown
+
+# The mission pane.
+mission-pane = mission  { $elapsed } of { $limit }  score { $score }
+mission-hint = hint: { $hint }
+mission-more-cells = more cells on a larger screen
+# At most 6 columns.
+mission-cell-done = done
+
+# The room of the mission.
+mission-begin = Enter flies it   Esc goes back
+mission-under-way = time { $elapsed } of { $limit }   score { $score }
+mission-ended = over after { $elapsed }   score { $score }   D shows the debrief
+mission-objectives = objectives
+mission-required = required
+mission-hints = hints so far
+mission-rules = rules
+mission-rule-time = time
+mission-rule-time-is = { $limit } at most, par is { $par }
+mission-rule-energy = energy
+mission-rule-energy-is = par is { $par } Wh
+mission-rule-height = height
+mission-rule-height-is = at most { $height } m above the pads
+mission-rule-battery = battery
+mission-rule-battery-is = land with { $percent } % or more
+mission-rule-wind = wind
+mission-rule-wind-is = { $speed } m/s from { $direction } deg
+mission-rule-calm = calm
+mission-rule-drones = drones
+mission-rule-sensors = sensors
+mission-scoring = scoring, 1000 points
+mission-weights = points
+mission-medals = medals
+mission-medals-are = gold from { $gold }, silver from { $silver }, bronze from { $bronze }
+mission-gold-needs = gold needs
+mission-lines = lines { $first } to { $last } of { $count }   j k scroll

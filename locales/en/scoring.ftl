@@ -1,0 +1,48 @@
+# Points, what moved them, and how to get more.
+
+scoring-objective = objective
+scoring-quality = quality
+scoring-time = time
+scoring-energy = energy
+scoring-safety = safety
+scoring-command = command
+scoring-attention = attention
+scoring-utilisation = utilisation
+scoring-crashes = crashes
+
+scoring-gold = gold
+scoring-silver = silver
+scoring-bronze = bronze
+
+# What moved a component.
+scoring-all-met = all { $count } objectives met
+scoring-missed = missed: { $objectives }
+scoring-needs-objectives = needs { $share } of the objectives
+scoring-seconds = s
+scoring-watt-hours = Wh
+scoring-inside-par = { $by } { $unit } inside par
+scoring-over-par = { $by } { $unit } over par
+scoring-no-rule-broken = no rule broken
+scoring-rules-broken = { $worst }; { $more } more
+scoring-no-commands = no commands
+scoring-commands-clean = { $count } commands, none rejected
+scoring-commands-faulty = { $faults } of { $count } commands
+scoring-rejected = { $count } rejected
+scoring-unsafe = { $count } unsafe
+scoring-twice = { $count } given twice
+
+# What would have brought more.
+scoring-improve-quality = Bring the quality from { $from } to { $to } ({ $now }).
+scoring-improve-quality-how = Bring the quality from { $from } to { $to } ({ $now }): { $how }.
+scoring-be-faster = Be { $seconds } s faster: that is par.
+scoring-use-less = Use { $energy } Wh less: that is par.
+scoring-advice-commands = Give commands that can work, once: read the reason of a refusal first.
+scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before Enter.
+scoring-advice-height = Stay below the mission's highest height; it is in the brief.
+scoring-advice-crash = Bring the vehicle down with rtl or land and wait for the disarm.
+scoring-advice-motors = Never stop motors in the air; rtl or land end a flight.
+scoring-advice-force = Arm without force: wait until the checks before arming pass.
+scoring-advice-reserve = Turn home earlier: land above the battery reserve.
+scoring-advice-pad = Land on the pad: rtl flies there by itself.
+scoring-advice-battery = Turn home before the battery failsafe does it for you.
+scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.

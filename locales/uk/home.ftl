@@ -1,0 +1,20 @@
+# Початковий екран.
+
+home-missions = завдання
+home-others = без завдання
+home-free = Вільний політ
+home-connect = Під'єднатися до апаратів
+home-quit = Вийти
+home-free-about = Змодельовані дрони без завдання: вивчайте команди, пробуйте, тут нічого не зламати.
+home-free-first = Перший політ, кожен рядок після `:`
+home-connect-about = Керуйте справжніми дронами або симулятором деінде: усім, що розмовляє MAVLink через TCP, UDP чи послідовний порт.
+home-quit-about = Вийти з програми.
+home-mission-deed = почати завдання
+home-mission-rules = цілі та правила
+home-free-deed = почати
+home-connect-deed = запитає адресу
+home-quit-deed = вийти
+home-running = { $session } триває: { $key } повертає туди
+home-connect-empty = впишіть адресу, наприклад tcp:127.0.0.1:5760
+home-starting-mission = завдання починається ...
+home-starting-simulator = симулятор запускається ...

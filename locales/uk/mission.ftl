@@ -1,0 +1,110 @@
+# Як іде завдання: поступ, сповіщення, події.
+
+mission-passed = виконано
+mission-failed = не виконано
+mission-timed-out = час вийшов
+mission-abandoned = припинено
+mission-flying = триває
+mission-over = завдання: { $outcome }
+mission-time-left = залишилося { $seconds } с
+mission-objective-met = ціль досягнуто: { $objective } ({ $result })
+mission-objective-open = ціль знову не досягнуто: { $objective } ({ $result })
+
+mission-sensor-gas = газ
+mission-sensor-particles = PM2.5
+
+# Клітинки обстеження.
+mission-cell-sampled = клітинку { $cell } обстежено  { $count }/{ $all }
+mission-cells = { $count ->
+    [one] { $count } клітинка
+    [few] { $count } клітинки
+   *[many] { $count } клітинок
+}
+mission-cells-of = { $count ->
+    [one] { $sampled }/{ $count } клітинки
+   *[many] { $sampled }/{ $count } клітинок
+}
+mission-cells-more = { $cells } та ще { $more }
+mission-cells-advice = Обстежте ще { $cells }: по { $dwell } с у кожній, не швидше за { $speed } м/с, на висоті від { $low } до { $high } м.
+
+# Карта, складена з них.
+mission-map-none = карти немає
+mission-map-error = похибка { $error }
+mission-map-quality = похибка карти { $error }
+mission-map-slower = летіть повільніше на висоті { $height } м, просто через середину кожної клітинки, і довше в ній лишайтеся
+mission-map-blank = обстежте ще { $cell }, бо порожня клітинка вважається чистим повітрям; { $how }
+mission-map-advice = Наносьте на карту кожну клітинку на висоті { $height } м, коли покази вже усталилися: летіть повільніше, розвертайтеся за межами ділянки.
+
+# Повернення. Порада на першому місці починає речення.
+mission-recover-target = { $radius } м, { $percent } %
+mission-recover-metres = { $distance } м
+mission-recover-home = { $home }/{ $count } на місці
+mission-recover-lost = втрачено
+mission-recover-not-flown = не злітав
+mission-recover-in-air = у повітрі
+mission-recover-away = { $distance } м до майданчика
+mission-recover-charge = треба { $needed } %, є { $percent } %
+mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } м від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: rtl сідає саме там.
+mission-recover-earlier = { $place ->
+    [first] Повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
+   *[later] повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
+}
+mission-recover-closer = { $place ->
+    [first] Сідайте не далі ніж за { $radius } м від майданчика: ви сіли за { $distance } м, rtl сідає саме там
+   *[later] сідайте не далі ніж за { $radius } м від майданчика: ви сіли за { $distance } м, rtl сідає саме там
+}
+mission-recover-disarm = { $place ->
+    [first] Сядьте й деактивуйте двигуни, доки не вийшов час: rtl робить і те, і те
+   *[later] сядьте й деактивуйте двигуни, доки не вийшов час: rtl робить і те, і те
+}
+
+# Порушення правил.
+mission-checks-bypassed = передпольотні перевірки обійдено
+mission-motors-stopped = двигуни зупинено на висоті { $height } м
+mission-hit-ground = удар об землю на { $speed } м/с
+mission-too-high = вище за { $height } м
+mission-outside-fence = поза геозоною { $fence }
+mission-off-pad = посадка за { $distance } м від майданчика
+mission-low-reserve = посадка із зарядом { $percent } %
+mission-battery-critical = критичний заряд акумулятора
+mission-battery-low = низький заряд акумулятора
+
+# Переклади у файлах завдань.
+mission-untranslated = немає `{ $key }`: українською буде показано англійський текст
+mission-english-only = лише англійською: переклад додають `title_uk`, `brief_uk`, `text_uk` поруч з англійськими текстами
+mission-translation-empty = `{ $key }` порожній: приберіть його, і буде показано англійський текст
+
+# Панель завдання.
+mission-pane = завдання  { $elapsed } з { $limit }  бали { $score }
+mission-hint = порада: { $hint }
+mission-more-cells = решта клітинок на більшому екрані
+# Щонайбільше 6 колонок.
+mission-cell-done = є
+
+# Екран завдання.
+mission-begin = Enter - почати   Esc - назад
+mission-under-way = час { $elapsed } з { $limit }   бали { $score }
+mission-ended = завершено за { $elapsed }   бали { $score }   D показує розбір
+mission-objectives = цілі
+mission-required = обов'язкова
+mission-hints = поради досі
+mission-rules = правила
+mission-rule-time = час
+mission-rule-time-is = щонайбільше { $limit }, норма { $par }
+mission-rule-energy = енергія
+mission-rule-energy-is = норма { $par } Вт·год
+mission-rule-height = висота
+mission-rule-height-is = щонайбільше { $height } м над майданчиками
+mission-rule-battery = акумулятор
+mission-rule-battery-is = сідати із зарядом від { $percent } %
+mission-rule-wind = вітер
+mission-rule-wind-is = { $speed } м/с з напрямку { $direction } град
+mission-rule-calm = штиль
+mission-rule-drones = дрони
+mission-rule-sensors = датчики
+mission-scoring = оцінювання, 1000 балів
+mission-weights = бали
+mission-medals = медалі
+mission-medals-are = золото від { $gold }, срібло від { $silver }, бронза від { $bronze }
+mission-gold-needs = для золота
+mission-lines = рядки { $first }-{ $last } з { $count }   j k гортають

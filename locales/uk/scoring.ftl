@@ -1,0 +1,58 @@
+# Бали, що на них вплинуло і як здобути більше.
+
+scoring-objective = цілі
+scoring-quality = якість
+scoring-time = час
+scoring-energy = енергія
+scoring-safety = безпека
+scoring-command = команди
+scoring-attention = увага
+scoring-utilisation = завантаження
+scoring-crashes = аварії
+
+scoring-gold = золото
+scoring-silver = срібло
+scoring-bronze = бронза
+
+# Що вплинуло на складову.
+scoring-all-met = { $count ->
+    [one] досягнуто { $count } ціль з { $count }
+   *[many] досягнуто всіх цілей: { $count }
+}
+scoring-missed = не досягнуто: { $objectives }
+scoring-needs-objectives = цілі мають дати щонайменше { $share }
+scoring-seconds = с
+scoring-watt-hours = Вт·год
+scoring-inside-par = краще за норму на { $by } { $unit }
+scoring-over-par = гірше за норму на { $by } { $unit }
+scoring-no-rule-broken = правил не порушено
+scoring-rules-broken = { $worst }; та ще { $more }
+scoring-no-commands = команд не було
+scoring-commands-clean = { $count ->
+    [one] { $count } команда, без відмов
+    [few] { $count } команди, без відмов
+   *[many] { $count } команд, без відмов
+}
+scoring-commands-faulty = { $count ->
+    [one] { $faults } з { $count } команди
+   *[many] { $faults } з { $count } команд
+}
+scoring-rejected = відхилено { $count }
+scoring-unsafe = небезпечних { $count }
+scoring-twice = повторних { $count }
+
+# Що дало б більше.
+scoring-improve-quality = Підвищте якість з { $from } до { $to } ({ $now }).
+scoring-improve-quality-how = Підвищте якість з { $from } до { $to } ({ $now }): { $how }.
+scoring-be-faster = Виконайте на { $seconds } с швидше: це норма.
+scoring-use-less = Витратьте на { $energy } Вт·год менше: це норма.
+scoring-advice-commands = Давайте лише команди, які можна виконати, і по одному разу: спершу прочитайте причину відмови.
+scoring-advice-geofence = Не вилітайте за геозону: перед Enter звірте числа в goto з картою.
+scoring-advice-height = Не піднімайтеся вище за найбільшу висоту завдання; її вказано в інструктажі.
+scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.
+scoring-advice-motors = Ніколи не зупиняйте двигунів у повітрі; політ завершують rtl або land.
+scoring-advice-force = Не активуйте двигунів примусово: зачекайте, доки пройдуть передпольотні перевірки.
+scoring-advice-reserve = Повертайтеся раніше: сідайте, поки є резерв заряду.
+scoring-advice-pad = Сідайте на майданчик: rtl летить туди сам.
+scoring-advice-battery = Повертайтеся, поки цього не зробила за вас аварійна реакція на низький заряд.
+scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (failsafe).

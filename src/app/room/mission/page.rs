@@ -1,0 +1,324 @@
+//! What the room of the mission says, line by line.
+
+use std::time::Duration;
+
+use unicode_width::UnicodeWidthStr as _;
+
+use super::shown;
+use crate::app::state::State;
+use crate::mission::{Listing, ObjectiveState};
+use crate::text;
+use crate::text::{Locale, Text, reflow, wrap};
+
+/// From this width on there are two columns.
+const TWO_COLUMNS: u16 = 110;
+/// Longer lines are hard to read.
+const WIDEST: usize = 88;
+/// Columns for how an objective stands at most, and for its points.
+const DETAIL: usize = 24;
+const POINTS: usize = 7;
+
+/// How a line looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tone {
+    /// A heading with a rule.
+    Title,
+    /// Text.
+    Plain,
+    /// An explanation.
+    Muted,
+    /// An objective that is met.
+    Met,
+    /// An objective that was not reached.
+    Missed,
+    /// What to do next.
+    Hint,
+}
+
+/// One line of the room.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PageLine {
+    /// How it looks.
+    pub tone: Tone,
+    /// What it says.
+    pub text: String,
+}
+
+/// The lines of one column, or of two where the screen is wide enough. There is none without a mission.
+pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>> {
+    let Some(mission) = shown(state) else {
+        return Vec::new();
+    };
+    let width = usize::from(width);
+    let two = width >= usize::from(TWO_COLUMNS);
+    let room = if two { (width - 5) / 2 } else { width - 2 };
+    let page = || Page {
+        state,
+        locale,
+        mission,
+        width: room.min(WIDEST),
+        lines: Vec::new(),
+    };
+    let mut first = page();
+    first.brief();
+    if two {
+        first.hints();
+        let mut second = page();
+        second.objectives();
+        second.rules();
+        second.scoring();
+        vec![first.lines, second.lines]
+    } else {
+        first.objectives();
+        first.hints();
+        first.rules();
+        first.scoring();
+        vec![first.lines]
+    }
+}
+
+struct Page<'a> {
+    state: &'a State,
+    locale: &'a Locale,
+    mission: &'a Listing,
+    width: usize,
+    lines: Vec<PageLine>,
+}
+
+impl Page<'_> {
+    fn add(&mut self, tone: Tone, text: impl Into<String>) {
+        self.lines.push(PageLine {
+            tone,
+            text: text.into(),
+        });
+    }
+
+    /// A heading, with space above it.
+    fn title(&mut self, text: &Text) {
+        if !self.lines.is_empty() {
+            self.add(Tone::Plain, "");
+        }
+        self.add(Tone::Title, self.locale.text(text));
+    }
+
+    fn paragraph(&mut self, tone: Tone, text: &str) {
+        for line in wrap(text, self.width) {
+            self.add(tone, line);
+        }
+    }
+
+    fn brief(&mut self) {
+        self.title(&self.mission.title.clone());
+        let brief = reflow(&self.locale.text(&self.mission.brief));
+        self.paragraph(Tone::Plain, &brief);
+        self.add(Tone::Plain, "");
+        let course = self.locale.text(&self.course());
+        self.add(Tone::Muted, course);
+    }
+
+    /// How far the flight has come.
+    fn course(&self) -> Text {
+        let Some(progress) = &self.state.session.mission else {
+            return text!("mission-begin");
+        };
+        let score = progress.score_so_far;
+        let score = score.map_or("-".to_owned(), |score| score.to_string());
+        let elapsed = clock(progress.elapsed);
+        if self.state.session.over {
+            return text!("mission-ended", elapsed = elapsed, score = score);
+        }
+        let limit = clock(progress.limit);
+        text!(
+            "mission-under-way",
+            elapsed = elapsed,
+            limit = limit,
+            score = score
+        )
+    }
+
+    fn objectives(&mut self) {
+        self.title(&text!("mission-objectives"));
+        let required = self.locale.say("mission-required");
+        let rows: Vec<Row> = (0..self.mission.objectives.len())
+            .map(|at| self.row(at))
+            .collect();
+        let widest = rows.iter().map(|row| row.detail.width()).max();
+        let detail = widest.unwrap_or(0).min(DETAIL);
+        let rest = 4 + 1 + detail + 1 + POINTS + 2 + required.width();
+        let room = self.width.saturating_sub(rest);
+        for row in rows {
+            let title = wrap(&row.title, room);
+            let mut title = title.iter();
+            let line = format!(
+                "{} {} {} {:>POINTS$}  {}",
+                row.mark,
+                padded(title.next().map_or("", String::as_str), room),
+                padded(&row.detail, detail),
+                row.points,
+                if row.required { &required } else { "" }
+            );
+            self.add(row.tone, line.trim_end());
+            for rest in title {
+                self.add(row.tone, format!("    {rest}"));
+            }
+        }
+    }
+
+    /// An objective as it stands; before the flight, what is asked for.
+    fn row(&self, at: usize) -> Row {
+        let objective = &self.mission.objectives[at];
+        let progress = self.state.session.mission.as_ref();
+        let now = progress.and_then(|progress| progress.objectives.get(at));
+        let (mark, tone) = match now.map(|now| now.state) {
+            None | Some(ObjectiveState::Open) => ("[ ]", Tone::Plain),
+            Some(ObjectiveState::Met) => ("[x]", Tone::Met),
+            Some(ObjectiveState::Missed) => ("[!]", Tone::Missed),
+        };
+        let detail = now.map(|now| &now.detail).filter(|now| !now.is_empty());
+        let value = objective.value;
+        Row {
+            mark,
+            tone,
+            title: self.locale.text(&objective.title),
+            detail: self.locale.text(detail.unwrap_or(&objective.target)),
+            points: match now {
+                Some(now) => format!("{:.0}/{value:.0}", value * now.fraction),
+                None => format!("{value:.0}"),
+            },
+            required: objective.mandatory,
+        }
+    }
+
+    fn hints(&mut self) {
+        let hints = &self.state.rooms.mission.hints;
+        if hints.is_empty() {
+            return;
+        }
+        self.title(&text!("mission-hints"));
+        let last = hints.len() - 1;
+        for (at, hint) in hints.iter().enumerate() {
+            let going_on = at == last && !self.state.session.over;
+            let tone = if going_on { Tone::Hint } else { Tone::Muted };
+            let hint = self.locale.text(hint);
+            self.paragraph(tone, &hint);
+        }
+    }
+
+    fn rules(&mut self) {
+        let mission = self.mission;
+        self.title(&text!("mission-rules"));
+        let wind = if mission.wind_m_s > 0.0 {
+            text!(
+                "mission-rule-wind-is",
+                speed = format!("{:.1}", mission.wind_m_s),
+                direction = format!("{:.0}", mission.wind_from_deg)
+            )
+        } else {
+            text!("mission-rule-calm")
+        };
+        let mut rows = vec![
+            (
+                text!("mission-rule-time"),
+                text!(
+                    "mission-rule-time-is",
+                    limit = clock(mission.time_limit),
+                    par = clock(mission.par_time)
+                ),
+            ),
+            (
+                text!("mission-rule-energy"),
+                text!(
+                    "mission-rule-energy-is",
+                    par = format!("{:.1}", mission.par_energy_wh)
+                ),
+            ),
+            (
+                text!("mission-rule-height"),
+                text!(
+                    "mission-rule-height-is",
+                    height = format!("{:.0}", mission.max_height_m)
+                ),
+            ),
+            (
+                text!("mission-rule-battery"),
+                text!(
+                    "mission-rule-battery-is",
+                    percent = format!("{:.0}", mission.land_reserve_percent)
+                ),
+            ),
+            (text!("mission-rule-wind"), wind),
+            (
+                text!("mission-rule-drones"),
+                mission.vehicles.to_string().into(),
+            ),
+        ];
+        if !mission.sensors.is_empty() {
+            let sensors = Text::joined(", ", mission.sensors.clone());
+            rows.push((text!("mission-rule-sensors"), sensors));
+        }
+        self.rows(&rows);
+    }
+
+    fn scoring(&mut self) {
+        let mission = self.mission;
+        self.title(&text!("mission-scoring"));
+        let weight = |(name, weight): &(Text, f64)| {
+            let points = format!("{:.0}", weight * 1000.0);
+            Text::joined(" ", vec![name.clone(), points.into()])
+        };
+        let weights = mission.weights.iter().map(weight).collect();
+        let medals = text!(
+            "mission-medals-are",
+            gold = mission.medals.gold,
+            silver = mission.medals.silver,
+            bronze = mission.medals.bronze
+        );
+        let mut rows = vec![
+            (text!("mission-weights"), Text::joined(", ", weights)),
+            (text!("mission-medals"), medals),
+        ];
+        if !mission.gold_requires.is_empty() {
+            let gates = Text::joined(", ", mission.gold_requires.clone());
+            rows.push((text!("mission-gold-needs"), gates));
+        }
+        self.rows(&rows);
+    }
+
+    /// Names with what they stand for beside them.
+    fn rows(&mut self, rows: &[(Text, Text)]) {
+        let names: Vec<String> = rows
+            .iter()
+            .map(|(name, _)| self.locale.text(name))
+            .collect();
+        let indent = names.iter().map(|name| name.width()).max().unwrap_or(0) + 2;
+        for (name, (_, what)) in names.iter().zip(rows) {
+            let what = self.locale.text(what);
+            let mut lead = padded(name, indent);
+            for line in wrap(&what, self.width.saturating_sub(indent)) {
+                self.add(Tone::Plain, lead + &line);
+                lead = " ".repeat(indent);
+            }
+        }
+    }
+}
+
+/// One objective in words.
+struct Row {
+    mark: &'static str,
+    tone: Tone,
+    title: String,
+    detail: String,
+    points: String,
+    required: bool,
+}
+
+/// A text with blanks behind it, `width` columns at least.
+fn padded(text: &str, width: usize) -> String {
+    let gap = width.saturating_sub(text.width());
+    format!("{text}{}", " ".repeat(gap))
+}
+
+fn clock(time: Duration) -> String {
+    let seconds = time.as_secs();
+    format!("{:02}:{:02}", seconds / 60, seconds % 60)
+}

@@ -1,0 +1,127 @@
+//! The room of the mission, the home screen beside a session, and the debrief, in both languages.
+
+use std::sync::Arc;
+
+use sortie::app::event::Event;
+use sortie::app::state::{Activity, Room};
+use sortie::mission::Mission;
+use sortie::text::{Language, Locale};
+
+use crate::fixtures;
+use crate::harness::Console;
+
+const SHIPPED: &str = include_str!("../../../missions/01-air-sample.toml");
+
+/// The home screen with the shipped mission under the cursor.
+fn shipped(language: Language) -> Console {
+    let mut console = Console::new();
+    console.state.locale = Arc::new(Locale::new(language));
+    console.state.missions = vec![Mission::parse(SHIPPED).expect("good").listing()];
+    console
+}
+
+/// A mission under way, in its room.
+fn flying() -> Console {
+    let mut console = Console::new();
+    console.start(Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+    });
+    console.vehicle(fixtures::airborne(1, 20.0, 20.1));
+    let mut progress = fixtures::progress();
+    progress.hint = Some("take off".into());
+    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.press("b");
+    console
+}
+
+fn check(name: &str, console: &mut Console, sizes: &[(u16, u16)]) {
+    for &(columns, rows) in sizes {
+        console.hear(Event::Resize { columns, rows });
+        let screen = console.screen(columns, rows);
+        insta::assert_snapshot!(format!("{name}_{columns}x{rows}"), screen);
+    }
+}
+
+const SIZES: [(u16, u16); 3] = [(80, 24), (120, 40), (200, 50)];
+
+#[test]
+fn the_room_before_the_flight_and_during_it() {
+    let mut before = shipped(Language::English);
+    check("room_mission_before", before.press("B"), &SIZES);
+    check("room_mission_flying", &mut flying(), &SIZES);
+}
+
+#[test]
+fn the_room_in_ukrainian() {
+    let mut before = shipped(Language::Ukrainian);
+    check("room_mission_uk", before.press("B"), &SIZES[..2]);
+    before.hear(Event::Resize {
+        columns: 80,
+        rows: 24,
+    });
+    before.press("end");
+    check("room_mission_uk_end", &mut before, &SIZES[..1]);
+    before.press("H");
+    check("home_uk", &mut before, &SIZES[..2]);
+    before.press("j");
+    check("home_free_uk", &mut before, &SIZES[..1]);
+}
+
+#[test]
+fn scrolling_ends_with_the_last_line_and_comes_back_at_once() {
+    let mut console = shipped(Language::English);
+    console.press("B");
+    let top = console.screen(80, 24);
+    console.press("end").press("down").press("down");
+    let end = console.screen(80, 24);
+    assert_ne!(top, end);
+    assert!(end.contains("gold needs"), "{end}");
+    assert_ne!(console.press("up").screen(80, 24), end);
+    assert_eq!(console.press("home").screen(80, 24), top);
+}
+
+#[test]
+fn enter_flies_the_mission_that_was_read_and_escape_leads_back() {
+    let mut console = shipped(Language::English);
+    console.press("B").press("esc");
+    assert_eq!(console.state.room, Room::Home);
+    console.press("B").press("enter");
+    assert_eq!(console.effects.len(), 1, "{:?}", console.effects);
+    let mut console = flying();
+    assert_eq!(console.state.room, Room::Mission);
+    console.press("enter");
+    assert!(console.effects.is_empty(), "{:?}", console.effects);
+    console.press("esc");
+    assert_eq!(console.state.room, Room::Fly);
+}
+
+#[test]
+fn without_a_mission_the_room_says_so() {
+    let mut console = Console::flying(1);
+    let screen = console.give("brief").screen(80, 24);
+    assert!(screen.contains("no mission is being flown"), "{screen}");
+}
+
+#[test]
+fn the_home_screen_says_that_a_session_goes_on() {
+    let mut console = flying();
+    console.press("H");
+    check("home_running", &mut console, &SIZES[..1]);
+    assert_eq!(console.press("F").state.room, Room::Fly);
+}
+
+#[test]
+fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
+    let mut console = flying();
+    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    assert!(console.screen(80, 24).contains("TIMELINE"));
+    console.state.locale = Arc::new(Locale::new(Language::Ukrainian));
+    assert!(console.screen(80, 24).contains("ПЕРЕБІГ"));
+    console.at(300).press("h");
+    assert_eq!(console.state.room, Room::Home);
+    assert!(console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
+    console.start(Activity::Free);
+    assert!(!console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
+}
