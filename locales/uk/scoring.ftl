@@ -55,4 +55,4 @@ scoring-advice-force = Не активуйте двигунів примусов
 scoring-advice-reserve = Повертайтеся раніше: сідайте, поки є резерв заряду.
 scoring-advice-pad = Сідайте на майданчик: rtl летить туди сам.
 scoring-advice-battery = Повертайтеся, поки цього не зробила за вас аварійна реакція на низький заряд.
-scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (failsafe).
+scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (FAILSAFE).
