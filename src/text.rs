@@ -181,16 +181,6 @@ impl Text {
     }
 }
 
-impl Argument {
-    fn regarding(&self, name: &str, vehicles: &str) -> Self {
-        match self {
-            Self::Text(text) => Self::Text(text.regarding(vehicles)),
-            _ if name == "vehicle" => Self::Word(vehicles.to_owned()),
-            other => other.clone(),
-        }
-    }
-}
-
 /// Programs read English.
 impl serde::Serialize for Text {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -202,6 +192,16 @@ impl serde::Serialize for Text {
 impl<'de> serde::Deserialize<'de> for Text {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         String::deserialize(deserializer).map(Self::verbatim)
+    }
+}
+
+impl Argument {
+    fn regarding(&self, name: &str, vehicles: &str) -> Self {
+        match self {
+            Self::Text(text) => Self::Text(text.regarding(vehicles)),
+            _ if name == "vehicle" => Self::Word(vehicles.to_owned()),
+            other => other.clone(),
+        }
     }
 }
 
@@ -335,6 +335,17 @@ mod tests {
     }
 
     #[test]
+    fn what_was_written_in_one_language_only_is_said_in_that() {
+        let ukrainian = Locale::new(Language::Ukrainian);
+        let both = Text::written("fly to {x}", [(Language::Ukrainian, "до {x}".to_owned())]);
+        let both = both.filled("{x}", "A1");
+        assert_eq!(both.to_string(), "fly to A1");
+        assert_eq!(ukrainian.text(&both), "до A1");
+        let english = Text::written("land", []);
+        assert_eq!(ukrainian.text(&english), "land");
+    }
+
+    #[test]
     fn a_text_about_one_vehicle_can_be_said_of_several() {
         let one = text!("refused-not-armed", verb = "goto", vehicle = 3);
         let both = Text::joined("; ", vec![one.clone(), "x".into()]);
@@ -345,17 +356,6 @@ mod tests {
         );
         let other = text!("refused-not-armed", verb = "goto", vehicle = 4);
         assert_eq!(one.regarding(""), other.regarding(""));
-    }
-
-    #[test]
-    fn what_was_written_in_one_language_only_is_said_in_that() {
-        let ukrainian = Locale::new(Language::Ukrainian);
-        let both = Text::written("fly to {x}", [(Language::Ukrainian, "до {x}".to_owned())]);
-        let both = both.filled("{x}", "A1");
-        assert_eq!(both.to_string(), "fly to A1");
-        assert_eq!(ukrainian.text(&both), "до A1");
-        let english = Text::written("land", []);
-        assert_eq!(ukrainian.text(&english), "land");
     }
 
     #[test]
