@@ -6,6 +6,7 @@ use super::room::parameters;
 use super::state::State;
 
 pub(super) mod act;
+mod console_line;
 mod keys;
 mod links;
 mod offer;

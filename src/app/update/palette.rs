@@ -3,24 +3,18 @@
 use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-use std::sync::Arc;
-
-use super::{act, keys, offer, order, swarm};
+use super::console_line::{self, targeted};
+use super::{keys, offer, order};
 use crate::app::action::Action;
-use crate::app::console::{self, ConsoleLine, Deed};
+use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::room::Room;
-use crate::app::room::parameters;
-use crate::app::setting::Setting;
-use crate::app::state::{Log, Overlay, Palette, SCRIPT_VERBS, State, parse_ranges, ranges};
-use crate::config::Symbols;
+use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, State, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Completion};
 use crate::text;
-use crate::text::{Language, Locale, Text};
+use crate::text::Text;
 use crate::vehicle::Severity;
-use crate::vehicle::VehicleId;
 
 /// Lines that one macro may lead to; one that calls itself would never end.
 const MACRO_LINES: usize = 100;
@@ -245,114 +239,10 @@ pub fn go_on(state: &mut State) -> Vec<Effect> {
 
 fn carry_out(state: &mut State, line: &str) -> Result<Vec<Effect>, Diagnostic> {
     if let Some(own) = console::parse(line, &state.names()) {
-        return console_line(state, line, own?);
+        return console_line::carry_out(state, line, own?);
     }
     let order = order::prepare(state, line)?;
     Ok(order::give(state, order))
-}
-
-fn console_line(
-    state: &mut State,
-    line: &str,
-    own: ConsoleLine,
-) -> Result<Vec<Effect>, Diagnostic> {
-    let at_last_word = |text: Text| {
-        let end = line.trim_end().len();
-        let start = console::last_word(&line[..end]);
-        Diagnostic::new(start..end, text)
-    };
-    match own {
-        ConsoleLine::Select(targets) => {
-            let ids = targeted(state, &targets).map_err(at_last_word)?;
-            act::select(state, &ids);
-        }
-        ConsoleLine::Group { name, targets } => {
-            let ids = targeted(state, &targets).map_err(at_last_word)?;
-            group(state, name, ids).map_err(at_last_word)?;
-        }
-        ConsoleLine::Show(room) => act::show(state, room),
-        ConsoleLine::Fly(mission) => {
-            let effect = mission.map_or(Effect::StartFree, Effect::StartMission);
-            return Ok(act::guarded(state, text!("ask-start"), effect));
-        }
-        ConsoleLine::Params(deed) => {
-            let end = line.trim_end().len();
-            let last = console::last_word(&line[..end])..end;
-            return parameters::line(state, deed).map_err(|text| Diagnostic::new(last, text));
-        }
-        ConsoleLine::Swarm(own) => swarm::carry_out(state, own).map_err(at_last_word)?,
-        ConsoleLine::Connect(addresses) => {
-            let effect = Effect::Connect(addresses);
-            return Ok(act::guarded(state, text!("ask-start"), effect));
-        }
-        ConsoleLine::Macro(name) => {
-            let lines = state.config.macros.get(&name).cloned().unwrap_or_default();
-            for line in lines.into_iter().rev() {
-                state.pending.push_front(line);
-            }
-        }
-        ConsoleLine::Set(setting) => return Ok(set(state, &setting)),
-        ConsoleLine::Plain(deed) => return Ok(plain(state, deed)),
-    }
-    Ok(Vec::new())
-}
-
-/// Takes a setting over.
-fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
-    setting.apply(&mut state.config);
-    match setting {
-        Setting::Theme(name) => {
-            state.theme.clone_from(name);
-            vec![Effect::SetTheme(name.clone())]
-        }
-        Setting::Fps(fps) => vec![Effect::SetFps(*fps)],
-        Setting::Lang(Language::Ukrainian) if state.config.symbols == Some(Symbols::Ascii) => {
-            // Words of other scripts would be nothing but question marks.
-            state.say(Severity::Warning, text!("setting-lang-ascii"));
-            Vec::new()
-        }
-        Setting::Lang(language) => {
-            state.locale = Arc::new(Locale::new(*language));
-            Vec::new()
-        }
-        Setting::Symbols(Symbols::Ascii) => {
-            state.locale = Arc::default();
-            Vec::new()
-        }
-        Setting::Symbols(_) | Setting::Bell(_) | Setting::Notify(_) => Vec::new(),
-    }
-}
-
-fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
-    match deed {
-        Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Deed::Links => act::show(state, Room::Links),
-        Deed::Ledger => act::show(state, Room::Ledger),
-        Deed::Notices => act::look_back(state, Log::Notices),
-        Deed::Brief => act::brief(state),
-        Deed::Abandon => return act::abandon(state),
-        Deed::Restart => return act::restart(state),
-        Deed::Leave => return act::leave(state),
-        Deed::Quit => return act::quit(state),
-    }
-    Vec::new()
-}
-
-fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), Text> {
-    let word = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
-    if name.is_empty() || !name.chars().all(word) {
-        return Err(text!("group-name", name = name));
-    }
-    if ids.is_empty() {
-        return Err(text!("group-empty"));
-    }
-    let members = ranges(ids.iter().copied());
-    state.say(
-        Severity::Notice,
-        text!("group-is", name = &name, members = members),
-    );
-    state.session.groups.insert(name, ids);
-    Ok(())
 }
 
 /// To whom a line goes as far as it has been written: it should never be a guess.
@@ -375,27 +265,5 @@ fn recipients(state: &State, line: &str) -> Text {
         text!("palette-to-cursor", vehicles = vehicles)
     } else {
         text!("palette-to-selected", vehicles = vehicles)
-    }
-}
-
-/// The vehicles that a word names; nothing means those that a command would go to.
-pub fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, Text> {
-    match word {
-        "" => Ok(state.addressed()),
-        "none" => Ok(Vec::new()),
-        "filter" => Ok(state.rooms.fly.rows().to_vec()),
-        "invert" => {
-            let shown = state.rooms.fly.rows().iter().copied();
-            let others = shown.filter(|id| !state.session.selection.contains(id));
-            Ok(others.collect())
-        }
-        "all" => Ok(state.session.vehicles.keys().copied().collect()),
-        _ => match word.strip_prefix('@') {
-            Some(name) => {
-                let members = state.session.groups.get(name).cloned();
-                members.ok_or_else(|| text!("group-unknown", name = name))
-            }
-            None => parse_ranges(word),
-        },
     }
 }

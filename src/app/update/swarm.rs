@@ -22,7 +22,7 @@ pub fn carry_out(state: &mut State, line: SwarmLine) -> Result<(), Text> {
         SwarmLine::AcknowledgeWorst => fly::acknowledge_pressing(state),
         SwarmLine::AcknowledgeKind(kind) => fly::acknowledge(state, |_, known| known == kind),
         SwarmLine::AcknowledgeOf(word) => {
-            let ids: Vec<VehicleId> = super::palette::targeted(state, &word)?;
+            let ids: Vec<VehicleId> = super::console_line::targeted(state, &word)?;
             fly::acknowledge(state, |id, _| ids.contains(&id));
         }
     }
