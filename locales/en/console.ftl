@@ -66,6 +66,7 @@ group-name = `{ $name }` is no name: use letters, digits, - and _
 order-no-vehicle = there is no vehicle { $vehicle }
 order-wait = `wait` is for pilot scripts
 order-wait-help = the console never waits: give the next command when you see fit
+macro-line = line { $number } of the macro `{ $name }`, `{ $line }`: { $fault }
 macro-endless = the macro was stopped after { $count } lines: does it call itself?
 
 palette-given-before = given before

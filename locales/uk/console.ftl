@@ -67,6 +67,7 @@ group-name = `{ $name }` не годиться як назва: лише літ�
 order-no-vehicle = немає апарата { $vehicle }
 order-wait = `wait` - лише для сценаріїв пілота
 order-wait-help = консоль ніколи не чекає: дайте наступну команду, коли вважатимете за потрібне
+macro-line = рядок { $number } макросу `{ $name }`, `{ $line }`: { $fault }
 macro-endless = макрос зупинено після { $count } рядків: чи не викликає він сам себе?
 
 palette-given-before = віддано раніше

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{act, swarm};
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
+use crate::app::lines;
 use crate::app::room::{Room, parameters};
 use crate::app::setting::Setting;
 use crate::app::state::{Log, Overlay, State, parse_ranges, ranges};
@@ -53,6 +54,8 @@ pub fn carry_out(
             return Ok(act::guarded(state, text!("ask-start"), effect));
         }
         ConsoleLine::Macro(name) => {
+            let end = line.trim_end().len();
+            lines::check_macro(state, &name, console::last_word(&line[..end])..end)?;
             let lines = state.config.macros.get(&name).cloned().unwrap_or_default();
             for line in lines.into_iter().rev() {
                 state.pending.push_front(line);

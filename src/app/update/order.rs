@@ -2,6 +2,7 @@
 
 use super::act;
 use crate::app::effect::Effect;
+use crate::app::lines;
 use crate::app::room::parameters;
 use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::diagnostic::Diagnostic;
@@ -95,11 +96,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
 
 fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Order, Diagnostic> {
     let Action::Command { verb, command } = statement.action else {
-        let start = line.find("wait").unwrap_or(0);
-        let end = (start + "wait".len()).min(line.len());
-        return Err(
-            Diagnostic::new(start..end, text!("order-wait")).with_help(text!("order-wait-help"))
-        );
+        return Err(lines::only_in_scripts(line));
     };
     // The ledger has to say to whom the command went, also after the selection has changed.
     let line = match statement.targets {

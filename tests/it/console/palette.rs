@@ -16,6 +16,17 @@ fn offered(console: &Console) -> Vec<String> {
     }
 }
 
+/// What is wrong with the line that is being written.
+fn fault(console: &Console) -> String {
+    match &console.state.overlay {
+        Some(sortie::app::state::Overlay::Palette(palette)) => {
+            let fault = palette.fault.as_ref().expect("the line is wrong");
+            fault.message.to_string()
+        }
+        other => panic!("the command line is not open: {other:?}"),
+    }
+}
+
 #[test]
 fn rooms_missions_settings_and_old_lines_are_found_by_any_of_their_words() {
     let mut console = Console::flying(3);
@@ -119,8 +130,40 @@ fn a_macro_that_calls_itself_ends_and_one_that_is_wrong_shows_where() {
     let wrong = vec!["all takeof 20".to_owned(), "all arm".to_owned()];
     console.state.config.macros.insert("w".to_owned(), wrong);
     console.give("macro w");
-    assert_eq!(palette_line(&console), "all takeof 20");
+    assert_eq!(palette_line(&console), "macro w");
     assert_eq!(console.state.session.ledger.entries().len(), 0);
+}
+
+#[test]
+fn a_macro_with_a_wrong_line_sends_none_of_its_lines() {
+    for (line, reason) in [
+        ("wait all armed", "`wait` is for pilot scripts"),
+        ("all takeof 20", "there is no command `takeof`"),
+        ("7 takeoff 20", "7"),
+        ("show nowhere", "`nowhere`"),
+        ("macro inner", "line 1 of the macro `inner`"),
+    ] {
+        let mut console = Console::flying(2);
+        let lines = ["group new 1", "@new arm", line].map(str::to_owned);
+        let macros = &mut console.state.config.macros;
+        macros.insert("inner".to_owned(), vec!["fly nowhere".to_owned()]);
+        macros.insert("up".to_owned(), lines.to_vec());
+        console.give("macro up");
+        assert_eq!(console.state.session.ledger.entries().len(), 0, "{line}");
+        let fault = fault(&console);
+        assert!(fault.contains("the macro `"), "{fault}");
+        assert!(fault.contains(reason), "{fault}");
+    }
+}
+
+#[test]
+fn a_macro_may_use_what_its_own_lines_make() {
+    let mut console = Console::flying(2);
+    let lines = ["group new 1", "@new guided", "select 1", "arm"].map(str::to_owned);
+    let macros = &mut console.state.config.macros;
+    macros.insert("up".to_owned(), lines.to_vec());
+    console.give("macro up");
+    assert_eq!(console.state.session.ledger.entries().len(), 2);
 }
 
 #[test]
