@@ -34,10 +34,11 @@ impl Diagnostic {
         self
     }
 
-    /// The same with "did you mean", where one of `names` is close to what was written.
+    /// The same with "did you mean", where one of `names` is close to what was written, or begins like it.
     #[must_use]
     pub fn with_nearest<'a>(self, written: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
-        match nearest(written, names) {
+        let names: Vec<&str> = names.into_iter().collect();
+        match nearest(written, names.iter().copied()).or_else(|| beginning(written, &names)) {
             Some(name) => self.with_help(text!("grammar-did-you-mean", name = name)),
             None => self,
         }
@@ -133,6 +134,21 @@ pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> O
         .map(|(_, name)| name)
 }
 
+/// The longest name that the written word begins with, else the only one that begins with the word: `bat` for
+/// `battery`, `heading` for `head`. Shorter than that many letters, it would be a guess.
+fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
+    const LETTERS: usize = 3;
+    let written = written.to_lowercase();
+    let long = |word: &str| word.chars().count() >= LETTERS;
+    let begun = names.iter().filter(|name| long(name));
+    let begun = begun.filter(|name| written.starts_with(&name.to_lowercase()));
+    let mut goes_on = names
+        .iter()
+        .filter(|name| long(&written) && name.to_lowercase().starts_with(&written));
+    let only = goes_on.next().filter(|_| goes_on.next().is_none());
+    begun.max_by_key(|name| name.len()).or(only).copied()
+}
+
 /// Insertions, deletions, substitutions and swaps of neighbours between two words (optimal string
 /// alignment; Damerau 1964).
 fn edit_distance(a: &str, b: &str) -> usize {
@@ -179,6 +195,19 @@ mod tests {
         assert_eq!(nearest("GTOO", verbs), Some("goto"));
         assert_eq!(nearest("amr", verbs), Some("arm"));
         assert_eq!(nearest("survey", verbs), None);
+    }
+
+    #[test]
+    fn a_word_that_begins_like_a_name_finds_it() {
+        let help = |word: &str, names: [&str; 3]| {
+            let fault = Diagnostic::new(0..0, "bad").with_nearest(word, names);
+            fault.help.map(|help| help.to_string())
+        };
+        let meant = |name: &str| Some(format!("did you mean `{name}`?"));
+        assert_eq!(help("battery", ["bat", "ba", "id"]), meant("bat"));
+        assert_eq!(help("head", ["bat", "heading", "home"]), meant("heading"));
+        assert_eq!(help("link", ["linked-up", "link-lost", "id"]), None);
+        assert_eq!(help("identity", ["id", "bat", "home"]), None);
     }
 
     #[test]

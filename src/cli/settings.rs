@@ -12,6 +12,7 @@ use clap::Args;
 use tracing_subscriber::EnvFilter;
 
 use super::Failure;
+use crate::app::console::swarm;
 use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Origin};
@@ -382,7 +383,7 @@ fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic>
             Ok(_) => Ok(()),
             Err(error) => fault(text!("config-log-level", error = error.to_string())),
         },
-        _ => Ok(()),
+        _ => swarm::check_setting(setting, word),
     }
 }
 

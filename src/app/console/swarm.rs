@@ -59,9 +59,7 @@ pub fn read(verb: SwarmVerb, words: &Words<'_>) -> Result<SwarmLine, Diagnostic>
     let first = words.first();
     Ok(match verb {
         SwarmVerb::Sort => SwarmLine::Sort(match first {
-            Some((word, span)) => {
-                Sort::named(word).ok_or_else(|| no_column(word.trim_start_matches('-'), span))?
-            }
+            Some(word) => sort(word)?,
             None => Sort::BY_ID,
         }),
         SwarmVerb::Filter => {
@@ -77,12 +75,29 @@ pub fn read(verb: SwarmVerb, words: &Words<'_>) -> Result<SwarmLine, Diagnostic>
         SwarmVerb::Unmute => SwarmLine::Unmute(first.map(kind).transpose()?),
         SwarmVerb::Acknowledge => match first {
             None => SwarmLine::AcknowledgeWorst,
-            Some((word, _)) => match AlertKind::named(word) {
-                Some(kind) => SwarmLine::AcknowledgeKind(kind),
-                None => SwarmLine::AcknowledgeOf((*word).to_owned()),
-            },
+            Some((word, _)) if names_vehicles(word) => SwarmLine::AcknowledgeOf((*word).to_owned()),
+            Some(word) => kind(word)
+                .map(SwarmLine::AcknowledgeKind)
+                .map_err(|fault| Diagnostic {
+                    message: text!("alert-no-kind-or-vehicle", word = word.0),
+                    ..fault
+                })?,
         },
     })
+}
+
+/// Checks a word of a setting of the table or of its alerts; other settings have nothing to do with them.
+///
+/// # Errors
+/// It names no column or no kind of alert; the place is the whole word.
+pub fn check_setting(setting: &str, word: &str) -> Result<(), Diagnostic> {
+    let word = (word, 0..word.len());
+    match setting {
+        "table.columns" => column(&word).map(drop),
+        "table.sort" if !word.0.is_empty() => sort(&word).map(drop),
+        "alerts.mute" => kind(&word).map(drop),
+        _ => Ok(()),
+    }
 }
 
 /// The words that may follow a verb, for completion.
@@ -96,12 +111,23 @@ pub fn choices(verb: SwarmVerb) -> Vec<&'static str> {
     }
 }
 
+/// Whether a word is meant as vehicles, whether they are there or not.
+fn names_vehicles(word: &str) -> bool {
+    matches!(word, "all" | "none" | "filter" | "invert")
+        || word.starts_with(|c: char| c == '@' || c.is_ascii_digit())
+}
+
 fn columns(words: &Words<'_>) -> Result<Vec<String>, Diagnostic> {
-    let name = |(word, span): &(&str, Range<usize>)| match Column::named(word) {
-        Some(_) => Ok((*word).to_owned()),
-        None => Err(no_column(word, span)),
-    };
+    let name = |word: &(&str, Range<usize>)| column(word).map(|column| column.name().to_owned());
     words.iter().map(name).collect()
+}
+
+fn column((word, span): &(&str, Range<usize>)) -> Result<Column, Diagnostic> {
+    Column::named(word).ok_or_else(|| no_column(word, span))
+}
+
+fn sort((word, span): &(&str, Range<usize>)) -> Result<Sort, Diagnostic> {
+    Sort::named(word).ok_or_else(|| no_column(word.trim_start_matches('-'), span))
 }
 
 fn kind((word, span): &(&str, Range<usize>)) -> Result<AlertKind, Diagnostic> {

@@ -7,14 +7,17 @@ use super::{home, sortie, text};
 
 /// What each file of the folders of bad files is refused with: one fault each.
 const REFUSALS: &[&str] = &[
+    "bad_configs/columns.toml:1:34: there is no column `battery` (did you mean `bat`?)",
     "bad_configs/flag.toml:1:9: `mouse` must be true or false",
     "bad_configs/log-level.toml:2:10: the levels of the log are not understood: ",
     "bad_configs/macro-kind.toml:2:6: `macros.up` must be a line of the command language in quotes, or a list of them",
     "bad_configs/macro-line.toml:2:26: there is no command `takeof` (did you mean `takeoff`?)",
     "bad_configs/macro-wait.toml:2:22: `wait` is for pilot scripts (the console never waits: ",
+    "bad_configs/mute.toml:2:10: no kind of alert is named `gsp` (did you mean `gps`?)",
     "bad_configs/no-section.toml:2:10: `alerts` is a section: write [alerts] on a line of its own and its settings below",
     "bad_configs/number-as-section.toml:1:2: `fps` must be a whole number from 1 to 60",
     "bad_configs/number.toml:1:7: `fps` must be a whole number from 1 to 60",
+    "bad_configs/sort.toml:2:9: there is no column `batt` (did you mean `bat`?)",
     "bad_configs/syntax.toml:1:9: string values must be quoted",
     "bad_configs/text.toml:1:9: `theme` must be a text in quotes",
     "bad_configs/theme.toml:1:10: no theme is named `drak` (did you mean `dark`?)",
