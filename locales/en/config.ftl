@@ -34,6 +34,9 @@ theme-inherits-itself = the theme `{ $name }` inherits itself
 theme-circle = themes inherit each other in a circle: { $circle }
 theme-faulty-parent = the theme `{ $name }` is faulty itself
 theme-unknown-role = unknown role `{ $name }`
+theme-roles-are = roles: { $roles }
+theme-role-table = `{ $name }` must be a table with its colours
+theme-role-table-advice = write { $example }
 theme-no-style = the role `{ $name }` has no style
 theme-no-style-advice = give it one under [roles], or inherit it: inherits = "dark"
 theme-no-colour = `{ $word }` is no colour

@@ -34,6 +34,9 @@ theme-inherits-itself = тема `{ $name }` успадковує саму се�
 theme-circle = теми успадковують одна одну по колу: { $circle }
 theme-faulty-parent = у самій темі `{ $name }` є помилка
 theme-unknown-role = немає ролі `{ $name }`
+theme-roles-are = є такі ролі: { $roles }
+theme-role-table = `{ $name }` має бути таблицею кольорів
+theme-role-table-advice = напишіть { $example }
 theme-no-style = для ролі `{ $name }` не задано вигляду
 theme-no-style-advice = задайте його в розділі [roles] або успадкуйте: inherits = "dark"
 theme-no-colour = `{ $word }` — не колір

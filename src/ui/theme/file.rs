@@ -1,11 +1,13 @@
 //! The theme file: `inherits = "NAME"` and a table `[roles]` of styles.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::str::FromStr;
 
 use ratatui::style::{Color, Modifier, Style};
 use serde::Deserialize;
 use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 use super::{Role, Theme, ThemeFile, Themes};
 use crate::diagnostic::Diagnostic;
@@ -113,6 +115,10 @@ impl<'a> Lineage<'a> {
 
 /// The styles of a theme file, with the inherited ones.
 pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnostic>> {
+    let faults = roles_without_table(source);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
     let file: Document =
         toml::from_str(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
     let mut faults = Vec::new();
@@ -126,14 +132,7 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
     for (name, entry) in &file.roles {
         let known = Role::ALL.iter().find(|(known, _)| *known == name.get_ref());
         let Some(&(_, role)) = known else {
-            let names = Role::ALL.iter().map(|&(name, _)| name);
-            faults.push(
-                Diagnostic::new(
-                    name.span(),
-                    text!("theme-unknown-role", name = name.get_ref()),
-                )
-                .with_nearest(name.get_ref(), names),
-            );
+            faults.push(unknown_role(name.get_ref(), name.span()));
             continue;
         };
         styles.insert(role, style(entry, &mut faults));
@@ -151,6 +150,38 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
     } else {
         Err(faults)
     }
+}
+
+/// What is wrong with roles that are no tables: the reader of TOML would say it in terms of the program.
+fn roles_without_table(source: &str) -> Vec<Diagnostic> {
+    let (document, _) = DeTable::parse_recoverable(source);
+    let roles = document.get_ref().get("roles").map(Spanned::get_ref);
+    let Some(DeValue::Table(roles)) = roles else {
+        return Vec::new();
+    };
+    let mut faults = Vec::new();
+    for (name, value) in roles {
+        let word = name.get_ref().as_ref();
+        if !matches!(value.get_ref(), DeValue::Table(_)) {
+            let colour = value.get_ref().as_str().unwrap_or("#ff0000");
+            let example = format!("{word} = {{ fg = \"{colour}\" }}");
+            let text = text!("theme-role-table", name = word);
+            let help = text!("theme-role-table-advice", example = example);
+            faults.push(Diagnostic::new(value.span(), text).with_help(help));
+            if Role::ALL.iter().all(|(known, _)| *known != word) {
+                faults.push(unknown_role(word, name.span()));
+            }
+        }
+    }
+    faults.sort_by_key(|fault| fault.span.start);
+    faults
+}
+
+fn unknown_role(name: &str, span: Range<usize>) -> Diagnostic {
+    let names = Role::ALL.map(|(name, _)| name);
+    Diagnostic::new(span, text!("theme-unknown-role", name = name))
+        .with_help(text!("theme-roles-are", roles = names.join(", ")))
+        .with_nearest(name, names)
 }
 
 fn style(entry: &StyleEntry, faults: &mut Vec<Diagnostic>) -> Style {

@@ -45,6 +45,8 @@ const REFUSALS: &[&str] = &[
     "bad_themes/circle-a.toml:1:12: themes inherit each other in a circle: circle-a -> circle-b -> circle-a",
     "bad_themes/circle-b.toml:1:12: themes inherit each other in a circle: circle-b -> circle-a -> circle-b",
     "bad_themes/colour.toml:3:13: `grin` is no colour (write \"#rrggbb\", ",
+    "bad_themes/entry.toml:3:1: unknown role `alert` (roles: text, muted, title, ",
+    "bad_themes/entry.toml:3:9: `alert` must be a table with its colours (write alert = { fg = \"#ff0000\" })",
     "bad_themes/faulty-parent.toml:1:12: the theme `role` is faulty itself (tests/data/bad_themes/role.toml:3:1: ",
     "bad_themes/incomplete.toml:1:1: the role `text` has no style (give it one under [roles], or inherit it: ",
     "bad_themes/no-parent.toml:1:12: no theme is named `drak` (did you mean `dark`?)",
