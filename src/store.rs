@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use crate::diagnostic::Diagnostic;
-use crate::mission::Mission;
+use crate::mission::{Mission, meant};
 use crate::text;
 use crate::text::Text;
 
@@ -298,14 +298,12 @@ fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str
     all.into_values().collect()
 }
 
-/// The one that is called so, else the first whose number it is.
+/// The one that is meant by a name, a number or a beginning.
 fn named(kind: &'static str, name: &str, all: &[Source]) -> Result<Source, StoreError> {
-    let by_number = format!("{name}-");
     let names: Vec<&str> = all.iter().map(Source::stem).collect();
     let found = names
         .iter()
-        .position(|known| *known == name)
-        .or_else(|| names.iter().position(|known| known.starts_with(&by_number)));
+        .position(|known| Some(*known) == meant(name, &names));
     let unknown = || StoreError::Unknown {
         kind,
         name: name.to_owned(),

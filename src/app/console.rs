@@ -8,6 +8,7 @@ use super::setting::Setting;
 use super::state::{Groups, MissionListing, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
+use crate::mission;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -383,7 +384,11 @@ fn read(
             .map(|name| Room::named(name).unwrap_or_default())
             .map(ConsoleLine::Show),
         Kind::Fly if given.is_empty() => Ok(ConsoleLine::Fly(None)),
-        Kind::Fly => known(0).map(|id| ConsoleLine::Fly(Some(id.to_owned()))),
+        Kind::Fly => {
+            let ids: Vec<&str> = names.missions.iter().map(|it| it.id.as_str()).collect();
+            let id = mission::meant(given[0], &ids).map_or_else(|| known(0), Ok)?;
+            Ok(ConsoleLine::Fly(Some(id.to_owned())))
+        }
         Kind::Connect => {
             word(0)?;
             let addresses = given.iter().map(|word| (*word).to_owned()).collect();

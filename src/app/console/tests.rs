@@ -26,6 +26,24 @@ fn read_line(line: &str) -> Option<Result<ConsoleLine, Diagnostic>> {
 }
 
 #[test]
+fn a_word_that_is_neither_vehicle_nor_kind_of_alert_is_told_both() {
+    let fault = |line| {
+        let read = read_line(line).expect("it is the console's own");
+        let fault = read.expect_err(line);
+        let help = fault.help.unwrap_or_default();
+        (fault.message.to_string(), help.to_string())
+    };
+    let (message, help) = fault("ack foo");
+    assert_eq!(message, "`foo` is neither a vehicle nor a kind of alert");
+    assert!(help.starts_with("kinds: crash link-lost "), "{help}");
+    assert_eq!(fault("ack batery").1, "did you mean `battery`?");
+    assert_eq!(fault("sort -battery").1, "did you mean `bat`?");
+    for line in ["ack", "ack 3", "ack @red", "ack all", "ack gps"] {
+        assert!(read_line(line).is_some_and(|read| read.is_ok()), "{line}");
+    }
+}
+
+#[test]
 fn only_the_consoles_own_lines_are_taken() {
     assert_eq!(read_line("1-2 arm"), None);
     assert_eq!(read_line(""), None);
@@ -43,6 +61,11 @@ fn only_the_consoles_own_lines_are_taken() {
         ("fly", ConsoleLine::Fly(None)),
         (
             "fly 01-air-sample",
+            ConsoleLine::Fly(Some("01-air-sample".to_owned())),
+        ),
+        ("fly 01", ConsoleLine::Fly(Some("01-air-sample".to_owned()))),
+        (
+            "fly 01-ai",
             ConsoleLine::Fly(Some("01-air-sample".to_owned())),
         ),
         ("macro up", ConsoleLine::Macro("up".to_owned())),
