@@ -14,7 +14,7 @@ use crate::text::Locale;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     sortie config                                   what is set, and who has set it\n  \
-    sortie config > ~/.config/sortie/config.toml    a file to begin with\n  \
+    sortie config > new-config.toml                 a file to begin with\n  \
     sortie config --theme light --fps 5             what these flags would change\n  \
     sortie config --keys                            the keys, and every action that a key could have\n  \
     sortie config --paths                           the files and folders")]
