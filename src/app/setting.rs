@@ -1,6 +1,6 @@
 //! Settings that the command line changes for as long as the console runs.
 
-use crate::config::{Config, Symbols};
+use crate::config::{Config, Kind, SETTINGS, Symbols};
 use crate::text;
 use crate::text::{Language, Text};
 
@@ -21,9 +21,6 @@ pub enum Setting {
     Notify(bool),
 }
 
-/// Frames per second that make sense: a person sees no more, and less than one is no console.
-const FPS: std::ops::RangeInclusive<u8> = 1..=60;
-
 impl Setting {
     /// The names of the settings.
     pub const NAMES: &[&str] = &["theme", "lang", "symbols", "fps", "bell", "notify"];
@@ -35,10 +32,9 @@ impl Setting {
 
     /// The values that a setting may have, where they can be listed.
     pub fn values(name: &str) -> &'static [&'static str] {
-        match name {
-            "lang" => &["en", "uk"],
-            "symbols" => &["braille", "block", "ascii"],
-            "bell" | "notify" => &["on", "off"],
+        match kind(name) {
+            Some(Kind::OneOf(values)) => values,
+            Some(Kind::Flag) => &["on", "off"],
             _ => &[],
         }
     }
@@ -58,8 +54,12 @@ impl Setting {
                 _ => None,
             },
             "fps" => {
-                let number = value.parse().ok().filter(|fps| FPS.contains(fps));
-                let fault = || text!("setting-fps-range", least = *FPS.start(), most = *FPS.end());
+                let Some(Kind::Whole(least, most)) = kind(name) else {
+                    return Err(text!("console-unknown", word = value));
+                };
+                let is_within = |fps: &u8| (least..=most).contains(&i64::from(*fps));
+                let number = value.parse().ok().filter(is_within);
+                let fault = || text!("setting-fps-range", least = least, most = most);
                 return number.map(Self::Fps).ok_or_else(fault);
             }
             "bell" => switch(value).map(Self::Bell),
@@ -80,6 +80,13 @@ impl Setting {
             Self::Notify(on) => config.alerts.notify = *on,
         }
     }
+}
+
+/// What a setting may be, by the configuration; the command line leaves its section out.
+fn kind(name: &str) -> Option<Kind> {
+    let mut all = SETTINGS.iter();
+    all.find(|setting| setting.key() == name)
+        .map(|setting| setting.kind)
 }
 
 fn switch(value: &str) -> Option<bool> {
