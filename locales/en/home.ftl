@@ -7,6 +7,7 @@ home-connect = Connect to vehicles
 home-quit = Quit
 home-free-about = Simulated drones and no task: learn the commands, try things, break nothing.
 home-free-first = A first flight, each line after `:`
+home-free-wait = Wait for `takeoff done`: a `goto` before that is refused. Then
 home-connect-about = Command real drones or a simulator elsewhere: anything that speaks MAVLink over TCP, UDP or a serial port.
 home-quit-about = Leave the program.
 home-mission-deed = flies the mission

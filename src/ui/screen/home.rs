@@ -16,14 +16,10 @@ const LIST_WIDTH: u16 = 34;
 /// Columns of the text at most: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
 
-/// Lines that can be given as they stand.
-const FIRST_FLIGHT: [&str; 5] = [
-    "all guided",
-    "all arm",
-    "all takeoff 20",
-    "all goto by n 50",
-    "all rtl",
-];
+/// Lines that can be given as they stand, up to the one that takes a while.
+const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
+/// Lines that can be given once the drones are up.
+const FIRST_FLIGHT: [&str; 2] = ["all goto by n 50", "all rtl"];
 
 /// Draws the list with its cursor, and a text about the line under it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -141,8 +137,11 @@ fn about(state: &State, item: HomeItem, look: &Look) -> String {
         HomeItem::Mission(at) => look.locale.text(&state.missions[at].brief),
         HomeItem::Free => {
             let (about, first) = (look.say("home-free-about"), look.say("home-free-first"));
-            let lines = FIRST_FLIGHT.map(|line| format!("  {line}")).join("\n");
-            format!("{about}\n\n{first}\n\n{lines}")
+            let wait = look.say("home-free-wait");
+            let indented = |line: &str| format!("  {line}");
+            let climb = FIRST_CLIMB.map(indented).join("\n");
+            let flight = FIRST_FLIGHT.map(indented).join("\n");
+            format!("{about}\n\n{first}\n\n{climb}\n\n{wait}\n\n{flight}")
         }
         HomeItem::Connect => look.say("home-connect-about"),
         HomeItem::Quit => look.say("home-quit-about"),
@@ -160,12 +159,12 @@ fn deed(item: HomeItem) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::FIRST_FLIGHT;
+    use super::{FIRST_CLIMB, FIRST_FLIGHT};
     use crate::language::{Context, parse};
 
     #[test]
     fn the_first_flight_can_be_flown_as_it_is_written() {
-        for line in FIRST_FLIGHT {
+        for line in FIRST_CLIMB.into_iter().chain(FIRST_FLIGHT) {
             assert!(parse(line, &Context::default()).is_ok(), "{line}");
         }
     }
