@@ -18,7 +18,7 @@ use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::messages::Inbox;
 use crate::notice::Notice;
-use crate::parameters::Snapshot;
+use crate::parameters::{Fetching, Snapshot};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
@@ -166,6 +166,7 @@ impl Session {
         Snapshot {
             list: Arc::clone(self.inbox.parameters()),
             fetching: self.download.fetching(),
+            reboots: self.vehicle.link.reboots,
         }
     }
 
@@ -212,7 +213,7 @@ impl Session {
         if self.vehicle.link.reboots > reboots {
             self.streams.forget(now);
             self.plans.forget();
-            self.download.resume(now);
+            self.forget_parameters();
             // What was meant for the vehicle before must not reach the one that has just booted.
             self.clear_the_line(&text!("outcome-the-reboot"), now);
             self.supersede_movements(&text!("outcome-the-reboot"), now);
@@ -314,6 +315,16 @@ impl Session {
             .download
             .poll(self.inbox.parameters(), &self.vehicle, now);
         self.output.messages.extend(requests);
+    }
+
+    /// A vehicle that has booted may have other values than before, or other parameters: what was known of them says
+    /// nothing any more. If they had been asked for, they are again.
+    fn forget_parameters(&mut self) {
+        self.inbox.forget_parameters();
+        if self.download.fetching() != Fetching::NotAsked {
+            self.download = Download::new();
+            self.download.start();
+        }
     }
 
     /// Whether the vehicle could take a parameter's new value, as far as its type is known. `ArduPilot` itself would

@@ -244,6 +244,28 @@ fn a_list_that_comes_again_over_a_slow_link_is_not_cut_off_while_it_brings_what_
 }
 
 #[test]
+fn after_a_reboot_nothing_is_known_until_the_list_has_come_again() {
+    let attitude = |time_boot_ms| {
+        MavMessage::ATTITUDE(mavlink::dialects::ardupilotmega::ATTITUDE_DATA {
+            time_boot_ms,
+            ..Default::default()
+        })
+    };
+    let mut far = Far::new(50, 0.0, 3);
+    far.scene.hear(attitude(60_000));
+    far.run(ms(5000));
+    assert!(far.is_whole());
+    far.count = 40;
+    far.scene.hear(attitude(400));
+    let known = far.scene.session.parameters();
+    assert_eq!((known.list.len(), known.reboots), (0, 1));
+    assert!(known.fetching.is_under_way());
+    far.run(ms(10_000));
+    assert!(far.is_whole());
+    assert_eq!(far.lists, 2);
+}
+
+#[test]
 fn nothing_is_asked_that_nobody_wanted() {
     let mut scene = Scene::new();
     scene.pass(ms(5000));

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::room::parameters::{Edit, Row, cursor_row, outcome, rows};
+use crate::app::room::parameters::{Edit, Row, coming, cursor_row, outcome, rows};
 use crate::app::state::State;
 use crate::ledger::RowState;
 use crate::text;
@@ -76,8 +76,11 @@ fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buff
         "parameters-none-yet"
     } else if !room.filter.is_empty() {
         "parameters-none-fit"
-    } else if room.comparison.is_some() {
-        "parameters-none-differ"
+    } else if let Some(comparison) = &room.comparison {
+        match coming(state, vehicle, &comparison.with) {
+            Some(_) => "parameters-none-differ-yet",
+            None => "parameters-none-differ",
+        }
     } else {
         "parameters-none-changed"
     };
