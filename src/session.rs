@@ -24,6 +24,7 @@ use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
 mod acknowledgement;
 mod download;
+mod fit;
 mod plans;
 mod precedence;
 mod streams;
@@ -231,7 +232,7 @@ impl Session {
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
         }
-        if let Err(reason) = self.fits(&order.command) {
+        if let Err(reason) = fit::check(&order.command, self.inbox.parameters()) {
             self.output
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
@@ -325,19 +326,6 @@ impl Session {
             self.download = Download::new();
             self.download.start();
         }
-    }
-
-    /// Whether the vehicle could take a parameter's new value, as far as its type is known. `ArduPilot` itself would
-    /// cut it down to something else.
-    fn fits(&self, command: &Command) -> Result<(), Text> {
-        let Command::SetParameter { name, value } = command else {
-            return Ok(());
-        };
-        let Some(known) = self.inbox.parameters().get(name) else {
-            return Ok(());
-        };
-        let checked = known.kind.check(f64::from(*value));
-        checked.map(drop).map_err(|unfit| unfit.text(name))
     }
 
     /// Looks for answers to what we asked, and for questions to us.

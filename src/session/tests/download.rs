@@ -300,6 +300,25 @@ fn a_value_that_the_type_cannot_hold_is_refused_unsent() {
     assert_eq!(far.scene.states(4), [RowState::Sent]);
 }
 
+#[test]
+fn a_parameter_that_a_whole_list_lacks_is_refused_unsent() {
+    let mut far = Far::new(5, 0.0, 3);
+    let set = |name: &str| Command::SetParameter {
+        name: name.to_owned(),
+        value: 1.0,
+    };
+    far.scene.order(1, "param", set("ANGEL_MAX"));
+    assert_eq!(far.scene.states(1), [RowState::Sent], "nobody knows yet");
+    far.run(ms(5000));
+    far.scene.pass(ms(5000));
+    for (entry, name, reason) in [(2, "PP3", "; did you mean P3?"), (3, "NOSUCHPARAM", "")] {
+        far.scene.order(entry, "param", set(name));
+        assert_eq!(far.scene.states(entry), [RowState::Refused], "{name}");
+        let told = format!("not sent: the vehicle has no parameter {name}{reason}");
+        assert_eq!(far.scene.explanation(entry), told);
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
