@@ -24,7 +24,7 @@ pub(super) fn check(command: &Command, list: &Parameters) -> Result<(), Text> {
             Ok(())
         };
     };
-    let checked = known.kind.check(f64::from(*value));
+    let checked = known.kind.check(*value);
     checked.map(drop).map_err(|unfit| unfit.text(name))
 }
 

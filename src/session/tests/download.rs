@@ -284,11 +284,11 @@ fn nothing_is_asked_that_nobody_wanted() {
 fn a_value_that_the_type_cannot_hold_is_refused_unsent() {
     let mut far = Far::new(20, 0.0, 3);
     far.run(ms(5000));
-    let set = |value: f32| Command::SetParameter {
+    let set = |value: f64| Command::SetParameter {
         name: "P3".to_owned(),
         value,
     };
-    for (entry, value) in [(1, 40_000.0), (2, 1.5), (3, f32::NAN)] {
+    for (entry, value) in [(1, 40_000.0), (2, 1.5), (3, f64::NAN)] {
         far.scene.order(entry, "param", set(value));
         assert_eq!(far.scene.states(entry), [RowState::Refused], "{value}");
     }

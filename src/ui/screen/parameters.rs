@@ -101,8 +101,9 @@ fn edited(state: &State, edit: Edit, vehicle: VehicleId) -> Option<(Text, Role, 
         RowState::TimedOut => (text!("parameters-state-unanswered"), Role::Danger),
         RowState::Superseded => (text!("parameters-state-replaced"), Role::Muted),
     };
-    let is_failure = row.state.is_failure();
-    Some((word, role, row.explanation.clone().filter(|_| is_failure)))
+    let became_other = |text: &Text| text.id() == Some("outcome-value-became");
+    let is_told = |text: &Text| row.state.is_failure() || became_other(text);
+    Some((word, role, row.explanation.clone().filter(is_told)))
 }
 
 /// A text filled up to a width, or cut to it.

@@ -86,7 +86,7 @@ fn settings(effects: &[Effect]) -> Vec<(String, f32, Vec<u16>)> {
             command: Command::SetParameter { name, value },
             targets,
             ..
-        } => Some((name.clone(), *value, targets.clone())),
+        } => Some((name.clone(), *value as f32, targets.clone())),
         _ => None,
     });
     set.collect()

@@ -38,16 +38,14 @@ pub fn entered(
     let value: f64 = written
         .parse()
         .map_err(|_| text!("parameters-no-number", value = written))?;
-    let mut carried = ParameterType::Real32
-        .check(value)
-        .map_err(|unfit| unfit.text(name))?;
+    let fits = |kind: ParameterType| kind.check(value).map_err(|unfit| unfit.text(name));
+    fits(ParameterType::Real32)?;
     for &vehicle in vehicles {
         if let Some(known) = state.rooms.parameters.get(vehicle, name) {
-            carried = known.kind.check(value).map_err(|unfit| unfit.text(name))?;
+            fits(known.kind)?;
         }
     }
-    let setting = Setting::new(name, carried, vehicles.to_vec());
-    send(state, &setting)
+    give(state, vehicles, (name, &value.to_string()))
 }
 
 /// Gives a `param set` as the command line would.
@@ -55,8 +53,23 @@ pub fn entered(
 /// # Errors
 /// There is nobody to give it to.
 pub fn send(state: &mut State, setting: &Setting) -> Result<Vec<Effect>, Text> {
-    let targets = ranges(setting.vehicles.iter().copied());
-    let line = format!("{targets} param set {} {}", setting.name, setting.value);
+    let Setting { name, value, .. } = setting;
+    // The shortest number that means a large whole one is another whole number.
+    let value = if value.fract() == 0.0 {
+        f64::from(*value).to_string()
+    } else {
+        value.to_string()
+    };
+    give(state, &setting.vehicles, (name, &value))
+}
+
+fn give(
+    state: &mut State,
+    vehicles: &[VehicleId],
+    (name, value): (&str, &str),
+) -> Result<Vec<Effect>, Text> {
+    let targets = ranges(vehicles.iter().copied());
+    let line = format!("{targets} param set {name} {value}");
     let order = order::prepare(state, &line).map_err(|fault| fault.message)?;
     Ok(order::carry_out(state, Consequence::Order(order)))
 }
@@ -73,7 +86,7 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
     }
     let edit = Edit {
         entry,
-        value: *value,
+        value: *value as f32,
     };
     for &vehicle in &order.targets {
         let known = edits.entry(vehicle).or_default();
