@@ -31,7 +31,7 @@ mod rows;
 pub use batch::{Batch, Setting, advance, begin};
 pub use compare::{Comparison, Other};
 pub use demand::wanted;
-pub use edit::{Edit, entered, note_order};
+pub use edit::{Edit, entered, note_order, tell};
 pub use files::{exists, load, read, save, saved};
 pub use rows::{Row, coming, extra, rows};
 

@@ -282,6 +282,38 @@ fn a_file_shows_what_differs_first_and_sets_what_was_confirmed() {
 }
 
 #[test]
+fn what_became_of_a_value_is_said_on_the_last_line_once_all_have_answered() {
+    let mut console = in_the_room(3);
+    console.give("1-3 param set WPNAV_SPEED 640");
+    let mut end = |vehicle, state, reason: &str| {
+        console.hear(Event::Row(RowUpdate {
+            entry: EntryId(0),
+            vehicle,
+            state,
+            tries: 1,
+            at: console.state.now,
+            explanation: Some(reason.into()),
+        }));
+        said(&console)
+    };
+    let before = end(1, RowState::Done, "WPNAV_SPEED = 640");
+    assert!(!before.contains("640"), "two have not answered: {before}");
+    end(2, RowState::TimedOut, "no answer");
+    let told = end(3, RowState::TimedOut, "no answer");
+    assert_eq!(told, "vehicles 2-3: timed out, no answer");
+    assert!(console.screen(120, 40).contains(&told));
+    console.give("1 param set ANGLE_MAX 2000");
+    row(&mut console, 1, 1, RowState::Refused);
+    assert_eq!(said(&console), "vehicle 1: refused");
+    console.press("F").give("1 param set ANGLE_MAX 2000");
+    row(&mut console, 2, 1, RowState::Done);
+    assert!(
+        !said(&console).contains("seen"),
+        "other rooms show the ledger"
+    );
+}
+
+#[test]
 fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
     let mut console = in_the_room(2);
     console.press("end").press("enter");

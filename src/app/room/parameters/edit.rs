@@ -4,14 +4,15 @@ use std::collections::BTreeMap;
 
 use super::Setting;
 use crate::app::effect::Effect;
+use crate::app::room::Room;
 use crate::app::state::{Consequence, Order, State, ranges};
 use crate::app::update::order;
 use crate::commands::Command;
-use crate::ledger::EntryId;
+use crate::ledger::{EntryId, Row, RowState};
 use crate::parameters::ParameterType;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 
 /// Edits kept; when there are more, all are forgotten but in the ledger.
 const EDITS_KEPT: usize = 50_000;
@@ -92,4 +93,48 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
         let known = edits.entry(vehicle).or_default();
         known.insert(name.clone(), edit);
     }
+}
+
+/// Says on the last line of the room what has become of a command about a parameter once every vehicle has answered:
+/// the first failure if there is one. Of many values that are set one after the other, only their end is said.
+pub fn tell(state: &mut State, entry: EntryId) {
+    let batch = state.rooms.parameters.batch.as_ref();
+    let is_of_batch = batch.is_some_and(|batch| batch.has(entry));
+    let known = state.session.ledger.entry(entry);
+    let Some(known) = known.filter(|known| known.verb == "param" && known.is_final()) else {
+        return;
+    };
+    let failed = known.rows.iter().find(|row| row.state.is_failure());
+    let Some(row) = failed.or(known.rows.first()) else {
+        return;
+    };
+    if state.room != Room::Parameters || is_of_batch {
+        return;
+    }
+    let severity = match row.state {
+        RowState::Done => Severity::Info,
+        _ => Severity::Warning,
+    };
+    let text = fate(row, &known.rows);
+    state.say(severity, text);
+}
+
+/// What has become of a command with one vehicle and with those that fared the same.
+fn fate(row: &Row, all: &[Row]) -> Text {
+    let why = |row: &Row| row.explanation.as_ref().map(|text| text.regarding(""));
+    let fared_so = |other: &&Row| other.state == row.state && why(other) == why(row);
+    let alike = all.iter().filter(fared_so).map(|row| row.vehicle);
+    let alike: Vec<VehicleId> = alike.collect();
+    let (count, vehicles) = (alike.len(), ranges(alike));
+    let why = row.explanation.as_ref().map(|it| it.regarding(&vehicles));
+    let text = match (row.state, why) {
+        (RowState::Done, Some(outcome)) => outcome,
+        (how, why) => Text::joined(", ", std::iter::once(how.name()).chain(why).collect()),
+    };
+    text!(
+        "state-explained",
+        count = count,
+        vehicles = vehicles,
+        text = text
+    )
 }
