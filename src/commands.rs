@@ -143,8 +143,8 @@ pub enum Command {
     SetParameter {
         /// Its name.
         name: String,
-        /// The new value.
-        value: f32,
+        /// The new value as it was written; `PARAM_SET` carries the nearest `f32`.
+        value: f64,
     },
     /// Any `MAV_CMD` as `COMMAND_LONG`.
     Long {

@@ -127,6 +127,11 @@ impl Inbox {
         Arc::make_mut(&mut self.parameters).expect_again();
     }
 
+    /// Forgets all parameters that have passed.
+    pub fn forget_parameters(&mut self) {
+        Arc::make_mut(&mut self.parameters).forget();
+    }
+
     /// Does what only time can tell: gives out chunked texts whose rest never came (after 1 s), with `...`
     /// in place of what is missing, and forgets a target that is not sent any more. Call it a few times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
@@ -206,7 +211,7 @@ impl Inbox {
         vehicle.boot_ms = Some(boot_ms);
     }
 
-    /// Drops what a reboot made stale. Parameters survive a reboot, and so do what we heard and how well.
+    /// Drops what a reboot made stale; what we heard and how well outlives it.
     fn forget(&mut self, vehicle: &mut Vehicle, report: &mut Report<'_>) {
         report.say(Severity::Warning, text!("heard-rebooted"));
         vehicle.link.reboots += 1;

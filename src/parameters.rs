@@ -43,6 +43,8 @@ pub struct Snapshot {
     pub list: Arc<Parameters>,
     /// How far its download is.
     pub fetching: Fetching,
+    /// How often the vehicle has rebooted by now. A list begins anew with each time: settings may have been lost.
+    pub reboots: u32,
 }
 
 /// A value as it is read and written: the shortest decimal number that means the same `f32`.

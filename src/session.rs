@@ -18,12 +18,13 @@ use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::messages::Inbox;
 use crate::notice::Notice;
-use crate::parameters::Snapshot;
+use crate::parameters::{Fetching, Snapshot};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
 mod acknowledgement;
 mod download;
+mod fit;
 mod plans;
 mod precedence;
 mod streams;
@@ -166,6 +167,7 @@ impl Session {
         Snapshot {
             list: Arc::clone(self.inbox.parameters()),
             fetching: self.download.fetching(),
+            reboots: self.vehicle.link.reboots,
         }
     }
 
@@ -212,7 +214,7 @@ impl Session {
         if self.vehicle.link.reboots > reboots {
             self.streams.forget(now);
             self.plans.forget();
-            self.download.resume(now);
+            self.forget_parameters();
             // What was meant for the vehicle before must not reach the one that has just booted.
             self.clear_the_line(&text!("outcome-the-reboot"), now);
             self.supersede_movements(&text!("outcome-the-reboot"), now);
@@ -230,7 +232,7 @@ impl Session {
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
         }
-        if let Err(reason) = self.fits(&order.command) {
+        if let Err(reason) = fit::check(&order.command, self.inbox.parameters()) {
             self.output
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
@@ -316,17 +318,14 @@ impl Session {
         self.output.messages.extend(requests);
     }
 
-    /// Whether the vehicle could take a parameter's new value, as far as its type is known. `ArduPilot` itself would
-    /// cut it down to something else.
-    fn fits(&self, command: &Command) -> Result<(), Text> {
-        let Command::SetParameter { name, value } = command else {
-            return Ok(());
-        };
-        let Some(known) = self.inbox.parameters().get(name) else {
-            return Ok(());
-        };
-        let checked = known.kind.check(f64::from(*value));
-        checked.map(drop).map_err(|unfit| unfit.text(name))
+    /// A vehicle that has booted may have other values than before, or other parameters: what was known of them says
+    /// nothing any more. If they had been asked for, they are again.
+    fn forget_parameters(&mut self) {
+        self.inbox.forget_parameters();
+        if self.download.fetching() != Fetching::NotAsked {
+            self.download = Download::new();
+            self.download.start();
+        }
     }
 
     /// Looks for answers to what we asked, and for questions to us.

@@ -31,6 +31,7 @@ outcome-no-answer = { $tries ->
    *[other] no answer to { $tries } tries in { $seconds } s
 }
 outcome-no-parameter = perhaps it has no parameter { $name }
+outcome-value-became = { $name } = { $value } ({ $wanted } was asked for)
 outcome-not-seen = { $effect } was not seen
 outcome-not-seen-within = { $effect } not seen within { $seconds } s
 outcome-left-guided = the vehicle left GUIDED for { $mode }

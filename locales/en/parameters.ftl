@@ -45,6 +45,7 @@ parameters-setting = setting: { $count } left
 parameters-sets-on = sets on { $vehicles }
 parameters-none-yet = nothing has come yet
 parameters-none-fit = no name has these letters: Esc shows all
+parameters-none-differ-yet = nothing differs in what has come so far
 parameters-none-differ = nothing differs: Esc shows all
 parameters-none-changed = nothing has changed: o shows all
 
@@ -82,7 +83,7 @@ parameters-ask-apply = SET { $count ->
 } on { $vehicles }
 parameters-ask-apply-reason = each is a command of its own with its outcome in the list
 parameters-nothing-to-save = no parameters have come yet
-parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: save when all are there
+parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: wait until all are there
 parameters-no-path = write the name of a file
 parameters-no-deed = `{ $word }` is nothing that can be done with parameters
 parameters-same-vehicle = vehicle { $vehicle } is the one that is shown: name another

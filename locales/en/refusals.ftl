@@ -16,6 +16,8 @@ refused-reboot-armed = it is armed: disarm it before a reboot
 refused-parameter-name = `{ $name }` cannot be a parameter: names have 1 to 16 plain letters
 refused-no-place = { $lat }, { $lon } is no place on the earth
 refused-not-finite = { $value } is not a number that can be sent
+refused-no-parameter = not sent: the vehicle has no parameter { $name }
+refused-no-parameter-but = not sent: the vehicle has no parameter { $name }; did you mean { $nearest }?
 refused-value = { $name } stayed { $value }, it did not take { $wanted }
 refused-encoding = { $command } is not sent as { $message }
 

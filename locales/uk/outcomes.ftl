@@ -32,6 +32,7 @@ outcome-no-answer = { $tries ->
    *[many] немає відповіді на { $tries } спроб за { $seconds } s
 }
 outcome-no-parameter = можливо, параметра { $name } немає
+outcome-value-became = { $name } = { $value } (просили { $wanted })
 outcome-not-seen = не помічено: { $effect }
 outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
 outcome-left-guided = режим змінився з GUIDED на { $mode }

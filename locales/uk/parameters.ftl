@@ -47,6 +47,7 @@ parameters-setting = встановлюємо: лишилося { $count }
 parameters-sets-on = встановлює на { $vehicles }
 parameters-none-yet = ще нічого не надійшло
 parameters-none-fit = немає назв із такими літерами: Esc показує всі
+parameters-none-differ-yet = у тому, що вже надійшло, відмінностей немає
 parameters-none-differ = відмінностей немає: Esc показує всі
 parameters-none-changed = нічого не змінено: o показує всі
 
@@ -85,7 +86,7 @@ parameters-ask-apply = ВСТАНОВИТИ { $count ->
 } на { $vehicles }
 parameters-ask-apply-reason = кожен — окрема команда, її наслідок видно у списку
 parameters-nothing-to-save = параметри ще не надійшли
-parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: збережіть, коли надійдуть усі
+parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: зачекайте, доки надійдуть усі
 parameters-no-path = напишіть назву файлу
 parameters-no-deed = `{ $word }` — такого з параметрами зробити не можна
 parameters-same-vehicle = апарат { $vehicle } саме й показано: назвіть інший

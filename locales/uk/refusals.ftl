@@ -16,6 +16,8 @@ refused-reboot-armed = двигуни активні: деактивуйте ї�
 refused-parameter-name = `{ $name }` не може бути параметром: назва має від 1 до 16 латинських літер
 refused-no-place = { $lat }, { $lon } не є місцем на землі
 refused-not-finite = { $value } не є числом, яке можна надіслати
+refused-no-parameter = не надіслано: апарат не має параметра { $name }
+refused-no-parameter-but = не надіслано: апарат не має параметра { $name }; може, { $nearest }?
 refused-value = у { $name } лишилося { $value }, значення { $wanted } не прийнято
 refused-encoding = { $command } не надсилають як { $message }
 

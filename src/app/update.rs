@@ -4,6 +4,7 @@ use super::effect::Effect;
 use super::event::Event;
 use super::room::parameters;
 use super::state::State;
+use crate::ledger::Entry;
 
 pub(super) mod act;
 mod console_line;
@@ -53,8 +54,13 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::ParametersSaved { path } => parameters::saved(state, &path),
         Event::ParametersExist { path, text } => parameters::exists(state, path, text),
         Event::Row(row) => {
-            state.session.ledger.apply(&row);
+            let ledger = &mut state.session.ledger;
+            let was_over = ledger.entry(row.entry).is_none_or(Entry::is_final);
+            ledger.apply(&row);
             state.rooms.ledger.spoil();
+            if !was_over {
+                parameters::tell(state, row.entry);
+            }
             return parameters::advance(state);
         }
         Event::Links(links) => state.session.links = links,

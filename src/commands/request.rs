@@ -122,7 +122,7 @@ impl Command {
                 Answer::Parameter(name.clone()),
             )),
             Self::SetParameter { name, value } => Ok(Request::new(
-                encode::write_parameter(vehicle, name, *value)?,
+                encode::write_parameter(vehicle, name, *value as f32)?,
                 Answer::Parameter(name.clone()),
             )),
             Self::Orbit { .. } | Self::RegionOfInterest { .. } | Self::Int { .. } => {
@@ -151,31 +151,39 @@ impl Command {
         }
     }
 
-    /// What a `PARAM_VALUE` says about a parameter command, as "`WPNAV_SPEED` = 500".
+    /// What a `PARAM_VALUE` says about a parameter command, as "`WPNAV_SPEED` = 500". It also says so where rounding
+    /// has made another value of the one that was asked for.
     ///
     /// # Errors
     /// In plain words when the vehicle kept another value than was set. Whole-numbered parameters cut off the
     /// fraction, which is no fault.
     pub fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
-        match self {
-            Self::SetParameter {
-                name,
-                value: wanted,
-            } if (value - wanted).abs() > 1e-6 * wanted.abs()
-                && (value - wanted.trunc()).abs() > f32::EPSILON =>
-            {
-                Err(text!(
-                    "refused-value",
-                    name = name,
-                    value = value.to_string(),
-                    wanted = wanted.to_string()
-                ))
-            }
-            Self::SetParameter { name, .. } | Self::GetParameter { name } => {
-                Ok(format!("{name} = {value}").into())
-            }
-            _ => Ok(value.to_string().into()),
+        let (name, wanted) = match self {
+            Self::SetParameter { name, value } => (name, *value),
+            Self::GetParameter { name } => return Ok(format!("{name} = {value}").into()),
+            _ => return Ok(value.to_string().into()),
+        };
+        let carried = wanted as f32;
+        let is_kept = (value - carried).abs() <= 1e-6 * carried.abs();
+        if !is_kept && (value - carried.trunc()).abs() > f32::EPSILON {
+            let (value, wanted) = (value.to_string(), wanted.to_string());
+            return Err(text!(
+                "refused-value",
+                name = name,
+                value = value,
+                wanted = wanted
+            ));
         }
+        if is_written_so(value, wanted) {
+            return Ok(format!("{name} = {value}").into());
+        }
+        let (value, wanted) = (value.to_string(), wanted.to_string());
+        Ok(text!(
+            "outcome-value-became",
+            name = name,
+            value = value,
+            wanted = wanted
+        ))
     }
 
     /// Command and parameters of those that go as `COMMAND_LONG`.
@@ -316,6 +324,13 @@ impl Command {
         let command = format!("{self:?}");
         text!("refused-encoding", command = command, message = message)
     }
+}
+
+/// Whether a value is just what somebody wrote: exactly, or as the shortest number that means it (0.1).
+fn is_written_so(value: f32, written: f64) -> bool {
+    let differs = |value: f64| (value - written).abs() > 0.0;
+    let shortest = value.to_string().parse().unwrap_or(f64::NAN);
+    !differs(f64::from(value)) || !differs(shortest)
 }
 
 fn params(given: &[f32]) -> [f32; 7] {

@@ -357,7 +357,7 @@ proptest! {
             Command::Orbit { radius_m: a, speed_m_s: b, centre: Some(point), altitude_m: Some(c) },
             Command::SetHome { place: Some((point, c)) },
             Command::Yaw { angle_deg: a, relative: true, rate_deg_s: Some(b) },
-            Command::SetParameter { name: "X".to_owned(), value: a as f32 },
+            Command::SetParameter { name: "X".to_owned(), value: a },
         ];
         for command in commands {
             if let Ok(request) = command.request(&flying("GUIDED"), 0) {

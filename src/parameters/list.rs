@@ -130,6 +130,14 @@ impl Parameters {
         self.revision += 1;
     }
 
+    /// Forgets all values.
+    pub fn forget(&mut self) {
+        *self = Self {
+            revision: self.revision + 1,
+            ..Self::default()
+        };
+    }
+
     /// Takes in what a vehicle says of a parameter.
     pub fn note(&mut self, heard: &Heard<'_>) {
         if heard.name == HASH {

@@ -259,7 +259,7 @@ fn outcomes() -> Vec<Text> {
         },
         Command::SetParameter {
             name: "A".to_owned(),
-            value: f32::NAN,
+            value: f64::NAN,
         },
         Command::GetParameter {
             name: String::new(),

@@ -31,9 +31,9 @@ mod rows;
 pub use batch::{Batch, Setting, advance, begin};
 pub use compare::{Comparison, Other};
 pub use demand::wanted;
-pub use edit::{Edit, entered, note_order};
+pub use edit::{Edit, entered, note_order, tell};
 pub use files::{exists, load, read, save, saved};
-pub use rows::{Row, extra, rows};
+pub use rows::{Row, coming, extra, rows};
 
 /// What the room remembers.
 #[derive(Debug, Clone, Default)]
@@ -156,14 +156,19 @@ pub fn fetch(state: &mut State) {
     state.rooms.parameters.anew.extend(vehicles);
 }
 
-/// Takes over what is known of a vehicle's parameters. What comes after the session has ended belongs to nobody.
+/// Takes over what is known of a vehicle's parameters. What comes after the session has ended belongs to nobody, and
+/// what was confirmed before the vehicle rebooted is not confirmed any more.
 pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: Snapshot) {
     if state.session.activity.is_none() {
         return;
     }
     let room = &mut state.rooms.parameters;
     room.asked.remove(&vehicle);
-    room.lists.insert(vehicle, snapshot);
+    let reboots = snapshot.reboots;
+    let before = room.lists.insert(vehicle, snapshot);
+    if reboots > before.map_or(0, |known| known.reboots) {
+        room.edits.remove(&vehicle);
+    }
 }
 
 /// How a command of the ledger stands with a vehicle.

@@ -172,6 +172,20 @@ fn a_parameter_that_kept_its_value_is_noticed() {
         value,
     };
     assert_eq!(set(500.0).parameter_outcome(500.0), Ok("X = 500".into()));
-    assert_eq!(set(1500.7).parameter_outcome(1500.0), Ok("X = 1500".into()));
+    assert_eq!(set(0.1).parameter_outcome(0.1), Ok("X = 0.1".into()));
+    for (wanted, kept, told) in [
+        (1500.7, 1500.0, "X = 1500 (1500.7 was asked for)"),
+        (99_999_999.0, 1e8, "X = 100000000 (99999999 was asked for)"),
+        (
+            0.123_456_789,
+            0.123_456_79,
+            "X = 0.12345679 (0.123456789 was asked for)",
+        ),
+    ] {
+        let outcome = set(wanted).parameter_outcome(kept);
+        assert_eq!(outcome.map(|text| text.to_string()), Ok(told.to_owned()));
+    }
+    let large = set(2_147_483_520.0).parameter_outcome(2_147_483_520.0);
+    assert!(large.is_ok_and(|text| !text.contains("asked")));
     assert!(set(500.0).parameter_outcome(7.0).is_err());
 }

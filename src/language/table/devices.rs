@@ -138,7 +138,7 @@ pub(super) const PARAM: Verb = Verb {
             build: |given| {
                 command(Command::SetParameter {
                     name: given.required_word("name")?.to_owned(),
-                    value: given.required("value")? as f32,
+                    value: given.required("value")?,
                 })
             },
         },

@@ -244,6 +244,28 @@ fn a_list_that_comes_again_over_a_slow_link_is_not_cut_off_while_it_brings_what_
 }
 
 #[test]
+fn after_a_reboot_nothing_is_known_until_the_list_has_come_again() {
+    let attitude = |time_boot_ms| {
+        MavMessage::ATTITUDE(mavlink::dialects::ardupilotmega::ATTITUDE_DATA {
+            time_boot_ms,
+            ..Default::default()
+        })
+    };
+    let mut far = Far::new(50, 0.0, 3);
+    far.scene.hear(attitude(60_000));
+    far.run(ms(5000));
+    assert!(far.is_whole());
+    far.count = 40;
+    far.scene.hear(attitude(400));
+    let known = far.scene.session.parameters();
+    assert_eq!((known.list.len(), known.reboots), (0, 1));
+    assert!(known.fetching.is_under_way());
+    far.run(ms(10_000));
+    assert!(far.is_whole());
+    assert_eq!(far.lists, 2);
+}
+
+#[test]
 fn nothing_is_asked_that_nobody_wanted() {
     let mut scene = Scene::new();
     scene.pass(ms(5000));
@@ -262,11 +284,11 @@ fn nothing_is_asked_that_nobody_wanted() {
 fn a_value_that_the_type_cannot_hold_is_refused_unsent() {
     let mut far = Far::new(20, 0.0, 3);
     far.run(ms(5000));
-    let set = |value: f32| Command::SetParameter {
+    let set = |value: f64| Command::SetParameter {
         name: "P3".to_owned(),
         value,
     };
-    for (entry, value) in [(1, 40_000.0), (2, 1.5), (3, f32::NAN)] {
+    for (entry, value) in [(1, 40_000.0), (2, 1.5), (3, f64::NAN)] {
         far.scene.order(entry, "param", set(value));
         assert_eq!(far.scene.states(entry), [RowState::Refused], "{value}");
     }
@@ -276,6 +298,25 @@ fn a_value_that_the_type_cannot_hold_is_refused_unsent() {
     );
     far.scene.order(4, "param", set(7.0));
     assert_eq!(far.scene.states(4), [RowState::Sent]);
+}
+
+#[test]
+fn a_parameter_that_a_whole_list_lacks_is_refused_unsent() {
+    let mut far = Far::new(5, 0.0, 3);
+    let set = |name: &str| Command::SetParameter {
+        name: name.to_owned(),
+        value: 1.0,
+    };
+    far.scene.order(1, "param", set("ANGEL_MAX"));
+    assert_eq!(far.scene.states(1), [RowState::Sent], "nobody knows yet");
+    far.run(ms(5000));
+    far.scene.pass(ms(5000));
+    for (entry, name, reason) in [(2, "PP3", "; did you mean P3?"), (3, "NOSUCHPARAM", "")] {
+        far.scene.order(entry, "param", set(name));
+        assert_eq!(far.scene.states(entry), [RowState::Refused], "{name}");
+        let told = format!("not sent: the vehicle has no parameter {name}{reason}");
+        assert_eq!(far.scene.explanation(entry), told);
+    }
 }
 
 proptest! {

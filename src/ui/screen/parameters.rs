@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::room::parameters::{Edit, Row, cursor_row, outcome, rows};
+use crate::app::room::parameters::{Edit, Row, coming, cursor_row, outcome, rows};
 use crate::app::state::State;
 use crate::ledger::RowState;
 use crate::text;
@@ -76,8 +76,11 @@ fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buff
         "parameters-none-yet"
     } else if !room.filter.is_empty() {
         "parameters-none-fit"
-    } else if room.comparison.is_some() {
-        "parameters-none-differ"
+    } else if let Some(comparison) = &room.comparison {
+        match coming(state, vehicle, &comparison.with) {
+            Some(_) => "parameters-none-differ-yet",
+            None => "parameters-none-differ",
+        }
     } else {
         "parameters-none-changed"
     };
@@ -98,8 +101,9 @@ fn edited(state: &State, edit: Edit, vehicle: VehicleId) -> Option<(Text, Role, 
         RowState::TimedOut => (text!("parameters-state-unanswered"), Role::Danger),
         RowState::Superseded => (text!("parameters-state-replaced"), Role::Muted),
     };
-    let is_failure = row.state.is_failure();
-    Some((word, role, row.explanation.clone().filter(|_| is_failure)))
+    let became_other = |text: &Text| text.id() == Some("outcome-value-became");
+    let is_told = |text: &Text| row.state.is_failure() || became_other(text);
+    Some((word, role, row.explanation.clone().filter(is_told)))
 }
 
 /// A text filled up to a width, or cut to it.

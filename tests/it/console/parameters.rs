@@ -45,6 +45,7 @@ pub fn complete(list: Parameters) -> Snapshot {
     Snapshot {
         list: Arc::new(list),
         fetching: Fetching::Complete,
+        ..Snapshot::default()
     }
 }
 
@@ -85,7 +86,7 @@ fn settings(effects: &[Effect]) -> Vec<(String, f32, Vec<u16>)> {
             command: Command::SetParameter { name, value },
             targets,
             ..
-        } => Some((name.clone(), *value, targets.clone())),
+        } => Some((name.clone(), *value as f32, targets.clone())),
         _ => None,
     });
     set.collect()
@@ -278,6 +279,76 @@ fn a_file_shows_what_differs_first_and_sets_what_was_confirmed() {
         names(&console).contains(&"RTL_ALT".to_owned()),
         "it stays in sight"
     );
+}
+
+#[test]
+fn what_became_of_a_value_is_said_on_the_last_line_once_all_have_answered() {
+    let mut console = in_the_room(3);
+    console.give("1-3 param set WPNAV_SPEED 640");
+    let mut end = |vehicle, state, reason: &str| {
+        console.hear(Event::Row(RowUpdate {
+            entry: EntryId(0),
+            vehicle,
+            state,
+            tries: 1,
+            at: console.state.now,
+            explanation: Some(reason.into()),
+        }));
+        said(&console)
+    };
+    let before = end(1, RowState::Done, "WPNAV_SPEED = 640");
+    assert!(!before.contains("640"), "two have not answered: {before}");
+    end(2, RowState::TimedOut, "no answer");
+    let told = end(3, RowState::TimedOut, "no answer");
+    assert_eq!(told, "vehicles 2-3: timed out, no answer");
+    assert!(console.screen(120, 40).contains(&told));
+    console.give("1 param set ANGLE_MAX 2000");
+    row(&mut console, 1, 1, RowState::Refused);
+    assert_eq!(said(&console), "vehicle 1: refused");
+    console.press("F").give("1 param set ANGLE_MAX 2000");
+    row(&mut console, 2, 1, RowState::Done);
+    assert!(
+        !said(&console).contains("seen"),
+        "other rooms show the ledger"
+    );
+}
+
+#[test]
+fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
+    let mut console = in_the_room(2);
+    console.press("end").press("enter");
+    console.press("ctrl-u").write("640").press("enter");
+    row(&mut console, 0, 1, RowState::Done);
+    arrives(&mut console, 1, list(1.0, 640.0));
+    assert!(console.screen(80, 24).contains("640 confirmed"));
+    console.give("params diff 2");
+    // The list comes anew, and the vehicle has forgotten the value.
+    let mut coming = Parameters::default();
+    coming.note(&Heard {
+        name: "WPNAV_SPEED",
+        value: 1000.0,
+        kind: ParameterType::Real32,
+        index: Some(9),
+        count: 10,
+    });
+    let snapshot = Snapshot {
+        list: Arc::new(coming),
+        fetching: Fetching::UnderWay { fruitless: 0 },
+        reboots: 1,
+    };
+    console.hear(Event::Parameters {
+        vehicle: 1,
+        snapshot,
+    });
+    assert!(names(&console).is_empty(), "what has not come may be equal");
+    let screen = console.screen(80, 24);
+    assert!(!screen.contains("confirmed"), "{screen}");
+    assert!(screen.contains("in what has come so far"), "{screen}");
+    console.press("a");
+    let wait = "vehicle 1 has sent 1 of 10 parameters: wait until all are there";
+    assert_eq!(said(&console), wait);
+    console.press("s").press("ctrl-u").write("x").press("enter");
+    assert!(console.effects.is_empty(), "half a list is not saved");
 }
 
 #[test]

@@ -88,7 +88,11 @@ fn a_list_that_is_coming() {
     lost.link.lost = true;
     let mut hear = |fetching| {
         let list = Arc::new(half.clone());
-        let snapshot = Snapshot { list, fetching };
+        let snapshot = Snapshot {
+            list,
+            fetching,
+            ..Snapshot::default()
+        };
         console.hear(Event::Parameters {
             vehicle: 1,
             snapshot,
@@ -112,7 +116,11 @@ fn a_list_that_is_coming() {
     console.vehicle(lost);
     let list = Arc::new(half);
     let fetching = Fetching::UnderWay { fruitless: 0 };
-    let snapshot = Snapshot { list, fetching };
+    let snapshot = Snapshot {
+        list,
+        fetching,
+        ..Snapshot::default()
+    };
     console.hear(Event::Parameters {
         vehicle: 1,
         snapshot,

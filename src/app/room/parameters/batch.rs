@@ -74,6 +74,11 @@ impl Batch {
         left
     }
 
+    /// Whether a command is one of them.
+    pub fn has(&self, entry: EntryId) -> bool {
+        self.under_way.iter().any(|(known, _)| *known == entry)
+    }
+
     /// Parameters that have not been answered for yet.
     pub fn left(&self) -> usize {
         self.waiting.len() + self.under_way.len()

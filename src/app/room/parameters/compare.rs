@@ -1,8 +1,10 @@
 //! A vehicle's parameters beside a file's or another vehicle's.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
-use super::{Setting, rows};
+use super::files::incomplete;
+use super::{Setting, coming, rows};
 use crate::app::action::Action;
 use crate::app::state::{Confirm, Consequence, Overlay, State, ranges};
 use crate::parameters::{Finding, is_the_vehicles_own};
@@ -93,6 +95,13 @@ pub fn apply(state: &mut State) {
     let Some(comparison) = &state.rooms.parameters.comparison else {
         return state.say(Severity::Notice, text!("parameters-nothing-compared"));
     };
+    let vehicle = state.session.cursor;
+    if let Some(id) = vehicle.and_then(|id| coming(state, id, &comparison.with)) {
+        let known = state.rooms.parameters.lists.get(&id);
+        let list = known.map(|known| Arc::clone(&known.list));
+        let text = incomplete(id, &list.unwrap_or_default());
+        return state.say(Severity::Notice, text);
+    }
     let mut targets = state.addressed();
     if let Other::Vehicle(other) = comparison.with {
         targets.retain(|id| *id != other);

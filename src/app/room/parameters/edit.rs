@@ -4,14 +4,15 @@ use std::collections::BTreeMap;
 
 use super::Setting;
 use crate::app::effect::Effect;
+use crate::app::room::Room;
 use crate::app::state::{Consequence, Order, State, ranges};
 use crate::app::update::order;
 use crate::commands::Command;
-use crate::ledger::EntryId;
+use crate::ledger::{EntryId, Row, RowState};
 use crate::parameters::ParameterType;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 
 /// Edits kept; when there are more, all are forgotten but in the ledger.
 const EDITS_KEPT: usize = 50_000;
@@ -38,16 +39,14 @@ pub fn entered(
     let value: f64 = written
         .parse()
         .map_err(|_| text!("parameters-no-number", value = written))?;
-    let mut carried = ParameterType::Real32
-        .check(value)
-        .map_err(|unfit| unfit.text(name))?;
+    let fits = |kind: ParameterType| kind.check(value).map_err(|unfit| unfit.text(name));
+    fits(ParameterType::Real32)?;
     for &vehicle in vehicles {
         if let Some(known) = state.rooms.parameters.get(vehicle, name) {
-            carried = known.kind.check(value).map_err(|unfit| unfit.text(name))?;
+            fits(known.kind)?;
         }
     }
-    let setting = Setting::new(name, carried, vehicles.to_vec());
-    send(state, &setting)
+    give(state, vehicles, (name, &value.to_string()))
 }
 
 /// Gives a `param set` as the command line would.
@@ -55,8 +54,23 @@ pub fn entered(
 /// # Errors
 /// There is nobody to give it to.
 pub fn send(state: &mut State, setting: &Setting) -> Result<Vec<Effect>, Text> {
-    let targets = ranges(setting.vehicles.iter().copied());
-    let line = format!("{targets} param set {} {}", setting.name, setting.value);
+    let Setting { name, value, .. } = setting;
+    // The shortest number that means a large whole one is another whole number.
+    let value = if value.fract() == 0.0 {
+        f64::from(*value).to_string()
+    } else {
+        value.to_string()
+    };
+    give(state, &setting.vehicles, (name, &value))
+}
+
+fn give(
+    state: &mut State,
+    vehicles: &[VehicleId],
+    (name, value): (&str, &str),
+) -> Result<Vec<Effect>, Text> {
+    let targets = ranges(vehicles.iter().copied());
+    let line = format!("{targets} param set {name} {value}");
     let order = order::prepare(state, &line).map_err(|fault| fault.message)?;
     Ok(order::carry_out(state, Consequence::Order(order)))
 }
@@ -73,10 +87,54 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
     }
     let edit = Edit {
         entry,
-        value: *value,
+        value: *value as f32,
     };
     for &vehicle in &order.targets {
         let known = edits.entry(vehicle).or_default();
         known.insert(name.clone(), edit);
     }
+}
+
+/// Says on the last line of the room what has become of a command about a parameter once every vehicle has answered:
+/// the first failure if there is one. Of many values that are set one after the other, only their end is said.
+pub fn tell(state: &mut State, entry: EntryId) {
+    let batch = state.rooms.parameters.batch.as_ref();
+    let is_of_batch = batch.is_some_and(|batch| batch.has(entry));
+    let known = state.session.ledger.entry(entry);
+    let Some(known) = known.filter(|known| known.verb == "param" && known.is_final()) else {
+        return;
+    };
+    let failed = known.rows.iter().find(|row| row.state.is_failure());
+    let Some(row) = failed.or(known.rows.first()) else {
+        return;
+    };
+    if state.room != Room::Parameters || is_of_batch {
+        return;
+    }
+    let severity = match row.state {
+        RowState::Done => Severity::Info,
+        _ => Severity::Warning,
+    };
+    let text = fate(row, &known.rows);
+    state.say(severity, text);
+}
+
+/// What has become of a command with one vehicle and with those that fared the same.
+fn fate(row: &Row, all: &[Row]) -> Text {
+    let why = |row: &Row| row.explanation.as_ref().map(|text| text.regarding(""));
+    let fared_so = |other: &&Row| other.state == row.state && why(other) == why(row);
+    let alike = all.iter().filter(fared_so).map(|row| row.vehicle);
+    let alike: Vec<VehicleId> = alike.collect();
+    let (count, vehicles) = (alike.len(), ranges(alike));
+    let why = row.explanation.as_ref().map(|it| it.regarding(&vehicles));
+    let text = match (row.state, why) {
+        (RowState::Done, Some(outcome)) => outcome,
+        (how, why) => Text::joined(", ", std::iter::once(how.name()).chain(why).collect()),
+    };
+    text!(
+        "state-explained",
+        count = count,
+        vehicles = vehicles,
+        text = text
+    )
 }

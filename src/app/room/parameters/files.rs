@@ -4,7 +4,7 @@ use super::{Comparison, Other};
 use crate::app::effect::Effect;
 use crate::app::room::Room;
 use crate::app::state::{Confirm, Consequence, Overlay, State};
-use crate::parameters;
+use crate::parameters::{self, Parameters};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -21,14 +21,11 @@ pub fn save(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
         return Err(text!("parameters-nothing-to-save"));
     };
     let list = &known.list;
+    if list.is_empty() {
+        return Err(text!("parameters-nothing-to-save"));
+    }
     if !list.is_complete() {
-        let (received, count) = (list.received(), list.count().unwrap_or(0));
-        return Err(text!(
-            "parameters-not-complete",
-            vehicle = vehicle,
-            received = received,
-            count = count
-        ));
+        return Err(incomplete(vehicle, list));
     }
     let comment = format!("vehicle {vehicle}, {} parameters", list.len());
     let values = list.iter().map(|(name, parameter)| (name, parameter.value));
@@ -99,6 +96,16 @@ pub fn exists(state: &mut State, path: String, text: String) {
             replace: true,
         }),
     }));
+}
+
+/// That a list has not come as a whole.
+pub(super) fn incomplete(vehicle: VehicleId, list: &Parameters) -> Text {
+    text!(
+        "parameters-not-complete",
+        vehicle = vehicle,
+        received = list.received(),
+        count = list.count().unwrap_or(0)
+    )
 }
 
 fn compare(state: &mut State, with: Other) {

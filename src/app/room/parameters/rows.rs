@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Comparison, Other};
 use crate::app::state::State;
-use crate::parameters::{Difference, Finding, Parameter, differences};
+use crate::parameters::{Difference, Fetching, Finding, Parameter, differences};
 use crate::vehicle::VehicleId;
 
 /// One line of the list.
@@ -109,8 +109,25 @@ fn difference<'a>(
             differences(of(vehicle), values)
         }
     };
+    let is_coming = coming(state, vehicle, with).is_some();
+    // What one side lacks so far may still come.
+    let is_sure = |finding| !is_coming || matches!(finding, Finding::Changed(..));
     let pair = |difference: Difference<'a>| (difference.name, difference.finding);
-    found.into_iter().map(pair).collect()
+    let pairs = found.into_iter().map(pair);
+    pairs.filter(|(_, finding)| is_sure(*finding)).collect()
+}
+
+/// The first vehicle of a comparison whose list is not there as a whole and still expected.
+pub fn coming(state: &State, vehicle: VehicleId, with: &Other) -> Option<VehicleId> {
+    let other = match with {
+        Other::Vehicle(other) => Some(*other),
+        Other::File { .. } => None,
+    };
+    let is_expected = |id: &VehicleId| {
+        let known = state.rooms.parameters.lists.get(id);
+        known.is_none_or(|known| known.fetching != Fetching::Stalled && !known.list.is_complete())
+    };
+    std::iter::once(vehicle).chain(other).find(is_expected)
 }
 
 fn is_changed(state: &State, vehicle: VehicleId, row: &Row<'_>) -> bool {
