@@ -278,6 +278,9 @@ impl Plain {
                 self.brief();
                 return true;
             }
+            "columns" | "theme" | "filter" | "sort" | "show" | "params" => {
+                vec![text!("plain-no-room")]
+            }
             "wait" => {
                 self.wait(line);
                 return true;
@@ -335,8 +338,9 @@ impl Plain {
     }
 
     fn finish(mut self, told_to_end: bool) -> anyhow::Result<bool> {
-        self.tell_news();
-        self.output.line_ended();
+        for text in self.report.news(&self.console.state) {
+            self.say(&text);
+        }
         let debrief = self.console.state.rooms.debrief.take();
         let mut passed = !matches!(self.console.options.opening, Opening::Mission(_));
         if let Some(debrief) = debrief {

@@ -279,7 +279,9 @@ fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
             if sender.known_for >= BOTH_FOR && !known.contains(&place) {
                 known.push(place);
             }
-            let jumps = change.lost > change.frames / 2;
+            // Over UDP two vehicles are two peers; one with an odd numbering has restarted or counts wrongly.
+            let may_share = !matches!(chart.way(), Way::Udp | Way::UdpIn);
+            let jumps = may_share && change.lost > change.frames / 2;
             if jumps && sender.heartbeat_hz >= TWO_HEARTBEATS_HZ {
                 doubled.entry(sender.source.system).or_default().push(link);
             }

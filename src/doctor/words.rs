@@ -62,7 +62,11 @@ impl Finding {
     /// What to try; nothing where nothing is wrong.
     pub fn advice(&self) -> Text {
         match self.cause {
-            Cause::NotOpen => text!("doctor-try-not-open"),
+            Cause::NotOpen => match self.way {
+                Way::Tcp => text!("doctor-try-not-open-tcp"),
+                Way::Serial => text!("doctor-try-not-open-serial"),
+                _ => text!("doctor-try-not-open"),
+            },
             Cause::Nothing => silence(self.way),
             Cause::Text => text!("doctor-try-text"),
             Cause::NoFrame => text!("doctor-try-no-frame"),

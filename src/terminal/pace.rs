@@ -14,7 +14,9 @@ const SLOW: Duration = Duration::from_secs(1);
 /// A line is called slow for so long after it was.
 const SLOW_FOR: Duration = Duration::from_secs(10);
 /// A terminal that has not answered its first question by now never will; frames go out without.
-const DEAF_AFTER: Duration = Duration::from_secs(10);
+const DEAF_AFTER: Duration = Duration::from_secs(5);
+/// Bytes that may be unread while the first answer is outstanding; the frame that exceeds it is the last one.
+const TRIAL_BYTES: u64 = 4000;
 /// Frames while the first answer is outstanding.
 const TRIAL_INTERVAL: Duration = Duration::from_secs(1);
 /// An answer can be lost, as when a multiplexer changes its terminal: the question is repeated after this time.
@@ -22,7 +24,9 @@ const REPEAT_AFTER: Duration = Duration::from_secs(5);
 /// A write that takes longer has met a full buffer.
 const BLOCKED: Duration = Duration::from_millis(200);
 /// The longest rest after a write that met one.
-const LONGEST_REST: Duration = Duration::from_secs(5);
+const LONGEST_REST: Duration = Duration::from_secs(2);
+/// A write that takes longer than this has met a terminal that did not read, not a slow line.
+const STALLED: Duration = Duration::from_secs(5);
 
 /// The pace of the frames. Times are on any one clock.
 #[derive(Debug, Clone)]
@@ -36,6 +40,10 @@ pub struct Pace {
     /// When the line was slow last, and what it carried, in bytes per second.
     slow: Option<(Duration, f64)>,
     rest_until: Duration,
+    /// Whether one frame may go before the rest, because what the screen shows is as old as the write that blocked.
+    catches_up: bool,
+    /// Whether the last write met a full buffer.
+    blocked: bool,
     /// Bytes sent since the last question, without its frame.
     unasked_bytes: u64,
 }
@@ -68,6 +76,8 @@ impl Pace {
             delay: Duration::ZERO,
             slow: None,
             rest_until: Duration::ZERO,
+            catches_up: false,
+            blocked: false,
             unasked_bytes: 0,
         }
     }
@@ -91,8 +101,13 @@ impl Pace {
         let Some(drawn_at) = self.drawn_at else {
             return Duration::ZERO;
         };
-        let due = (drawn_at + self.interval_at(now)).max(self.rest_until);
-        due.saturating_sub(now)
+        let due = drawn_at + self.interval_at(now);
+        let rest = if self.catches_up {
+            Duration::ZERO
+        } else {
+            self.rest_until
+        };
+        due.max(rest).saturating_sub(now)
     }
 
     /// Whether the next frame shall carry a question.
@@ -107,6 +122,7 @@ impl Pace {
     /// So many bytes have been sent, with a question at their end or without.
     pub fn drawn(&mut self, now: Duration, bytes: u64, asked: bool) {
         self.drawn_at = Some(now);
+        self.catches_up = false;
         self.unasked_bytes += bytes;
         if asked {
             let bytes = std::mem::take(&mut self.unasked_bytes);
@@ -125,10 +141,10 @@ impl Pace {
 
     /// The terminal has answered.
     pub fn answered(&mut self, now: Duration) {
+        self.hearing = Hearing::Answers;
         let Some(question) = self.question.take() else {
             return;
         };
-        self.hearing = Hearing::Answers;
         self.delay = now.saturating_sub(question.at);
         if self.delay >= SLOW {
             let rate = question.bytes as f64 / self.delay.as_secs_f64();
@@ -139,8 +155,9 @@ impl Pace {
     }
 
     /// The operating system has taken a frame, after so long. A full buffer earns the line as long a rest, which
-    /// halves the load.
+    /// halves the load. Where it was the first, or the terminal did not read at all, the newest state goes first.
     pub fn written(&mut self, now: Duration, took: Duration, bytes: u64) {
+        let blocked_before = std::mem::replace(&mut self.blocked, took >= BLOCKED);
         if took < BLOCKED {
             if self.hearing == Hearing::Deaf {
                 self.recover(now);
@@ -148,6 +165,7 @@ impl Pace {
             return;
         }
         self.rest_until = now + took.min(LONGEST_REST);
+        self.catches_up = !blocked_before || took >= STALLED;
         if took >= SLOW {
             self.slow = Some((now, bytes as f64 / took.as_secs_f64()));
         }
@@ -178,6 +196,9 @@ impl Pace {
         let slow = self.question.is_some() && self.delay >= PATIENCE;
         match self.hearing {
             Hearing::Answers if overdue >= PATIENCE || slow => REPEAT_AFTER,
+            Hearing::Unknown if self.question.is_some() && self.unasked_bytes >= TRIAL_BYTES => {
+                DEAF_AFTER
+            }
             Hearing::Unknown if overdue >= PATIENCE => TRIAL_INTERVAL.max(self.interval),
             _ => self.interval,
         }
@@ -268,21 +289,56 @@ mod tests {
     #[test]
     fn a_terminal_that_answers_nothing_is_drawn_on_at_full_pace_after_a_while() {
         let mut pace = Pace::new(10);
-        let (frames, _) = fly(&mut pace, 12, 0, 400);
-        assert!(frames < 40, "{frames}: trial first");
-        let now = Duration::from_secs(20);
+        let (frames, _) = fly(&mut pace, 5, 0, 400);
+        assert!(frames <= 11, "{frames}: trial first");
+        let now = Duration::from_secs(6);
         pace.drawn(now, 400, pace.asks(now));
         assert_eq!(pace.wait(now), Duration::from_millis(100));
         assert!(!pace.asks(now), "it has been asked often enough");
     }
 
     #[test]
-    fn a_write_that_met_a_full_buffer_earns_the_line_a_rest() {
+    fn a_terminal_that_has_not_answered_yet_has_little_to_read() {
+        for (frame_bytes, most_bytes) in [(400, 4400), (1500, 5500), (6000, 6500)] {
+            let mut pace = Pace::new(10);
+            pace.drawn(Duration::ZERO, 50, true);
+            let (_, most) = fly(&mut pace, 5, 0, frame_bytes);
+            assert!(most <= most_bytes, "{most} bytes of {frame_bytes} each");
+        }
+    }
+
+    #[test]
+    fn an_answer_that_comes_late_is_believed() {
         let mut pace = Pace::new(10);
+        pace.drawn(Duration::ZERO, 400, true);
+        let now = Duration::from_secs(7);
+        pace.drawn(now, 400, pace.asks(now));
+        assert!(!pace.asks(now), "taken for deaf");
+        pace.answered(now);
+        assert!(pace.asks(now));
+    }
+
+    #[test]
+    fn after_a_stall_the_newest_state_follows_at_once_and_only_then_a_rest() {
+        let mut pace = Pace::new(10);
+        pace.drawn(Duration::from_secs(70), 3000, false);
         let now = Duration::from_secs(100);
-        pace.drawn(Duration::from_secs(97), 3000, false);
-        pace.written(now, Duration::from_secs(3), 3000);
-        assert_eq!(pace.wait(now), Duration::from_secs(3));
-        assert_eq!(pace.slow_bytes_per_s(), Some(1000.0));
+        pace.written(now, Duration::from_secs(30), 3000);
+        assert_eq!(pace.wait(now), Duration::ZERO);
+        pace.drawn(now, 3000, false);
+        pace.written(now, Duration::from_millis(1), 3000);
+        assert_eq!(pace.wait(now), LONGEST_REST);
+    }
+
+    #[test]
+    fn a_line_on_which_write_after_write_meets_a_full_buffer_rests_after_each() {
+        let mut pace = Pace::new(10);
+        pace.drawn(Duration::from_secs(8), 3000, false);
+        pace.written(Duration::from_secs(10), Duration::from_secs(2), 3000);
+        assert_eq!(pace.slow_bytes_per_s(), Some(1500.0));
+        pace.drawn(Duration::from_secs(10), 3000, false);
+        let now = Duration::from_secs(11);
+        pace.written(now, Duration::from_secs(1), 3000);
+        assert_eq!(pace.wait(now), Duration::from_secs(1));
     }
 }

@@ -100,6 +100,10 @@ impl Output {
     /// # Errors
     /// Nobody reads.
     pub fn finish(self, told_to_end: bool) -> anyhow::Result<()> {
+        if self.prompted {
+            // Whoever comes after us begins on a line of its own.
+            drop(self.pieces.try_send("\n".to_owned()));
+        }
         drop(self.pieces);
         let outcome = if told_to_end {
             self.outcome.recv_timeout(LAST_PATIENCE).ok()

@@ -26,6 +26,8 @@ pub const HINTS: &[(&str, &str)] = &[
 ];
 /// Columns of a label.
 const LABEL: usize = 16;
+/// Senders whose losses are named.
+const LOSSES_SHOWN: usize = 5;
 /// Rows of a history curve.
 const CURVE_ROWS: u16 = 2;
 
@@ -50,7 +52,22 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 /// The lines of all links.
 fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
     let links = &state.session.links;
-    let inner = titled(&look.say("room-links"), look, area, buffer);
+    let room = usize::from(area.height.saturating_sub(2));
+    let first = cursor
+        .saturating_sub(room / 2)
+        .min(links.len().saturating_sub(room));
+    let mut title = look.say("room-links");
+    if links.len() > room {
+        let last = first + room;
+        let part = text!(
+            "fly-rows",
+            first = first + 1,
+            last = last,
+            count = links.len()
+        );
+        title = format!("{title} {}", look.text(&part));
+    }
+    let inner = titled(&title, look, area, buffer);
     let name_width = usize::from(inner.width).saturating_sub(46);
     let head = format!(
         "{:>3} {:name_width$} {:>8} {:>8} {:>6}  {}",
@@ -69,9 +86,6 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
     );
     let inner = below(inner, 1);
     let rows = usize::from(inner.height);
-    let first = cursor
-        .saturating_sub(rows / 2)
-        .min(links.len().saturating_sub(rows));
     for (row, (at, link)) in links.iter().enumerate().skip(first).take(rows).enumerate() {
         let worst = state.session.findings.iter().find(|it| it.link == at);
         let line = list_line(at, link, worst, name_width, look);
@@ -216,14 +230,18 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
     lines
 }
 
-/// Losses per sender, as `3/1: 12`; senders that lost nothing are left out.
+/// Losses per sender, as `3/1: 12`, the worst first, and how many more lost something.
 fn losses(link: &LinkSummary) -> String {
-    let parts: Vec<String> = link
-        .lost
+    let mut lossy: Vec<_> = link.lost.iter().filter(|(_, count)| *count > 0).collect();
+    lossy.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let mut parts: Vec<String> = lossy
         .iter()
-        .filter(|(_, count)| *count > 0)
+        .take(LOSSES_SHOWN)
         .map(|((system, component), count)| format!("{system}/{component}: {count}"))
         .collect();
+    if lossy.len() > LOSSES_SHOWN {
+        parts.push(format!("+{}", lossy.len() - LOSSES_SHOWN));
+    }
     if parts.is_empty() {
         "0".to_owned()
     } else {

@@ -167,6 +167,23 @@ async fn one_system_id_from_two_places_and_twice_behind_one_radio() {
 }
 
 #[tokio::test(start_paused = true)]
+async fn one_udp_peer_with_an_odd_numbering_is_no_duplicate() {
+    let (mut patient, remote) = Patient::listening().await;
+    let (mut one, mut other) = (Voice::new(4, 1), Voice::new(4, 1));
+    for _ in 0..90 {
+        other.answer();
+    }
+    for _ in 0..9 {
+        let bytes = [one.second(), other.second(), one.answer()].concat();
+        remote.send(&bytes).await.expect("sent");
+        patient.given += bytes.len() as u64;
+        patient.second().await;
+    }
+    let causes = patient.causes();
+    assert!(!causes.contains(&Cause::DuplicateSystem(4)), "{causes:?}");
+}
+
+#[tokio::test(start_paused = true)]
 async fn a_vehicle_that_comes_back_from_another_port_is_no_duplicate() {
     let (mut patient, first) = Patient::listening().await;
     let second = UdpSocket::bind("127.0.0.1:0").await.expect("a port");

@@ -77,6 +77,21 @@ fn the_room_of_links_names_the_cause_and_what_to_try() {
 }
 
 #[test]
+fn many_links_and_many_losses_are_counted_where_they_do_not_fit() {
+    let mut console = Console::flying(0);
+    let mut links: Vec<_> = (0..9)
+        .map(|at| link(&format!("udpin:0.0.0.0:{}", 14550 + at), true))
+        .collect();
+    links[0].lost = (1..=59).map(|id| ((id, 1), u64::from(id))).collect();
+    console.hear(Event::Links(links));
+    console.press("L");
+    let screen = console.screen(80, 24);
+    for shown in ["1-5 of 9", "59/1: 59, 58/1: 58", "55/1: 55, +54"] {
+        assert!(screen.contains(shown), "{shown}: {screen}");
+    }
+}
+
+#[test]
 fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
     let mut console = Console::new();
     console.start(Activity::Free);
