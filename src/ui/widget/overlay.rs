@@ -32,7 +32,7 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
         "{} - {} {}",
         look.text(&question.question),
         look.say("ask-type"),
-        question.answer
+        look.text(&question.wanted())
     );
     let mut row = 0;
     for line in wrap(&text, width).into_iter().take(3) {
