@@ -1,6 +1,7 @@
 //! The command line and the questions that it leads to.
 
 use sortie::app::effect::Effect;
+use sortie::app::event::Event;
 use sortie::app::state::Overlay;
 
 use super::{palette_line, selection};
@@ -254,4 +255,26 @@ fn a_line_takes_no_more_than_anybody_could_mean() {
         palette_line(&console).ends_with("ab"),
         "there was room for one"
     );
+}
+
+#[test]
+fn what_the_console_has_said_goes_with_what_it_was_about() {
+    let said = |console: &Console| console.state.message().is_some();
+    let refused = || {
+        let mut console = Console::flying(2);
+        console.give("1 kill").press("n").press("esc");
+        assert!(said(&console));
+        console
+    };
+    assert!(!said(refused().press(":")), "an overlay opens");
+    assert!(!said(refused().press("M")), "another room is shown");
+    assert!(!said(refused().press("x").press("M")), "even after another");
+    assert!(!said(refused().at(5)), "an acknowledgement is brief");
+    let mut console = refused();
+    console.hear(Event::Line("1 arm".to_owned()));
+    assert!(!said(&console), "another line is given");
+    let mut console = refused();
+    let report = Box::new(fixtures::report());
+    console.hear(Event::MissionEnded(report));
+    assert!(!said(&console), "the debrief opens");
 }
