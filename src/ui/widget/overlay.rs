@@ -63,7 +63,7 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
 }
 
 fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = help_lines(&state.keymap, &look.locale);
+    let lines = help_lines(&state.keymap, state.room, &look.locale);
     let place = centred(
         (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         area.height - 2,
