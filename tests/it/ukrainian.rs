@@ -24,6 +24,7 @@ const NAMES: &[&str] = &[
     // Keys.
     "Ctrl Enter Esc Tab R1 w3",
     // Units that no argument has.
+    "kB min",
     "B B/s Hz V A km mAh ms e7 NaN",
     // What stands for something in a line to write.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
