@@ -14,7 +14,6 @@ mod report;
 mod safety;
 
 pub use advice::{Improvement, improvements};
-pub(crate) use command::row_text;
 pub use command::{CommandEvent, CommandLog, CommandTally};
 pub use component::{Component, ComponentScore, Weights};
 pub use gate::Gate;

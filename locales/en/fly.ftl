@@ -31,6 +31,8 @@ fly-takeoff = takeoff
 fly-landing = landing
 fly-lost = LOST
 fly-done = done
+fly-no-effect = no effect
+fly-timed-out = timed out
 fly-try = try { $count }
 
 column-id = id

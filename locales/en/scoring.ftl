@@ -14,17 +14,6 @@ scoring-gold = gold
 scoring-silver = silver
 scoring-bronze = bronze
 
-# How a command ended.
-scoring-state-queued = queued
-scoring-state-sent = sent
-scoring-state-in-progress = in progress { $percent } %
-scoring-state-accepted = accepted
-scoring-state-done = effect seen
-scoring-state-no-effect = no effect
-scoring-state-refused = refused
-scoring-state-timed-out = timed out
-scoring-state-superseded = superseded
-
 # What moved a component.
 scoring-all-met = all { $count } objectives met
 scoring-missed = missed: { $objectives }

@@ -31,6 +31,8 @@ fly-takeoff = зліт
 fly-landing = посадка
 fly-lost = НЕМАЄ
 fly-done = виконано
+fly-no-effect = без змін
+fly-timed-out = мовчить
 fly-try = спроба { $count }
 
 column-id = №

@@ -14,17 +14,6 @@ scoring-gold = золото
 scoring-silver = срібло
 scoring-bronze = бронза
 
-# Чим закінчилася команда.
-scoring-state-queued = у черзі
-scoring-state-sent = надіслано
-scoring-state-in-progress = виконується { $percent } %
-scoring-state-accepted = прийнято
-scoring-state-done = виконано
-scoring-state-no-effect = без наслідку
-scoring-state-refused = відхилено
-scoring-state-timed-out = без відповіді
-scoring-state-superseded = замінено новішою
-
 # Що вплинуло на складову.
 scoring-all-met = { $count ->
     [one] досягнуто { $count } ціль з { $count }
@@ -66,4 +55,4 @@ scoring-advice-force = Не активуйте двигунів примусов
 scoring-advice-reserve = Повертайтеся раніше: сідайте, поки є резерв заряду.
 scoring-advice-pad = Сідайте на майданчик: rtl летить туди сам.
 scoring-advice-battery = Повертайтеся, поки цього не зробила за вас аварійна реакція на низький заряд.
-scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (failsafe).
+scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (FAILSAFE).

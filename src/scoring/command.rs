@@ -134,10 +134,7 @@ impl CommandLog {
             .is_none_or(|vehicle| vehicle.link.lost);
         self.excused
             .insert(key, unheard && row.state == RowState::TimedOut);
-        let reason = row
-            .explanation
-            .clone()
-            .unwrap_or_else(|| row_text(row.state));
+        let reason = row.explanation.clone().unwrap_or_else(|| row.state.text());
         Some(CommandEvent::Rejected {
             vehicle: row.vehicle,
             text: Text::joined(": ", vec![entry.line.as_str().into(), reason]),
@@ -177,21 +174,6 @@ impl CommandLog {
             }
         }
         tally
-    }
-}
-
-/// How a command ended, in words.
-pub(crate) fn row_text(state: RowState) -> Text {
-    match state {
-        RowState::Queued => text!("scoring-state-queued"),
-        RowState::Sent => text!("scoring-state-sent"),
-        RowState::InProgress(percent) => text!("scoring-state-in-progress", percent = percent),
-        RowState::Accepted => text!("scoring-state-accepted"),
-        RowState::Done => text!("scoring-state-done"),
-        RowState::NoEffect => text!("scoring-state-no-effect"),
-        RowState::Refused => text!("scoring-state-refused"),
-        RowState::TimedOut => text!("scoring-state-timed-out"),
-        RowState::Superseded => text!("scoring-state-superseded"),
     }
 }
 

@@ -225,23 +225,25 @@ impl Terminal {
 
     /// Waits until the screen is as wanted.
     pub fn wait(&mut self, what: &str, wanted: impl Fn(&str) -> bool) -> &mut Self {
+        self.until(what, |terminal| wanted(&terminal.contents()))
+    }
+
+    /// Waits until the terminal is as wanted.
+    pub fn until(&mut self, what: &str, wanted: impl Fn(&Self) -> bool) -> &mut Self {
         let deadline = Instant::now() + PATIENCE;
-        loop {
-            let contents = self.contents();
-            if wanted(&contents) {
-                return self;
-            }
+        while !wanted(self) {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.output.recv_timeout(left) {
                 Ok(bytes) => self.take(&bytes),
                 Err(RecvTimeoutError::Timeout) => {
-                    panic!("waited in vain for {what} on:\n{contents}")
+                    panic!("waited in vain for {what} on:\n{}", self.contents())
                 }
                 Err(RecvTimeoutError::Disconnected) => {
-                    panic!("the program ended before {what} on:\n{contents}")
+                    panic!("the program ended before {what} on:\n{}", self.contents())
                 }
             }
         }
+        self
     }
 
     /// What the screen shows.

@@ -19,13 +19,12 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 /// Names that no table has: of things, of keys, of figures, and words that are typed.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
-    "AHRS ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB",
+    "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB",
     "sortie tlog heartbeat ok",
     // Keys.
     "Ctrl Enter Esc Tab R1 w3",
     // Units that no argument has.
-    "kB min",
-    "B B/s Hz V A km mAh ms e7 NaN",
+    "B B/s kB/s kB min Hz V A km mAh ms Wh PM2 e7 NaN",
     // What stands for something in a line to write.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
     // Parts of names in MAVLink and of parameters.
@@ -57,7 +56,10 @@ fn from_tables() -> BTreeSet<String> {
     for verb in CONSOLE_VERBS {
         add(verb.usage);
     }
-    Setting::NAMES.iter().copied().for_each(&mut add);
+    for name in Setting::NAMES {
+        add(name);
+        Setting::values(name).iter().copied().for_each(&mut add);
+    }
     for room in Room::ALL {
         add(room.name());
     }

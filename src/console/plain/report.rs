@@ -133,9 +133,12 @@ fn notice_text(line: &NoticeLine, session: &Session) -> Text {
     Text::joined(": ", parts)
 }
 
+/// How a command went with a vehicle: its state, and why.
+type Fate = (Text, Option<Text>);
+
 /// A command and what became of it, vehicles that fared the same together.
 fn outcome(entry: &Entry) -> Text {
-    let mut groups: Vec<((Text, Option<Text>), Vec<VehicleId>)> = Vec::new();
+    let mut groups: Vec<(Fate, Vec<VehicleId>)> = Vec::new();
     for row in &entry.rows {
         let explanation = row.explanation.as_ref().map(|text| text.regarding(""));
         let fate = (row.state.text(), explanation);

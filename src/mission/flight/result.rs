@@ -4,7 +4,7 @@ use super::{Flight, Standing};
 use crate::ledger::{Entry, Ledger};
 use crate::scoring::{
     ComponentReport, Facts, LedgerReport, ObjectiveFact, ObjectiveReport, Report, RowReport, Score,
-    grade, improvements, rounded, row_text, score,
+    grade, improvements, rounded, score,
 };
 use crate::text;
 use crate::text::Text;
@@ -128,7 +128,7 @@ fn components(score: &Score) -> Vec<ComponentReport> {
 fn command(at_s: f64, entry: &Entry) -> LedgerReport {
     let row = |row: &crate::ledger::Row| RowReport {
         vehicle: row.vehicle,
-        state: row_text(row.state),
+        state: row.state.text(),
         failed: row.state.is_failure(),
         tries: row.tries,
         explanation: row.explanation.clone(),

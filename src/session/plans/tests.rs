@@ -355,12 +355,19 @@ proptest! {
         let mut scene = Scene::new(Manner::Modern, count);
         scene.losses = losses;
         scene.pass(Duration::from_secs(900));
+        // It may just be read again, because its list has no id that tells of changes.
+        let is_done = |scene: &Scene| scene.vehicle.plans.plan.transfer == Transfer::Done;
+        for _ in 0..60 {
+            if !is_done(&scene) {
+                scene.pass(Duration::from_secs(1));
+            }
+        }
         let plan = scene.plan().expect("a plan");
         let places: Vec<i32> = plan.items.iter()
             .map(|item| item.at_point.expect("a place").to_e7().1)
             .collect();
         let expected: Vec<i32> = (0..count).map(|seq| 305_000_000 + i32::from(seq)).collect();
         prop_assert_eq!(places, expected);
-        prop_assert_eq!(scene.vehicle.plans.plan.transfer, Transfer::Done);
+        prop_assert!(is_done(&scene));
     }
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::app::state::{Column, Session, Standing, State};
 use crate::ledger::RowState;
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
@@ -52,7 +53,7 @@ impl Words {
             lost: look.say("fly-lost"),
             done: look.say("fly-done"),
             states: STATES
-                .map(|state| (state, look.text(&state.name())))
+                .map(|state| (state, look.text(&short(state))))
                 .to_vec(),
         }
     }
@@ -60,6 +61,15 @@ impl Words {
     fn state(&self, state: RowState) -> String {
         let known = self.states.iter().find(|(known, _)| *known == state);
         known.map_or_else(String::new, |(_, word)| word.clone())
+    }
+}
+
+/// What became of a command, in as few letters as a cell has.
+fn short(state: RowState) -> Text {
+    match state {
+        RowState::NoEffect => text!("fly-no-effect"),
+        RowState::TimedOut => text!("fly-timed-out"),
+        other => other.name(),
     }
 }
 
