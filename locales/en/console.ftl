@@ -12,6 +12,7 @@ ask-armed = { $count ->
    *[other] { $count } vehicles are armed
 }
 ask-type = type
+ask-how-many = { $answer } (how many vehicles)
 ask-cancelled = cancelled, nothing was done: { $question }
 
 select-missing = there is no vehicle { $vehicles }
@@ -63,6 +64,10 @@ group-empty = there is no vehicle to put into the group
 group-is = @{ $name } is now { $members }
 group-unknown = no group is named `{ $name }`
 group-name = `{ $name }` is no name: use letters, digits, - and _
+order-question = { $count ->
+    [1] { $verb } vehicle { $vehicles }
+   *[other] { $verb } vehicles { $vehicles }
+}
 order-no-vehicle = there is no vehicle { $vehicle }
 order-wait = `wait` is for pilot scripts
 order-wait-help = the console never waits: give the next command when you see fit

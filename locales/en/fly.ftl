@@ -166,6 +166,10 @@ commands-pane = commands
 commands-none = no command yet: press : and write one
 commands-none-fit = no command fits: Esc shows all again
 commands-follows = follows the newest
+commands-only-vehicles = { $count ->
+    [1] only vehicle { $vehicles }: { $shown } of { $all }
+   *[other] only vehicles { $vehicles }: { $shown } of { $all }
+}
 commands-only-failed = only what failed
 commands-only-under-way = only what is under way
 commands-only-done = only what is done

@@ -37,6 +37,7 @@ mission-recover-not-flown = not flown
 mission-recover-in-air = in the air
 mission-recover-away = { $distance } m from the pad
 mission-recover-charge = needs { $needed } %, has { $percent } %
+mission-recover-landing = not landed yet
 mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait for the disarm: rtl lands there.
 mission-recover-earlier = { $place ->
     [first] Come home before { $least } %: you had { $percent } %

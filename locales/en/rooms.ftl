@@ -68,4 +68,4 @@ action-sort = order by something else
 action-sort-reverse = turn the order round
 action-acknowledge = take note of the alerts: they go calm
 action-next-outcome = only what failed, is under way, is done
-action-own-vehicles = only what went to this vehicle or the selected ones
+action-own-vehicles = only what went to this vehicle or the selection

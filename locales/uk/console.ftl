@@ -13,6 +13,7 @@ ask-armed = { $count ->
    *[many] { $count } апаратів із запущеними двигунами
 }
 ask-type = введіть
+ask-how-many = { $answer } (скільки апаратів)
 ask-cancelled = скасовано, нічого не зроблено: { $question }
 
 select-missing = немає апарата { $vehicles }
@@ -64,6 +65,10 @@ group-empty = немає апаратів для цієї групи
 group-is = @{ $name } тепер { $members }
 group-unknown = немає групи `{ $name }`
 group-name = `{ $name }` не годиться як назва: лише літери, цифри, - та _
+order-question = { $count ->
+    [1] { $verb } апарат { $vehicles }
+   *[other] { $verb } апарати { $vehicles }
+}
 order-no-vehicle = немає апарата { $vehicle }
 order-wait = `wait` - лише для сценаріїв пілота
 order-wait-help = консоль ніколи не чекає: дайте наступну команду, коли вважатимете за потрібне

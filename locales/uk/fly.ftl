@@ -8,11 +8,11 @@ fly-waiting = очікування першого апарата ...
 fly-rows = { $first }-{ $last } з { $count }
 fly-filtered = { $shown } з { $all } за «{ $filter }»
 fly-none-fit = жоден апарат не підходить під «{ $filter }»: Esc покаже всі
-fly-by = за { $column }
+fly-by = за «{ $column }»
 fly-selected = вибрано { $count }: { $vehicles }
 fly-selected-hidden = вибрано { $count } (приховано { $hidden }): { $vehicles }
-fly-sorted = порядок за { $column }; S обертає його
-fly-sorted-reversed = порядок за { $column }, найбільші спочатку
+fly-sorted = порядок за «{ $column }»; S обертає його
+fly-sorted-reversed = порядок за «{ $column }», найбільші спочатку
 fly-no-column = немає стовпця `{ $word }`
 fly-columns-are = є такі: { $columns }
 fly-no-columns = у налаштуваннях названо стовпці, яких немає: { $words }. Є такі: { $columns }
@@ -164,9 +164,13 @@ hint-again = ще раз
 hint-home = початок
 
 commands-pane = команди
-commands-none = команд ще не було: натисніть : і впишіть
+commands-none = ще немає команд: натисніть :
 commands-none-fit = жодна команда не підходить: Esc покаже всі
 commands-follows = стежить за найновішою
+commands-only-vehicles = { $count ->
+    [1] лише апарат { $vehicles }: { $shown } з { $all }
+   *[other] лише апарати { $vehicles }: { $shown } з { $all }
+}
 commands-only-failed = лише невдалі
 commands-only-under-way = лише незавершені
 commands-only-done = лише виконані

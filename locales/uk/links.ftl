@@ -17,14 +17,14 @@ links-fine = добре
 links-doctor = лікар зв'язку
 links-received = прийнято
 links-sent = передано
-links-rates = { $bytes } B/s, { $messages } повід./с
+links-rates = { $bytes } B/s, { $messages } повід./s
 links-round-trip = туди й назад
 links-dropped = пропущено
 links-dropped-figures = хибна CRC { $crc }, шум { $skipped } B, невідомі номери { $unknown }, не розібрано { $undecoded }
 links-missing = не дійшло
 links-others = крім того
 links-other-figures = співрозмовників { $peers }, перез'єднань { $reconnects }, не надіслано { $unsent }
-links-history = { $way }, останні { $seconds } с, найбільше { $most }
+links-history = { $way }, { $seconds } s, макс. { $most }
 
 links-key-command = команда
 links-key-help = довідка

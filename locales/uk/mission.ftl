@@ -6,7 +6,7 @@ mission-timed-out = час вийшов
 mission-abandoned = припинено
 mission-flying = триває
 mission-over = завдання: { $outcome }
-mission-time-left = залишилося { $seconds } с
+mission-time-left = залишилося { $seconds } s
 mission-objective-met = ціль досягнуто: { $objective } ({ $result })
 mission-objective-open = ціль знову не досягнуто: { $objective } ({ $result })
 
@@ -25,33 +25,34 @@ mission-cells-of = { $count ->
    *[many] { $sampled }/{ $count } клітинок
 }
 mission-cells-more = { $cells } та ще { $more }
-mission-cells-advice = Обстежте ще { $cells }: по { $dwell } с у кожній, не швидше за { $speed } м/с, на висоті від { $low } до { $high } м.
+mission-cells-advice = Обстежте ще { $cells }: по { $dwell } s у кожній, не швидше за { $speed } m/s, на висоті від { $low } до { $high } m.
 
 # Карта, складена з них.
 mission-map-none = карти немає
 mission-map-error = похибка { $error }
 mission-map-quality = похибка карти { $error }
-mission-map-slower = летіть повільніше на висоті { $height } м, просто через середину кожної клітинки, і довше в ній лишайтеся
+mission-map-slower = летіть повільніше на висоті { $height } m, просто через середину кожної клітинки, і довше в ній лишайтеся
 mission-map-blank = обстежте ще { $cell }, бо порожня клітинка вважається чистим повітрям; { $how }
-mission-map-advice = Наносьте на карту кожну клітинку на висоті { $height } м, коли покази вже усталилися: летіть повільніше, розвертайтеся за межами ділянки.
+mission-map-advice = Наносьте на карту кожну клітинку на висоті { $height } m, коли покази вже усталилися: летіть повільніше, розвертайтеся за межами ділянки.
 
 # Повернення. Порада на першому місці починає речення.
-mission-recover-target = { $radius } м, { $percent } %
-mission-recover-metres = { $distance } м
+mission-recover-target = { $radius } m, { $percent } %
+mission-recover-metres = { $distance } m
 mission-recover-home = { $home }/{ $count } на місці
 mission-recover-lost = втрачено
 mission-recover-not-flown = не злітав
 mission-recover-in-air = у повітрі
-mission-recover-away = { $distance } м до майданчика
+mission-recover-away = { $distance } m до майданчика
 mission-recover-charge = треба { $needed } %, є { $percent } %
-mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } м від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: rtl сідає саме там.
+mission-recover-landing = ще не сів
+mission-recover-fly = Виконайте політ, сядьте не далі ніж за { $radius } m від майданчика із зарядом від { $percent } % і дочекайтеся деактивації двигунів: rtl сідає саме там.
 mission-recover-earlier = { $place ->
     [first] Повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
    *[later] повертайтеся, доки заряд не впав нижче за { $least } %: у вас було { $percent } %
 }
 mission-recover-closer = { $place ->
-    [first] Сідайте не далі ніж за { $radius } м від майданчика: ви сіли за { $distance } м, rtl сідає саме там
-   *[later] сідайте не далі ніж за { $radius } м від майданчика: ви сіли за { $distance } м, rtl сідає саме там
+    [first] Сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, rtl сідає саме там
+   *[later] сідайте не далі ніж за { $radius } m від майданчика: ви сіли за { $distance } m, rtl сідає саме там
 }
 mission-recover-disarm = { $place ->
     [first] Сядьте й деактивуйте двигуни, доки не вийшов час: rtl робить і те, і те
@@ -60,11 +61,11 @@ mission-recover-disarm = { $place ->
 
 # Порушення правил.
 mission-checks-bypassed = передпольотні перевірки обійдено
-mission-motors-stopped = двигуни зупинено на висоті { $height } м
-mission-hit-ground = удар об землю на { $speed } м/с
-mission-too-high = вище за { $height } м
+mission-motors-stopped = двигуни зупинено на висоті { $height } m
+mission-hit-ground = удар об землю на { $speed } m/s
+mission-too-high = вище за { $height } m
 mission-outside-fence = поза геозоною { $fence }
-mission-off-pad = посадка за { $distance } м від майданчика
+mission-off-pad = посадка за { $distance } m від майданчика
 mission-low-reserve = посадка із зарядом { $percent } %
 mission-battery-critical = критичний заряд акумулятора
 mission-battery-low = низький заряд акумулятора
@@ -94,11 +95,11 @@ mission-rule-time-is = щонайбільше { $limit }, норма { $par }
 mission-rule-energy = енергія
 mission-rule-energy-is = норма { $par } Вт·год
 mission-rule-height = висота
-mission-rule-height-is = щонайбільше { $height } м над майданчиками
+mission-rule-height-is = щонайбільше { $height } m над майданчиками
 mission-rule-battery = акумулятор
 mission-rule-battery-is = сідати із зарядом від { $percent } %
 mission-rule-wind = вітер
-mission-rule-wind-is = { $speed } м/с з напрямку { $direction } град
+mission-rule-wind-is = { $speed } m/s з напрямку { $direction } град
 mission-rule-calm = штиль
 mission-rule-drones = дрони
 mission-rule-sensors = датчики

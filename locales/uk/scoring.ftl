@@ -21,7 +21,7 @@ scoring-all-met = { $count ->
 }
 scoring-missed = не досягнуто: { $objectives }
 scoring-needs-objectives = цілі мають дати щонайменше { $share }
-scoring-seconds = с
+scoring-seconds = s
 scoring-watt-hours = Вт·год
 scoring-inside-par = краще за норму на { $by } { $unit }
 scoring-over-par = гірше за норму на { $by } { $unit }
@@ -44,7 +44,7 @@ scoring-twice = повторних { $count }
 # Що дало б більше.
 scoring-improve-quality = Підвищте якість з { $from } до { $to } ({ $now }).
 scoring-improve-quality-how = Підвищте якість з { $from } до { $to } ({ $now }): { $how }.
-scoring-be-faster = Виконайте на { $seconds } с швидше: це норма.
+scoring-be-faster = Виконайте на { $seconds } s швидше: це норма.
 scoring-use-less = Витратьте на { $energy } Вт·год менше: це норма.
 scoring-advice-commands = Давайте лише команди, які можна виконати, і по одному разу: спершу прочитайте причину відмови.
 scoring-advice-geofence = Не вилітайте за геозону: перед Enter звірте числа в goto з картою.

@@ -3,7 +3,7 @@
 vehicle-none = Ще не чути жодного апарата.
 vehicle-place = { $row } з { $count }
 vehicle-key-next = інший апарат
-vehicle-key-window = { $seconds } с
+vehicle-key-window = { $seconds } s
 vehicle-key-page = сторінка { $page } з { $count }
 
 vehicle-attitude = просторове положення
@@ -35,7 +35,7 @@ vehicle-target-velocity = пн { $north } сх { $east } вгору { $up } m/s
 vehicle-flight = активний
 vehicle-link = зв'язок
 vehicle-link-good = { $percent } %  туди й назад { $trip } ms
-vehicle-link-lost = ВТРАЧЕНО { $seconds } с тому
+vehicle-link-lost = ВТРАЧЕНО { $seconds } s тому
 vehicle-wind = вітер
 vehicle-wind-from = { $speed } m/s з { $from }°
 vehicle-ground = далекомір
@@ -43,7 +43,7 @@ vehicle-place-of = координати
 vehicle-load = процесор
 vehicle-firmware = прошивка
 
-vehicle-curves = останні { $seconds } с
+vehicle-curves = останні { $seconds } s
 vehicle-least = мін
 vehicle-most = макс
 vehicle-climb = вертикальна
@@ -63,7 +63,7 @@ vehicle-ekf-vertical = висота
 vehicle-ekf-compass = компас
 vehicle-vibration = вібрація { $axis }
 vehicle-clipping = обрізання
-vehicle-limits = межі EKF 0.6/0.8, вібрація 30/60 м/с²
+vehicle-limits = межі EKF 0.6/0.8, вібрація 30/60 m/s²
 vehicle-grade-good = норма
 vehicle-grade-poor = слабко
 vehicle-grade-bad = ПОГАНО

@@ -44,8 +44,9 @@ pub use session::{Activity, Session};
 pub const SMALLEST: (u16, u16) = (80, 24);
 /// Lines of the command line's history kept.
 const HISTORY_KEPT: usize = 200;
-/// How long a message stays on the last line of the screen.
+/// How long a message stays on the last line of the screen: one that asks for something, and one that only agrees.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
+const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 
 /// The whole console.
 #[derive(Debug, Clone)]
@@ -97,6 +98,16 @@ pub struct Message {
     /// How serious it is.
     pub severity: Severity,
     at: Duration,
+}
+
+impl Message {
+    fn life(&self) -> Duration {
+        if self.severity < Severity::Notice {
+            MESSAGE_LIFE
+        } else {
+            ACKNOWLEDGEMENT_LIFE
+        }
+    }
 }
 
 impl State {
@@ -157,7 +168,7 @@ impl State {
     pub fn message(&self) -> Option<&Message> {
         self.message
             .as_ref()
-            .filter(|message| self.now.saturating_sub(message.at) < MESSAGE_LIFE)
+            .filter(|message| self.now.saturating_sub(message.at) < message.life())
     }
 
     /// Answers the user on the last line.

@@ -18,7 +18,14 @@ mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
 pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
+    let (room, had_overlay) = (state.room, state.overlay.is_some());
+    let said = state.message().cloned();
     let mut effects = react(state, event);
+    // A message goes with what it was about, unless it has only just been said.
+    let is_elsewhere = state.room != room || (state.overlay.is_some() && !had_overlay);
+    if is_elsewhere && state.message() == said.as_ref() {
+        state.hush();
+    }
     effects.extend(telemetry::signals(state));
     effects
 }

@@ -241,7 +241,7 @@ impl Plain {
                 "plain-asks",
                 question = &question.question,
                 reason = &question.reason,
-                answer = &question.answer
+                answer = question.wanted()
             )),
             Some(Overlay::Palette(palette)) => {
                 texts.extend(palette.fault.iter().map(explained));

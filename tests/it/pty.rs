@@ -71,14 +71,14 @@ fn a_kill_names_its_targets_and_wants_their_number() {
     let mut terminal = free_flight(80, 24);
     terminal
         .command("1,3,4 kill")
-        .see("KILL 3: 1 3 4")
+        .see("KILL vehicles 1 3 4")
         .press("x")
         .see("Enter or Esc goes on")
         .press("\u{1b}");
-    terminal.see_no_more("KILL 3: 1 3 4");
+    terminal.see_no_more("KILL vehicles 1 3 4");
     terminal
         .command("1,3,4 kill")
-        .see("KILL 3: 1 3 4")
+        .see("KILL vehicles 1 3 4")
         .press("3");
     terminal.see("3 effect seen");
     terminal.command("quit");

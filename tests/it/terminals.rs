@@ -225,7 +225,7 @@ fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
         "all takeoff 10: 1-2 effect seen",
         "vehicle 2: GUIDED, armed",
         "did you mean",
-        "KILL 1: 2",
+        "KILL vehicle 2",
         "cancelled",
         "2 kill: 2 effect seen",
         "all land: ",

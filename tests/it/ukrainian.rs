@@ -24,7 +24,7 @@ const NAMES: &[&str] = &[
     // Keys.
     "Ctrl Enter Esc Tab R1 w3",
     // Units that no argument has.
-    "B B/s Hz V A km mAh ms Wh PM2 e7 NaN",
+    "B B/s kB/s kB min Hz V A km mAh ms Wh PM2 e7 NaN",
     // What stands for something in a line to write.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
     // Parts of names in MAVLink and of parameters.

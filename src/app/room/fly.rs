@@ -122,7 +122,7 @@ pub fn set_sort(state: &mut State, sort: Sort) {
         sort.name()
     };
     arrange(state);
-    let column = sort.column.name();
+    let column = sort.column.title();
     let text = if sort.reversed {
         text!("fly-sorted-reversed", column = column)
     } else {

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use super::{Session, Standing};
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 
 /// A column.
@@ -124,6 +125,11 @@ impl Column {
         let mut all = Self::ALL.iter();
         all.find(|(_, column)| *column == self)
             .map_or("", |(name, _)| name)
+    }
+
+    /// What stands above it.
+    pub fn title(self) -> Text {
+        Text::new(format!("column-{}", self.name()), Vec::new())
     }
 
     /// The column of a name.

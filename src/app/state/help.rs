@@ -4,6 +4,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Keymap, Meaning, Place};
+use crate::app::room::Room;
 use crate::language::verbs;
 use crate::text;
 use crate::text::{Locale, Text};
@@ -31,11 +32,12 @@ pub enum HelpLine {
     Blank,
 }
 
-/// The whole help, in a language.
-pub fn help_lines(keymap: &Keymap, locale: &Locale) -> Vec<HelpLine> {
+/// The whole help, in a language: the keys of the room that one is in come first.
+pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
     let mut lines = Vec::new();
     let title = |text: Text| HelpLine::Title(locale.text(&text));
-    for place in Place::all() {
+    let elsewhere = Place::all().filter(|place| *place != Place::In(here));
+    for place in std::iter::once(Place::In(here)).chain(elsewhere) {
         let keys = keys(keymap, place, locale);
         if keys.is_empty() {
             continue;
@@ -113,4 +115,28 @@ fn keys(keymap: &Keymap, place: Place, locale: &Locale) -> Vec<HelpLine> {
     lines
         .map(|(labels, meaning)| HelpLine::Entry(labels, locale.text(&meaning.description())))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Language;
+
+    #[test]
+    fn the_keys_of_the_room_come_first_and_no_line_is_cut() {
+        for language in Language::ALL {
+            let locale = Locale::new(language);
+            let lines = help_lines(&Keymap::default(), Room::Ledger, &locale);
+            let title = locale.text(&Place::In(Room::Ledger).title());
+            assert_eq!(lines[0], HelpLine::Title(title));
+            for line in lines {
+                if let HelpLine::Entry(what, meaning) = &line
+                    && !meaning.is_empty()
+                {
+                    let used = what.width().max(SHORT_USAGE) + meaning.width();
+                    assert!(used <= SHORT_USAGE + SHORT_SUMMARY, "{line:?}");
+                }
+            }
+        }
+    }
 }

@@ -8,6 +8,7 @@ use crate::app::room::parameters::Setting;
 use crate::commands::Command;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -70,7 +71,7 @@ pub struct Palette {
 /// swallowed until Enter or Esc, because they were not meant for the screen below either.
 #[derive(Debug, Clone)]
 pub struct Confirm {
-    /// What would happen, and to whom: `KILL 3: 1 3 5`.
+    /// What would happen, and to whom: `KILL vehicles 1 3 5`.
     pub question: Text,
     /// Why it is asked.
     pub reason: Text,
@@ -82,6 +83,16 @@ pub struct Confirm {
     pub cancelled: bool,
     /// What then happens.
     pub then: Consequence,
+}
+
+impl Confirm {
+    /// What has to be typed, and what it is where that is not plain.
+    pub fn wanted(&self) -> Text {
+        match self.then {
+            Consequence::Order(_) => text!("ask-how-many", answer = &self.answer),
+            _ => self.answer.as_str().into(),
+        }
+    }
 }
 
 /// What a confirmed question leads to.

@@ -230,7 +230,10 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
                 *cursor = Some(at).filter(|at| at + 1 < count);
             }
             if let Overlay::Help { scroll } = &mut reader {
-                *scroll = step.apply(*scroll, help_lines(&state.keymap, &state.locale).len());
+                *scroll = step.apply(
+                    *scroll,
+                    help_lines(&state.keymap, state.room, &state.locale).len(),
+                );
             }
         }
         _ => {}

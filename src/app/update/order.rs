@@ -55,7 +55,12 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
         ids.collect::<Vec<_>>().join(" ")
     };
     state.overlay = Some(Overlay::Confirm(Confirm {
-        question: format!("{} {count}: {named}", order.verb.name.to_uppercase()).into(),
+        question: text!(
+            "order-question",
+            verb = order.verb.name.to_uppercase(),
+            count = count,
+            vehicles = named
+        ),
         reason: order.verb.summary(),
         answer: count.to_string(),
         typed: String::new(),

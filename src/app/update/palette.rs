@@ -175,6 +175,7 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
 
 /// Gives a line as if it had been written; one that is wrong stays on the command line, with what is wrong with it.
 pub fn give(state: &mut State, line: &str) -> Vec<Effect> {
+    state.hush();
     let palette = Palette {
         input: Input::new(line.to_owned()),
         ..Palette::default()

@@ -131,8 +131,9 @@ pub fn ended(state: &mut State, report: Box<Report>) {
 pub fn failed(state: &mut State, text: Text) {
     if let Some(Overlay::Prompt(prompt)) = &mut state.overlay {
         prompt.fault = Some(text.clone());
+    } else {
+        state.say(Severity::Error, text.clone());
     }
-    state.say(Severity::Error, text.clone());
     state.notices.push(Notice {
         at: state.now,
         vehicle: None,

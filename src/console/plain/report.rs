@@ -281,7 +281,7 @@ pub fn notices(state: &State) -> Vec<Text> {
 
 /// The part of the help that is about lines rather than keys.
 pub fn help(state: &State) -> Vec<Text> {
-    let lines = help_lines(&state.keymap, &state.locale);
+    let lines = help_lines(&state.keymap, state.room, &state.locale);
     let grammar = state.locale.say("help-commands");
     let is_start = |line: &&HelpLine| matches!(line, HelpLine::Title(title) if *title == grammar);
     let start = lines.iter().position(|line| is_start(&line)).unwrap_or(0);

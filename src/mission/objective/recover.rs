@@ -119,7 +119,7 @@ impl Recover {
         match (away, craft.battery_percent) {
             (_, Some(percent)) if percent < least + RUNNING_SHORT => Some(battery(percent)),
             (Some(away), _) => Some(away),
-            (None, percent) => percent.map(battery),
+            (None, _) => Some(text!("mission-recover-landing")),
         }
     }
 

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::State;
+use crate::app::state::{State, parse_ranges, ranges};
 use crate::ledger::{Entry, Row};
 use crate::text;
 use crate::text::Text;
@@ -98,10 +98,19 @@ fn title(state: &State, look: &Look) -> String {
     let all = state.session.ledger.entries().len();
     let shown = room.shown().len();
     let mut parts = vec![text!("commands-pane")];
-    if shown > 0 {
+    let vehicles = parse_ranges(&room.filter);
+    if shown > 0 && vehicles.is_err() {
         parts.push(text!("fly-place", at = room.place() + 1, count = shown));
     }
-    if !room.filter.is_empty() {
+    if let Ok(vehicles) = vehicles {
+        parts.push(text!(
+            "commands-only-vehicles",
+            count = vehicles.len(),
+            vehicles = clip(&ranges(vehicles), 24),
+            shown = shown,
+            all = all
+        ));
+    } else if !room.filter.is_empty() {
         let filter = clip(&room.filter, 24);
         parts.push(text!(
             "fly-filtered",

@@ -33,7 +33,12 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     if let Some(view) = map.view((canvas.width, canvas.height)) {
         let cursor = map.pointed(&view);
         draw_cursor(&view, cursor, look, canvas, buffer);
-        let line = place_line(state, look, cursor);
+        let whole = place_line(state, look, cursor, true);
+        let line = if whole.width() > usize::from(area.width) {
+            place_line(state, look, cursor, false)
+        } else {
+            whole
+        };
         put(
             buffer,
             row_of(area, area.height.saturating_sub(1)),
@@ -54,8 +59,8 @@ fn draw_cursor(view: &Viewport, cursor: LatLon, look: &Look, area: Rect, buffer:
     }
 }
 
-/// Where the cursor is: on the earth, from home, from the vehicle, from the mark.
-fn place_line(state: &State, look: &Look, cursor: LatLon) -> Line<'static> {
+/// Where the cursor is: on the earth, from home if that fits, from the vehicle, from the mark.
+fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Line<'static> {
     let muted = |id: &str| Span::styled(format!("{} ", look.say(id)), look.style(Role::Muted));
     let way = |from: LatLon| {
         let bearing = from.bearing_deg(cursor).round() % 360.0;
@@ -67,7 +72,9 @@ fn place_line(state: &State, look: &Look, cursor: LatLon) -> Line<'static> {
     ))];
     let vehicle = state.session.under_cursor();
     let homes = state.session.vehicles.values().find_map(|it| it.home);
-    if let Some(home) = vehicle.and_then(|it| it.home).or(homes) {
+    if let Some(home) = vehicle.and_then(|it| it.home).or(homes)
+        && with_home
+    {
         let (north_m, east_m) = home.at_point.offset_to(cursor);
         spans.push(muted("map-from-home"));
         spans.push(Span::raw(format!("n {north_m:.0} e {east_m:.0} m   ")));

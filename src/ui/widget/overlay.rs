@@ -32,7 +32,7 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
         "{} - {} {}",
         look.text(&question.question),
         look.say("ask-type"),
-        question.answer
+        look.text(&question.wanted())
     );
     let mut row = 0;
     for line in wrap(&text, width).into_iter().take(3) {
@@ -63,7 +63,7 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
 }
 
 fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = help_lines(&state.keymap, &look.locale);
+    let lines = help_lines(&state.keymap, state.room, &look.locale);
     let place = centred(
         (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         area.height - 2,

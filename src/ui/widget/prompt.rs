@@ -20,13 +20,15 @@ const EXAMPLES: &[(&str, &str)] = &[
 ];
 const HEIGHT: u16 = 14;
 const WIDTH: u16 = 72;
+/// Rows of a reason that fit into that height.
+const FAULT_ROWS: usize = 3;
 /// Rows of a prompt at the bottom: a frame, the line, and two lines for what is wrong with it.
 const BOTTOM_HEIGHT: u16 = 5;
 
 /// Draws the prompt and returns where the terminal's cursor belongs.
 pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Position {
     let place = match prompt.purpose {
-        Purpose::Connect => centred(WIDTH, HEIGHT, area),
+        Purpose::Connect => centred(WIDTH, HEIGHT + long_fault(prompt, look), area),
         // What the line is about stays in sight.
         _ => at_the_bottom(area),
     };
@@ -40,10 +42,8 @@ pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Po
     let (cursor, _) = draw_line(&prompt.input, None, look, inner, buffer);
     let mut row = 1;
     let fault = prompt.fault.as_ref().map(|fault| look.text(fault));
-    for line in wrap(&fault.unwrap_or_default(), usize::from(inner.width))
-        .into_iter()
-        .take(3)
-    {
+    let fault = wrap(&fault.unwrap_or_default(), usize::from(inner.width));
+    for line in fault {
         put(
             buffer,
             inner,
@@ -62,6 +62,13 @@ pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Po
         _ => {}
     }
     cursor
+}
+
+/// The rows that a reason takes beyond those there are for it anyway.
+fn long_fault(prompt: &Prompt, look: &Look) -> u16 {
+    let fault = prompt.fault.as_ref().map(|fault| look.text(fault));
+    let lines = wrap(&fault.unwrap_or_default(), usize::from(WIDTH) - 4).len();
+    lines.saturating_sub(FAULT_ROWS) as u16
 }
 
 fn title(purpose: &Purpose, look: &Look) -> String {

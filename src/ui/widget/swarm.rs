@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 use crate::app::room::fly::sorted_by;
 use crate::app::state::{Selection, Session, Sort, State, ranges};
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, titled, width, wrap};
@@ -115,7 +116,9 @@ fn title(state: &State, (first, rows): (usize, usize), look: &Look, room: usize)
     }
     let sort = sorted_by(state);
     if sort != Sort::BY_ID {
-        parts.push(look.text(&text!("fly-by", column = sort.name())));
+        let mark = if sort.reversed { "-" } else { "" };
+        let title = Text::joined("", vec![mark.into(), sort.column.title()]);
+        parts.push(look.text(&text!("fly-by", column = title)));
     }
     if !session.selection.is_empty() {
         let used: usize = parts.iter().map(|part| width(part) + 2).sum();

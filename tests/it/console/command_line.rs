@@ -1,6 +1,7 @@
 //! The command line and the questions that it leads to.
 
 use sortie::app::effect::Effect;
+use sortie::app::event::Event;
 use sortie::app::state::Overlay;
 
 use super::{palette_line, selection};
@@ -38,7 +39,8 @@ fn a_dangerous_verb_wants_the_number_of_its_targets() {
     let mut console = Console::flying(5);
     console.give("1,3,5 kill");
     assert!(console.effects.is_empty());
-    assert!(console.screen(80, 24).contains("KILL 3: 1 3 5 - type 3"));
+    let asked = "KILL vehicles 1 3 5 - type 3 (how many vehicles)";
+    assert!(console.screen(80, 24).contains(asked));
     console.press("3");
     assert_eq!(console.sent_to(), [1, 3, 5]);
     for wrong in ["5", "enter", "y", "esc", "ctrl-c", "left"] {
@@ -253,4 +255,26 @@ fn a_line_takes_no_more_than_anybody_could_mean() {
         palette_line(&console).ends_with("ab"),
         "there was room for one"
     );
+}
+
+#[test]
+fn what_the_console_has_said_goes_with_what_it_was_about() {
+    let said = |console: &Console| console.state.message().is_some();
+    let refused = || {
+        let mut console = Console::flying(2);
+        console.give("1 kill").press("n").press("esc");
+        assert!(said(&console));
+        console
+    };
+    assert!(!said(refused().press(":")), "an overlay opens");
+    assert!(!said(refused().press("M")), "another room is shown");
+    assert!(!said(refused().press("x").press("M")), "even after another");
+    assert!(!said(refused().at(5)), "an acknowledgement is brief");
+    let mut console = refused();
+    console.hear(Event::Line("1 arm".to_owned()));
+    assert!(!said(&console), "another line is given");
+    let mut console = refused();
+    let report = Box::new(fixtures::report());
+    console.hear(Event::MissionEnded(report));
+    assert!(!said(&console), "the debrief opens");
 }

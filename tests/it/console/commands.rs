@@ -80,6 +80,11 @@ fn commands_are_filtered_by_vehicle_verb_and_outcome() {
     assert_eq!(shown(console.press("o")), [0, 1, 2]);
     console.press("F").write("4").press("enter").press("C");
     assert_eq!(shown(console.press("v")), [0, 2]);
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("commands  only vehicle 4: 2 of 3"),
+        "{screen}"
+    );
     assert_eq!(shown(console.press("v")), [0, 1, 2]);
 }
 

@@ -2,7 +2,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::Line;
+use ratatui::text::{Line, Span};
 
 use crate::app::room::messages::{GRAPH_SPAN, Messages, Pin};
 use crate::inspector::figure;
@@ -53,7 +53,13 @@ fn draw_pin(pin: &Pin, look: &Look, area: Rect, buffer: &mut Buffer) {
         );
         return;
     };
-    let figures = figures(pin, (low, high, now), look);
+    let fits = |text: &String| Span::raw(text).width() <= usize::from(inner.width);
+    let whole = figures(pin, (low, high, now), 5, look);
+    let figures = if fits(&whole) {
+        whole
+    } else {
+        figures(pin, (low, high, now), 3, look)
+    };
     let figures = clip(&figures, inner.width.into());
     put(
         buffer,
@@ -73,13 +79,13 @@ fn draw_pin(pin: &Pin, look: &Look, area: Rect, buffer: &mut Buffer) {
     curve::draw(&curve, look.symbols, area, buffer);
 }
 
-/// The newest value, and the least and the greatest that are drawn.
-fn figures(pin: &Pin, (low, high, now): (f64, f64, f64), look: &Look) -> String {
+/// The newest value, and the least and the greatest that are drawn, in so many digits.
+fn figures(pin: &Pin, (low, high, now): (f64, f64, f64), digits: i32, look: &Look) -> String {
     let mut figures = look.text(&text!(
         "messages-extent",
-        now = figure(now, 5),
-        low = figure(low, 5),
-        high = figure(high, 5),
+        now = figure(now, digits),
+        low = figure(low, digits),
+        high = figure(high, digits),
         seconds = GRAPH_SPAN.as_secs()
     ));
     if pin.dropped > 0 {

@@ -256,7 +256,7 @@ fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     (format!("{mark}{text}"), role)
 }
 
-/// What an alert says and since when, in a width: the time is the last that is given up.
+/// What an alert says and since when, in a width: the time is given up before the words.
 pub fn since(one: &Standing, at: Duration, look: &Look, room: usize) -> String {
     let what = look.text(&one.alert.text);
     let clock = short_clock(at);
@@ -264,6 +264,9 @@ pub fn since(one: &Standing, at: Duration, look: &Look, room: usize) -> String {
     if width(&long) <= room {
         return long;
     }
-    let left = room.saturating_sub(width(&clock) + 1);
-    format!("{} {clock}", clip(&what, left))
+    let short = format!("{what} {clock}");
+    if width(&short) <= room {
+        return short;
+    }
+    clip(&what, room)
 }

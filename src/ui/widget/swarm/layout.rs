@@ -32,7 +32,7 @@ struct Form {
 const EXTRA_RANK: u8 = 14;
 const ALERT_EXTRA: u16 = 26;
 /// Before these, alerts have this much more, so that they are rarely cut.
-const MORE_RANK: u8 = 9;
+const MORE_RANK: u8 = 8;
 const ALERT_MORE: u16 = 5;
 /// Columns of this rank are only shown where they are asked for.
 const ASKED: u8 = 100;
@@ -41,15 +41,15 @@ const ASKED: u8 = 100;
 const FORMS: &[Form] = &[
     form(Column::Id, "column-id", 3, 0, true),
     form(Column::Name, "column-name", 7, 13, false),
-    form(Column::Group, "column-group", 5, 7, false),
+    form(Column::Group, "column-group", 5, 10, false),
     form(Column::Mode, "column-mode", 9, 2, false),
     form(Column::Armed, "column-armed", 5, 3, false),
-    form(Column::State, "column-state", 6, 8, false),
+    form(Column::State, "column-state", 6, 7, false),
     form(Column::Altitude, "column-alt", 6, 4, true),
-    form(Column::Speed, "column-speed", 4, 9, true),
+    form(Column::Speed, "column-speed", 4, 8, true),
     form(Column::Battery, "column-bat", 4, 5, true),
     form(Column::Gps, "column-gps", 8, 12, false),
-    form(Column::Link, "column-link", 5, 10, true),
+    form(Column::Link, "column-link", 5, 9, true),
     form(Column::Home, "column-home", 6, 11, true),
     // `takeoff timed out` fits.
     form(Column::Command, "column-command", 17, 6, false),
