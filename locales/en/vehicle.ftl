@@ -5,6 +5,7 @@ vehicle-place = { $row } of { $count }
 vehicle-key-next = next vehicle
 vehicle-key-window = { $seconds } s
 vehicle-key-page = page { $page } of { $count }
+vehicle-last-known = link lost { $seconds } s ago: last known values
 
 vehicle-attitude = attitude
 vehicle-angles = roll { $roll }°  pitch { $pitch }°
@@ -67,6 +68,7 @@ vehicle-limits = limits EKF 0.6/0.8, vibration 30/60 m/s²
 vehicle-grade-good = ok
 vehicle-grade-poor = poor
 vehicle-grade-bad = BAD
+vehicle-grade-old = old
 
 vehicle-plan = plan
 vehicle-plan-at = plan: item { $item } of { $last }

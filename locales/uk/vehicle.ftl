@@ -5,6 +5,7 @@ vehicle-place = { $row } з { $count }
 vehicle-key-next = інший апарат
 vehicle-key-window = { $seconds } с
 vehicle-key-page = сторінка { $page } з { $count }
+vehicle-last-known = зв'язок втрачено { $seconds } с тому: останні відомі значення
 
 vehicle-attitude = просторове положення
 vehicle-angles = крен { $roll }°  тангаж { $pitch }°
@@ -67,6 +68,7 @@ vehicle-limits = межі EKF 0.6/0.8, вібрація 30/60 м/с²
 vehicle-grade-good = норма
 vehicle-grade-poor = слабко
 vehicle-grade-bad = ПОГАНО
+vehicle-grade-old = давнє
 
 vehicle-plan = маршрут
 vehicle-plan-at = маршрут: пункт { $item } з { $last }

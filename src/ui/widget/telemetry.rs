@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, severity_role, titled, wrap};
-use crate::vehicle::{EkfFlags, LandedState, Vehicle};
+use crate::vehicle::{EkfFlags, Grade, LandedState, Vehicle};
 
 /// Columns of the labels.
 const LABEL_WIDTH: usize = 9;
@@ -26,7 +26,18 @@ pub fn height(state: &State, look: &Look, width: u16) -> u16 {
     let alerts = alert_lines(vehicle, state, look, usize::from(width)).len();
     let lines = lines(vehicle, state).into_iter();
     let lines = lines.filter(|(_, text)| !text.is_empty()).count();
-    (1 + alerts + lines) as u16
+    (1 + alerts + usize::from(vehicle.link.lost) + lines) as u16
+}
+
+/// That what is shown of a vehicle is not of now, if its link is lost.
+pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<'static>> {
+    let link = vehicle.link;
+    let silent = state
+        .now
+        .saturating_sub(link.last_heard.unwrap_or_default());
+    let text = text!("vehicle-last-known", seconds = silent.as_secs());
+    link.lost
+        .then(|| Line::styled(look.text(&text), look.style(Role::Danger)))
 }
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
@@ -42,17 +53,23 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         name = name
     ));
     let mut inner = titled(&title, look, area, buffer);
-    for line in alert_lines(vehicle, state, look, usize::from(inner.width)) {
+    let alerts = alert_lines(vehicle, state, look, usize::from(inner.width));
+    for line in alerts.into_iter().chain(last_known(vehicle, state, look)) {
         put(buffer, inner, 0, &line);
         inner = below(inner, 1);
     }
     let lines = lines(vehicle, state).into_iter();
     let lines = lines.filter(|(_, text)| !text.is_empty());
+    let role = if vehicle.link.lost {
+        Role::Muted
+    } else {
+        Role::Text
+    };
     for (row, (label, text)) in lines.take(usize::from(inner.height)).enumerate() {
         let label = aligned(&look.say(label), LABEL_WIDTH, false);
         let line = Line::from(vec![
             Span::styled(label, look.style(Role::Muted)),
-            Span::raw(look.text(&text)),
+            Span::styled(look.text(&text), look.style(role)),
         ]);
         put(buffer, inner, row as u16, &line);
     }
@@ -221,17 +238,20 @@ fn ekf(vehicle: &Vehicle) -> Text {
         return Text::default();
     };
     let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
-    let state = if ekf.flags.has(position) {
-        text!("telemetry-ekf-ok")
-    } else {
-        text!("telemetry-ekf-lost")
+    // Beside a longer word there is room for the tenths that the limits are given in.
+    let (state, decimals) = match Grade::of_ekf(&ekf) {
+        _ if vehicle.link.lost => (text!("vehicle-grade-old"), 1),
+        _ if !ekf.flags.has(position) => (text!("telemetry-ekf-lost"), 1),
+        Grade::Good => (text!("telemetry-ekf-ok"), 2),
+        Grade::Poor => (text!("vehicle-grade-poor"), 1),
+        Grade::Bad => (text!("vehicle-grade-bad"), 1),
     };
     let ratios = [
         ekf.velocity_variance,
         ekf.position_horizontal_variance,
         ekf.compass_variance,
     ];
-    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, 2));
+    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, decimals));
     let figures = format!("vel {velocity} pos {position} mag {compass}");
     Text::joined("  ", vec![state, figures.into()])
 }

@@ -72,14 +72,15 @@ pub fn bar(share: f32, width: usize, symbols: Symbols) -> String {
         .collect()
 }
 
-/// The word of a grade.
-pub fn grade_word(look: &Look, grade: Grade) -> Span<'static> {
-    let (word, role) = match grade {
-        Grade::Good => (look.say("vehicle-grade-good"), Role::Ok),
-        Grade::Poor => (look.say("vehicle-grade-poor"), Role::Warning),
-        Grade::Bad => (look.say("vehicle-grade-bad"), Role::Danger),
+/// The word of a grade; of what is not heard any more nothing can be said but that it is old.
+pub fn grade_word(look: &Look, grade: Grade, is_old: bool) -> Span<'static> {
+    let (id, role) = match grade {
+        _ if is_old => ("vehicle-grade-old", Role::Muted),
+        Grade::Good => ("vehicle-grade-good", Role::Ok),
+        Grade::Poor => ("vehicle-grade-poor", Role::Warning),
+        Grade::Bad => ("vehicle-grade-bad", Role::Danger),
     };
-    Span::styled(word, look.style(role))
+    Span::styled(look.say(id), look.style(role))
 }
 
 /// An arrow into one of eight directions, straight ahead being up.
