@@ -330,3 +330,16 @@ fn the_flight_room_and_this_one_judge_the_filter_alike() {
         assert!(there.contains(&format!("EKF      {word}  vel")), "{there}");
     }
 }
+
+#[test]
+fn a_disarmed_vehicle_says_for_how_long_it_was_armed_last() {
+    let mut console = room();
+    assert!(console.screen(120, 40).contains("armed for   00:30"));
+    let mut vehicle = talkative(0.0);
+    vehicle.heartbeat = fixtures::parked(3).heartbeat;
+    console.vehicle(vehicle.clone()).at(31);
+    assert!(console.screen(120, 40).contains("last armed  for 00:30"));
+    vehicle.link.reboots = 1;
+    console.vehicle(vehicle).at(32);
+    assert!(console.screen(120, 40).contains("armed for   -"));
+}
