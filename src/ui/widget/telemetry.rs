@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::swarm::since;
 use crate::app::state::{Session, Standing, State};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, figure};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, severity_role, titled, wrap};
@@ -145,14 +145,13 @@ fn altitude(vehicle: &Vehicle) -> Text {
     let Some(global) = vehicle.global else {
         return Text::default();
     };
-    let climb = -global.down_m_s;
-    // A climb of -0.0 would flicker.
-    let climb = if climb.abs() < 0.05 { 0.0 } else { climb };
+    let climb = figure(-global.down_m_s, 1);
+    let sign = if climb.starts_with('-') { "" } else { "+" };
     text!(
         "telemetry-altitudes",
-        altitude = format!("{:.1}", global.altitude_m),
-        climb = format!("{climb:+.1}"),
-        sea = format!("{:.0}", global.altitude_amsl_m)
+        altitude = figure(global.altitude_m, 1),
+        climb = format!("{sign}{climb}"),
+        sea = figure(global.altitude_amsl_m, 0)
     )
 }
 
@@ -160,12 +159,12 @@ fn speed(vehicle: &Vehicle) -> Text {
     let Some(speed) = vehicle.ground_speed_m_s() else {
         return Text::default();
     };
-    let speed = format!("{speed:.1}");
+    let speed = figure(speed, 1);
     match vehicle.heading_deg() {
         Some(deg) => text!(
             "telemetry-speed-heading",
             speed = speed,
-            heading = format!("{deg:.0}")
+            heading = figure(deg, 0)
         ),
         None => text!("telemetry-speed-alone", speed = speed),
     }
@@ -175,9 +174,11 @@ fn battery(vehicle: &Vehicle) -> String {
     let packs = vehicle.batteries.iter().map(|pack| {
         let parts = [
             pack.remaining_percent.map(|left| format!("{left} %")),
-            pack.voltage_v.map(|volts| format!("{volts:.1} V")),
-            pack.current_a.map(|amps| format!("{amps:.1} A")),
-            pack.consumed_mah.map(|mah| format!("{mah:.0} mAh")),
+            pack.voltage_v
+                .map(|volts| format!("{} V", figure(volts, 1))),
+            pack.current_a.map(|amps| format!("{} A", figure(amps, 1))),
+            pack.consumed_mah
+                .map(|mah| format!("{} mAh", figure(mah, 0))),
         ];
         parts.into_iter().flatten().collect::<Vec<_>>().join("  ")
     });
@@ -195,8 +196,8 @@ fn home(vehicle: &Vehicle) -> Text {
     }
     text!(
         "telemetry-bearing",
-        distance = format!("{distance:.0}"),
-        bearing = format!("{bearing:.0}")
+        distance = figure(distance, 0),
+        bearing = figure(bearing, 0)
     )
 }
 
@@ -206,11 +207,10 @@ fn target(vehicle: &Vehicle) -> Text {
     };
     let distance = target.at_point.map(|to| {
         let distance = global.at_point.distance_m(to);
-        text!("telemetry-away", distance = format!("{distance:.0}"))
+        text!("telemetry-away", distance = figure(distance, 0))
     });
     let altitude = target.altitude_m;
-    let altitude =
-        altitude.map(|altitude| text!("telemetry-at", altitude = format!("{altitude:.0}")));
+    let altitude = altitude.map(|altitude| text!("telemetry-at", altitude = figure(altitude, 0)));
     Text::joined("  ", [distance, altitude].into_iter().flatten().collect())
 }
 
@@ -228,7 +228,9 @@ fn gps(vehicle: &Vehicle) -> Text {
     let fix = gps.fix.text();
     let satellites = gps.satellites;
     let satellites = satellites.map(|count| text!("telemetry-satellites", count = count));
-    let hdop = gps.hdop.map(|hdop| Text::from(format!("HDOP {hdop:.1}")));
+    let hdop = gps
+        .hdop
+        .map(|hdop| Text::from(format!("HDOP {}", figure(hdop, 1))));
     let parts = [Some(fix), satellites, hdop].into_iter().flatten();
     Text::joined("  ", parts.collect())
 }
@@ -290,8 +292,8 @@ fn wind(vehicle: &Vehicle) -> Text {
     wind.map_or_else(Text::default, |wind| {
         text!(
             "telemetry-wind-from",
-            speed = format!("{:.1}", wind.speed_m_s),
-            from = format!("{:.0}", wind.from_deg)
+            speed = figure(wind.speed_m_s, 1),
+            from = figure(wind.from_deg, 0)
         )
     })
 }
@@ -311,7 +313,7 @@ fn vibration(vehicle: &Vehicle) -> Text {
 fn ground(vehicle: &Vehicle) -> Text {
     let metres = vehicle.rangefinder_m;
     metres.map_or_else(Text::default, |m| {
-        text!("telemetry-below", metres = format!("{m:.1}"))
+        text!("telemetry-below", metres = figure(m, 1))
     })
 }
 
@@ -340,15 +342,6 @@ fn load(vehicle: &Vehicle) -> String {
     vehicle.health.map_or(String::new(), |health| {
         format!("{} %", figure(health.load_percent, 0))
     })
-}
-
-/// A value with so many decimals, or a dash for what the vehicle cannot tell.
-fn figure(value: f32, decimals: usize) -> String {
-    if value.is_finite() {
-        format!("{value:.decimals$}")
-    } else {
-        "-".to_owned()
-    }
 }
 
 fn firmware(vehicle: &Vehicle) -> String {

@@ -343,3 +343,25 @@ fn a_disarmed_vehicle_says_for_how_long_it_was_armed_last() {
     console.vehicle(vehicle).at(32);
     assert!(console.screen(120, 40).contains("armed for   -"));
 }
+
+#[test]
+fn absurd_figures_stay_short() {
+    let mut console = room();
+    let mut vehicle = talkative(1e38);
+    vehicle.ekf = vehicle.ekf.map(|ekf| sortie::vehicle::Ekf {
+        velocity_variance: 1e38,
+        ..ekf
+    });
+    vehicle.vibration = Some(Vibration {
+        level_m_s2: [1e38; 3],
+        clipping: [0; 3],
+    });
+    console.vehicle(vehicle).at(31);
+    for key in ["V", "F"] {
+        let screen = console.press(key).screen(120, 40);
+        assert!(
+            screen.contains("1e38") && !screen.contains("00000000"),
+            "{screen}"
+        );
+    }
+}

@@ -10,6 +10,7 @@ use super::tape::shown_deg;
 use crate::app::state::{History, alert};
 use crate::geo::LatLon;
 use crate::text;
+use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clock, put, severity_role, titled, wrap};
@@ -170,7 +171,7 @@ fn way(vehicle: &Vehicle, to: LatLon, look: &Look) -> Option<String> {
     let arrow = heading_deg.map_or(String::new(), |heading_deg| {
         format!("{} ", arrow(bearing_deg - heading_deg, look.symbols))
     });
-    Some(format!("{arrow}{distance_m:.0} m  {shown}°"))
+    Some(format!("{arrow}{} m  {shown}°", figure(distance_m, 0)))
 }
 
 fn home(vehicle: &Vehicle, look: &Look) -> String {

@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::app::state::{Column, Session, Standing, State};
 use crate::ledger::RowState;
 use crate::text;
+use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
@@ -76,12 +77,7 @@ pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cel
     let session = &row.state.session;
     let number = |decimals: usize| {
         let value = column.number(row.vehicle, session);
-        // Adding zero turns a rounded -0 into +0, which does not flicker.
-        let scale = 10_f64.powi(decimals as i32);
-        value.map_or_else(unknown, |value| {
-            let value = (value * scale).round() / scale + 0.0;
-            (format!("{value:.decimals$}"), Role::Text)
-        })
+        value.map_or_else(unknown, |value| (figure(value, decimals), Role::Text))
     };
     match column {
         Column::Id => id(row),
@@ -161,7 +157,7 @@ fn battery(vehicle: &Vehicle) -> Cell {
     let battery = vehicle.battery();
     let Some(left) = battery.and_then(|battery| battery.remaining_percent) else {
         let voltage = battery.and_then(|battery| battery.voltage_v);
-        return voltage.map_or_else(unknown, |voltage| (format!("{voltage:.1}"), Role::Text));
+        return voltage.map_or_else(unknown, |voltage| (figure(voltage, 1), Role::Text));
     };
     let role = match left {
         0..=10 => Role::Danger,
