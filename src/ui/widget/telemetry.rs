@@ -107,6 +107,7 @@ fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, Text)> {
         ("telemetry-ekf", ekf(vehicle)),
         ("telemetry-attitude", attitude(vehicle)),
         ("telemetry-link", link(vehicle, state)),
+        ("telemetry-reboots", reboots(vehicle).into()),
         ("telemetry-wind", wind(vehicle)),
         ("telemetry-vibration", vibration(vehicle)),
         ("telemetry-ground", ground(vehicle)),
@@ -281,10 +282,14 @@ fn link(vehicle: &Vehicle, state: &State) -> Text {
     };
     let trip = link.round_trip;
     let trip = trip.map(|trip| text!("telemetry-round-trip", ms = trip.as_millis() as u64));
-    let reboots = Some(link.reboots).filter(|&count| count > 0);
-    let reboots = reboots.map(|count| text!("telemetry-rebooted", count = count));
-    let parts = [Some(quality), trip, reboots].into_iter().flatten();
+    let parts = [Some(quality), trip].into_iter().flatten();
     Text::joined("  ", parts.collect())
+}
+
+/// How often it has rebooted, if it has.
+fn reboots(vehicle: &Vehicle) -> String {
+    let count = Some(vehicle.link.reboots).filter(|&count| count > 0);
+    count.map_or(String::new(), |count| count.to_string())
 }
 
 fn wind(vehicle: &Vehicle) -> Text {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::app::state::{Column, Session, Standing, State};
+use crate::app::state::{AlertKind, Column, Session, Standing, State};
 use crate::ledger::RowState;
 use crate::text;
 use crate::text::figure;
@@ -134,11 +134,19 @@ fn armed(row: &Row<'_>) -> Cell {
         unknown()
     } else if vehicle.armed() {
         (words.armed.clone(), Role::Accent)
+    } else if has_crashed(row) {
+        unknown()
     } else if vehicle.ready_to_arm() {
         (words.ready.clone(), Role::Ok)
     } else {
         (words.safe.clone(), Role::Muted)
     }
+}
+
+/// Whether it lies broken, whatever its arming checks say.
+fn has_crashed(row: &Row<'_>) -> bool {
+    let mut alerts = row.state.session.alarms.of(row.vehicle.id);
+    alerts.any(|one| one.alert.kind == AlertKind::Crash)
 }
 
 fn landed(row: &Row<'_>) -> Cell {
