@@ -12,10 +12,12 @@ use std::fmt;
 use std::sync::LazyLock;
 
 mod catalogue;
+mod figure;
 mod layout;
 mod locale;
 
 pub use catalogue::messages;
+pub use figure::figure;
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 

@@ -5,6 +5,7 @@ vehicle-place = { $row } of { $count }
 vehicle-key-next = next vehicle
 vehicle-key-window = { $seconds } s
 vehicle-key-page = page { $page } of { $count }
+vehicle-last-known = link lost { $seconds } s ago: last known values
 
 vehicle-attitude = attitude
 vehicle-angles = roll { $roll }°  pitch { $pitch }°
@@ -33,6 +34,8 @@ vehicle-target = target
 vehicle-target-height = at { $altitude } m
 vehicle-target-velocity = n { $north } e { $east } up { $up } m/s
 vehicle-flight = armed for
+vehicle-flight-before = last armed
+vehicle-flight-last = for { $time }
 vehicle-link = link
 vehicle-link-good = { $percent } %  round trip { $trip } ms
 vehicle-link-lost = LOST { $seconds } s ago
@@ -67,6 +70,7 @@ vehicle-limits = limits EKF 0.6/0.8, vibration 30/60 m/s²
 vehicle-grade-good = ok
 vehicle-grade-poor = poor
 vehicle-grade-bad = BAD
+vehicle-grade-old = old
 
 vehicle-plan = plan
 vehicle-plan-at = plan: item { $item } of { $last }

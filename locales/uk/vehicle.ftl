@@ -5,6 +5,7 @@ vehicle-place = { $row } з { $count }
 vehicle-key-next = інший апарат
 vehicle-key-window = { $seconds } s
 vehicle-key-page = сторінка { $page } з { $count }
+vehicle-last-known = зв'язок втрачено { $seconds } с тому: останні відомі значення
 
 vehicle-attitude = просторове положення
 vehicle-angles = крен { $roll }°  тангаж { $pitch }°
@@ -33,6 +34,8 @@ vehicle-target = ціль
 vehicle-target-height = на { $altitude } m
 vehicle-target-velocity = пн { $north } сх { $east } вгору { $up } m/s
 vehicle-flight = активний
+vehicle-flight-before = востаннє
+vehicle-flight-last = активний { $time }
 vehicle-link = зв'язок
 vehicle-link-good = { $percent } %  туди й назад { $trip } ms
 vehicle-link-lost = ВТРАЧЕНО { $seconds } s тому
@@ -67,6 +70,7 @@ vehicle-limits = межі EKF 0.6/0.8, вібрація 30/60 m/s²
 vehicle-grade-good = норма
 vehicle-grade-poor = слабко
 vehicle-grade-bad = ПОГАНО
+vehicle-grade-old = давнє
 
 vehicle-plan = маршрут
 vehicle-plan-at = маршрут: пункт { $item } з { $last }

@@ -89,8 +89,9 @@ fn pack_voltage_v(data: &BATTERY_STATUS_DATA) -> Option<f32> {
     any.then_some(total_mv as f32 * 1e-3)
 }
 
+/// -1 means that it is not measured; anything else below zero is no current that a battery in use gives either.
 fn current_a(centiamperes: i16) -> Option<f32> {
-    (centiamperes != -1).then(|| f32::from(centiamperes) * 0.01)
+    (centiamperes >= 0).then(|| f32::from(centiamperes) * 0.01)
 }
 
 fn known(count: i32) -> Option<f32> {

@@ -88,6 +88,10 @@ pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) 
         at: report.now,
     };
     let before = vehicle.heartbeat.replace(heartbeat);
+    if !heartbeat.armed {
+        // Whatever it headed for, it does so no more.
+        vehicle.target = None;
+    }
     let Some(before) = before else { return };
     if before.mode != heartbeat.mode {
         report.say(

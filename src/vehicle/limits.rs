@@ -1,6 +1,6 @@
 //! How good a reading is, by the limits at which `ArduPilot` itself refuses, acts or warns.
 
-use super::{Ekf, FixType, Gps, GpsAccuracy};
+use super::{Ekf, EkfFlags, FixType, Gps, GpsAccuracy};
 
 /// A reading against its limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,11 +33,11 @@ const VIBRATION_BAD_M_S2: f32 = 60.0;
 const CLIPPING_BAD: u32 = 100;
 
 impl Grade {
-    /// A value where less is better. What is no number is bad.
+    /// A value where less is better, down to zero. What is no number or below zero is bad.
     fn rising(value: f32, poor: f32, bad: f32) -> Self {
-        if value < poor {
+        if (0.0..poor).contains(&value) {
             Self::Good
-        } else if value < bad {
+        } else if (poor..bad).contains(&value) {
             Self::Poor
         } else {
             Self::Bad
@@ -49,8 +49,12 @@ impl Grade {
         Self::rising(ratio, EKF_POOR, EKF_BAD)
     }
 
-    /// Of the worst of the filter's test ratios; the vertical one does not count for the failsafe.
+    /// Of the filter: bad without a position on the earth, else of the worst of its test ratios; the vertical one
+    /// does not count for the failsafe.
     pub fn of_ekf(ekf: &Ekf) -> Self {
+        if !ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE) {
+            return Self::Bad;
+        }
         let ratios = [
             ekf.velocity_variance,
             ekf.position_horizontal_variance,
@@ -123,6 +127,8 @@ mod tests {
             (Grade::of_variance(0.6), Grade::Poor),
             (Grade::of_variance(0.8), Grade::Bad),
             (Grade::of_variance(f32::NAN), Grade::Bad),
+            (Grade::of_variance(-0.1), Grade::Bad),
+            (Grade::of_variance(-0.0), Grade::Good),
             (Grade::of_hdop(1.39), Grade::Good),
             (Grade::of_hdop(1.4), Grade::Poor),
             (Grade::of_hdop(2.0), Grade::Bad),

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, figure};
 use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, SystemStatus, Vehicle};
 
 /// How long a text about a failsafe counts as the present state.
@@ -192,7 +192,7 @@ fn crash(text: &str) -> Option<Text> {
     }
     let speed = text.strip_prefix("SIM Hit ground at ")?;
     let speed: f32 = speed.split_whitespace().next()?.parse().ok()?;
-    (speed > HARD_LANDING_M_S).then(|| text!("alert-crashed-at", speed = format!("{speed:.0}")))
+    (speed > HARD_LANDING_M_S).then(|| text!("alert-crashed-at", speed = figure(speed, 0)))
 }
 
 fn link_lost(vehicle: &Vehicle) -> Option<Alert> {
@@ -248,12 +248,7 @@ fn filter(vehicle: &Vehicle) -> Option<Alert> {
     if worst < EKF_LIMIT {
         return None;
     }
-    let ratio = if worst.is_finite() {
-        format!("{worst:.1}")
-    } else {
-        "-".to_owned()
-    };
-    let text = text!("alert-ekf", part = part, ratio = ratio);
+    let text = text!("alert-ekf", part = part, ratio = figure(worst, 1));
     Some(condition(AlertKind::Ekf, Severity::Error, text))
 }
 
@@ -293,7 +288,7 @@ fn vibration(vehicle: &Vehicle) -> Option<Alert> {
     if !vehicle.armed() || worst < VIBRATION_LIMIT {
         return None;
     }
-    let text = text!("alert-vibration", level = format!("{worst:.0}"));
+    let text = text!("alert-vibration", level = figure(worst, 0));
     Some(condition(AlertKind::Vibration, Severity::Warning, text))
 }
 

@@ -124,6 +124,8 @@ impl Window {
 pub struct History {
     samples: VecDeque<[i16; Channel::ALL.len()]>,
     armed_for: Duration,
+    is_armed: bool,
+    reboots: u32,
 }
 
 impl History {
@@ -131,12 +133,28 @@ impl History {
         Self {
             samples: VecDeque::with_capacity(SAMPLES_KEPT),
             armed_for: Duration::ZERO,
+            is_armed: false,
+            reboots: 0,
         }
     }
 
-    /// For how long it has been armed in this session, as far as it was heard, to half a second.
+    /// For how long it has been armed, or was when it was armed last, as far as it was heard, to half a second; zero
+    /// if it has not been armed since it was booted.
     pub fn armed_for(&self) -> Duration {
         self.armed_for
+    }
+
+    /// Counts one more sample of being armed; arming and booting begin at zero.
+    fn count(&mut self, vehicle: &Vehicle) {
+        let is_armed = vehicle.armed();
+        let is_rebooted = self.reboots != vehicle.link.reboots;
+        if is_rebooted || (is_armed && !self.is_armed) {
+            self.armed_for = Duration::ZERO;
+        }
+        if is_armed {
+            self.armed_for += SAMPLE_EVERY;
+        }
+        (self.is_armed, self.reboots) = (is_armed, vehicle.link.reboots);
     }
 
     /// The readings of a channel within a window, oldest first, one per sample; `None` where unknown. Fewer than
@@ -210,9 +228,7 @@ impl Histories {
                 continue;
             }
             history.push(Channel::ALL.map(|channel| channel.stored(vehicle)));
-            if vehicle.armed() {
-                history.armed_for += SAMPLE_EVERY;
-            }
+            history.count(vehicle);
         }
         true
     }
@@ -223,7 +239,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::vehicle::Hud;
+    use crate::vehicle::{Heartbeat, Hud, SystemStatus, VehicleClass};
 
     fn at_speed(speed_m_s: f32) -> BTreeMap<VehicleId, Vehicle> {
         let mut vehicle = Vehicle::new(1, 1);
@@ -277,6 +293,39 @@ mod tests {
             Some((3.0, 3.0))
         );
         assert_eq!(history.range(Channel::Voltage, Window::Long), None);
+    }
+
+    #[test]
+    fn armed_time_is_that_of_the_last_flight_since_booting() {
+        let mut histories = Histories::default();
+        let mut vehicle = at_speed(0.0).remove(&1).expect("it");
+        for (step, (armed, reboots, expected_ms)) in [
+            (false, 0, 0),
+            (true, 0, 500),
+            (true, 0, 1000),
+            (false, 0, 1000),
+            (true, 0, 500),
+            (false, 1, 0),
+            (true, 1, 500),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            vehicle.heartbeat = Some(Heartbeat {
+                mav_type: 2,
+                autopilot: 3,
+                class: VehicleClass::Copter,
+                mode: VehicleClass::Copter.mode("GUIDED").expect("a mode"),
+                armed,
+                status: SystemStatus::Active,
+                at: Duration::ZERO,
+            });
+            vehicle.link.reboots = reboots;
+            let vehicles = BTreeMap::from([(1, vehicle.clone())]);
+            histories.sample(&vehicles, SAMPLE_EVERY * step as u32);
+            let armed_for = histories.of(1).expect("a history").armed_for();
+            assert_eq!(armed_for.as_millis(), expected_ms, "step {step}");
+        }
     }
 
     proptest! {

@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 use crate::app::room::map::LEGEND_WIDTH;
 use crate::app::state::State;
 use crate::geo::{LatLon, Viewport};
+use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
@@ -77,7 +78,11 @@ fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Li
     {
         let (north_m, east_m) = home.at_point.offset_to(cursor);
         spans.push(muted("map-from-home"));
-        spans.push(Span::raw(format!("n {north_m:.0} e {east_m:.0} m   ")));
+        spans.push(Span::raw(format!(
+            "n {} e {} m   ",
+            figure(north_m, 0),
+            figure(east_m, 0)
+        )));
     }
     if let Some((vehicle, global)) = vehicle.and_then(|it| Some((it, it.global?))) {
         spans.push(muted("map-from-vehicle"));

@@ -8,6 +8,7 @@ use crate::app::state::{Session, State};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
+use crate::ui::widget::telemetry::last_known;
 use crate::ui::widget::{below, columns, put, titled, upper};
 use crate::vehicle::Vehicle;
 
@@ -60,12 +61,19 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let is_whole = area.width >= WHOLE.0 && area.height >= WHOLE.1;
     let page = state.rooms.vehicle.page % PAGES;
     draw_name(&subject, (!is_whole).then_some(page), area, buffer);
-    let area = below(area, 1);
+    let mut area = below(area, 1);
+    if let Some(line) = last_known(vehicle, state, look) {
+        put(buffer, area, 0, &line);
+        area = below(area, 1);
+    }
     match page {
         _ if is_whole => draw_whole(&subject, area, buffer),
         0 => draw_flight(&subject, area, buffer),
         1 => draw_condition(&subject, area, buffer),
         _ => draw_reports(&subject, area, buffer),
+    }
+    if vehicle.link.lost {
+        buffer.set_style(area, look.style(Role::Muted));
     }
 }
 

@@ -69,7 +69,7 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
         let count = pressing.vehicles.len() + pressing.others;
         parts.push(text!("alert-header", count = count));
     }
-    if state.room != Room::Home {
+    if state.room != Room::Home || state.session.activity.is_some() {
         let (armed, all) = (state.session.armed(), state.session.vehicles.len());
         parts.push(if short {
             text!("header-armed-short", armed = armed, all = all)

@@ -7,11 +7,11 @@ use ratatui::text::{Line, Span};
 use super::swarm::since;
 use crate::app::state::{Session, Standing, State};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, figure};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, severity_role, titled, wrap};
-use crate::vehicle::{EkfFlags, LandedState, Vehicle};
+use crate::vehicle::{EkfFlags, Grade, LandedState, Vehicle};
 
 /// Columns of the labels.
 const LABEL_WIDTH: usize = 9;
@@ -26,7 +26,18 @@ pub fn height(state: &State, look: &Look, width: u16) -> u16 {
     let alerts = alert_lines(vehicle, state, look, usize::from(width)).len();
     let lines = lines(vehicle, state).into_iter();
     let lines = lines.filter(|(_, text)| !text.is_empty()).count();
-    (1 + alerts + lines) as u16
+    (1 + alerts + usize::from(vehicle.link.lost) + lines) as u16
+}
+
+/// That what is shown of a vehicle is not of now, if its link is lost.
+pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<'static>> {
+    let link = vehicle.link;
+    let silent = state
+        .now
+        .saturating_sub(link.last_heard.unwrap_or_default());
+    let text = text!("vehicle-last-known", seconds = silent.as_secs());
+    link.lost
+        .then(|| Line::styled(look.text(&text), look.style(Role::Danger)))
 }
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
@@ -42,17 +53,23 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         name = name
     ));
     let mut inner = titled(&title, look, area, buffer);
-    for line in alert_lines(vehicle, state, look, usize::from(inner.width)) {
+    let alerts = alert_lines(vehicle, state, look, usize::from(inner.width));
+    for line in alerts.into_iter().chain(last_known(vehicle, state, look)) {
         put(buffer, inner, 0, &line);
         inner = below(inner, 1);
     }
     let lines = lines(vehicle, state).into_iter();
     let lines = lines.filter(|(_, text)| !text.is_empty());
+    let role = if vehicle.link.lost {
+        Role::Muted
+    } else {
+        Role::Text
+    };
     for (row, (label, text)) in lines.take(usize::from(inner.height)).enumerate() {
         let label = aligned(&look.say(label), LABEL_WIDTH, false);
         let line = Line::from(vec![
             Span::styled(label, look.style(Role::Muted)),
-            Span::raw(look.text(&text)),
+            Span::styled(look.text(&text), look.style(role)),
         ]);
         put(buffer, inner, row as u16, &line);
     }
@@ -90,6 +107,7 @@ fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, Text)> {
         ("telemetry-ekf", ekf(vehicle)),
         ("telemetry-attitude", attitude(vehicle)),
         ("telemetry-link", link(vehicle, state)),
+        ("telemetry-reboots", reboots(vehicle).into()),
         ("telemetry-wind", wind(vehicle)),
         ("telemetry-vibration", vibration(vehicle)),
         ("telemetry-ground", ground(vehicle)),
@@ -128,14 +146,13 @@ fn altitude(vehicle: &Vehicle) -> Text {
     let Some(global) = vehicle.global else {
         return Text::default();
     };
-    let climb = -global.down_m_s;
-    // A climb of -0.0 would flicker.
-    let climb = if climb.abs() < 0.05 { 0.0 } else { climb };
+    let climb = figure(-global.down_m_s, 1);
+    let sign = if climb.starts_with('-') { "" } else { "+" };
     text!(
         "telemetry-altitudes",
-        altitude = format!("{:.1}", global.altitude_m),
-        climb = format!("{climb:+.1}"),
-        sea = format!("{:.0}", global.altitude_amsl_m)
+        altitude = figure(global.altitude_m, 1),
+        climb = format!("{sign}{climb}"),
+        sea = figure(global.altitude_amsl_m, 0)
     )
 }
 
@@ -143,12 +160,12 @@ fn speed(vehicle: &Vehicle) -> Text {
     let Some(speed) = vehicle.ground_speed_m_s() else {
         return Text::default();
     };
-    let speed = format!("{speed:.1}");
+    let speed = figure(speed, 1);
     match vehicle.heading_deg() {
         Some(deg) => text!(
             "telemetry-speed-heading",
             speed = speed,
-            heading = format!("{deg:.0}")
+            heading = figure(deg, 0)
         ),
         None => text!("telemetry-speed-alone", speed = speed),
     }
@@ -158,9 +175,11 @@ fn battery(vehicle: &Vehicle) -> String {
     let packs = vehicle.batteries.iter().map(|pack| {
         let parts = [
             pack.remaining_percent.map(|left| format!("{left} %")),
-            pack.voltage_v.map(|volts| format!("{volts:.1} V")),
-            pack.current_a.map(|amps| format!("{amps:.1} A")),
-            pack.consumed_mah.map(|mah| format!("{mah:.0} mAh")),
+            pack.voltage_v
+                .map(|volts| format!("{} V", figure(volts, 1))),
+            pack.current_a.map(|amps| format!("{} A", figure(amps, 1))),
+            pack.consumed_mah
+                .map(|mah| format!("{} mAh", figure(mah, 0))),
         ];
         parts.into_iter().flatten().collect::<Vec<_>>().join("  ")
     });
@@ -178,8 +197,8 @@ fn home(vehicle: &Vehicle) -> Text {
     }
     text!(
         "telemetry-bearing",
-        distance = format!("{distance:.0}"),
-        bearing = format!("{bearing:.0}")
+        distance = figure(distance, 0),
+        bearing = figure(bearing, 0)
     )
 }
 
@@ -189,11 +208,10 @@ fn target(vehicle: &Vehicle) -> Text {
     };
     let distance = target.at_point.map(|to| {
         let distance = global.at_point.distance_m(to);
-        text!("telemetry-away", distance = format!("{distance:.0}"))
+        text!("telemetry-away", distance = figure(distance, 0))
     });
     let altitude = target.altitude_m;
-    let altitude =
-        altitude.map(|altitude| text!("telemetry-at", altitude = format!("{altitude:.0}")));
+    let altitude = altitude.map(|altitude| text!("telemetry-at", altitude = figure(altitude, 0)));
     Text::joined("  ", [distance, altitude].into_iter().flatten().collect())
 }
 
@@ -211,7 +229,9 @@ fn gps(vehicle: &Vehicle) -> Text {
     let fix = gps.fix.text();
     let satellites = gps.satellites;
     let satellites = satellites.map(|count| text!("telemetry-satellites", count = count));
-    let hdop = gps.hdop.map(|hdop| Text::from(format!("HDOP {hdop:.1}")));
+    let hdop = gps
+        .hdop
+        .map(|hdop| Text::from(format!("HDOP {}", figure(hdop, 1))));
     let parts = [Some(fix), satellites, hdop].into_iter().flatten();
     Text::joined("  ", parts.collect())
 }
@@ -221,17 +241,20 @@ fn ekf(vehicle: &Vehicle) -> Text {
         return Text::default();
     };
     let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
-    let state = if ekf.flags.has(position) {
-        text!("telemetry-ekf-ok")
-    } else {
-        text!("telemetry-ekf-lost")
+    // Beside a longer word there is room for the tenths that the limits are given in.
+    let (state, decimals) = match Grade::of_ekf(&ekf) {
+        _ if vehicle.link.lost => (text!("vehicle-grade-old"), 1),
+        _ if !ekf.flags.has(position) => (text!("telemetry-ekf-lost"), 1),
+        Grade::Good => (text!("telemetry-ekf-ok"), 2),
+        Grade::Poor => (text!("vehicle-grade-poor"), 1),
+        Grade::Bad => (text!("vehicle-grade-bad"), 1),
     };
     let ratios = [
         ekf.velocity_variance,
         ekf.position_horizontal_variance,
         ekf.compass_variance,
     ];
-    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, 2));
+    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, decimals));
     let figures = format!("vel {velocity} pos {position} mag {compass}");
     Text::joined("  ", vec![state, figures.into()])
 }
@@ -259,10 +282,14 @@ fn link(vehicle: &Vehicle, state: &State) -> Text {
     };
     let trip = link.round_trip;
     let trip = trip.map(|trip| text!("telemetry-round-trip", ms = trip.as_millis() as u64));
-    let reboots = Some(link.reboots).filter(|&count| count > 0);
-    let reboots = reboots.map(|count| text!("telemetry-rebooted", count = count));
-    let parts = [Some(quality), trip, reboots].into_iter().flatten();
+    let parts = [Some(quality), trip].into_iter().flatten();
     Text::joined("  ", parts.collect())
+}
+
+/// How often it has rebooted, if it has.
+fn reboots(vehicle: &Vehicle) -> String {
+    let count = Some(vehicle.link.reboots).filter(|&count| count > 0);
+    count.map_or(String::new(), |count| count.to_string())
 }
 
 fn wind(vehicle: &Vehicle) -> Text {
@@ -270,8 +297,8 @@ fn wind(vehicle: &Vehicle) -> Text {
     wind.map_or_else(Text::default, |wind| {
         text!(
             "telemetry-wind-from",
-            speed = format!("{:.1}", wind.speed_m_s),
-            from = format!("{:.0}", wind.from_deg)
+            speed = figure(wind.speed_m_s, 1),
+            from = figure(wind.from_deg, 0)
         )
     })
 }
@@ -291,7 +318,7 @@ fn vibration(vehicle: &Vehicle) -> Text {
 fn ground(vehicle: &Vehicle) -> Text {
     let metres = vehicle.rangefinder_m;
     metres.map_or_else(Text::default, |m| {
-        text!("telemetry-below", metres = format!("{m:.1}"))
+        text!("telemetry-below", metres = figure(m, 1))
     })
 }
 
@@ -320,15 +347,6 @@ fn load(vehicle: &Vehicle) -> String {
     vehicle.health.map_or(String::new(), |health| {
         format!("{} %", figure(health.load_percent, 0))
     })
-}
-
-/// A value with so many decimals, or a dash for what the vehicle cannot tell.
-fn figure(value: f32, decimals: usize) -> String {
-    if value.is_finite() {
-        format!("{value:.decimals$}")
-    } else {
-        "-".to_owned()
-    }
 }
 
 fn firmware(vehicle: &Vehicle) -> String {

@@ -186,3 +186,20 @@ fn a_long_address_does_not_push_out_whether_the_link_is_up() {
     let header = screen.lines().next().expect("a first line");
     assert!(header.contains(" down"), "{header}");
 }
+
+#[test]
+fn a_crashed_vehicle_is_not_ready_and_reboots_have_a_row_of_their_own() {
+    let mut console = Console::flying(1);
+    assert!(console.screen(120, 40).contains(" ready"));
+    let mut vehicle = fixtures::parked(1);
+    vehicle.link.reboots = 2;
+    vehicle.texts.push(sortie::vehicle::StatusText {
+        severity: Severity::Critical,
+        text: "Crash: Disarming: AngErr=179>30".to_owned(),
+        at: std::time::Duration::ZERO,
+    });
+    console.vehicle(vehicle);
+    let screen = console.screen(120, 40);
+    assert!(!screen.contains(" ready"), "{screen}");
+    assert!(screen.contains("reboots  2"), "{screen}");
+}

@@ -283,3 +283,85 @@ fn it_is_drawn_at_any_size() {
         }
     }
 }
+
+#[test]
+fn what_is_not_heard_any_more_is_old_and_neither_good_nor_bad() {
+    let mut console = room();
+    let mut lost = talkative(20.0);
+    lost.link.lost = true;
+    lost.link.last_heard = Some(Duration::from_secs(20));
+    console.vehicle(lost).at(32);
+    let notice = "link lost 12 s ago: last known values";
+    for key in ["V", "F"] {
+        let screen = console.press(key).screen(120, 40);
+        let grades = [" ok", " poor", " BAD"].map(|word| screen.contains(word));
+        assert_eq!(grades, [false; 3], "{screen}");
+        assert_eq!(screen.matches(notice).count(), 1, "{screen}");
+        assert!(screen.contains(" old"), "{screen}");
+    }
+    let mut terminal = Terminal::new(TestBackend::new(120, 40)).expect("a test terminal");
+    let look = Look::default();
+    console.press("V");
+    terminal
+        .draw(|frame| ui::draw(&console.state, &look, frame))
+        .expect("a test terminal");
+    let muted = look.style(sortie::ui::Role::Muted).fg;
+    let live = |at: &&(u16, u16)| terminal.backend().buffer()[**at].fg != muted.expect("a colour");
+    let body: Vec<_> = (3..39)
+        .flat_map(|y| (0..120).map(move |x| (x, y)))
+        .collect();
+    assert_eq!(body.iter().find(live), None, "a value looks live");
+}
+
+#[test]
+fn the_flight_room_and_this_one_judge_the_filter_alike() {
+    for (ratio, word) in [(0.1, "ok"), (0.7, "poor"), (f32::NAN, "BAD"), (-1.0, "BAD")] {
+        let mut console = room();
+        let mut vehicle = talkative(20.0);
+        vehicle.ekf = vehicle.ekf.map(|ekf| sortie::vehicle::Ekf {
+            velocity_variance: ratio,
+            ..ekf
+        });
+        console.vehicle(vehicle);
+        let here = console.screen(120, 40);
+        let row = here.lines().find(|line| line.contains("position known"));
+        assert!(row.is_some_and(|row| row.contains(word)), "{here}");
+        let there = console.press("F").screen(120, 40);
+        assert!(there.contains(&format!("EKF      {word}  vel")), "{there}");
+    }
+}
+
+#[test]
+fn a_disarmed_vehicle_says_for_how_long_it_was_armed_last() {
+    let mut console = room();
+    assert!(console.screen(120, 40).contains("armed for   00:30"));
+    let mut vehicle = talkative(0.0);
+    vehicle.heartbeat = fixtures::parked(3).heartbeat;
+    console.vehicle(vehicle.clone()).at(31);
+    assert!(console.screen(120, 40).contains("last armed  for 00:30"));
+    vehicle.link.reboots = 1;
+    console.vehicle(vehicle).at(32);
+    assert!(console.screen(120, 40).contains("armed for   -"));
+}
+
+#[test]
+fn absurd_figures_stay_short() {
+    let mut console = room();
+    let mut vehicle = talkative(1e38);
+    vehicle.ekf = vehicle.ekf.map(|ekf| sortie::vehicle::Ekf {
+        velocity_variance: 1e38,
+        ..ekf
+    });
+    vehicle.vibration = Some(Vibration {
+        level_m_s2: [1e38; 3],
+        clipping: [0; 3],
+    });
+    console.vehicle(vehicle).at(31);
+    for key in ["V", "F"] {
+        let screen = console.press(key).screen(120, 40);
+        assert!(
+            screen.contains("1e38") && !screen.contains("00000000"),
+            "{screen}"
+        );
+    }
+}

@@ -10,7 +10,7 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, titled};
-use crate::vehicle::{EkfFlags, Grade, Vehicle};
+use crate::vehicle::{EkfFlags, Grade};
 
 /// Columns of a value that a word follows.
 const VALUE: usize = 19;
@@ -23,24 +23,26 @@ const FULL_VIBRATION: f32 = 75.0;
 
 /// Draws the readings with a word for each.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
-    let (vehicle, look) = (subject.vehicle, subject.look);
+    let look = subject.look;
     let inner = titled(&look.say("vehicle-estimate"), look, area, buffer);
-    let rows = gps(vehicle, look)
+    let rows = gps(subject)
         .into_iter()
-        .chain(filter(vehicle, look))
-        .chain(vibration(vehicle, look));
+        .chain(filter(subject))
+        .chain(vibration(subject));
     for (at, line) in rows.enumerate() {
         put(buffer, inner, at as u16, &line);
     }
 }
 
-fn graded(look: &Look, label: &str, value: &str, grade: Option<Grade>) -> Line<'static> {
+fn graded(subject: &Subject<'_>, label: &str, value: &str, grade: Option<Grade>) -> Line<'static> {
     let mut spans = vec![Span::raw(format!("{} ", filled(value, VALUE)))];
-    spans.extend(grade.map(|grade| grade_word(look, grade)));
-    labelled(look, label, spans)
+    let is_old = subject.vehicle.link.lost;
+    spans.extend(grade.map(|grade| grade_word(subject.look, grade, is_old)));
+    labelled(subject.look, label, spans)
 }
 
-fn gps(vehicle: &Vehicle, look: &Look) -> [Line<'static>; 2] {
+fn gps(subject: &Subject<'_>) -> [Line<'static>; 2] {
+    let (vehicle, look) = (subject.vehicle, subject.look);
     let fix = vehicle.gps.map_or(UNKNOWN.to_owned(), |gps| {
         let satellites = gps
             .satellites
@@ -60,9 +62,14 @@ fn gps(vehicle: &Vehicle, look: &Look) -> [Line<'static>; 2] {
         format!("±{horizontal} m  ↕ {vertical} m")
     });
     [
-        graded(look, "GPS", &fix, vehicle.gps.as_ref().map(Grade::of_gps)),
         graded(
-            look,
+            subject,
+            "GPS",
+            &fix,
+            vehicle.gps.as_ref().map(Grade::of_gps),
+        ),
+        graded(
+            subject,
             &look.say("vehicle-gps-error"),
             &error,
             accuracy.as_ref().map(Grade::of_accuracy),
@@ -70,15 +77,17 @@ fn gps(vehicle: &Vehicle, look: &Look) -> [Line<'static>; 2] {
     ]
 }
 
-fn filter(vehicle: &Vehicle, look: &Look) -> Vec<Line<'static>> {
+fn filter(subject: &Subject<'_>) -> Vec<Line<'static>> {
+    let (vehicle, look) = (subject.vehicle, subject.look);
     let ekf = vehicle.ekf;
     let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
-    let (word, grade) = match ekf.map(|ekf| ekf.flags.has(position)) {
-        Some(true) => (look.say("vehicle-ekf-position"), Some(Grade::Good)),
-        Some(false) => (look.say("vehicle-ekf-lost"), Some(Grade::Bad)),
-        None => (UNKNOWN.to_owned(), None),
+    let word = match ekf.map(|ekf| ekf.flags.has(position)) {
+        Some(true) => look.say("vehicle-ekf-position"),
+        Some(false) => look.say("vehicle-ekf-lost"),
+        None => UNKNOWN.to_owned(),
     };
-    let mut lines = vec![graded(look, "EKF", &word, grade)];
+    let grade = ekf.as_ref().map(Grade::of_ekf);
+    let mut lines = vec![graded(subject, "EKF", &word, grade)];
     let ratios = [
         ("vehicle-ekf-velocity", ekf.map(|ekf| ekf.velocity_variance)),
         (
@@ -94,7 +103,7 @@ fn filter(vehicle: &Vehicle, look: &Look) -> Vec<Line<'static>> {
     for (id, ratio) in ratios {
         let value = measured(ratio, 2, FULL_VARIANCE, look);
         lines.push(graded(
-            look,
+            subject,
             &look.say(id),
             &value,
             ratio.map(Grade::of_variance),
@@ -103,7 +112,8 @@ fn filter(vehicle: &Vehicle, look: &Look) -> Vec<Line<'static>> {
     lines
 }
 
-fn vibration(vehicle: &Vehicle, look: &Look) -> Vec<Line<'static>> {
+fn vibration(subject: &Subject<'_>) -> Vec<Line<'static>> {
+    let (vehicle, look) = (subject.vehicle, subject.look);
     let vibration = vehicle.vibration;
     let axes = ["x", "y", "z"].into_iter().enumerate();
     let mut lines: Vec<Line<'static>> = axes
@@ -111,14 +121,14 @@ fn vibration(vehicle: &Vehicle, look: &Look) -> Vec<Line<'static>> {
             let level = vibration.map(|vibration| vibration.level_m_s2[axis]);
             let value = measured(level, 1, FULL_VIBRATION, look);
             let label = look.text(&text!("vehicle-vibration", axis = name));
-            graded(look, &label, &value, level.map(Grade::of_vibration))
+            graded(subject, &label, &value, level.map(Grade::of_vibration))
         })
         .collect();
     let counts = vibration.map(|vibration| vibration.clipping);
     let value = counts.map_or(UNKNOWN.to_owned(), |[x, y, z]| format!("{x} {y} {z}"));
     let worst = counts.and_then(|counts| counts.into_iter().max());
     lines.push(graded(
-        look,
+        subject,
         &look.say("vehicle-clipping"),
         &value,
         worst.map(Grade::of_clipping),

@@ -6,6 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::config::Symbols;
 use crate::geo::wrap_360;
+use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put};
@@ -42,21 +43,9 @@ pub fn centred(buffer: &mut Buffer, area: Rect, line: &Line<'_>) {
     put(buffer, middle, 0, line);
 }
 
-/// A number with so many decimals, if it is one; a zero has no sign of its own.
+/// A number with so many decimals, if it is one.
 pub fn number(value: Option<f32>, decimals: usize) -> String {
-    let Some(value) = value.filter(|value| value.is_finite()) else {
-        return UNKNOWN.to_owned();
-    };
-    let text = format!("{value:.decimals$}");
-    let is_zero = text
-        .trim_start_matches('-')
-        .chars()
-        .all(|c| matches!(c, '0' | '.'));
-    if is_zero {
-        text.trim_start_matches('-').to_owned()
-    } else {
-        text
-    }
+    value.map_or_else(|| UNKNOWN.to_owned(), |value| figure(value, decimals))
 }
 
 /// A bar that is full at 1.
@@ -72,14 +61,15 @@ pub fn bar(share: f32, width: usize, symbols: Symbols) -> String {
         .collect()
 }
 
-/// The word of a grade.
-pub fn grade_word(look: &Look, grade: Grade) -> Span<'static> {
-    let (word, role) = match grade {
-        Grade::Good => (look.say("vehicle-grade-good"), Role::Ok),
-        Grade::Poor => (look.say("vehicle-grade-poor"), Role::Warning),
-        Grade::Bad => (look.say("vehicle-grade-bad"), Role::Danger),
+/// The word of a grade; of what is not heard any more nothing can be said but that it is old.
+pub fn grade_word(look: &Look, grade: Grade, is_old: bool) -> Span<'static> {
+    let (id, role) = match grade {
+        _ if is_old => ("vehicle-grade-old", Role::Muted),
+        Grade::Good => ("vehicle-grade-good", Role::Ok),
+        Grade::Poor => ("vehicle-grade-poor", Role::Warning),
+        Grade::Bad => ("vehicle-grade-bad", Role::Danger),
     };
-    Span::styled(word, look.style(role))
+    Span::styled(look.say(id), look.style(role))
 }
 
 /// An arrow into one of eight directions, straight ahead being up.

@@ -85,6 +85,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(inner.width) / blocks;
     for (at, (condition, id)) in entries.into_iter().take(rows * blocks).enumerate() {
         let (word, role) = match condition {
+            _ if subject.vehicle.link.lost => (look.say("vehicle-grade-old"), Role::Muted),
             Condition::Bad => (look.say("sensor-bad"), Role::Danger),
             Condition::Good => (look.say("sensor-good"), Role::Ok),
             Condition::Off => (look.say("sensor-off"), Role::Muted),

@@ -7,9 +7,10 @@ use ratatui::text::Span;
 use super::Subject;
 use super::row::{LABEL, UNKNOWN, arrow, labelled, number};
 use super::tape::shown_deg;
-use crate::app::state::alert;
+use crate::app::state::{History, alert};
 use crate::geo::LatLon;
 use crate::text;
+use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clock, put, severity_role, titled, wrap};
@@ -56,7 +57,7 @@ fn entries(subject: &Subject<'_>) -> Vec<Entry> {
         ("vehicle-battery", battery(vehicle), Role::Text),
         ("vehicle-home", home(vehicle, look), Role::Text),
         ("vehicle-target", target(vehicle, look), Role::Text),
-        ("vehicle-flight", flight(subject), Role::Text),
+        flight(subject),
         link(subject),
         ("vehicle-wind", wind(vehicle, look), Role::Text),
         ("vehicle-ground", metres(vehicle.rangefinder_m), Role::Text),
@@ -170,7 +171,7 @@ fn way(vehicle: &Vehicle, to: LatLon, look: &Look) -> Option<String> {
     let arrow = heading_deg.map_or(String::new(), |heading_deg| {
         format!("{} ", arrow(bearing_deg - heading_deg, look.symbols))
     });
-    Some(format!("{arrow}{distance_m:.0} m  {shown}°"))
+    Some(format!("{arrow}{} m  {shown}°", figure(distance_m, 0)))
 }
 
 fn home(vehicle: &Vehicle, look: &Look) -> String {
@@ -208,9 +209,24 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
     }
 }
 
-fn flight(subject: &Subject<'_>) -> String {
+/// For how long it is armed, or was in its last flight.
+fn flight(subject: &Subject<'_>) -> Entry {
     let history = subject.state.session.histories.of(subject.vehicle.id);
-    history.map_or(UNKNOWN.to_owned(), |history| clock(history.armed_for()))
+    let time = history.map(History::armed_for).filter(|it| !it.is_zero());
+    match time.map(clock) {
+        Some(time) if !subject.vehicle.armed() => {
+            let text = text!("vehicle-flight-last", time = time);
+            (
+                "vehicle-flight-before",
+                subject.look.text(&text),
+                Role::Text,
+            )
+        }
+        time => {
+            let time = time.unwrap_or_else(|| UNKNOWN.to_owned());
+            ("vehicle-flight", time, Role::Text)
+        }
+    }
 }
 
 fn link(subject: &Subject<'_>) -> Entry {

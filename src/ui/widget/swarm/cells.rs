@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-use crate::app::state::{Column, Session, Standing, State};
+use crate::app::state::{AlertKind, Column, Session, Standing, State};
 use crate::ledger::RowState;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, figure};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
@@ -86,12 +86,7 @@ pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cel
     let session = &row.state.session;
     let number = |decimals: usize| {
         let value = column.number(row.vehicle, session);
-        // Adding zero turns a rounded -0 into +0, which does not flicker.
-        let scale = 10_f64.powi(decimals as i32);
-        value.map_or_else(unknown, |value| {
-            let value = (value * scale).round() / scale + 0.0;
-            (format!("{value:.decimals$}"), Role::Text)
-        })
+        value.map_or_else(unknown, |value| (figure(value, decimals), Role::Text))
     };
     match column {
         Column::Id => id(row),
@@ -148,11 +143,19 @@ fn armed(row: &Row<'_>) -> Cell {
         unknown()
     } else if vehicle.armed() {
         (words.armed.clone(), Role::Accent)
+    } else if has_crashed(row) {
+        unknown()
     } else if vehicle.ready_to_arm() {
         (words.ready.clone(), Role::Ok)
     } else {
         (words.safe.clone(), Role::Muted)
     }
+}
+
+/// Whether it lies broken, whatever its arming checks say.
+fn has_crashed(row: &Row<'_>) -> bool {
+    let mut alerts = row.state.session.alarms.of(row.vehicle.id);
+    alerts.any(|one| one.alert.kind == AlertKind::Crash)
 }
 
 fn landed(row: &Row<'_>) -> Cell {
@@ -171,7 +174,7 @@ fn battery(vehicle: &Vehicle) -> Cell {
     let battery = vehicle.battery();
     let Some(left) = battery.and_then(|battery| battery.remaining_percent) else {
         let voltage = battery.and_then(|battery| battery.voltage_v);
-        return voltage.map_or_else(unknown, |voltage| (format!("{voltage:.1}"), Role::Text));
+        return voltage.map_or_else(unknown, |voltage| (figure(voltage, 1), Role::Text));
     };
     let role = match left {
         0..=10 => Role::Danger,

@@ -1,0 +1,50 @@
+//! Numbers in writing.
+
+/// From this on a number is written by its power of ten, with decimals and without.
+const LONG_DECIMAL: f64 = 1e5;
+const LONG_WHOLE: f64 = 1e7;
+
+/// A number with so many decimals, in a few digits whatever it is: `1e38` where it is beyond any that is measured, a
+/// dash where it is none. A zero has no sign of its own, which would flicker.
+pub fn figure(value: impl Into<f64>, decimals: usize) -> String {
+    let value = value.into();
+    let long = if decimals == 0 {
+        LONG_WHOLE
+    } else {
+        LONG_DECIMAL
+    };
+    if !value.is_finite() {
+        return "-".to_owned();
+    }
+    if value.abs() >= long {
+        return format!("{value:.0e}");
+    }
+    let text = format!("{value:.decimals$}");
+    let digits = text.trim_start_matches('-');
+    if digits.chars().all(|c| matches!(c, '0' | '.')) {
+        digits.to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_whatever_they_are() {
+        for (value, decimals, expected) in [
+            (1.26, 1, "1.3"),
+            (-0.01, 1, "0.0"),
+            (-10.0, 1, "-10.0"),
+            (1_234_567.0, 0, "1234567"),
+            (f64::from(f32::MAX), 1, "3e38"),
+            (-1e38, 0, "-1e38"),
+            (f64::NAN, 1, "-"),
+            (f64::INFINITY, 1, "-"),
+        ] {
+            assert_eq!(figure(value, decimals), expected);
+        }
+    }
+}
