@@ -16,6 +16,7 @@ mod link_room;
 mod map;
 mod mission;
 mod parameters;
+mod rooms;
 mod vehicle;
 
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
