@@ -1,6 +1,6 @@
 //! The terminal that the console draws on: taken over at the start, given back whatever happens.
 //!
-//! Frames are written by a thread of their own, and no more of them than the line carries ([`pace`]). A terminal
+//! Frames are written by a thread of their own, and no more of them than the line carries (`pace`). A terminal
 //! that reads slowly, or not at all, therefore holds up nothing, and sees the newest state when it reads again.
 
 use std::io::{self, Write};

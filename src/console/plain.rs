@@ -1,6 +1,6 @@
 //! The console without a screen: lines in, lines out, for screen readers and for pipes.
 //!
-//! It is the same console: the same state, [`update`] and session. Only what a screen would show is said in lines,
+//! It is the same console: the same state, [`update`](crate::app::update()) and session. Only what a screen would show is said in lines,
 //! each once: what was noticed, what became of commands, how objectives stand, the debrief. Nothing but text is
 //! written.
 //!

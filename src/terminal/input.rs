@@ -1,7 +1,7 @@
 //! From the bytes of a terminal to keys, pastes and answers.
 //!
 //! The terminal library keeps answers to itself, and they are what tells how fast the line is (see
-//! [`pace`](super::pace)). Only what terminals in use send is understood; everything else is skipped, never taken for
+//! `pace`). Only what terminals in use send is understood; everything else is skipped, never taken for
 //! keys.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
