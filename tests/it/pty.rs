@@ -86,6 +86,40 @@ fn a_kill_names_its_targets_and_wants_their_number() {
 }
 
 #[test]
+fn an_instructor_finds_selects_commands_looks_around_and_is_cut_off() {
+    let mut terminal = free_flight(80, 24);
+    terminal.press("/").see("show only");
+    terminal.press("3\r").see("1 of 4");
+    terminal.press("/").see("show only");
+    terminal.press("\u{15}\r").see_no_more("1 of 4");
+    terminal.press("2-4\r").command("guided");
+    terminal.command("ledger").see("2-4 guided");
+    terminal.press("F").command("all arm").see("4 armed");
+    terminal.command("kill").see("KILL vehicles 2 3 4");
+    terminal.press("3").see("1 armed");
+    for (key, name) in [
+        ("V", "VEHICLE"),
+        ("M", "MAP"),
+        ("C", "COMMANDS"),
+        ("I", "MESSAGES"),
+        ("L", "LINKS"),
+        ("P", "PARAMETERS"),
+        ("B", "MISSION"),
+        ("D", "DEBRIEF"),
+        ("H", "HOME"),
+        ("F", "FLY"),
+    ] {
+        terminal.press(key).wait(name, |screen| {
+            screen.trim_start().starts_with(&format!("{name} "))
+        });
+    }
+    terminal.resize(120, 40).see("── map");
+    terminal.resize(60, 20).see("sortie needs 80x24");
+    terminal.resize(80, 24).see("FLY");
+    terminal.go_away();
+}
+
+#[test]
 fn a_slip_is_marked_and_keeps_the_line() {
     let mut terminal = free_flight(80, 24);
     terminal

@@ -2,6 +2,7 @@
 
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
@@ -32,7 +33,8 @@ pub fn home_variables(home: &Path) -> [(&'static str, PathBuf); 5] {
 
 /// A terminal with the program in it.
 pub struct Terminal {
-    master: Box<dyn MasterPty + Send>,
+    /// None once the terminal has gone away.
+    master: Option<Box<dyn MasterPty + Send>>,
     keyboard: Box<dyn std::io::Write + Send>,
     child: Box<dyn Child + Send + Sync>,
     output: Receiver<Vec<u8>>,
@@ -48,6 +50,8 @@ pub struct Terminal {
 struct Pace {
     bytes_per_s: Mutex<Option<usize>>,
     changed: Condvar,
+    /// Whether the terminal goes away after what it reads next.
+    gone: AtomicBool,
 }
 
 impl Pace {
@@ -127,7 +131,9 @@ impl Terminal {
         let shared = Arc::clone(&pace);
         std::thread::spawn(move || {
             let mut buffer = [0; 4096];
-            while let Ok(count) = reader.read(shared.room(&mut buffer)) {
+            while !shared.gone.load(Ordering::SeqCst)
+                && let Ok(count) = reader.read(shared.room(&mut buffer))
+            {
                 if count == 0 || bytes.send(buffer[..count].to_vec()).is_err() {
                     break;
                 }
@@ -135,7 +141,7 @@ impl Terminal {
         });
         Self {
             keyboard: pair.master.take_writer().expect("a writer"),
-            master: pair.master,
+            master: Some(pair.master),
             child,
             output,
             screen: vt100::Parser::new(
@@ -274,7 +280,8 @@ impl Terminal {
             pixel_width: 0,
             pixel_height: 0,
         };
-        self.master.resize(size).expect("the terminal is there");
+        let master = self.master.as_ref().expect("the terminal is there");
+        master.resize(size).expect("it takes a size");
         self.screen.screen_mut().set_size(
             rows.try_into().expect("rows"),
             columns.try_into().expect("columns"),
@@ -285,6 +292,19 @@ impl Terminal {
     /// The process id of the program.
     pub fn process_id(&self) -> u32 {
         self.child.process_id().expect("it runs")
+    }
+
+    /// The terminal goes away, as when an SSH connection breaks; waits for the end of the program.
+    pub fn go_away(&mut self) {
+        // The reader ends with the next bytes of the program, whose clock goes on.
+        self.pace.gone.store(true, Ordering::SeqCst);
+        self.keyboard = Box::new(std::io::sink());
+        self.master = None;
+        let deadline = Instant::now() + PATIENCE;
+        while self.child.try_wait().expect("it was started").is_none() {
+            assert!(Instant::now() < deadline, "waited in vain for the end");
+            std::thread::sleep(Duration::from_millis(20));
+        }
     }
 
     /// Waits for the end of the program and returns its exit code.
