@@ -5,26 +5,25 @@
 //! runner drives them in lock step with the simulator. Both therefore behave the same, and every
 //! time-out and retry can be tested without waiting for it.
 
-use crate::text;
-use crate::text::Text;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
-use crate::commands::Command;
-use crate::language::{Retry, Verb};
-use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::ledger::{RowState, RowUpdate};
 use crate::messages::Inbox;
 use crate::notice::Notice;
 use crate::parameters::{Fetching, Snapshot};
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 
 mod acknowledgement;
 mod download;
 mod fit;
+mod order;
 mod plans;
 mod precedence;
 mod streams;
@@ -40,6 +39,7 @@ use streams::Streams;
 use timesync::Timesync;
 use transaction::{Progress, Transaction};
 
+pub use order::{Order, Report};
 pub use streams::{Stream, WANTED_STREAMS};
 
 /// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
@@ -51,58 +51,6 @@ const IDLE_POLL: Duration = Duration::from_millis(500);
 
 /// Orders that may wait for one vehicle; more are refused.
 const MOST_WAITING: usize = 32;
-
-/// One vehicle's part in a command.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Order {
-    /// The ledger's entry that is kept informed.
-    pub entry: EntryId,
-    /// The verb it was given with, for explanations.
-    pub verb: &'static str,
-    /// When it may be sent again, and until when at all.
-    pub retry: Retry,
-    /// What to do.
-    pub command: Command,
-}
-
-/// Something to report.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Report {
-    /// A command has come further.
-    Row(RowUpdate),
-    /// A human should hear of it.
-    Notice(Notice),
-}
-
-impl Order {
-    /// An order as the verb table has it.
-    pub fn new(entry: EntryId, verb: &'static Verb, command: Command) -> Self {
-        Self {
-            entry,
-            verb: verb.name,
-            retry: verb.retry,
-            command,
-        }
-    }
-
-    /// The last word on an order that was never sent.
-    pub fn unsent(
-        &self,
-        vehicle: VehicleId,
-        state: RowState,
-        reason: impl Into<Text>,
-        now: Duration,
-    ) -> RowUpdate {
-        RowUpdate {
-            entry: self.entry,
-            vehicle,
-            state,
-            tries: 0,
-            at: now,
-            explanation: Some(reason.into()),
-        }
-    }
-}
 
 /// What a session has to send and to say.
 #[derive(Debug, Default)]

@@ -8,7 +8,9 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use super::*;
-use crate::commands::{Destination, Heading};
+use crate::commands::{Command, Destination, Heading};
+use crate::language::Retry;
+use crate::ledger::EntryId;
 
 mod download;
 mod hearing;

@@ -1,0 +1,62 @@
+//! What a session is asked to do, and what it reports.
+
+use std::time::Duration;
+
+use crate::commands::Command;
+use crate::language::{Retry, Verb};
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::notice::Notice;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// One vehicle's part in a command.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Order {
+    /// The ledger's entry that is kept informed.
+    pub entry: EntryId,
+    /// The verb it was given with, for explanations.
+    pub verb: &'static str,
+    /// When it may be sent again, and until when at all.
+    pub retry: Retry,
+    /// What to do.
+    pub command: Command,
+}
+
+/// Something to report.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Report {
+    /// A command has come further.
+    Row(RowUpdate),
+    /// A human should hear of it.
+    Notice(Notice),
+}
+
+impl Order {
+    /// An order as the verb table has it.
+    pub fn new(entry: EntryId, verb: &'static Verb, command: Command) -> Self {
+        Self {
+            entry,
+            verb: verb.name,
+            retry: verb.retry,
+            command,
+        }
+    }
+
+    /// The last word on an order that was never sent.
+    pub fn unsent(
+        &self,
+        vehicle: VehicleId,
+        state: RowState,
+        reason: impl Into<Text>,
+        now: Duration,
+    ) -> RowUpdate {
+        RowUpdate {
+            entry: self.entry,
+            vehicle,
+            state,
+            tries: 0,
+            at: now,
+            explanation: Some(reason.into()),
+        }
+    }
+}
