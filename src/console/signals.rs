@@ -30,8 +30,8 @@ impl Signals {
     /// # Errors
     /// The operating system refuses.
     pub fn new() -> io::Result<Self> {
-        use rustix::process::Signal as Number;
-        let numbered = |number: Number| signal(SignalKind::from_raw(number.as_raw()));
+        use nix::sys::signal::Signal as Number;
+        let numbered = |number: Number| signal(SignalKind::from_raw(number as i32));
         Ok(Self {
             ends: [
                 signal(SignalKind::terminate())?,
@@ -40,8 +40,8 @@ impl Signals {
                 signal(SignalKind::quit())?,
             ],
             resized: signal(SignalKind::window_change())?,
-            stopped: numbered(Number::TSTP)?,
-            continued: numbered(Number::CONT)?,
+            stopped: numbered(Number::SIGTSTP)?,
+            continued: numbered(Number::SIGCONT)?,
         })
     }
 

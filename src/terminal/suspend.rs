@@ -2,28 +2,37 @@
 
 use std::io;
 
-use rustix::process::{Signal, getpid, getppid, getsid, kill_current_process_group, kill_process};
-use rustix::termios::{QueueSelector, tcflush};
+use nix::sys::signal::{Signal, kill};
+use nix::sys::termios::{FlushArg, tcflush};
+use nix::unistd::{Pid, getpid, getppid, getsid};
 
 /// Whether a shell is there that could bring the console back. Started by `ssh HOST sortie` or as a login shell it
 /// would stand still for ever.
 pub fn can_be_suspended() -> bool {
-    let ours = getsid(None).ok();
-    let parents = getppid().and_then(|parent| getsid(Some(parent)).ok());
-    ours.is_some() && ours == parents
+    let ours = session(getpid());
+    ours.is_some() && ours == session(getppid())
+}
+
+/// The session of a process. None: it cannot be seen from here, as the world outside of a container, which has the
+/// id 0 (and 0 asked for would mean this process).
+fn session(process: Pid) -> Option<Pid> {
+    let visible = |id: &Pid| id.as_raw() > 0;
+    let process = Some(process).filter(visible)?;
+    getsid(Some(process)).ok().filter(visible)
 }
 
 /// Asks every process of the job to stop, this one too: what Ctrl-Z does where it is not a key.
 pub fn suspend_group() {
-    let _ = kill_current_process_group(Signal::TSTP);
+    // A group of id 0 is the own one.
+    let _ = kill(Pid::from_raw(0), Signal::SIGTSTP);
 }
 
 /// Stops this process until it is continued.
 pub fn stop() {
-    let _ = kill_process(getpid(), Signal::STOP);
+    let _ = kill(getpid(), Signal::SIGSTOP);
 }
 
 /// Throws away what has been written to the terminal and not been read.
 pub(super) fn discard_output() {
-    let _ = tcflush(io::stdout(), QueueSelector::OFlush);
+    let _ = tcflush(io::stdout(), FlushArg::TCOFLUSH);
 }
