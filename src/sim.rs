@@ -20,6 +20,8 @@ mod inbound;
 mod leg;
 mod mode;
 mod parameters;
+#[expect(dead_code, reason = "the lists are filled and flown next")]
+mod plan;
 mod port;
 mod schedule;
 mod switching;

@@ -12,6 +12,7 @@ use super::control::{Limits, PositionControl};
 use super::failsafe::{self, Failsafe};
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
+use super::plan::Plans;
 use super::task::{Act, Cockpit, Sticks, Task};
 use super::wind::Wind;
 use super::yaw::{YawControl, YawDemand};
@@ -67,6 +68,7 @@ pub(super) struct Autopilot {
     pub(super) failsafe: Failsafe,
     pub(super) battery: Battery,
     pub(super) home: Option<Place>,
+    pub(super) plans: Plans,
     pub(super) radio: Radio,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
@@ -102,6 +104,7 @@ impl Autopilot {
             failsafe: Failsafe::default(),
             battery: Battery::default(),
             home: None,
+            plans: Plans::default(),
             radio: Radio {
                 sticks: Sticks::RELEASED,
                 until: Duration::ZERO,
@@ -149,7 +152,9 @@ impl Autopilot {
         };
         let system = self.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8;
         let own = (self.wind.clone(), self.board_id);
+        let plans = std::mem::take(&mut self.plans);
         *self = Self::booted(system, start, self.parameters.clone(), own);
+        self.plans = plans;
         true
     }
 

@@ -24,6 +24,7 @@ const BRAKE_ACCEL_M_S2: f64 = 7.5;
 /// What a task works with.
 pub(super) struct Cockpit<'a> {
     pub(super) control: &'a mut PositionControl,
+    /// What the autopilot believes of the body.
     pub(super) body: &'a Body,
     pub(super) tuning: &'a Tuning,
     pub(super) limits: Limits,

@@ -1,213 +1,87 @@
 //! The parameters the simulated vehicle has, in the order in which it lists them.
 //!
-//! Names, types and values are those of an `ArduCopter` 4.6 SITL. Those that `tuning` and `failsafe` read shape the
-//! vehicle's behaviour; the others are there because ground stations look for them. Switches of subsystems that are not
-//! simulated (fences, faults of sensors, other vehicles) are left out, so that setting one cannot seem to have worked.
+//! Names, types and values are those of an `ArduCopter` 4.6 SITL with its default parameters for copters, read from
+//! it over `MAVLink`. Those that `tuning` and its parts read shape the vehicle's behaviour; the others are stored,
+//! listed and given back, because ground stations look for them.
 
-use super::Kind::{self, Int8, Int16, Int32, Real32};
+use std::sync::LazyLock;
 
-/// Name, type and default value.
-pub(super) const TABLE: &[(&str, Kind, f32)] = &[
-    ("FORMAT_VERSION", Int16, 120.0),
-    ("SYSID_THISMAV", Int16, 1.0),
-    ("SYSID_MYGCS", Int16, 255.0),
-    ("PILOT_THR_FILT", Real32, 0.0),
-    ("PILOT_TKOFF_ALT", Real32, 0.0),
-    ("PILOT_THR_BHV", Int16, 0.0),
-    ("TELEM_DELAY", Int8, 0.0),
-    ("RTL_ALT", Int32, 1500.0),
-    ("RTL_CONE_SLOPE", Real32, 3.0),
-    ("RTL_SPEED", Int16, 0.0),
-    ("RTL_ALT_FINAL", Int16, 0.0),
-    ("RTL_CLIMB_MIN", Int16, 0.0),
-    ("RTL_LOIT_TIME", Int32, 5000.0),
-    ("RTL_ALT_TYPE", Int8, 0.0),
-    ("FS_GCS_ENABLE", Int8, 0.0),
-    ("SUPER_SIMPLE", Int8, 0.0),
-    ("WP_YAW_BEHAVIOR", Int8, 2.0),
-    ("LAND_SPEED", Int16, 50.0),
-    ("LAND_SPEED_HIGH", Int16, 0.0),
-    ("PILOT_SPEED_UP", Int16, 250.0),
-    ("PILOT_ACCEL_Z", Int16, 250.0),
-    ("FS_THR_ENABLE", Int8, 1.0),
-    ("FS_THR_VALUE", Int16, 975.0),
-    ("FLTMODE1", Int8, 7.0),
-    ("FLTMODE2", Int8, 9.0),
-    ("FLTMODE3", Int8, 6.0),
-    ("FLTMODE4", Int8, 3.0),
-    ("FLTMODE5", Int8, 5.0),
-    ("FLTMODE6", Int8, 0.0),
-    ("INITIAL_MODE", Int8, 0.0),
-    ("SIMPLE", Int8, 0.0),
-    ("LOG_BITMASK", Int32, 176_126.0),
-    ("FRAME_TYPE", Int8, 0.0),
-    ("ARMING_ACCTHRESH", Real32, 0.75),
-    ("ARMING_RUDDER", Int8, 2.0),
-    ("ARMING_MIS_ITEMS", Int32, 0.0),
-    ("ARMING_CHECK", Int32, 1.0),
-    ("ARMING_OPTIONS", Int32, 0.0),
-    ("DISARM_DELAY", Int8, 10.0),
-    ("ANGLE_MAX", Int16, 3000.0),
-    ("PHLD_BRAKE_RATE", Int16, 8.0),
-    ("PHLD_BRAKE_ANGLE", Int16, 3000.0),
-    ("LAND_REPOSITION", Int8, 1.0),
-    ("FS_EKF_ACTION", Int8, 1.0),
-    ("FS_EKF_THRESH", Real32, 0.8),
-    ("FS_CRASH_CHECK", Int8, 1.0),
-    ("COMPASS_USE", Int8, 1.0),
-    ("COMPASS_AUTODEC", Int8, 1.0),
-    ("COMPASS_USE2", Int8, 1.0),
-    ("COMPASS_USE3", Int8, 1.0),
-    ("COMPASS_ENABLE", Int8, 1.0),
-    ("INS_GYR_CAL", Int8, 1.0),
-    ("WPNAV_SPEED", Real32, 1000.0),
-    ("WPNAV_RADIUS", Real32, 200.0),
-    ("WPNAV_SPEED_UP", Real32, 250.0),
-    ("WPNAV_SPEED_DN", Real32, 150.0),
-    ("WPNAV_ACCEL", Real32, 250.0),
-    ("WPNAV_ACCEL_Z", Real32, 100.0),
-    ("WPNAV_RFND_USE", Int8, 1.0),
-    ("WPNAV_JERK", Real32, 1.0),
-    ("WPNAV_TER_MARGIN", Real32, 10.0),
-    ("WPNAV_ACCEL_C", Real32, 0.0),
-    ("LOIT_ANG_MAX", Real32, 0.0),
-    ("LOIT_SPEED", Real32, 1250.0),
-    ("LOIT_ACC_MAX", Real32, 500.0),
-    ("LOIT_BRK_ACCEL", Real32, 250.0),
-    ("LOIT_BRK_JERK", Real32, 500.0),
-    ("LOIT_BRK_DELAY", Real32, 1.0),
-    ("CIRCLE_RADIUS", Real32, 1000.0),
-    ("CIRCLE_RATE", Real32, 20.0),
-    ("CIRCLE_OPTIONS", Int16, 1.0),
-    ("ATC_SLEW_YAW", Real32, 6000.0),
-    ("ATC_ACCEL_Y_MAX", Real32, 27000.0),
-    ("ATC_RATE_FF_ENAB", Int8, 1.0),
-    ("ATC_ACCEL_R_MAX", Real32, 110_000.0),
-    ("ATC_ACCEL_P_MAX", Real32, 110_000.0),
-    ("ATC_ANGLE_BOOST", Int8, 1.0),
-    ("ATC_INPUT_TC", Real32, 0.15),
-    ("PSC_POSZ_P", Real32, 1.0),
-    ("PSC_VELZ_P", Real32, 5.0),
-    ("PSC_ACCZ_P", Real32, 0.5),
-    ("PSC_ACCZ_I", Real32, 1.0),
-    ("PSC_POSXY_P", Real32, 1.0),
-    ("PSC_VELXY_P", Real32, 2.0),
-    ("PSC_VELXY_I", Real32, 1.0),
-    ("PSC_VELXY_D", Real32, 0.5),
-    ("PSC_JERK_XY", Real32, 5.0),
-    ("PSC_JERK_Z", Real32, 5.0),
-    ("SR0_RAW_SENS", Int16, 0.0),
-    ("SR0_EXT_STAT", Int16, 0.0),
-    ("SR0_RC_CHAN", Int16, 0.0),
-    ("SR0_RAW_CTRL", Int16, 0.0),
-    ("SR0_POSITION", Int16, 0.0),
-    ("SR0_EXTRA1", Int16, 0.0),
-    ("SR0_EXTRA2", Int16, 0.0),
-    ("SR0_EXTRA3", Int16, 0.0),
-    ("SR0_PARAMS", Int16, 0.0),
-    ("SR0_ADSB", Int16, 0.0),
-    ("AHRS_EKF_TYPE", Int8, 3.0),
-    ("BATT_MONITOR", Int8, 4.0),
-    ("BATT_CAPACITY", Int32, 3300.0),
-    ("BATT_LOW_TIMER", Int8, 10.0),
-    ("BATT_FS_VOLTSRC", Int8, 0.0),
-    ("BATT_LOW_VOLT", Real32, 10.5),
-    ("BATT_LOW_MAH", Real32, 0.0),
-    ("BATT_CRT_VOLT", Real32, 0.0),
-    ("BATT_CRT_MAH", Real32, 0.0),
-    ("BATT_FS_LOW_ACT", Int8, 0.0),
-    ("BATT_FS_CRT_ACT", Int8, 0.0),
-    ("BATT_ARM_VOLT", Real32, 0.0),
-    ("BATT_ARM_MAH", Int32, 0.0),
-    ("BATT_VOLT_PIN", Int8, 13.0),
-    ("BATT_VOLT_MULT", Real32, 10.1),
-    ("BATT_AMP_PERVLT", Real32, 17.0),
-    ("BATT_AMP_OFFSET", Real32, 0.0),
-    ("SIM_WIND_SPD", Real32, 0.0),
-    ("SIM_WIND_DIR", Real32, 180.0),
-    ("SIM_WIND_TURB", Real32, 0.0),
-    ("SIM_BATT_VOLTAGE", Real32, 12.6),
-    ("SIM_SPEEDUP", Real32, 1.0),
-    ("SIM_GPS_NUMSATS", Int8, 10.0),
-    ("SIM_WIND_DIR_Z", Real32, 0.0),
-    ("SIM_WIND_T", Int8, 0.0),
-    ("SIM_WIND_T_ALT", Real32, 60.0),
-    ("GPS_AUTO_SWITCH", Int8, 1.0),
-    ("SCHED_LOOP_RATE", Int16, 400.0),
-    ("RALLY_TOTAL", Int8, 0.0),
-    ("MOT_THST_EXPO", Real32, 0.65),
-    ("MOT_SPIN_MAX", Real32, 0.95),
-    ("MOT_BAT_VOLT_MAX", Real32, 12.8),
-    ("MOT_BAT_VOLT_MIN", Real32, 9.6),
-    ("MOT_PWM_TYPE", Int8, 0.0),
-    ("MOT_PWM_MIN", Int16, 1000.0),
-    ("MOT_PWM_MAX", Int16, 2000.0),
-    ("MOT_SPIN_MIN", Real32, 0.15),
-    ("MOT_SPIN_ARM", Real32, 0.1),
-    ("MOT_THST_HOVER", Real32, 0.39),
-    ("MOT_SPOOL_TIME", Real32, 0.5),
-    ("EK3_ENABLE", Int8, 1.0),
-    ("EK3_IMU_MASK", Int8, 3.0),
-    ("EK3_SRC1_POSXY", Int8, 3.0),
-    ("EK3_SRC1_VELXY", Int8, 3.0),
-    ("EK3_SRC1_POSZ", Int8, 1.0),
-    ("EK3_SRC1_VELZ", Int8, 3.0),
-    ("EK3_SRC1_YAW", Int8, 1.0),
-    ("MIS_TOTAL", Int16, 0.0),
-    ("MIS_RESTART", Int8, 0.0),
-    ("MIS_OPTIONS", Int16, 0.0),
-    ("RNGFND1_TYPE", Int8, 0.0),
-    ("TERRAIN_ENABLE", Int8, 1.0),
-    ("SYSID_ENFORCE", Int8, 0.0),
-    ("FRAME_CLASS", Int8, 1.0),
-    ("SERVO1_FUNCTION", Int16, 33.0),
-    ("SERVO2_FUNCTION", Int16, 34.0),
-    ("SERVO3_FUNCTION", Int16, 35.0),
-    ("SERVO4_FUNCTION", Int16, 36.0),
-    ("RC1_MIN", Int16, 1000.0),
-    ("RC1_TRIM", Int16, 1500.0),
-    ("RC1_MAX", Int16, 2000.0),
-    ("RC2_MIN", Int16, 1000.0),
-    ("RC2_TRIM", Int16, 1500.0),
-    ("RC2_MAX", Int16, 2000.0),
-    ("RC3_MIN", Int16, 1000.0),
-    ("RC3_TRIM", Int16, 1500.0),
-    ("RC3_MAX", Int16, 2000.0),
-    ("RC4_MIN", Int16, 1000.0),
-    ("RC4_TRIM", Int16, 1500.0),
-    ("RC4_MAX", Int16, 2000.0),
-    ("RC_OVERRIDE_TIME", Real32, 3.0),
-    ("PILOT_SPEED_DN", Int16, 0.0),
-    ("LAND_ALT_LOW", Int16, 1000.0),
-    ("FOLL_ENABLE", Int8, 0.0),
-    ("FS_VIBE_ENABLE", Int8, 1.0),
-    ("FS_OPTIONS", Int32, 16.0),
-    ("GUID_OPTIONS", Int32, 0.0),
-    ("FS_GCS_TIMEOUT", Real32, 5.0),
-    ("RTL_OPTIONS", Int32, 0.0),
-    ("GUID_TIMEOUT", Real32, 3.0),
-    ("FS_DR_ENABLE", Int8, 2.0),
-    ("FS_DR_TIMEOUT", Int16, 30.0),
-    ("PILOT_Y_RATE", Real32, 202.5),
-    ("PILOT_Y_EXPO", Real32, 0.0),
-    ("PILOT_Y_RATE_TC", Real32, 0.0),
-    ("TKOFF_SLEW_TIME", Real32, 2.0),
-    ("TKOFF_RPM_MIN", Int16, 0.0),
-    ("TKOFF_THR_MAX", Real32, 0.9),
-    ("TKOFF_RPM_MAX", Int16, 0.0),
-    ("FS_EKF_FILT", Real32, 5.0),
-    ("FENCE_TOTAL", Int8, 0.0),
-    ("STAT_BOOTCNT", Int16, 1.0),
-    ("STAT_FLTTIME", Int32, 0.0),
-    ("STAT_RUNTIME", Int32, 0.0),
-    ("STAT_RESET", Int32, 1.0),
-    ("SCR_ENABLE", Int8, 0.0),
-    ("LOG_BACKEND_TYPE", Int8, 1.0),
-    ("LOG_DISARMED", Int8, 0.0),
-    ("SERIAL0_BAUD", Int32, 115.0),
-    ("SERIAL0_PROTOCOL", Int8, 2.0),
-    ("SERIAL1_PROTOCOL", Int8, 2.0),
-    ("SERIAL1_BAUD", Int32, 57.0),
-    ("SERIAL2_PROTOCOL", Int8, 2.0),
-    ("SERIAL2_BAUD", Int32, 57.0),
-];
+use super::Kind;
+
+/// One line per parameter: name, type, default value.
+const LINES: &str = include_str!("arducopter.txt");
+
+/// What is fixed about a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Row {
+    pub(super) name: &'static str,
+    pub(super) kind: Kind,
+    pub(super) default: f32,
+}
+
+/// Every parameter, in the order of the list and by name.
+pub(super) struct Table {
+    pub(super) rows: Vec<Row>,
+    /// Places in `rows`, sorted by name.
+    by_name: Vec<u16>,
+}
+
+/// The table is the same for every vehicle; it is read once.
+pub(super) static TABLE: LazyLock<Table> = LazyLock::new(Table::read);
+
+impl Table {
+    fn read() -> Self {
+        let rows: Vec<Row> = LINES.lines().filter_map(row).collect();
+        let mut by_name: Vec<u16> = (0..rows.len() as u16).collect();
+        by_name.sort_by_key(|&place| rows[usize::from(place)].name);
+        Self { rows, by_name }
+    }
+
+    /// The place of a parameter; upper and lower case are the same.
+    pub(super) fn place(&self, name: &str) -> Option<usize> {
+        let wanted = name.to_ascii_uppercase();
+        let found = self
+            .by_name
+            .binary_search_by_key(&wanted.as_str(), |&place| {
+                self.rows[usize::from(place)].name
+            })
+            .ok()?;
+        self.by_name.get(found).map(|&place| usize::from(place))
+    }
+}
+
+fn row(line: &'static str) -> Option<Row> {
+    let mut words = line.split(' ');
+    let name = words.next()?;
+    let kind = match words.next()? {
+        "i8" => Kind::Int8,
+        "i16" => Kind::Int16,
+        "i32" => Kind::Int32,
+        _ => Kind::Real32,
+    };
+    let default = words.next()?.parse().ok()?;
+    Some(Row {
+        name,
+        kind,
+        default,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_is_a_parameter_whose_name_fits_its_field_and_occurs_once() {
+        assert_eq!(TABLE.rows.len(), LINES.lines().count());
+        assert!(TABLE.rows.iter().all(|row| row.name.len() <= 16));
+        let mut names: Vec<_> = TABLE.rows.iter().map(|row| row.name).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), TABLE.rows.len());
+        for (place, row) in TABLE.rows.iter().enumerate() {
+            assert_eq!(TABLE.place(row.name), Some(place));
+            assert!((row.kind.stored(row.default) - row.default).abs() < f32::EPSILON);
+        }
+    }
+}

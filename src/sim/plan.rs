@@ -1,0 +1,56 @@
+//! What ground stations upload: the mission, the fence and the rally points, item by item.
+
+/// One item of a list, as it came over the link.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Item {
+    /// `MAV_CMD`.
+    pub(super) command: u16,
+    /// `MAV_FRAME`.
+    pub(super) frame: u8,
+    pub(super) auto_continue: bool,
+    /// The first four parameters of the command.
+    pub(super) p: [f32; 4],
+    /// Latitude, in 1e-7 degrees, where the command has a place; else the fifth parameter.
+    pub(super) x: i32,
+    /// Longitude, in 1e-7 degrees, or the sixth parameter.
+    pub(super) y: i32,
+    /// Altitude in metres of the frame, or the seventh parameter.
+    pub(super) z: f32,
+}
+
+/// Which list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum ListKind {
+    Mission,
+    Fence,
+    Rally,
+}
+
+/// The three lists of a vehicle. They survive a reboot.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Plans {
+    /// Item 0 is home; the first command is item 1. Empty: there is no mission.
+    pub(super) mission: Vec<Item>,
+    pub(super) fence: Vec<Item>,
+    pub(super) rally: Vec<Item>,
+}
+
+impl Plans {
+    /// One of the lists.
+    pub(super) fn list(&self, kind: ListKind) -> &Vec<Item> {
+        match kind {
+            ListKind::Mission => &self.mission,
+            ListKind::Fence => &self.fence,
+            ListKind::Rally => &self.rally,
+        }
+    }
+
+    /// One of the lists, to be changed.
+    pub(super) fn list_mut(&mut self, kind: ListKind) -> &mut Vec<Item> {
+        match kind {
+            ListKind::Mission => &mut self.mission,
+            ListKind::Fence => &mut self.fence,
+            ListKind::Rally => &mut self.rally,
+        }
+    }
+}
