@@ -4,6 +4,8 @@ mod flight;
 mod ground;
 mod links;
 mod protocol;
+mod serials;
+mod signing;
 
 use super::*;
 
