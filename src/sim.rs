@@ -50,7 +50,7 @@ pub const STEP: Duration = Duration::from_millis(10);
 const ROW_SPACING_M: f64 = 5.0;
 /// Vehicles have the system ids 1 to 254 (255 is the ground station's); further vehicles begin again at 1 and can
 /// only be told apart by their ports.
-const SYSTEMS: usize = 254;
+pub const SYSTEMS: usize = 254;
 
 /// What a world consists of.
 #[derive(Debug, Clone, PartialEq)]
@@ -151,6 +151,7 @@ pub struct Truth {
 pub struct World {
     slots: Vec<Slot>,
     next_port: u64,
+    connections: usize,
     steps: u64,
 }
 
@@ -169,6 +170,7 @@ impl World {
         Self {
             slots,
             next_port: 0,
+            connections: 0,
             steps: 0,
         }
     }
@@ -204,20 +206,22 @@ impl World {
         self.next_port += 1;
         if let Some(slot) = self.slots.get_mut(vehicle) {
             slot.connect(number, serial);
+            self.connections += 1;
         }
         PortId { vehicle, number }
     }
 
     /// Detaches a ground station. The vehicle flies on.
     pub fn disconnect(&mut self, port: PortId) {
-        if let Some(slot) = self.slots.get_mut(port.vehicle) {
-            slot.disconnect(port.number);
+        let slot = self.slots.get_mut(port.vehicle);
+        if slot.is_some_and(|slot| slot.disconnect(port.number)) {
+            self.connections -= 1;
         }
     }
 
     /// How many ground stations are attached and have not been detached.
     pub fn connections(&self) -> usize {
-        self.slots.iter().map(Slot::connections).sum()
+        self.connections
     }
 
     /// Whether the connection stands; a vehicle that reboots drops its connections.

@@ -40,12 +40,10 @@ impl Slot {
         self.ports.push((number, port));
     }
 
-    pub(super) fn disconnect(&mut self, number: u64) {
-        self.ports.retain(|(own, _)| *own != number);
-    }
-
-    pub(super) fn connections(&self) -> usize {
-        self.ports.len()
+    /// Returns whether there was such a port.
+    pub(super) fn disconnect(&mut self, number: u64) -> bool {
+        let place = self.place(number);
+        place.map(|place| self.ports.remove(place)).is_some()
     }
 
     pub(super) fn is_open(&self, number: u64) -> bool {
