@@ -29,8 +29,9 @@ use door::{Doors, PipeDoor, UdpDoor};
 const PORT_STRIDE: usize = 10;
 /// How far the TCP ports of serial 0, 1 and 2 lie above the vehicle's first, as with ArduPilot's SITL.
 const SERIAL_OFFSETS: [usize; 3] = [0, 2, 3];
-/// From this many vehicles on a step is shared between threads: below it takes less than waking one.
-const SHARED_FROM: usize = 256;
+/// From this many simulated seconds (of all vehicles together) per second on, steps are shared between threads.
+/// Below that one core does it easily, and waiting for another thread to be scheduled takes longer than the work.
+const SHARED_FROM: f64 = 20_000.0;
 /// How much a pipe holds in each direction.
 const PIPE_LEN: usize = 64 * 1024;
 /// Time that the machine did not give to the simulation is made up for up to this much at once; beyond it the
@@ -188,10 +189,10 @@ impl Simulator {
         // those of early ones have used up the task's allowance.
         let (count, connections) = watch::channel(world.connections());
         let running = Running {
+            threads: threads(world.vehicles(), speedup),
             world,
             doors,
             count,
-            threads: threads(),
         };
         let task = tokio::spawn(unconstrained(running.run(speedup, cancel)));
         Ok(Started {
@@ -319,15 +320,17 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
     Ok(socket)
 }
 
-/// How many threads step a large world.
-fn threads() -> usize {
+/// How many threads step a world.
+fn threads(vehicles: usize, speedup: f64) -> usize {
+    if vehicles as f64 * speedup < SHARED_FROM {
+        return 1;
+    }
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Steps a world, on several threads if it is large. Vehicles do not touch each other within a step, so the
-/// outcome is the same.
+/// Steps a world on several threads. Vehicles do not touch each other within a step, so the outcome is the same.
 pub fn step_on_threads(world: &mut World, threads: usize) {
-    if threads < 2 || world.vehicles() < SHARED_FROM {
+    if threads < 2 {
         world.step();
         return;
     }
