@@ -16,7 +16,7 @@ use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
-use crate::sim::{Part, STEP, Serial, World};
+use crate::sim::{STEP, Serial, World};
 use crate::text::Text;
 
 mod door;
@@ -340,7 +340,9 @@ pub fn step_on_threads(world: &mut World, threads: usize) {
             for part in parts {
                 scope.spawn(|| part.step());
             }
-            own.map(Part::step);
+            if let Some(own) = own {
+                own.step();
+            }
         });
     });
 }

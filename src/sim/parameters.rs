@@ -66,6 +66,10 @@ impl Parameters {
     }
 
     /// How many there are.
+    #[expect(
+        clippy::unused_self,
+        reason = "that all vehicles have the same ones is known here only"
+    )]
     pub(super) fn count(&self) -> u16 {
         TABLE.rows.len() as u16
     }
