@@ -16,6 +16,7 @@ mod body;
 mod commands;
 mod control;
 mod failsafe;
+mod fence;
 mod inbound;
 mod leg;
 mod mode;
@@ -23,6 +24,7 @@ mod parameters;
 #[expect(dead_code, reason = "the lists are filled and flown next")]
 mod plan;
 mod port;
+mod rally;
 mod schedule;
 mod switching;
 mod targets;

@@ -13,7 +13,7 @@ const LATE_INTERVALS: u64 = 4;
 /// The stream groups of `REQUEST_DATA_STREAM` with the messages of each.
 const STREAMS: &[(u8, &[u32])] = &[
     (1, &[27, 116, 29]),
-    (2, &[1, 125, 152, 42, 24, 62, 87]),
+    (2, &[1, 125, 152, 42, 24, 62, 87, 162]),
     (3, &[36, 65]),
     (6, &[32, 33]),
     (10, &[30, 164, 178]),
