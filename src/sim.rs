@@ -6,13 +6,14 @@
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
-//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points, logs and signing are not
-//! simulated, and the vehicle does not claim them.
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, logs and signing are not simulated, and the
+//! vehicle does not claim them.
 
 mod arming;
 mod autopilot;
 mod battery;
 mod body;
+mod collision;
 mod commands;
 mod control;
 mod failsafe;
@@ -42,6 +43,8 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use self::autopilot::Autopilot;
+use self::collision::Collisions;
+pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 use self::port::Port;
 use self::wind::Wind;
 use crate::geo::{LatLon, wrap_360};
@@ -61,6 +64,8 @@ pub struct WorldConfig {
     pub starts: Vec<Start>,
     /// Seed of everything random (gusts).
     pub seed: u64,
+    /// What stands in the way.
+    pub obstacles: Vec<Obstacle>,
 }
 
 impl WorldConfig {
@@ -72,7 +77,11 @@ impl WorldConfig {
                 ..first
             })
             .collect();
-        Self { starts, seed: 0 }
+        Self {
+            starts,
+            seed: 0,
+            obstacles: Vec::new(),
+        }
     }
 }
 
@@ -139,6 +148,7 @@ pub struct World {
     slots: Vec<Slot>,
     next_serial: u64,
     steps: u64,
+    collisions: Collisions,
 }
 
 impl World {
@@ -161,6 +171,7 @@ impl World {
             slots,
             next_serial: 0,
             steps: 0,
+            collisions: Collisions::new(config.starts.first().copied(), &config.obstacles),
         }
     }
 
@@ -220,6 +231,22 @@ impl World {
         self.steps += 1;
         for slot in &mut self.slots {
             slot.step();
+        }
+        self.collide();
+    }
+
+    /// What has collided so far, in order.
+    pub fn collisions(&self) -> &[Collision] {
+        self.collisions.events()
+    }
+
+    fn collide(&mut self) {
+        let now = self.now();
+        let autopilots = self.slots.iter().map(|slot| &slot.autopilot);
+        for hit in self.collisions.find(now, autopilots) {
+            if let Some(slot) = self.slots.get_mut(hit.vehicle) {
+                slot.autopilot.body.take(hit);
+            }
         }
     }
 
