@@ -105,6 +105,7 @@ pub(super) struct Geofence {
 
 /// Where a vehicle is, as fences see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 struct Spot {
     /// North and east from the start.
     here_m: DVec2,

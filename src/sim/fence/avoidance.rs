@@ -137,7 +137,7 @@ impl Backing {
     }
 
     /// Away from an edge that is `too_near_m` nearer than the margin.
-    fn from_edge(&mut self, towards: DVec2, too_near_m: f64, accel_m_s2: f64) {
+    fn away_from(&mut self, towards: DVec2, too_near_m: f64, accel_m_s2: f64) {
         let speed = square_root(too_near_m, POSITION_P, BACKING_SHARE * accel_m_s2);
         self.push(-towards.normalize_or_zero() * speed);
     }
@@ -214,7 +214,7 @@ impl Edges<'_> {
             let towards = closest_point(self.here_m, start, end) - self.here_m;
             let distance_m = towards.length();
             if distance_m < self.margin_m {
-                own.from_edge(towards, self.margin_m - distance_m, self.accel());
+                own.away_from(towards, self.margin_m - distance_m, self.accel());
             }
             if *wanted == DVec2::ZERO {
                 continue;
@@ -265,7 +265,7 @@ impl Edges<'_> {
             return;
         }
         if distance_m > inner_m {
-            backing.from_edge(from_centre, distance_m - inner_m, self.accel());
+            backing.away_from(from_centre, distance_m - inner_m, self.accel());
         }
         let speed = wanted.length();
         if speed <= 0.0 {
@@ -301,7 +301,7 @@ impl Edges<'_> {
         }
         let gap_m = distance_m - radius_m;
         if gap_m < self.margin_m {
-            backing.from_edge(-from_centre, self.margin_m - gap_m, self.accel());
+            backing.away_from(-from_centre, self.margin_m - gap_m, self.accel());
         }
         if *wanted == DVec2::ZERO {
             return;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use super::{Act, Cockpit, Landing};
 use crate::sim::leg::Leg;
@@ -37,7 +37,7 @@ pub(in crate::sim) struct Returning {
     goal_m: DVec2,
     /// The height to fly at, as metres down from the start.
     down_m: f64,
-    /// Where to climb: decided when the vehicle has stopped.
+    /// Where to climb: decided in the first step.
     over_m: Option<DVec2>,
 }
 
@@ -110,24 +110,22 @@ impl Returning {
         Act::Fly
     }
 
-    /// Stops, climbs over the place where it stopped, and plans the leg home.
+    /// Stops and climbs over the place where it stops, and plans the leg to the goal.
     fn climb(&mut self, cockpit: &mut Cockpit<'_>) {
         if cockpit.body.on_ground {
             self.stage = Stage::Land(Landing::default());
             return;
         }
         let limits = cockpit.limits;
-        let Some(over) = self.over_m else {
-            cockpit.control.at_velocity(DVec3::ZERO, &limits);
-            if cockpit.control.velocity_m_s.truncate().length() < STANDING_M_S {
-                self.over_m = Some(cockpit.control.path_m.truncate());
-            }
-            return;
-        };
-        cockpit.control.towards(over.extend(self.down_m), &limits);
+        let over = *self
+            .over_m
+            .get_or_insert_with(|| cockpit.control.stopping_point(&limits));
+        cockpit.control.brake_to(over, self.down_m, &limits);
         let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
+        let stands = cockpit.control.velocity_m_s.truncate().length() < STANDING_M_S;
         if let Stage::Climb { standing_since } = &mut self.stage
             && high
+            && stands
         {
             let since = *standing_since.get_or_insert(cockpit.now);
             if cockpit.now >= since + PLAN_TIME {
