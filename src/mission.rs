@@ -184,6 +184,7 @@ impl Mission {
         WorldConfig {
             starts: self.starts(),
             seed,
+            obstacles: Vec::new(),
         }
     }
 

@@ -6,16 +6,17 @@
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
-//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points and logs are not
-//! simulated, and the vehicle does not claim them.
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
 
 mod arming;
 mod autopilot;
 mod battery;
 mod body;
+mod collision;
 mod commands;
 mod control;
 mod failsafe;
+mod fence;
 mod inbound;
 mod leg;
 mod mode;
@@ -23,6 +24,7 @@ mod parameters;
 #[expect(dead_code, reason = "the lists are filled and flown next")]
 mod plan;
 mod port;
+mod rally;
 mod schedule;
 mod signing;
 mod slot;
@@ -40,6 +42,8 @@ mod tests;
 use std::time::Duration;
 
 use self::autopilot::Autopilot;
+use self::collision::Collisions;
+pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 use self::slot::Slot;
 use self::wind::Wind;
 use crate::geo::{LatLon, wrap_360};
@@ -59,6 +63,8 @@ pub struct WorldConfig {
     pub starts: Vec<Start>,
     /// Seed of everything random (gusts).
     pub seed: u64,
+    /// What stands in the way.
+    pub obstacles: Vec<Obstacle>,
 }
 
 impl WorldConfig {
@@ -70,7 +76,11 @@ impl WorldConfig {
                 ..first
             })
             .collect();
-        Self { starts, seed: 0 }
+        Self {
+            starts,
+            seed: 0,
+            obstacles: Vec::new(),
+        }
     }
 }
 
@@ -153,6 +163,7 @@ pub struct World {
     next_port: u64,
     connections: usize,
     steps: u64,
+    collisions: Collisions,
 }
 
 impl World {
@@ -172,6 +183,7 @@ impl World {
             next_port: 0,
             connections: 0,
             steps: 0,
+            collisions: Collisions::new(config.starts.first().copied(), &config.obstacles),
         }
     }
 
@@ -254,6 +266,22 @@ impl World {
         self.steps += 1;
         let size = self.slots.len().div_ceil(parts.max(1)).max(1);
         run(self.slots.chunks_mut(size).map(Part).collect());
+        self.collide();
+    }
+
+    /// What has collided so far, in order.
+    pub fn collisions(&self) -> &[Collision] {
+        self.collisions.events()
+    }
+
+    fn collide(&mut self) {
+        let now = self.now();
+        let autopilots = self.slots.iter().map(|slot| &slot.autopilot);
+        for hit in self.collisions.find(now, autopilots) {
+            if let Some(slot) = self.slots.get_mut(hit.vehicle) {
+                slot.autopilot.body.take(hit);
+            }
+        }
     }
 
     /// Moves the bytes that wait for a ground station to the end of `into`. At most 256 KiB wait; beyond that whole

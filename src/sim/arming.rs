@@ -49,12 +49,13 @@ impl Autopilot {
         if self.failsafe.battery_is_down() {
             reasons.push("Battery failsafe");
         }
+        reasons.extend(self.fence_obstacle());
         reasons
     }
 
     /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
     pub(super) fn is_armable(&self) -> bool {
-        self.is_ready() && !self.failsafe.battery_is_down()
+        self.is_ready() && !self.failsafe.battery_is_down() && self.fence_obstacle().is_none()
     }
 
     /// Arms, or says why not.

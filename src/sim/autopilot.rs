@@ -10,9 +10,11 @@ use super::battery::Battery;
 use super::body::{Body, Demand};
 use super::control::{Limits, PositionControl};
 use super::failsafe::{self, Failsafe};
+use super::fence::{self, Geofence};
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
+use super::rally::Rally;
 use super::task::{Act, Cockpit, Sticks, Task};
 use super::wind::Wind;
 use super::yaw::{YawControl, YawDemand};
@@ -69,6 +71,7 @@ pub(super) struct Autopilot {
     pub(super) battery: Battery,
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
+    pub(super) fence: Geofence,
     pub(super) radio: Radio,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
@@ -105,6 +108,7 @@ impl Autopilot {
             battery: Battery::default(),
             home: None,
             plans: Plans::default(),
+            fence: Geofence::default(),
             radio: Radio {
                 sticks: Sticks::RELEASED,
                 until: Duration::ZERO,
@@ -155,6 +159,7 @@ impl Autopilot {
         let plans = std::mem::take(&mut self.plans);
         *self = Self::booted(system, start, self.parameters.clone(), own);
         self.plans = plans;
+        self.fence_changed();
         true
     }
 
@@ -171,6 +176,9 @@ impl Autopilot {
         self.watch_ground();
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
+        }
+        if self.steps.is_multiple_of(fence::EVERY_STEPS) {
+            self.watch_fence();
         }
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
@@ -237,6 +245,11 @@ impl Autopilot {
             control: &mut self.control,
             body: &self.body,
             tuning: &self.tuning,
+            fence: &mut self.fence,
+            rally: Rally {
+                items: &self.plans.rally,
+                start: &self.start,
+            },
         };
         work(&mut self.task, &mut cockpit)
     }

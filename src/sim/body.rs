@@ -48,6 +48,8 @@ pub(super) struct Body {
     pub(super) yaw_deg: f64,
     pub(super) yaw_rate_deg_s: f64,
     pub(super) on_ground: bool,
+    /// The propellers are broken: the motors no longer lift.
+    pub(super) wrecked: bool,
     /// 0 to 1.
     pub(super) throttle: f64,
     previous_angles_rad: (f64, f64),
@@ -67,6 +69,7 @@ impl Body {
             yaw_deg,
             yaw_rate_deg_s: 0.0,
             on_ground: true,
+            wrecked: false,
             throttle: 0.0,
             previous_angles_rad: (0.0, 0.0),
             angle_rates_rad_s: (0.0, 0.0),
@@ -92,6 +95,7 @@ impl Body {
 
     /// Moves on by one step through air that moves with `wind_m_s`. Returns the speed of a touchdown.
     pub(super) fn step(&mut self, demand: Demand, wind_m_s: DVec3) -> Option<f64> {
+        let demand = if self.wrecked { Demand::Off } else { demand };
         if self.on_ground && demand == Demand::Off {
             self.rest();
             return None;
@@ -120,6 +124,12 @@ impl Body {
         if self.yaw_deg.abs() > 720.0 {
             self.yaw_deg = self.yaw_deg.rem_euclid(360.0);
         }
+    }
+
+    /// A collision: the velocity changes by so much, and the propellers break.
+    pub(super) fn hit(&mut self, change_m_s: DVec3) {
+        self.velocity_m_s += change_m_s;
+        self.wrecked = true;
     }
 
     fn rest(&mut self) {

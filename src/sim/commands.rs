@@ -1,5 +1,6 @@
 //! `MAV_CMD`: one table from command number to handler.
 
+mod fence;
 mod flight;
 mod setup;
 mod streams;
@@ -47,6 +48,7 @@ const TABLE: &[(MavCmd, Handler)] = &[
     (MavCmd::MAV_CMD_DO_SET_HOME, setup::set_home),
     (MavCmd::MAV_CMD_DO_SET_RELAY, setup::set_relay),
     (MavCmd::MAV_CMD_DO_SET_SERVO, setup::set_servo),
+    (MavCmd::MAV_CMD_DO_FENCE_ENABLE, fence::enable),
     (MavCmd::MAV_CMD_DO_FLIGHTTERMINATION, flight::terminate),
     (MavCmd::MAV_CMD_DO_REPOSITION, flight::reposition),
     (MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, flight::pause_or_continue),

@@ -51,6 +51,7 @@ impl Autopilot {
         self.yaw.settle(self.body.yaw_deg);
         self.task = self.first_task();
         self.outbox.extend(telemetry::message(0, self));
+        self.fence.mode_changed(self.uptime());
     }
 
     fn first_task(&mut self) -> Task {

@@ -16,7 +16,9 @@ pub(super) use takeoff::Takeoff;
 
 use super::body::{Body, STEP_S};
 use super::control::{Limits, PositionControl};
+use super::fence::Geofence;
 use super::parameters::Tuning;
+use super::rally::Rally;
 
 /// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`).
 const BRAKE_ACCEL_M_S2: f64 = 7.5;
@@ -33,6 +35,8 @@ pub(super) struct Cockpit<'a> {
     pub(super) home_m: DVec3,
     /// Since boot.
     pub(super) now: Duration,
+    pub(super) fence: &'a mut Geofence,
+    pub(super) rally: Rally<'a>,
 }
 
 /// How the motors are driven in this step.
@@ -134,11 +138,12 @@ impl Task {
                 cockpit.control.towards(*goal_m, &cockpit.limits);
             }
             Self::Velocity { wanted_m_s, until } => {
-                let wanted = if cockpit.now < *until {
-                    *wanted_m_s
-                } else {
-                    DVec3::ZERO
-                };
+                let fresh = cockpit.now < *until && *until != Duration::MAX;
+                let wanted = cockpit.keep_inside(if fresh { *wanted_m_s } else { DVec3::ZERO });
+                if fresh {
+                    // What the fence takes away stays away until the next setpoint.
+                    *wanted_m_s = wanted;
+                }
                 cockpit.control.at_velocity(wanted, &cockpit.limits);
             }
             Self::Accelerate { wanted_m_s2, until } => {

@@ -1,5 +1,6 @@
 //! What the vehicle reports: one builder per message, picked by message id.
 
+mod fence;
 mod health;
 mod motion;
 mod navigation;
@@ -11,9 +12,7 @@ use self::Builder::{Always, Sometimes};
 use super::autopilot::Autopilot;
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
-const SILENT: &[u32] = &[
-    22, 34, 35, 100, 124, 127, 128, 132, 143, 162, 173, 180, 181, 226,
-];
+const SILENT: &[u32] = &[22, 34, 35, 100, 124, 127, 128, 132, 143, 173, 180, 181, 226];
 
 /// How a message is made: it can be made at any time, or not always.
 #[derive(Clone, Copy)]
@@ -56,6 +55,7 @@ const TABLE: &[(u32, Builder)] = &[
     (147, Always(health::battery_status)),
     (148, Always(health::autopilot_version)),
     (152, Always(health::meminfo)),
+    (162, Sometimes(fence::fence_status)),
     (163, Always(motion::ahrs)),
     (164, Always(motion::simstate)),
     (168, Sometimes(sensors::wind)),

@@ -193,6 +193,9 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
             at,
             altitude_amsl_m,
         });
+        if !autopilot.may_fly_to(goal) {
+            return MavResult::MAV_RESULT_FAILED;
+        }
         autopilot.go_to(goal, DVec3::ZERO);
         autopilot.yaw.demand = autopilot.default_yaw();
     }

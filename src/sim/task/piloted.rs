@@ -66,6 +66,7 @@ pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
         forward * sin + right * cos,
         -climb,
     );
+    let wanted = cockpit.keep_inside(wanted);
     let limits = Limits {
         accel_z_m_s2: tuning.pilot_accel_z_m_s2,
         accel_m_s2: tuning.brake_accel_m_s2,

@@ -14,7 +14,7 @@ use crate::sim::mode;
 use crate::sim::task::Task;
 
 /// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery,
-/// pre-arm check, propulsion. Fence, terrain and log are not simulated and not claimed.
+/// pre-arm check, propulsion. Terrain and log are not simulated and not claimed.
 const SENSORS: u32 = 0x5221_9C2F;
 const HEIGHT_CONTROL: u32 = 0x2000;
 const POSITION_CONTROL: u32 = 0x4000;
@@ -61,8 +61,18 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
     if autopilot.mode.autonomous {
         enabled |= POSITION_CONTROL;
     }
-    // A fence that does not exist is never breached: ground stations look at this bit alone.
-    let mut health = enabled | FENCE;
+    let fence = autopilot.fence_health();
+    let mut health = enabled;
+    if fence.is_healthy {
+        health |= FENCE;
+    }
+    if fence.is_enabled {
+        enabled |= FENCE;
+    }
+    let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
+    if fence.is_present {
+        present |= FENCE;
+    }
     if !autopilot.is_armable() {
         health &= !PREARM_CHECK;
     }
@@ -71,9 +81,7 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
     }
     let none = MavSysStatusSensorExtended::empty();
     MavMessage::SYS_STATUS(SYS_STATUS_DATA {
-        onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(
-            SENSORS | HEIGHT_CONTROL | POSITION_CONTROL,
-        ),
+        onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(present),
         onboard_control_sensors_enabled: MavSysStatusSensor::from_bits_truncate(enabled),
         onboard_control_sensors_health: MavSysStatusSensor::from_bits_truncate(health),
         voltage_battery: (autopilot.tuning.battery_voltage_v * 1000.0) as u16,
