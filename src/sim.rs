@@ -9,15 +9,18 @@
 //! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points, logs and signing are not
 //! simulated, and the vehicle does not claim them.
 
+mod airframe;
 mod arming;
 mod autopilot;
 mod battery;
 mod body;
 mod commands;
 mod control;
+mod crash;
 mod failsafe;
 mod inbound;
 mod leg;
+mod mixer;
 mod mode;
 mod parameters;
 #[expect(dead_code, reason = "the lists are filled and flown next")]
@@ -29,16 +32,19 @@ mod targets;
 mod task;
 mod telemetry;
 mod texts;
+mod upset;
 mod wind;
 mod yaw;
 
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
+pub use self::airframe::{Airframe, AirframeError};
 use self::autopilot::Autopilot;
 use self::port::Port;
 use self::wind::Wind;
@@ -57,6 +63,9 @@ const SYSTEMS: usize = 254;
 pub struct WorldConfig {
     /// One start per vehicle; the first has system id 1.
     pub starts: Vec<Start>,
+    /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
+    /// follow, and without any the vehicles are SITL's default quadcopter.
+    pub airframes: Vec<Arc<Airframe>>,
     /// Seed of everything random (gusts).
     pub seed: u64,
 }
@@ -70,7 +79,16 @@ impl WorldConfig {
                 ..first
             })
             .collect();
-        Self { starts, seed: 0 }
+        Self {
+            starts,
+            airframes: Vec::new(),
+            seed: 0,
+        }
+    }
+
+    fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
+        let own = self.airframes.get(vehicle).or(self.airframes.last());
+        Arc::clone(own.unwrap_or(usual))
     }
 }
 
@@ -142,6 +160,7 @@ pub struct World {
 impl World {
     /// Switches the vehicles on. Beyond 254 vehicles the system ids begin again at 1.
     pub fn new(config: &WorldConfig) -> Self {
+        let usual = Airframe::shared_default();
         let slots = config
             .starts
             .iter()
@@ -150,6 +169,7 @@ impl World {
                 autopilot: Autopilot::new(
                     (vehicle % SYSTEMS) as u8 + 1,
                     *start,
+                    config.airframe(vehicle, &usual),
                     Wind::new(config.seed, vehicle as u64),
                 ),
                 ports: Vec::new(),
@@ -299,7 +319,7 @@ fn truth_of(autopilot: &Autopilot) -> Truth {
         armed: autopilot.safety.armed,
         on_ground: body.on_ground,
         mode: autopilot.mode.number,
-        battery_voltage_v: autopilot.tuning.battery_voltage_v,
+        battery_voltage_v: autopilot.battery.voltage_v,
         battery_current_a: autopilot.battery.current_a,
         battery_consumed_mah: autopilot.battery.consumed_mah,
         throttle: body.throttle,
