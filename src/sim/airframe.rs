@@ -104,7 +104,7 @@ impl Airframe {
     ///
     /// # Errors
     /// What is not JSON, has a wrong type or is physically impossible, with its line and column.
-    pub fn from_json(text: &str) -> Result<(Self, Vec<String>), AirframeError> {
+    pub fn from_json(text: &str) -> Result<(Self, Vec<AirframeError>), AirframeError> {
         let (figures, warnings) = file::read(text)?;
         Ok((Self::derived(figures), warnings))
     }

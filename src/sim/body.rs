@@ -14,6 +14,8 @@ pub(super) const STEP_S: f64 = 0.01;
 const LEAN_LAG_S: f64 = 0.15;
 /// Lag of the vertical acceleration behind its demand.
 const THRUST_LAG_S: f64 = 0.08;
+/// How long the autopilot takes to make up for vertical drag.
+const DRAG_LAG_S: f64 = 0.2;
 /// The throttle of motors that just turn.
 const IDLE_THROTTLE: f64 = 0.01;
 /// A collision turns the body by this much per metre per second, up to a limit, in radians per second.
@@ -43,6 +45,7 @@ pub(super) struct Body {
     /// The horizontal acceleration that the present lean makes while the thrust carries the weight.
     pub(super) lean_m_s2: DVec2,
     lift_m_s2: f64,
+    known_drag_m_s2: f64,
     /// Thrust of all motors per mass, in the last step.
     pub(super) thrust_m_s2: f64,
     /// Whether the motors could not give the thrust that was asked.
@@ -73,6 +76,7 @@ impl Body {
             accel_m_s2: DVec3::ZERO,
             lean_m_s2: DVec2::ZERO,
             lift_m_s2: 0.0,
+            known_drag_m_s2: 0.0,
             thrust_m_s2: 0.0,
             saturated: false,
             yaw_deg,
@@ -179,6 +183,7 @@ impl Body {
         self.velocity_m_s = DVec3::ZERO;
         self.lean_m_s2 = DVec2::ZERO;
         self.lift_m_s2 = 0.0;
+        self.known_drag_m_s2 = 0.0;
         self.thrust_m_s2 = 0.0;
         self.saturated = false;
         self.throttle = 0.0;
@@ -247,7 +252,10 @@ impl Body {
                 self.thrust_m_s2 = airframe.thrust_for(throttle, inflow, conditions);
             }
             Demand::Acceleration(wanted) => {
-                let lift = self.lagged_lift(wanted.z) - down.0;
+                // The autopilot makes up for drag as it learns of it.
+                let learnt = down.0 - self.known_drag_m_s2;
+                self.known_drag_m_s2 += learnt * (STEP_S / (STEP_S + DRAG_LAG_S));
+                let lift = self.lagged_lift(wanted.z) - self.known_drag_m_s2;
                 let most = airframe.thrust_max(inflow, conditions);
                 let asked = lift / -down.1;
                 self.saturated = asked >= most;
@@ -287,6 +295,8 @@ impl Body {
         drive: &Drive<'_>,
     ) -> DVec3 {
         self.lean(demand);
+        let most = GRAVITY_M_S2 * upset.lean_limit_rad(self.throttle).tan();
+        self.lean_m_s2 = self.lean_m_s2.clamp_length_max(most);
         let lift_m_s2 = match demand {
             Demand::Off => None,
             Demand::Throttle(throttle) => {
@@ -315,9 +325,9 @@ impl Body {
         self.throttle = match lift_m_s2 {
             None => 0.0,
             Some(_) if self.saturated => 1.0,
-            Some(lift) => drive
+            Some(_) => drive
                 .airframe
-                .throttle_for(lift, 0.0, drive.conditions)
+                .throttle_for(upset.asked_m_s2, 0.0, drive.conditions)
                 .max(IDLE_THROTTLE),
         };
         motors - drag + DVec3::Z * GRAVITY_M_S2

@@ -11,6 +11,8 @@ pub(super) const MOTORS_MAX: usize = 12;
 const YAW_HEADROOM: f64 = 0.2;
 /// The thrust boost after the loss of a motor comes and goes within this time (`MOT_SPOOL_TIME`).
 const BOOST_S: f64 = 0.5;
+/// About the share that hovers.
+const HOVER_SHARE: f64 = 0.4;
 /// The watch for a lost motor filters over this time.
 const WATCH_S: f64 = 0.5;
 
@@ -39,8 +41,7 @@ pub(super) struct Limited {
 }
 
 impl Mixer {
-    /// One round of `dt_s`. `turn` is roll, pitch and yaw from -1 to 1, `throttle` a share of the thrust range;
-    /// `throttle_max` how far the throttle may be raised to keep control.
+    /// One round of `dt_s`. `turn` is roll, pitch and yaw from -1 to 1, `throttle` a share of the thrust range.
     pub(super) fn mix(&mut self, motors: &[Motor], turn: DVec3, throttle: f64, dt_s: f64) {
         self.limited = Limited::default();
         let throttle = throttle.clamp(0.0, 1.0);
@@ -80,13 +81,22 @@ impl Mixer {
             };
             room.max(0.0) / motor.mix.z.abs().max(1e-3)
         };
-        let room = motors
+        let healthy = motors
             .iter()
             .enumerate()
             .filter(|(place, _)| !(self.boost && *place == self.lost))
             .map(|(place, motor)| room_of(place, motor))
             .fold(1.0, f64::min);
-        room.max(YAW_HEADROOM + self.boost_ratio * (0.5 - YAW_HEADROOM))
+        let headroom = YAW_HEADROOM + self.boost_ratio * (0.5 - YAW_HEADROOM);
+        let room = healthy.max(headroom);
+        match motors.get(self.lost).filter(|_| self.boost) {
+            // The lost motor fades out of the reckoning.
+            Some(motor) => {
+                let all = room_of(self.lost, motor).min(room);
+                all + self.boost_ratio * (room - all)
+            }
+            None => room,
+        }
     }
 
     /// Scales and shifts the shares into the range of the motors.
@@ -95,8 +105,8 @@ impl Mixer {
         if high - low > 1.0 {
             scale = 1.0 / (high - low);
         }
-        // Below half the range the throttle may be raised to keep the attitude.
-        let throttle_mean_most = throttle.max(0.5);
+        // Half way towards the hover the throttle may be raised to keep the attitude.
+        let throttle_mean_most = throttle.max(0.5 * (throttle + HOVER_SHARE));
         if throttle_mean_most + low < 0.0 {
             scale = f64::min(scale, -throttle_mean_most / low);
         }

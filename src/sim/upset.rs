@@ -20,6 +20,13 @@ const RATE_I: DVec3 = DVec3::new(0.135, 0.135, 0.02);
 const RATE_D: DVec3 = DVec3::new(0.0036, 0.0036, 0.0);
 const INTEGRAL_MAX: f64 = 0.5;
 const SLOPE_FILTER_HZ: f64 = 20.0;
+/// From this error of the lean on the heading is given up, and at twice the error altogether.
+const YAW_FREE_RAD: f64 = std::f64::consts::FRAC_PI_6;
+/// As the throttle runs out less lean is allowed: the share of the full throttle that may be spent on it, the least
+/// lean, and the time this takes (`ATC_ANG_LIM_TC`).
+const LEAN_THROTTLE: f64 = 0.8;
+const LEAN_LEAST_RAD: f64 = 0.175;
+const LEAN_LIMIT_S: f64 = 1.0;
 /// The integrator of the climb, per second: `PSC_ACCZ_I` in accelerations.
 const CLIMB_I_PER_S: f64 = 2.7;
 /// About what the motors did before; they reach any other share within a few rounds.
@@ -50,6 +57,12 @@ pub(super) struct Upset {
     pub(super) error_rad: f64,
     /// All motors' thrust together per mass, for the power.
     pub(super) thrust_m_s2: f64,
+    /// The thrust per mass that the autopilot asks of all motors.
+    pub(super) asked_m_s2: f64,
+    /// The lean that the throttle leaves.
+    lean_max_rad: f64,
+    /// The direction that was wanted in the last step.
+    last_up: DVec3,
     integral: DVec3,
     last_error: DVec3,
     slope: DVec3,
@@ -87,6 +100,9 @@ impl Upset {
             mixer: Mixer::default(),
             error_rad: 0.0,
             thrust_m_s2: 0.0,
+            asked_m_s2: 0.0,
+            lean_max_rad: 1.0,
+            last_up: up,
             integral: DVec3::ZERO,
             last_error: DVec3::ZERO,
             slope: DVec3::ZERO,
@@ -106,6 +122,13 @@ impl Upset {
         let [forward, right, up] = self.axes();
         let pitch = (-forward.z).clamp(-1.0, 1.0).asin();
         (right.z.atan2(-up.z), pitch, forward.y.atan2(forward.x))
+    }
+
+    /// The lean that may be asked while the throttle is at `throttle`, radians.
+    pub(super) fn lean_limit_rad(&mut self, throttle: f64) -> f64 {
+        let left = (throttle / LEAN_THROTTLE).clamp(0.0, 1.0).acos();
+        self.lean_max_rad += (left - self.lean_max_rad) * (STEP_S / (STEP_S + LEAN_LIMIT_S));
+        self.lean_max_rad.clamp(LEAN_LEAST_RAD, 1.4)
     }
 
     /// Stands on its feet with the same heading.
@@ -137,8 +160,10 @@ impl Upset {
         let throttle = self.throttle(wanted, lifting_m_s2, drive);
         let mut force = DVec3::ZERO;
         self.thrust_m_s2 = 0.0;
+        let following = self.last_up.cross(wanted.up) / STEP_S;
+        self.last_up = wanted.up;
         for _ in 0..ROUNDS {
-            let turn = self.control(wanted, drive);
+            let turn = self.control(wanted, following, drive);
             self.mixer
                 .mix(drive.airframe.layout(), turn, throttle, ROUND_S);
             if wanted.lift_m_s2.is_none() {
@@ -156,6 +181,7 @@ impl Upset {
     fn throttle(&mut self, wanted: &Wanted, lifting_m_s2: f64, drive: &Drive<'_>) -> f64 {
         let Some(lift) = wanted.lift_m_s2 else {
             self.climb_integral_m_s2 = 0.0;
+            self.asked_m_s2 = 0.0;
             return 0.0;
         };
         let missing = lift - lifting_m_s2;
@@ -168,11 +194,12 @@ impl Upset {
         let upright = (10.0 * up).clamp(0.0, 1.0);
         let boosted = (lift + self.climb_integral_m_s2) * upright / (-wanted.up.z).max(0.1);
         let full = drive.airframe.thrust_max(0.0, drive.conditions).max(0.1);
-        (boosted / full).clamp(0.0, 1.0)
+        self.asked_m_s2 = boosted.clamp(0.0, full);
+        self.asked_m_s2 / full
     }
 
-    /// Roll, pitch and yaw for the mixer.
-    fn control(&mut self, wanted: &Wanted, drive: &Drive<'_>) -> DVec3 {
+    /// Roll, pitch and yaw for the mixer. `following` is how the wanted direction itself turns.
+    fn control(&mut self, wanted: &Wanted, following: DVec3, drive: &Drive<'_>) -> DVec3 {
         let up = self.attitude * DVec3::NEG_Z;
         let across = up.cross(wanted.up);
         self.error_rad = across.length().atan2(up.dot(wanted.up));
@@ -180,8 +207,10 @@ impl Upset {
             .try_normalize()
             .unwrap_or_else(|| self.attitude * DVec3::X);
         let pace = square_root(self.error_rad, ANGLE_P, TURN_ACCEL_RAD_S2);
-        let mut rates = self.attitude.inverse() * axis * pace;
-        rates.z = wanted.yaw_rate_rad_s;
+        let mut rates = self.attitude.inverse() * (axis * pace + following);
+        // A vehicle far off its lean saves that first and lets the nose turn.
+        let hold_yaw = (2.0 - self.error_rad / YAW_FREE_RAD).clamp(0.0, 1.0);
+        rates.z = self.rates_rad_s.z + (wanted.yaw_rate_rad_s - self.rates_rad_s.z) * hold_yaw;
         let error = rates - self.rates_rad_s;
         let blend = ROUND_S / (ROUND_S + 1.0 / (std::f64::consts::TAU * SLOPE_FILTER_HZ));
         self.slope += ((error - self.last_error) / ROUND_S - self.slope) * blend;

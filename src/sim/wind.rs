@@ -9,6 +9,9 @@ use super::parameters::Parameters;
 
 /// Gusts drift past even a vehicle that hovers in a calm; at this speed they do so at least, in metres per second.
 const DRIFT_MIN_M_S: f64 = 5.0;
+/// Standard deviation per `SIM_WIND_TURB`: such that 3 moves a hovering quad by about 0.1 m, as was measured. The real
+/// simulator's gusts are larger but last hundredths of a second.
+const GUST_PER_TURBULENCE: f64 = 0.35;
 const METRES_PER_FOOT: f64 = 0.3048;
 
 /// The wind from the `SIM_WIND_*` parameters.
@@ -130,8 +133,7 @@ impl Wind {
         self.rng.next_u64()
     }
 
-    /// Dryden's gusts. `SIM_WIND_TURB` is the standard deviation of the horizontal ones; near the ground the vertical
-    /// ones are weaker and all are shorter.
+    /// Dryden's gusts: near the ground the vertical ones are weaker than the horizontal ones, and all are shorter.
     fn gust(&mut self, height_m: f64, speed_m_s: f64, rules: &Rules) -> DVec3 {
         let height_ft = (height_m / METRES_PER_FOOT).clamp(10.0, 1000.0);
         let shape = 0.177 + 0.000_823 * height_ft;
@@ -147,7 +149,7 @@ impl Wind {
         let vertical = self.vertical.step(noise, high_s) * shape.powf(0.4).min(1.0);
         let ahead = rules.towards.truncate().normalize_or(glam::DVec2::X);
         let flat = ahead * self.along_m_s + ahead.perp() * across;
-        flat.extend(vertical) * rules.turbulence_m_s
+        flat.extend(vertical) * (rules.turbulence_m_s * GUST_PER_TURBULENCE)
     }
 
     /// Evenly distributed noise with a variance of 1.

@@ -70,7 +70,7 @@ const fn number(
 }
 
 /// Reads the figures of a file, and what is to be warned of.
-pub(super) fn read(text: &str) -> Result<(Figures, Vec<String>), AirframeError> {
+pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), AirframeError> {
     let file = File::parse(text)?;
     let mut figures = Figures::default();
     for number in NUMBERS {
@@ -210,7 +210,7 @@ impl File {
     }
 
     /// What no simulator reads. `ArduPilot` ignores it without a word.
-    fn unknown(&self, motors: usize) -> Vec<String> {
+    fn unknown(&self, motors: usize) -> Vec<AirframeError> {
         let known = |name: &str| {
             NUMBERS.iter().any(|number| number.name == name)
                 || OTHERS.contains(&name)
@@ -225,13 +225,10 @@ impl File {
         let mut warnings = Vec::new();
         for name in self.fields.keys() {
             if !known(name) {
-                warnings.push(
-                    self.wrong(name, "not a field of a frame, ignored")
-                        .to_string(),
-                );
+                warnings.push(self.wrong(name, "not a field of a frame, ignored"));
             } else if beyond(name) {
                 let what = format!("the frame has {motors} motors, ignored");
-                warnings.push(self.wrong(name, &what).to_string());
+                warnings.push(self.wrong(name, &what));
             }
         }
         warnings
