@@ -142,13 +142,12 @@ impl Airframe {
             coefficient *= drag_n / inflow_n;
             form_n = 0.0;
         }
-        let hover_power_w = figures.reference_current_a * figures.reference_voltage_v;
         Self {
             form_drag: form_n / (density * speed * speed * figures.mass_kg),
             momentum_drag: coefficient * (figures.disc_area_m2 / figures.mass_kg).sqrt(),
             reference_density: density,
-            hover_power_w,
-            outflow_m_s: 2.0 * hover_power_w / weight_n,
+            hover_power_w: figures.hover_power_w(),
+            outflow_m_s: figures.outflow_m_s(),
             hover_throttle_at_reference: COMPENSATED * figures.hover_throttle * density
                 / SEA_LEVEL_DENSITY,
             figures,
@@ -323,6 +322,17 @@ impl Airframe {
     }
 }
 
+impl Figures {
+    fn hover_power_w(&self) -> f64 {
+        self.reference_current_a * self.reference_voltage_v
+    }
+
+    /// Of the air that the hover throws down, by momentum theory.
+    fn outflow_m_s(&self) -> f64 {
+        2.0 * self.hover_power_w() / (self.mass_kg * GRAVITY_M_S2)
+    }
+}
+
 impl Default for Figures {
     fn default() -> Self {
         Self {
@@ -363,4 +373,4 @@ pub(super) fn axes(heading: DVec2, up: DVec3) -> [DVec3; 3] {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -126,12 +126,10 @@ impl Body {
             self.note_angles();
             accel
         };
-        let held = if self.on_ground {
-            accel.z.min(0.0)
-        } else {
-            accel.z
-        };
-        self.accel_m_s2 = accel.truncate().extend(held);
+        // The ground carries what stands on it.
+        let carried = self.position_m.z >= 0.0;
+        let down = if carried { accel.z.min(0.0) } else { accel.z };
+        self.accel_m_s2 = accel.truncate().extend(down);
         self.velocity_m_s += self.accel_m_s2 * STEP_S;
         self.position_m += self.velocity_m_s * STEP_S;
         self.touch_ground()

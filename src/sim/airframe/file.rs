@@ -176,6 +176,16 @@ impl File {
         if figures.spin.1 - figures.spin.0 < 0.05 {
             return Err(self.wrong("spin_max", "must be at least 0.05 above spin_min"));
         }
+        let outflow_m_s = figures.outflow_m_s();
+        if !(5.0..=500.0).contains(&outflow_m_s) {
+            let what = format!(
+                "refVoltage and refCurrent make {:.3} W to carry {} kg: the air under the rotors would move at \
+                 {outflow_m_s:.1} m/s, and 5 to 500 are possible",
+                figures.hover_power_w(),
+                figures.mass_kg
+            );
+            return Err(self.wrong("refCurrent", &what));
+        }
         Ok(())
     }
 
@@ -255,4 +265,25 @@ fn without_comments(text: &str) -> String {
         }
     }
     kept
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use std::fmt::Write as _;
+
+    use super::NUMBERS;
+
+    /// How many fields have a range.
+    pub(in crate::sim::airframe) const RANGES: usize = NUMBERS.len();
+
+    /// Each field at a place in its range, 0 to 1: most of them near the default's size, as the square of the place
+    /// squared makes it.
+    pub(in crate::sim::airframe) fn fields_at(parts: &[f64]) -> String {
+        let mut text = String::new();
+        for (number, part) in NUMBERS.iter().zip(parts) {
+            let value = number.least + (number.most - number.least) * part.powi(4);
+            write!(text, "\"{}\": {value:?}, ", number.name).expect("a string takes it");
+        }
+        text
+    }
 }

@@ -1,3 +1,5 @@
+use proptest::prelude::*;
+
 use super::*;
 
 const CALM: Conditions = Conditions {
@@ -151,6 +153,12 @@ fn faults_in_a_file_are_told_with_their_place() {
             1,
             "spin_max: must be at least 0.05",
         ),
+        (
+            "{\"mass\": 100}",
+            1,
+            1,
+            "refCurrent: refVoltage and refCurrent make",
+        ),
         ("{\"mass\": 3,}", 1, 12, "not JSON: trailing comma"),
         ("{\"mass\": 1e999}", 1, 14, "not JSON: number out of range"),
         ("# only a comment\n", 2, 0, "not JSON: EOF"),
@@ -179,4 +187,53 @@ fn fields_that_nobody_reads_are_warned_of() {
             "line 2, column 15: motor5_yaw: the frame has 4 motors, ignored",
         ]
     );
+}
+
+/// Frame files with any values that load.
+pub(in crate::sim) fn any_frame() -> impl Strategy<Value = Airframe> {
+    let part = 0.0..=1.0_f64;
+    (
+        proptest::collection::vec(part, file::tests::RANGES),
+        0..layout::COUNTS.len(),
+        proptest::array::uniform3(0.0..10.0_f64),
+    )
+        .prop_filter_map("loads", |(parts, count, inertia)| {
+            let mut text = file::tests::fields_at(&parts);
+            text.push_str(&format!(
+                "\"num_motors\": {}, \"moment_inertia\": {inertia:?}",
+                layout::COUNTS[count]
+            ));
+            Airframe::from_json(&format!("{{{text}}}")).ok()
+        })
+        .prop_map(|(airframe, _)| airframe)
+}
+
+proptest! {
+    #[test]
+    fn any_text_is_read_or_refused(text in ".{0,200}") {
+        let _ = Airframe::from_json(&text);
+    }
+
+    #[test]
+    fn figures_that_load_give_finite_thrust_drag_and_current(
+        airframe in any_frame(),
+        share in 0.0..1.0_f64,
+        speed in -100.0..100.0_f64,
+        voltage_share in 0.0..2.0_f64,
+    ) {
+        let conditions = Conditions { voltage_share, ..CALM };
+        for value in [
+            airframe.thrust_max(speed, &conditions),
+            airframe.throttle_for(share * 30.0, speed, &conditions),
+            airframe.thrust_for(share, speed, &conditions),
+            airframe.power_w(share * 30.0),
+            airframe.momentum_drag(share * 30.0, 1.2),
+            airframe.share_after_fault(share, 0.5),
+            airframe.inertia_m2().min_element(),
+        ] {
+            prop_assert!(value.is_finite() && value >= 0.0, "{value} {airframe:?}");
+        }
+        prop_assert!(airframe.form_drag(DVec3::splat(speed), 1.2).is_finite());
+        prop_assert!(airframe.inertia_m2().min_element() > 0.0);
+    }
 }

@@ -27,7 +27,15 @@ pub(in crate::sim) struct Ground {
 impl Ground {
     /// Connected to a world that has just begun.
     pub(in crate::sim) fn new() -> Self {
-        let mut world = World::new(&WorldConfig::row(1, start()));
+        Self::flying(Airframe::shared_default())
+    }
+
+    /// Connected to a vehicle with an airframe.
+    pub(in crate::sim) fn flying(airframe: Arc<Airframe>) -> Self {
+        let mut world = World::new(&WorldConfig {
+            airframes: vec![airframe],
+            ..WorldConfig::row(1, start())
+        });
         let port = world.connect(0);
         Self {
             world,
@@ -40,7 +48,11 @@ impl Ground {
 
     /// Ready, in GUIDED and armed.
     pub(in crate::sim) fn armed() -> Self {
-        let mut ground = Self::new();
+        Self::new().arm()
+    }
+
+    fn arm(self) -> Self {
+        let mut ground = self;
         ground.run(2.0);
         assert_eq!(
             ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, GUIDED]),
@@ -55,7 +67,12 @@ impl Ground {
 
     /// Hovering at a height.
     pub(in crate::sim) fn hovering(height_m: f32) -> Self {
-        let mut ground = Self::armed();
+        Self::new().hover(height_m)
+    }
+
+    /// Armed, taken off and at rest at a height.
+    pub(in crate::sim) fn hover(self, height_m: f32) -> Self {
+        let mut ground = self.arm();
         ground.takeoff(height_m);
         ground.run(25.0 + f64::from(height_m) / 2.0);
         ground
