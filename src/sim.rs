@@ -8,6 +8,7 @@
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
 //! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
 
+mod airframe;
 mod arming;
 mod autopilot;
 mod battery;
@@ -15,10 +16,12 @@ mod body;
 mod collision;
 mod commands;
 mod control;
+mod crash;
 mod failsafe;
 mod fence;
 mod inbound;
 mod leg;
+mod mixer;
 mod mode;
 mod parameters;
 #[expect(dead_code, reason = "the lists are filled and flown next")]
@@ -33,14 +36,17 @@ mod targets;
 mod task;
 mod telemetry;
 mod texts;
+mod upset;
 mod wind;
 mod yaw;
 
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
 use std::time::Duration;
 
+pub use self::airframe::{Airframe, AirframeError};
 use self::autopilot::Autopilot;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
@@ -61,6 +67,9 @@ pub const SYSTEMS: usize = 254;
 pub struct WorldConfig {
     /// One start per vehicle; the first has system id 1.
     pub starts: Vec<Start>,
+    /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
+    /// follow, and without any the vehicles are SITL's default quadcopter.
+    pub airframes: Vec<Arc<Airframe>>,
     /// Seed of everything random (gusts).
     pub seed: u64,
     /// What stands in the way.
@@ -78,9 +87,15 @@ impl WorldConfig {
             .collect();
         Self {
             starts,
+            airframes: Vec::new(),
             seed: 0,
             obstacles: Vec::new(),
         }
+    }
+
+    fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
+        let own = self.airframes.get(vehicle).or(self.airframes.last());
+        Arc::clone(own.unwrap_or(usual))
     }
 }
 
@@ -169,13 +184,16 @@ pub struct World {
 impl World {
     /// Switches the vehicles on. Beyond 254 vehicles the system ids begin again at 1.
     pub fn new(config: &WorldConfig) -> Self {
+        let usual = Airframe::shared_default();
         let slots = config
             .starts
             .iter()
             .enumerate()
             .map(|(vehicle, start)| {
                 let system = (vehicle % SYSTEMS) as u8 + 1;
-                Slot::new(system, *start, Wind::new(config.seed, vehicle as u64))
+                let airframe = config.airframe(vehicle, &usual);
+                let wind = Wind::new(config.seed, vehicle as u64);
+                Slot::new(system, *start, airframe, wind)
             })
             .collect();
         Self {
@@ -329,7 +347,7 @@ fn truth_of(autopilot: &Autopilot) -> Truth {
         armed: autopilot.safety.armed,
         on_ground: body.on_ground,
         mode: autopilot.mode.number,
-        battery_voltage_v: autopilot.tuning.battery_voltage_v,
+        battery_voltage_v: autopilot.battery.voltage_v,
         battery_current_a: autopilot.battery.current_a,
         battery_consumed_mah: autopilot.battery.consumed_mah,
         throttle: body.throttle,
