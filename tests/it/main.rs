@@ -1,6 +1,7 @@
 //! The one integration-test binary.
 
 mod arducopter;
+mod clients;
 mod command_line;
 mod console;
 mod doctor;
