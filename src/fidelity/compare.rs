@@ -141,7 +141,7 @@ impl<'a> Pair<'a> {
             .is_some_and(|velocity| length(velocity) > STANDS_M_S);
         let heading = |at_s| observed.attitude_deg.at(at_s).map(|angles| angles[2]);
         let turning = heading(at_s)
-            .zip(heading(self.manoeuvre.to_s))
+            .zip(heading(self.to_s.min(observed.end_s() - EVERY_S)))
             .is_some_and(|(now, last)| (now - last).abs() > NEAR_DEG);
         fast || turning
     }
@@ -154,8 +154,15 @@ impl<'a> Pair<'a> {
             top_speed_m_s = top_speed_m_s.max(velocity.map_or(0.0, length));
             self.note(at_s, &mut tally);
         }
-        let [position_m, altitude_m, velocity_m_s, roll_deg, pitch_deg, yaw_deg, voltage_v] =
-            tally.differences()?;
+        let [
+            position_m,
+            altitude_m,
+            velocity_m_s,
+            roll_deg,
+            pitch_deg,
+            yaw_deg,
+            voltage_v,
+        ] = tally.differences()?;
         Some(Flight {
             name: self.manoeuvre.name.clone(),
             at_s: self.manoeuvre.from_s,
@@ -177,24 +184,35 @@ impl<'a> Pair<'a> {
     /// Adds the differences at one time, if both vehicles told their state around it.
     fn note(&self, at_s: f64, tally: &mut Tally) {
         let (real, simulated) = (self.real, self.simulated);
-        let place = real.position_ned_m.at(at_s).zip(simulated.position_ned_m.at(at_s));
+        let place = real
+            .position_ned_m
+            .at(at_s)
+            .zip(simulated.position_ned_m.at(at_s));
         if let Some((real, simulated)) = place {
             let apart = minus(minus(simulated, real), self.offset_m);
             tally.add(0, length(apart));
             tally.add(1, apart[2]);
         }
-        let velocity = real.velocity_ned_m_s.at(at_s).zip(simulated.velocity_ned_m_s.at(at_s));
+        let velocity = real
+            .velocity_ned_m_s
+            .at(at_s)
+            .zip(simulated.velocity_ned_m_s.at(at_s));
         if let Some((real, simulated)) = velocity {
             tally.add(2, length(minus(simulated, real)));
         }
-        let attitude = real.attitude_deg.at(at_s).zip(simulated.attitude_deg.at(at_s));
+        let attitude = real
+            .attitude_deg
+            .at(at_s)
+            .zip(simulated.attitude_deg.at(at_s));
         if let Some((real, simulated)) = attitude {
             let apart = minus(simulated, real);
             tally.add(3, apart[0]);
             tally.add(4, apart[1]);
             tally.add(5, wrap_180(apart[2]));
         }
-        if let Some(([real], [simulated])) = real.voltage_v.at(at_s).zip(simulated.voltage_v.at(at_s)) {
+        if let Some(([real], [simulated])) =
+            real.voltage_v.at(at_s).zip(simulated.voltage_v.at(at_s))
+        {
             tally.add(6, simulated - real);
         }
     }
@@ -204,7 +222,9 @@ impl<'a> Pair<'a> {
         let Manoeuvre { from_s, to_s, .. } = *self.manoeuvre;
         if self.manoeuvre.aim == Aim::Landed {
             let mut after = observed.armed.iter().filter(|(at, _)| *at > from_s);
-            let (at, _) = after.find(|(_, armed)| !armed).filter(|(at, _)| *at <= to_s)?;
+            let (at, _) = after
+                .find(|(_, armed)| !armed)
+                .filter(|(at, _)| *at <= to_s)?;
             return Some(at - from_s);
         }
         let goal = self.goal()?;
@@ -217,7 +237,8 @@ impl<'a> Pair<'a> {
 
     /// What counts as reached, for both vehicles.
     fn goal(&self) -> Option<Goal> {
-        let asked_s = self.manoeuvre.last_asked_s.min(self.real.position_ned_m.last()?.0);
+        let known_s = self.real.position_ned_m.last()?.0;
+        let asked_s = self.manoeuvre.last_asked_s.min(known_s);
         Some(match self.manoeuvre.aim {
             Aim::Height(height) => Goal::Height(height),
             Aim::Place(place) => Goal::Place(place),

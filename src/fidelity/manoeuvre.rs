@@ -5,6 +5,7 @@ use mavlink::dialects::ardupilotmega::{
     SET_POSITION_TARGET_LOCAL_NED_DATA,
 };
 
+use super::replay::AFTERWARDS;
 use super::{Observed, Timed};
 use crate::geo::LatLon;
 use crate::vehicle::{Mode, VehicleClass};
@@ -57,7 +58,8 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
         let Content::Message(message) = &frame.content else {
             continue;
         };
-        let Some((name, aim)) = asked(message, real, at_s).filter(|_| at_s >= real.begin_s()) else {
+        let Some((name, aim)) = asked(message, real, at_s).filter(|_| at_s >= real.begin_s())
+        else {
             continue;
         };
         // Sticks are repeated all the time, whatever else is asked for.
@@ -77,7 +79,7 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
             name,
             from_s: at_s,
             last_asked_s: at_s,
-            to_s: real.end_s(),
+            to_s: real.end_s() + AFTERWARDS.as_secs_f64(),
             aim,
         });
     }
@@ -92,7 +94,11 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
 
 /// `ArduCopter`'s name of a mode.
 pub(super) fn mode_name(number: u32) -> String {
-    Mode { class: VehicleClass::Copter, number }.to_string()
+    Mode {
+        class: VehicleClass::Copter,
+        number,
+    }
+    .to_string()
 }
 
 fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Aim)> {
@@ -104,7 +110,12 @@ fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Ai
         MavMessage::SET_POSITION_TARGET_LOCAL_NED(data) => local(data),
         MavMessage::SET_POSITION_TARGET_GLOBAL_INT(data) => {
             let above_home = !is_amsl(data.coordinate_frame);
-            let place = place(real, (data.lat_int, data.lon_int), f64::from(data.alt), above_home)?;
+            let place = place(
+                real,
+                (data.lat_int, data.lon_int),
+                f64::from(data.alt),
+                above_home,
+            )?;
             Some((name_of_place("to", place), Aim::Place(place)))
         }
         MavMessage::SET_ATTITUDE_TARGET(_) => Some(("attitude".to_owned(), Aim::Velocity)),
@@ -165,7 +176,11 @@ fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Option<(String, Aim)> {
     if !ignores(PositionTargetTypemask::POSITION_TARGET_TYPEMASK_X_IGNORE) {
         let place = [data.x, data.y, data.z].map(f64::from);
         let name = format!("{}{frame}", name_of_place("to", place));
-        let aim = if frame.is_empty() { Aim::Place(place) } else { Aim::Velocity };
+        let aim = if frame.is_empty() {
+            Aim::Place(place)
+        } else {
+            Aim::Velocity
+        };
         return Some((name, aim));
     }
     if ignores(PositionTargetTypemask::POSITION_TARGET_TYPEMASK_VX_IGNORE) {
@@ -176,15 +191,23 @@ fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Option<(String, Aim)> {
     } else {
         format!(" turning {:.0}/s", f64::from(data.yaw_rate).to_degrees())
     };
-    let name = format!("velocity {} {} {}{frame}{turning}", data.vx, data.vy, data.vz);
+    let name = format!(
+        "velocity {} {} {}{frame}{turning}",
+        data.vx, data.vy, data.vz
+    );
     Some((name, Aim::Velocity))
 }
 
 fn place(real: &Observed, e7: (i32, i32), altitude_m: f64, above_home: bool) -> Option<[f64; 3]> {
     let start = real.start()?;
-    let (north, east) = start.at.offset_to(LatLon::from_e7(e7.0, e7.1));
-    let base_m = if above_home { 0.0 } else { start.altitude_amsl_m };
-    Some([north, east, base_m - altitude_m])
+    let at = LatLon::from_e7(e7.0, e7.1);
+    let (north, east) = start.at.offset_to(at);
+    let base_m = if above_home {
+        0.0
+    } else {
+        start.altitude_amsl_m
+    };
+    at.is_valid().then_some([north, east, base_m - altitude_m])
 }
 
 /// Whether heights of a frame are above mean sea level: `MAV_FRAME_GLOBAL` and `MAV_FRAME_GLOBAL_INT`.

@@ -95,13 +95,17 @@ impl Observed {
                 self.position_ned_m.push(at_s, position);
                 self.velocity_ned_m_s.push(at_s, velocity);
             }
-            MavMessage::ATTITUDE(data) => self.note_attitude(at_s, [data.roll, data.pitch, data.yaw]),
+            MavMessage::ATTITUDE(data) => {
+                self.note_attitude(at_s, [data.roll, data.pitch, data.yaw])
+            }
             MavMessage::SYS_STATUS(data) if data.voltage_battery != u16::MAX => {
-                self.voltage_v.push(at_s, [f64::from(data.voltage_battery) / 1000.0]);
+                self.voltage_v
+                    .push(at_s, [f64::from(data.voltage_battery) / 1000.0]);
             }
             MavMessage::GPS_GLOBAL_ORIGIN(data) => {
                 let at = LatLon::from_e7(data.latitude, data.longitude);
-                self.origin.get_or_insert((at, f64::from(data.altitude) / 1000.0));
+                self.origin
+                    .get_or_insert((at, f64::from(data.altitude) / 1000.0));
             }
             MavMessage::COMMAND_ACK(data) => {
                 let name = format!("{:?}", data.command);
@@ -111,7 +115,8 @@ impl Observed {
             MavMessage::MISSION_ACK(data) => {
                 let text = format!("{:?} {:?}", data.mission_type, data.mavtype);
                 let text = text.replace("MAV_MISSION_TYPE_", "plan ");
-                self.acks.push(Said::new(at_s, text.replace("MAV_MISSION_", "")));
+                self.acks
+                    .push(Said::new(at_s, text.replace("MAV_MISSION_", "")));
             }
             MavMessage::MISSION_ITEM_REACHED(data) => {
                 self.reached.push(Said::new(at_s, data.seq.to_string()));
@@ -122,7 +127,9 @@ impl Observed {
                 self.texts.push(Said::text(at_s, data.severity as u8, text));
             }
             MavMessage::HEARTBEAT(data) => {
-                let armed = data.base_mode.contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
+                let armed = data
+                    .base_mode
+                    .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
                 self.note_heartbeat(at_s, data.custom_mode, armed);
             }
             _ => {}
@@ -139,8 +146,16 @@ impl Observed {
     }
 
     fn note_result(&mut self, at_s: f64, command: u16, result: u8, name: &str) {
-        const RESULTS: [&str; 5] = ["ACCEPTED", "TEMPORARILY_REJECTED", "DENIED", "UNSUPPORTED", "FAILED"];
-        let word = RESULTS.get(usize::from(result)).unwrap_or(&"another result");
+        const RESULTS: [&str; 5] = [
+            "ACCEPTED",
+            "TEMPORARILY_REJECTED",
+            "DENIED",
+            "UNSUPPORTED",
+            "FAILED",
+        ];
+        let word = RESULTS
+            .get(usize::from(result))
+            .unwrap_or(&"another result");
         self.results.push((at_s, command, result));
         self.acks.push(Said::new(at_s, format!("{name} {word}")));
     }
@@ -148,7 +163,8 @@ impl Observed {
     fn note_heartbeat(&mut self, at_s: f64, mode: u32, armed: bool) {
         if self.mode != Some(mode) {
             self.mode = Some(mode);
-            self.modes.push(Said::new(at_s, super::manoeuvre::mode_name(mode)));
+            self.modes
+                .push(Said::new(at_s, super::manoeuvre::mode_name(mode)));
         }
         if self.armed.last().is_none_or(|(_, last)| *last != armed) {
             self.armed.push((at_s, armed));

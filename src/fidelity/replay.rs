@@ -12,6 +12,8 @@ use crate::wire::{AUTOPILOT_COMPONENT, Content, Decoder, Encoder, Outgoing, Syst
 
 /// The simulated vehicle's system id.
 const SYSTEM: u8 = 1;
+/// How long the simulated vehicle is listened to after the recording's end: it may say the same a little later.
+pub(super) const AFTERWARDS: Duration = Duration::from_secs(3);
 /// The longest payload of any message.
 const LONGEST: usize = 255;
 /// Where `COMMAND_LONG` (76) and `COMMAND_INT` (75) keep the system that they address: needed where a command has a
@@ -36,7 +38,10 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     let mut sent = recording.sent.iter().peekable();
     let mut heard = Vec::new();
     let mut bytes = Vec::new();
-    let end = recording.heard.last().map_or(Duration::ZERO, |last| last.at);
+    let end = recording
+        .heard
+        .last()
+        .map_or(Duration::ZERO, |last| last.at + AFTERWARDS);
     while world.now() < end {
         let now = world.now();
         while let Some(Timed { frame, .. }) = sent.next_if(|next| next.at < now + STEP) {
@@ -55,7 +60,10 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
         world.take_output(port, &mut bytes);
         decoder.push(&bytes);
         while let Some(frame) = decoder.next_frame() {
-            heard.push(Timed { at: world.now(), frame });
+            heard.push(Timed {
+                at: world.now(),
+                frame,
+            });
         }
         if !world.is_open(port) {
             world.disconnect(port);
@@ -68,7 +76,11 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
 /// The recorded vehicle's system id.
 fn system_of(recording: &Recording) -> SystemId {
     let own = |timed: &&Timed| timed.frame.component == AUTOPILOT_COMPONENT;
-    recording.heard.iter().find(own).map_or(SYSTEM, |timed| timed.frame.system)
+    recording
+        .heard
+        .iter()
+        .find(own)
+        .map_or(SYSTEM, |timed| timed.frame.system)
 }
 
 /// The same message, to the simulated vehicle if it was to the recorded one; other addresses were meant to be wrong
@@ -77,7 +89,10 @@ fn readdressed(content: &Content, recorded: SystemId) -> Option<Outgoing> {
     match content {
         Content::Message(message) => {
             let mut message = message.clone();
-            if let Some(target) = message.target_system_id_mut().filter(|target| **target == recorded) {
+            if let Some(target) = message
+                .target_system_id_mut()
+                .filter(|target| **target == recorded)
+            {
                 *target = SYSTEM;
             }
             Some(message.into())

@@ -139,7 +139,8 @@ impl Task {
                 } else {
                     DVec3::ZERO
                 };
-                cockpit.control.at_velocity(wanted, &cockpit.limits);
+                let limits = cockpit.limits.overspeed(cockpit.control.velocity_m_s.z);
+                cockpit.control.at_velocity(wanted, &limits);
             }
             Self::Accelerate { wanted_m_s2, until } => {
                 if cockpit.now < *until {

@@ -57,7 +57,10 @@ fn simulator(speedup: u8) -> (Running, String) {
 /// Runs a script against a vehicle of its own. `prefix` makes an address of HOST:PORT as the client spells it.
 fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
     let Some(python) = python_with(modules) else {
-        println!("skipped {script}: {} not installed (see SORTIE_PYTHON)", modules.join(", "));
+        println!(
+            "skipped {script}: {} not installed (see SORTIE_PYTHON)",
+            modules.join(", ")
+        );
         return;
     };
     let (_simulator, address) = simulator(speedup);
@@ -65,7 +68,9 @@ fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
     let log = folder.path().join("output");
     let output = std::fs::File::create(&log).expect("created");
     let errors = output.try_clone().expect("cloned");
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/clients").join(script);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/clients")
+        .join(script);
     let mut client = Running(
         Command::new(python)
             .arg("-u")
@@ -94,7 +99,10 @@ fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
         status.is_some_and(|status| status.success()),
         "{script} ended with {status:?}, having said:\n{said}"
     );
-    println!("{script} passed in {:.0} s", started.elapsed().as_secs_f64());
+    println!(
+        "{script} passed in {:.0} s",
+        started.elapsed().as_secs_f64()
+    );
 }
 
 #[test]
@@ -144,7 +152,12 @@ fn mavsdk_flies() {
         run("mavsdk_flight.py", &["mavsdk_grpc"], "tcpout://", 3);
     } else {
         // Until its version 3, the package mavsdk was what mavsdk_grpc is now.
-        run("mavsdk_flight.py", &["mavsdk", "mavsdk.action_pb2"], "tcpout://", 3);
+        run(
+            "mavsdk_flight.py",
+            &["mavsdk", "mavsdk.action_pb2"],
+            "tcpout://",
+            3,
+        );
     }
 }
 
@@ -153,6 +166,11 @@ fn mavsdk_flies_a_mission() {
     if python_with(&["mavsdk_grpc"]).is_some() {
         run("mavsdk_mission.py", &["mavsdk_grpc"], "tcpout://", 3);
     } else {
-        run("mavsdk_mission.py", &["mavsdk", "mavsdk.action_pb2"], "tcpout://", 3);
+        run(
+            "mavsdk_mission.py",
+            &["mavsdk", "mavsdk.action_pb2"],
+            "tcpout://",
+            3,
+        );
     }
 }

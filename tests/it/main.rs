@@ -5,6 +5,7 @@ mod clients;
 mod command_line;
 mod console;
 mod doctor;
+mod fidelity;
 mod fixtures;
 mod fleet;
 mod harness;

@@ -49,7 +49,10 @@ pub(in crate::cli) fn fidelity(options: &FidelityArguments) -> Result<ExitCode, 
         if !options.json {
             table(&name, &comparison)?;
         }
-        compared.push(Compared { recording: name, comparison });
+        compared.push(Compared {
+            recording: name,
+            comparison,
+        });
     }
     if options.json {
         say!("{}", serde_json::to_string(&compared)?)?;
@@ -81,12 +84,15 @@ fn names(folder: &Path) -> Result<Vec<String>, Failure> {
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    std::fs::read(path)
-        .map_err(|error| Failure::Invalid(format!("sortie: cannot read {}: {error}", path.display())))
+    std::fs::read(path).map_err(|error| {
+        Failure::Invalid(format!("sortie: cannot read {}: {error}", path.display()))
+    })
 }
 
 fn table(name: &str, comparison: &Comparison) -> Result<(), Failure> {
-    say!("{name}: root-mean-square and largest difference between the embedded simulator and the recording")?;
+    say!(
+        "{name}: root-mean-square and largest difference between the embedded simulator and the recording"
+    )?;
     say!(
         "{:<34} {:>6} {:>5} {:>6} {:>13} {:>13} {:>11} {:>11} {:>11} {:>13} {:>11} {:>17}",
         "manoeuvre",
@@ -100,7 +106,7 @@ fn table(name: &str, comparison: &Comparison) -> Result<(), Failure> {
         "pitch deg",
         "yaw deg",
         "voltage V",
-        "there after s"
+        "there, s: it, we"
     )?;
     for flight in &comparison.manoeuvres {
         row(flight)?;
@@ -141,7 +147,12 @@ fn row(flight: &Flight) -> Result<(), Failure> {
 }
 
 fn answered(answers: &Answers) -> Result<(), Failure> {
-    let Answers { kind, recorded, simulated, .. } = answers;
+    let Answers {
+        kind,
+        recorded,
+        simulated,
+        ..
+    } = answers;
     let Some(first) = &answers.first_difference else {
         say!("{kind}: {recorded}, identical in order")?;
         return Ok(());

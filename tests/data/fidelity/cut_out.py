@@ -21,6 +21,8 @@ THINNED = {
     "ATTITUDE": lambda m: [degrees(angle) / 0.3 for angle in (m.roll, m.pitch, m.yaw)],
     "SYS_STATUS": lambda m: [m.voltage_battery / 20],
 }
+# An angle that changes by more between two samples could have turned either way.
+WIDEST = 90 / 0.3
 
 
 def records(path):
@@ -32,6 +34,8 @@ def records(path):
 
 def on_the_line(first, last, between):
     (t0, a), (t1, b) = first, last
+    if any(abs(y - x) > WIDEST for x, y in zip(a, b)):
+        return False
     for t, values in between:
         share = (t - t0) / (t1 - t0) if t1 > t0 else 0
         if any(abs(x + share * (y - x) - value) > 1 for x, y, value in zip(a, b, values)):
@@ -54,7 +58,7 @@ class Thinner:
             return [(time, message)]
         let_pass = []
         points = [(t, v) for t, v, _ in self.between]
-        # 1 kB of patience: a line longer than 200 samples is begun anew.
+        # Patience ends: a line of more than 200 samples is begun anew.
         if self.between and (len(points) > 200 or not on_the_line(self.passed, (time, values), points)):
             t, v, m = self.between[-1]
             self.passed = (t, v)
