@@ -71,7 +71,8 @@ impl Rules {
 impl BatteryRule {
     fn applies(&self, tuning: &Tuning, consumed_mah: f64) -> bool {
         tuning.battery_voltage_v < self.voltage_v
-            || tuning.battery_capacity_mah - consumed_mah < self.remaining_mah
+            || self.remaining_mah > 0.0
+                && tuning.battery_capacity_mah - consumed_mah < self.remaining_mah
     }
 }
 

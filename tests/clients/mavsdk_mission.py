@@ -89,6 +89,10 @@ async def main():
         except ActionError as error:
             print("arm", error)
             await asyncio.sleep(1)
+    # ArduPilot does not leave the ground in AUTO before MISSION_START, which MAVSDK does not send.
+    await drone.action.set_takeoff_altitude(10)
+    await drone.action.takeoff()
+    await wait_for("10 m", drone.telemetry.position(), lambda p: p.relative_altitude_m > 9.5)
     await drone.mission_raw.start_mission()
     await wait_for("item 3", drone.mission_raw.mission_progress(), lambda p: p.current >= 3)
     print("on the way to item 3")

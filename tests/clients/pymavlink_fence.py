@@ -118,9 +118,12 @@ def main():
     while still < 30 and time.time() < end:
         master.mav.set_position_target_local_ned_send(
             0, master.target_system, master.target_component, mav.MAV_FRAME_LOCAL_NED, 0b110111000111,
-            0, 0, 0, 5, 0, 0, 0, 0, 0, 0, 0,
+            0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0,
         )  # fmt: skip
-        seen = master.recv_match(type="LOCAL_POSITION_NED", blocking=True, timeout=1)
+        seen = master.recv_match(type=["LOCAL_POSITION_NED", "STATUSTEXT"], blocking=True, timeout=1)
+        if seen is not None and seen.get_type() == "STATUSTEXT":
+            print(master.flightmode, seen.text)
+            continue
         if seen is not None:
             farthest = max(farthest, seen.x)
             still = still + 1 if seen.x > 30 and abs(seen.vx) < 0.3 else 0
