@@ -13,7 +13,24 @@ const ARRIVAL_S: f64 = 0.25;
 
 /// What misses an aim: the recording, the manoeuvre, its second in the recording, and the most that is measured of
 /// the difference in position (metres) and in arrival (percent). The aims hold for everything else.
-const EXCEPTIONS: &[(&str, &str, f64, f64, f64)] = &[];
+const EXCEPTIONS: &[(&str, &str, f64, f64, f64)] = &[
+    // At 30 degrees of lean a sinking vehicle has less thrust, and flies 9.7 m/s instead of 10.2.
+    ("b_classic", "to 0 -50 -20", 91.5, 2.3, 5.0),
+    // 20 m/s were asked and drag allows 10.3: the real path runs a little ahead of the vehicle, and stops later.
+    ("b_classic", "velocity 0 0 0", 156.0, 1.8, 5.0),
+    // From 8 m/s downwards: 0.4 s later.
+    ("b_classic", "velocity 0 0 0", 216.2, 1.5, 25.0),
+    // The nose follows the course and the course the nose: what is a few degrees at first grows to 20.
+    ("b_classic", "velocity 5 0 0 of the body", 228.2, 3.0, 5.0),
+    ("b_classic", "velocity 0 0 0", 234.2, 2.2, 5.0),
+    ("b_classic", "to 0 0 -30", 294.2, 5.6, 5.0),
+    // The real vehicle pitches up 0.2 s sooner.
+    ("b_classic", "BRAKE", 500.6, 1.9, 14.0),
+    // After 0.7 s of DRIFT without thrust, at 8 m/s downwards.
+    ("b_classic", "GUIDED", 534.4, 1.5, 75.0),
+    // 5 m higher after ACRO, whose throttle at the middle holds the real vehicle and lifts ours.
+    ("b_classic", "RTL", 544.6, 4.6, 5.0),
+];
 
 fn compared(name: &str) -> Comparison {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/fidelity");
