@@ -84,7 +84,7 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
         });
     }
     for manoeuvre in &mut all {
-        if manoeuvre.last_asked_s == manoeuvre.from_s {
+        if manoeuvre.last_asked_s <= manoeuvre.from_s {
             manoeuvre.last_asked_s = manoeuvre.to_s;
         }
     }
@@ -107,7 +107,7 @@ fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Ai
         MavMessage::COMMAND_INT(data) if real.accepted(data.command as u16, at_s) => {
             int(data, real)
         }
-        MavMessage::SET_POSITION_TARGET_LOCAL_NED(data) => local(data),
+        MavMessage::SET_POSITION_TARGET_LOCAL_NED(data) => Some(local(data)),
         MavMessage::SET_POSITION_TARGET_GLOBAL_INT(data) => {
             let above_home = !is_amsl(data.coordinate_frame);
             let place = place(
@@ -166,7 +166,7 @@ fn int(data: &COMMAND_INT_DATA, real: &Observed) -> Option<(String, Aim)> {
     Some((name_of_place("reposition to", place), Aim::Place(place)))
 }
 
-fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Option<(String, Aim)> {
+fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> (String, Aim) {
     let ignores = |bit| data.type_mask.contains(bit);
     let frame = match data.coordinate_frame as u32 {
         LOCAL_NED => "",
@@ -181,10 +181,10 @@ fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Option<(String, Aim)> {
         } else {
             Aim::Velocity
         };
-        return Some((name, aim));
+        return (name, aim);
     }
     if ignores(PositionTargetTypemask::POSITION_TARGET_TYPEMASK_VX_IGNORE) {
-        return Some(("acceleration".to_owned(), Aim::Velocity));
+        return ("acceleration".to_owned(), Aim::Velocity);
     }
     let turning = if ignores(PositionTargetTypemask::POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE) {
         String::new()
@@ -195,7 +195,7 @@ fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Option<(String, Aim)> {
         "velocity {} {} {}{frame}{turning}",
         data.vx, data.vy, data.vz
     );
-    Some((name, Aim::Velocity))
+    (name, Aim::Velocity)
 }
 
 fn place(real: &Observed, e7: (i32, i32), altitude_m: f64, above_home: bool) -> Option<[f64; 3]> {

@@ -96,7 +96,7 @@ impl Observed {
                 self.velocity_ned_m_s.push(at_s, velocity);
             }
             MavMessage::ATTITUDE(data) => {
-                self.note_attitude(at_s, [data.roll, data.pitch, data.yaw])
+                self.note_attitude(at_s, [data.roll, data.pitch, data.yaw]);
             }
             MavMessage::SYS_STATUS(data) if data.voltage_battery != u16::MAX => {
                 self.voltage_v
