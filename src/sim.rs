@@ -5,9 +5,9 @@
 //! world is a function of its configuration, the bytes it received and the steps between them.
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
-//! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
-//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points, logs and signing are not
-//! simulated, and the vehicle does not claim them.
+//! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports;
+//! `transfer` carries missions, fences, rally points, files and logs.
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
 
 mod arming;
 mod autopilot;
@@ -20,7 +20,6 @@ mod inbound;
 mod leg;
 mod mode;
 mod parameters;
-#[expect(dead_code, reason = "the lists are filled and flown next")]
 mod plan;
 mod port;
 mod schedule;
@@ -29,6 +28,7 @@ mod targets;
 mod task;
 mod telemetry;
 mod texts;
+mod transfer;
 mod wind;
 mod yaw;
 

@@ -14,6 +14,7 @@ use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
 use super::task::{Act, Cockpit, Sticks, Task};
+use super::transfer::Transfers;
 use super::wind::Wind;
 use super::yaw::{YawControl, YawDemand};
 use super::{STEP, Start, texts};
@@ -69,6 +70,7 @@ pub(super) struct Autopilot {
     pub(super) battery: Battery,
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
+    pub(super) transfers: Transfers,
     pub(super) radio: Radio,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
@@ -105,6 +107,7 @@ impl Autopilot {
             battery: Battery::default(),
             home: None,
             plans: Plans::default(),
+            transfers: Transfers::default(),
             radio: Radio {
                 sticks: Sticks::RELEASED,
                 until: Duration::ZERO,
@@ -132,6 +135,7 @@ impl Autopilot {
     /// Says something to every ground station.
     pub(super) fn say(&mut self, severity: MavSeverity, text: &str) {
         texts::say(&mut self.outbox, severity, text);
+        self.record_text(text);
     }
 
     /// Asks for a reboot; [`Autopilot::take_reboot`] performs it when it is due.
@@ -153,8 +157,10 @@ impl Autopilot {
         let system = self.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8;
         let own = (self.wind.clone(), self.board_id);
         let plans = std::mem::take(&mut self.plans);
+        let transfers = std::mem::take(&mut self.transfers).rebooted();
         *self = Self::booted(system, start, self.parameters.clone(), own);
         self.plans = plans;
+        self.transfers = transfers;
         true
     }
 
@@ -172,6 +178,7 @@ impl Autopilot {
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
         }
+        self.record(self.steps);
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
         }

@@ -6,13 +6,15 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::autopilot::Autopilot;
 use super::schedule::Schedule;
-use super::{inbound, telemetry};
+use super::{inbound, telemetry, transfer};
 use crate::wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing};
 
 /// Bytes that wait for a reader at most.
 const PENDING_MAX: usize = 256 * 1024;
 /// Beyond this only answers are still kept, no telemetry.
 const TELEMETRY_MAX: usize = PENDING_MAX - 32 * 1024;
+/// Beyond this transfers pause.
+const TRANSFERS_MAX: usize = PENDING_MAX / 2;
 /// Incoming bytes are decoded in pieces, so that a flood does not gather in memory.
 const PIECE: usize = 4096;
 /// After a pause of this many steps nothing more belongs to the bytes that have come (a frame takes far less).
@@ -26,6 +28,8 @@ pub(super) struct Link {
     pub(super) schedule: Schedule,
     /// The next parameter of a list that is being sent.
     pub(super) listing: Option<u16>,
+    /// What tells this link from the others in transfers.
+    pub(super) transfer: transfer::Own,
     /// Whether anything was ever received: until then the vehicle says little.
     pub(super) heard: bool,
     /// Answers to this ground station alone.
@@ -56,6 +60,7 @@ impl Port {
             link: Link {
                 schedule: Schedule::new(now),
                 listing: None,
+                transfer: transfer::Own::default(),
                 heard: false,
                 replies: Vec::new(),
             },
@@ -121,7 +126,7 @@ impl Port {
     }
 
     /// Sends what is due.
-    pub(super) fn step(&mut self, autopilot: &Autopilot) {
+    pub(super) fn step(&mut self, autopilot: &mut Autopilot) {
         let (pending, encoder) = (&mut self.pending, &mut self.encoder);
         self.link.schedule.each_due(autopilot.uptime(), |id| {
             if let Some(message) = telemetry::message(id, autopilot) {
@@ -136,6 +141,13 @@ impl Port {
                 }
             }
             self.link.listing = (next < autopilot.parameters.count()).then_some(next);
+        }
+        // Transfers wait for a reader that is slow.
+        if self.pending.len() < TRANSFERS_MAX {
+            transfer::step(autopilot, &mut self.link);
+            for reply in std::mem::take(&mut self.link.replies) {
+                self.answer(&reply);
+            }
         }
     }
 
