@@ -4,6 +4,7 @@ mod flight;
 mod ground;
 mod links;
 mod protocol;
+mod transfers;
 
 use super::*;
 

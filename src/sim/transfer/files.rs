@@ -1,23 +1,26 @@
 //! `MAVLink` FTP: one session at a time, whichever link it came by.
 
+mod wire;
+
 use std::collections::VecDeque;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity::MAV_SEVERITY_DEBUG;
 
+use self::wire::{
+    ACCEPTED, BURST_READ, CRC32, CREATE, DATA, LIST, MAKE_FOLDER, OPEN_RO, OPEN_WO, READ, REFUSED,
+    REMOVE_FILE, REMOVE_FOLDER, RENAME, RESET, Refusal, Reply, Request, TERMINATE, WRITE, listing,
+};
 use super::content::{self, Content, Place};
 use super::packed;
-use super::payload::{Payload, Writer};
-use super::tree::{self, Disk, Entry, NO_SPACE, NO_SUCH_FILE};
-use super::{Peer, Talk, plan_file};
+use super::payload::Payload;
+use super::tree::{self, Disk, NO_SPACE, NO_SUCH_FILE};
+use super::{Talk, plan_file};
 use crate::sim::autopilot::Autopilot;
 use crate::sim::plan::ListKind;
 
-/// `FILE_TRANSFER_PROTOCOL`, and where its own header begins in it.
+/// `FILE_TRANSFER_PROTOCOL`.
 const MESSAGE: u32 = 110;
-const BEGIN: usize = 3;
-/// Bytes of data in one message.
-const DATA: usize = 239;
 /// Requests that wait while a burst is under way; more are lost.
 const MOST_WAITING: usize = 5;
 /// A session that nothing was sent to for this long makes room for another.
@@ -27,78 +30,6 @@ const BURST: usize = 500;
 const BURST_PER_STEP: usize = 2;
 /// Bytes of a file of parameters or of a plan that is being written.
 const MOST_WRITTEN: usize = 64 * 1024;
-
-const TERMINATE: u8 = 1;
-const RESET: u8 = 2;
-const LIST: u8 = 3;
-const OPEN_RO: u8 = 4;
-const READ: u8 = 5;
-const CREATE: u8 = 6;
-const WRITE: u8 = 7;
-const REMOVE_FILE: u8 = 8;
-const MAKE_FOLDER: u8 = 9;
-const REMOVE_FOLDER: u8 = 10;
-const OPEN_WO: u8 = 11;
-const RENAME: u8 = 13;
-const CRC32: u8 = 14;
-const BURST_READ: u8 = 15;
-const ACCEPTED: u8 = 128;
-const REFUSED: u8 = 129;
-
-/// Why a request is refused.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Refusal {
-    Fail,
-    InvalidSize,
-    InvalidSession,
-    EndOfFile,
-    NothingOpen,
-    /// An error number of the operating system.
-    System(u8),
-}
-
-impl From<u8> for Refusal {
-    fn from(number: u8) -> Self {
-        Self::System(number)
-    }
-}
-
-impl Refusal {
-    fn data(self) -> Vec<u8> {
-        match self {
-            Self::Fail => vec![1],
-            Self::InvalidSize => vec![3],
-            Self::InvalidSession => vec![4],
-            Self::EndOfFile => vec![6],
-            Self::System(tree::EXISTS) => vec![8],
-            Self::NothingOpen | Self::System(NO_SUCH_FILE) => vec![10],
-            Self::System(number) => vec![2, number],
-        }
-    }
-}
-
-#[derive(Debug, Clone)]
-struct Request {
-    from: Peer,
-    seq: u16,
-    session: u8,
-    opcode: u8,
-    size: u8,
-    offset: u32,
-    data: Vec<u8>,
-}
-
-#[derive(Debug, Clone, Default)]
-struct Reply {
-    to: Peer,
-    seq: u16,
-    session: u8,
-    opcode: u8,
-    asked: u8,
-    burst_complete: bool,
-    offset: u32,
-    data: Vec<u8>,
-}
 
 #[derive(Debug, Clone)]
 enum Open {
@@ -189,75 +120,6 @@ pub(super) fn step(talk: &mut Talk<'_>) {
     }
 }
 
-impl Request {
-    fn read(payload: &Payload, from: Peer) -> Self {
-        let data = payload.from(BEGIN + 12);
-        Self {
-            from,
-            seq: payload.short(BEGIN),
-            session: payload.byte(BEGIN + 2),
-            opcode: payload.byte(BEGIN + 3),
-            size: payload.byte(BEGIN + 4),
-            offset: payload.word(BEGIN + 8),
-            data: data[..data.len().min(DATA)].to_vec(),
-        }
-    }
-
-    /// The path in the data, whose length must be the size.
-    fn path(&self) -> Result<String, Refusal> {
-        let len = self.data.iter().position(|byte| *byte == 0);
-        let len = len.unwrap_or(self.data.len());
-        if self.size == 0 || usize::from(self.size) != len {
-            return Err(Refusal::InvalidSize);
-        }
-        // Names have one byte less than there is room for.
-        let name = &self.data[..len.min(DATA - 1)];
-        Ok(String::from_utf8_lossy(name).into_owned())
-    }
-
-    /// Two paths in the data.
-    fn paths(&self) -> Result<(String, String), Refusal> {
-        let mut names = self.data.split(|byte| *byte == 0);
-        let (from, to) = (names.next(), names.next());
-        let (from, to) = (from.unwrap_or_default(), to.unwrap_or_default());
-        if self.size == 0 || from.len() + to.len() + 1 != usize::from(self.size) {
-            return Err(Refusal::InvalidSize);
-        }
-        let text = |name: &[u8]| String::from_utf8_lossy(name).into_owned();
-        Ok((text(from), text(to)))
-    }
-
-    fn reply(&self) -> Reply {
-        Reply {
-            to: self.from,
-            seq: self.seq.wrapping_add(1),
-            session: self.session,
-            opcode: ACCEPTED,
-            asked: self.opcode,
-            ..Reply::default()
-        }
-    }
-}
-
-impl Reply {
-    fn refuse(&mut self, reason: Refusal) {
-        self.opcode = REFUSED;
-        self.data = reason.data();
-    }
-
-    fn payload(&self) -> Vec<u8> {
-        let complete = u8::from(self.burst_complete);
-        Writer::default()
-            .bytes(&[0, self.to.system, self.to.component])
-            .short(self.seq)
-            .bytes(&[self.session, self.opcode, self.data.len() as u8])
-            .bytes(&[self.asked, complete, 0])
-            .word(self.offset)
-            .bytes(&self.data)
-            .done()
-    }
-}
-
 impl Talk<'_> {
     fn files(&mut self) -> &mut Files {
         &mut self.autopilot.transfers.files
@@ -276,7 +138,9 @@ impl Talk<'_> {
             return;
         }
         let again = self.files().last.as_ref().is_some_and(|reply| {
-            reply.to.is_same_sender(request.from)
+            // A request that follows a burst may have the number of the burst's end.
+            reply.asked == request.opcode
+                && reply.to.is_same_sender(request.from)
                 && reply.session == request.session
                 && reply.seq == request.seq.wrapping_add(1)
         });
@@ -533,23 +397,4 @@ impl Talk<'_> {
             }
         }
     }
-}
-
-/// As many entries of a folder as fit into one message, from one of them on.
-fn listing(entries: &[Entry], first: u32) -> Result<Vec<u8>, Refusal> {
-    let mut data = Vec::new();
-    for entry in entries.iter().skip(first as usize) {
-        let line = match entry.len {
-            Some(len) => format!("F{}\t{len}\0\0", entry.name),
-            None => format!("D{}\0\0", entry.name),
-        };
-        if data.len() + line.len() > DATA {
-            break;
-        }
-        data.extend_from_slice(line.as_bytes());
-    }
-    if data.is_empty() {
-        return Err(Refusal::EndOfFile);
-    }
-    Ok(data)
 }

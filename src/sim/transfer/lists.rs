@@ -1,5 +1,9 @@
 //! The mission protocol: missions, fences and rally points, item by item.
 
+mod guided;
+mod kept;
+mod layout;
+
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMissionResult::{
@@ -7,17 +11,16 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
     MAV_MISSION_INVALID_SEQUENCE, MAV_MISSION_NO_SPACE, MAV_MISSION_OPERATION_CANCELLED,
     MAV_MISSION_UNSUPPORTED,
 };
-use mavlink::dialects::ardupilotmega::MavSeverity::{
-    MAV_SEVERITY_DEBUG, MAV_SEVERITY_INFO, MAV_SEVERITY_WARNING,
-};
+use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_INFO, MAV_SEVERITY_WARNING};
 
+use self::kept::announce;
+pub(super) use self::kept::{as_sent, leads_somewhere, replace, take_fence};
+use self::layout::{Travelling, float_place, read_floats};
+pub(super) use self::layout::{item_at, laid_out, whole_place};
 use super::payload::{Payload, Writer};
-use super::{Peer, Talk, fence, items};
-use crate::geo::LatLon;
-use crate::sim::autopilot::Autopilot;
+use super::{Peer, Talk, items};
 use crate::sim::mode;
 use crate::sim::plan::{Item, ListKind};
-use crate::sim::targets::{Point, Setpoint};
 
 /// An item that does not come is asked for again after this long.
 const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
@@ -33,12 +36,6 @@ const CLEAR_ALL: u32 = 45;
 const ACK: u32 = 47;
 const REQUEST_INT: u32 = 51;
 const ITEM_INT: u32 = 73;
-/// In the `current` field of a mission item: not for the mission, but where to go now, and how high.
-const GO_THERE: u8 = 2;
-const CHANGE_HEIGHT: u8 = 3;
-/// A setpoint that asks for a position only.
-const POSITION_ONLY: u16 = 0x0DF8;
-
 /// What is under way with the three lists.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lists([State; 3]);
@@ -61,14 +58,6 @@ struct Upload {
     asked_at: Duration,
     /// A fence takes effect as a whole: the items that it will have.
     staged: Vec<Item>,
-}
-
-/// An item as it travels.
-struct Travelling {
-    item: Item,
-    seq: u16,
-    current: u8,
-    number: u8,
 }
 
 impl ListKind {
@@ -167,138 +156,6 @@ pub(super) fn step(talk: &mut Talk<'_>) {
             talk.ask(kind);
         }
     }
-}
-
-/// The items of a list in a download's form, `MISSION_ITEM_INT` without its sender and receiver.
-pub(super) fn as_sent(autopilot: &Autopilot, kind: ListKind, seq: usize) -> Option<Item> {
-    if kind == ListKind::Mission && seq == 0 {
-        return Some(home(autopilot));
-    }
-    autopilot.plans.list(kind).get(seq).copied()
-}
-
-/// Replaces a whole list by items that were looked over; `false` if there are too many.
-pub(super) fn replace(autopilot: &mut Autopilot, kind: ListKind, items: Vec<Item>) -> bool {
-    if items.len() > kind.most() {
-        return false;
-    }
-    *autopilot.plans.list_mut(kind) = items;
-    announce(autopilot, kind);
-    autopilot.plans_changed(kind);
-    true
-}
-
-/// Takes a complete fence, or says why not.
-pub(super) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item>) -> bool {
-    if let Err((severity, text)) = fence::check(&items) {
-        autopilot.say(severity, &text);
-        autopilot.say(MAV_SEVERITY_WARNING, "Fence validation failed");
-        return false;
-    }
-    if !fence::fits(&items) {
-        autopilot.say(MAV_SEVERITY_WARNING, "Fence exceeds storage size");
-        return false;
-    }
-    autopilot.say(MAV_SEVERITY_DEBUG, "Fence Indexed OK");
-    replace(autopilot, ListKind::Fence, items)
-}
-
-/// Whether an item may stand in a mission of that many items: jumps lead to an item that there is.
-pub(super) fn leads_somewhere(item: &Item, items: usize) -> bool {
-    let target = item.p[0] as usize;
-    item.command != items::DO_JUMP || (target != 0 && target < items)
-}
-
-/// The lengths of the lists are parameters too.
-fn announce(autopilot: &mut Autopilot, kind: ListKind) {
-    let length = autopilot.plans.list(kind).len() as f32;
-    let (name, total) = match kind {
-        ListKind::Mission => ("MIS_TOTAL", length),
-        ListKind::Fence => ("FENCE_TOTAL", fence::total(&autopilot.plans.fence)),
-        ListKind::Rally => ("RALLY_TOTAL", length),
-    };
-    super::publish(autopilot, name, total);
-}
-
-/// Item 0 of a mission is wherever home is now.
-fn home(autopilot: &Autopilot) -> Item {
-    let mut item = Item {
-        command: items::NAV_WAYPOINT,
-        auto_continue: true,
-        ..Item::default()
-    };
-    if let Some(home) = autopilot.home {
-        (item.x, item.y) = home.at.to_e7();
-        item.z = (home.altitude_amsl_m * 100.0).round() as f32 * 0.01;
-    }
-    item
-}
-
-impl Travelling {
-    fn read(payload: &Payload) -> Self {
-        Self {
-            item: item_at(payload, 0),
-            seq: payload.short(28),
-            current: payload.byte(35),
-            number: payload.byte(37),
-        }
-    }
-}
-
-/// The item at an offset, in the layout of `MISSION_ITEM_INT`.
-pub(super) fn item_at(payload: &Payload, at: usize) -> Item {
-    Item {
-        command: payload.short(at + 30),
-        frame: payload.byte(at + 34),
-        auto_continue: payload.byte(at + 36) != 0,
-        p: [0, 4, 8, 12].map(|place| payload.float(at + place)),
-        x: payload.word(at + 16) as i32,
-        y: payload.word(at + 20) as i32,
-        z: payload.float(at + 24),
-    }
-}
-
-/// An item in the layout of `MISSION_ITEM_INT`, for a receiver.
-pub(super) fn laid_out(
-    item: &Item,
-    seq: u16,
-    to: [u8; 2],
-    kind: ListKind,
-    place: [u8; 8],
-) -> Vec<u8> {
-    let writer = item
-        .p
-        .iter()
-        .fold(Writer::default(), |writer, value| writer.float(*value));
-    writer
-        .bytes(&place)
-        .float(item.z)
-        .short(seq)
-        .short(item.command)
-        .bytes(&to)
-        .bytes(&[item.frame, 0, u8::from(item.auto_continue), kind.number()])
-        .done()
-}
-
-/// The place of an item as two integers.
-pub(super) fn whole_place(item: &Item) -> [u8; 8] {
-    let mut place = [0; 8];
-    place[..4].copy_from_slice(&item.x.to_le_bytes());
-    place[4..].copy_from_slice(&item.y.to_le_bytes());
-    place
-}
-
-/// The place of an item as two floats: degrees, or the bare numbers.
-fn float_place(item: &Item) -> [u8; 8] {
-    let scale = if items::has_place(item.command) {
-        1e-7
-    } else {
-        1.0
-    };
-    let mut place = [0; 8];
-    place[..4].copy_from_slice(&(item.x as f32 * scale).to_le_bytes());
-    place[4..].copy_from_slice(&(item.y as f32 * scale).to_le_bytes());
-    place
 }
 
 impl Talk<'_> {
@@ -473,8 +330,8 @@ impl Talk<'_> {
             self.ack(travelling.number, MAV_MISSION_UNSUPPORTED);
             return;
         };
-        if kind == ListKind::Mission && matches!(travelling.current, GO_THERE | CHANGE_HEIGHT) {
-            let result = self.guided(&item, travelling.current);
+        if kind == ListKind::Mission && guided::is_meant(travelling.current) {
+            let result = guided::go(self.autopilot, &item, travelling.current);
             self.ack(travelling.number, result);
             return;
         }
@@ -565,48 +422,4 @@ impl Talk<'_> {
         self.autopilot.plans_changed(kind);
         Ok(())
     }
-
-    /// A place to go to at once, said as a mission item: an old way that ground stations still use in GUIDED.
-    fn guided(&mut self, item: &Item, current: u8) -> MavMissionResult {
-        let item = match items::mission_item(item) {
-            Ok(item) => item,
-            Err(reason) => return reason,
-        };
-        if current == CHANGE_HEIGHT {
-            return MAV_MISSION_ACCEPTED;
-        }
-        if self.autopilot.mode.number != mode::GUIDED || item.command != items::NAV_WAYPOINT {
-            return MAV_MISSION_ERROR;
-        }
-        self.autopilot.take_setpoint(&Setpoint {
-            point: Point::Global {
-                at: LatLon::from_e7(item.x, item.y),
-                height_m: f64::from(item.z),
-            },
-            velocity_m_s: glam::DVec3::ZERO,
-            accel_m_s2: glam::DVec3::ZERO,
-            yaw_rad: 0.0,
-            yaw_rate_rad_s: 0.0,
-            mask: POSITION_ONLY,
-            frame: item.frame,
-        });
-        MAV_MISSION_ACCEPTED
-    }
-}
-
-/// Turns the floats that came in the place of integers into integers.
-fn read_floats(item: &mut Item) -> Result<(), MavMissionResult> {
-    let (x, y) = (f32::from_bits(item.x as u32), f32::from_bits(item.y as u32));
-    if !items::has_place(item.command) {
-        (item.x, item.y) = (x as i32, y as i32);
-        return Ok(());
-    }
-    if x.is_nan() || x.abs() > 90.0 {
-        return Err(MavMissionResult::MAV_MISSION_INVALID_PARAM5_X);
-    }
-    if y.is_nan() || y.abs() > 180.0 {
-        return Err(MavMissionResult::MAV_MISSION_INVALID_PARAM6_Y);
-    }
-    (item.x, item.y) = ((x * 1e7) as i32, (y * 1e7) as i32);
-    Ok(())
 }

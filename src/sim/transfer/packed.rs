@@ -255,12 +255,12 @@ mod tests {
 
     #[test]
     fn a_written_file_is_taken_only_whole() {
-        let file = b"\x1bg\x02\x00\x1e\x00\x02\x60RTL_ALT\xd0\x07\x04\x94CONE_SLOP\x00\x00\x80\x3f";
-        let mut whole = file.to_vec();
-        whole[4] = whole.len() as u8;
-        whole[15] = 0x44;
-        let values = unpack(&whole);
-        assert!(values.is_none() || values.is_some_and(|values| values.len() == 2));
-        assert_eq!(unpack(&file[..12]), None);
+        let mut file = b"\x1bg\x02\x00\x00\x00\x02\x60RTL_ALT\xd0\x07\x04\x94CONE_SLOPE".to_vec();
+        file.extend_from_slice(&1.5_f32.to_le_bytes());
+        file[4] = file.len() as u8;
+        let values = unpack(&file).expect("whole");
+        let wanted = [("RTL_ALT", 2000.0), ("RTL_CONE_SLOPE", 1.5)];
+        assert_eq!(values, wanted.map(|(name, value)| (name.to_owned(), value)));
+        assert_eq!(unpack(&file[..file.len() - 1]), None);
     }
 }
