@@ -82,7 +82,7 @@ impl Parameters {
     }
 
     /// The value that the parameter at a place in the list has on a vehicle that nobody has changed.
-    pub(super) fn default_at(&self, index: u16) -> f32 {
+    pub(super) fn default_at(index: u16) -> f32 {
         TABLE
             .rows
             .get(usize::from(index))

@@ -466,7 +466,9 @@ proptest! {
         ground.run(0.1);
         // It still answers.
         let first = ground.heard.len();
-        ground.say(MavMessage::AUTOPILOT_VERSION_REQUEST(Default::default()));
+        ground.say(MavMessage::AUTOPILOT_VERSION_REQUEST(
+            AUTOPILOT_VERSION_REQUEST_DATA::default(),
+        ));
         prop_assert!(!ground.messages_since(first).is_empty());
     }
 }

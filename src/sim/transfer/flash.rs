@@ -122,7 +122,8 @@ impl Log {
         ];
         let sample: usize = groups
             .into_iter()
-            .filter_map(|(kept, kind)| kept.then(|| record_len(kind)))
+            .filter(|(kept, _)| *kept)
+            .map(|(_, kind)| record_len(kind))
             .sum();
         FORMATS.len() * record_len(FORMAT)
             + usize::from(parameters.count()) * record_len(PARAMETER)
@@ -140,11 +141,14 @@ impl Log {
         }
         let begin_ms = self.begin_ms();
         for parameter in (0..parameters.count()).filter_map(|index| parameters.at(index)) {
-            let default = parameters.default_at(parameter.index);
+            let default = Parameters::default_at(parameter.index);
             let record = file.record(PARAMETER, begin_ms).text(parameter.name, 16);
             record.float(parameter.value).float(default);
         }
-        let (mut modes, mut texts) = (self.modes.iter().peekable(), self.texts.iter().peekable());
+        let (mut modes, mut texts) = (
+            self.modes.iter().copied().peekable(),
+            self.texts.iter().peekable(),
+        );
         for sample in &self.samples {
             while let Some(mode) = modes.next_if(|(at, _)| *at <= sample.boot_ms) {
                 file.mode(mode);
@@ -159,7 +163,8 @@ impl Log {
         file.0
     }
 
-    fn begin_ms(&self) -> u32 {
+    /// When it begins, in milliseconds since boot.
+    pub(super) fn begin_ms(&self) -> u32 {
         let first = [
             self.samples.first().map(|sample| sample.boot_ms),
             self.modes.first().map(|(at, _)| *at),
@@ -205,8 +210,8 @@ impl File {
         self
     }
 
-    fn mode(&mut self, (at_ms, number): &(u32, u8)) {
-        self.record(MODE, *at_ms).bytes(&[*number, *number, 0]);
+    fn mode(&mut self, (at_ms, number): (u32, u8)) {
+        self.record(MODE, at_ms).bytes(&[number, number, 0]);
     }
 
     fn said(&mut self, (at_ms, text): &(u32, String)) {

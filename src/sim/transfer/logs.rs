@@ -307,7 +307,8 @@ impl Talk<'_> {
             let log = usize::from(place)
                 .checked_sub(1)
                 .and_then(|index| logs.kept.get(index));
-            let time_utc = log.map_or(0, |log| log.boot_utc_ms / 1000) as u32;
+            let time_utc = log.map_or(0, |log| log.boot_utc_ms + u64::from(log.begin_ms()));
+            let time_utc = (time_utc / 1000) as u32;
             let size = log.map_or(0, |log| log.len(&self.autopilot.parameters)) as u32;
             let entry = Writer::default().word(time_utc).word(size).short(place);
             payloads.push(entry.short(count).short(last).done());

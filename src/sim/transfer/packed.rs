@@ -80,7 +80,7 @@ impl Wanted {
             let Some(parameter) = parameters.at(index as u16) else {
                 break;
             };
-            let default = parameters.default_at(parameter.index);
+            let default = Parameters::default_at(parameter.index);
             let default = self.with_defaults.then_some(default);
             append(&mut file, (&parameter, before), default, block);
             before = parameter.name;
