@@ -1,5 +1,6 @@
 //! The simulator as a ground station sees it.
 
+mod files;
 mod flight;
 mod ground;
 mod links;
