@@ -5,7 +5,8 @@
 //! world is a function of its configuration, the bytes it received and the steps between them.
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
-//! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
+//! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports;
+//! `transfer` carries missions, fences, rally points, files and logs.
 //! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
 
 mod airframe;
@@ -24,7 +25,6 @@ mod leg;
 mod mixer;
 mod mode;
 mod parameters;
-#[expect(dead_code, reason = "the lists are filled and flown next")]
 mod plan;
 mod port;
 mod rally;
@@ -36,6 +36,7 @@ mod targets;
 mod task;
 mod telemetry;
 mod texts;
+mod transfer;
 mod upset;
 mod wind;
 mod yaw;

@@ -19,6 +19,7 @@ use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
 use super::rally::Rally;
 use super::task::{Act, Cockpit, Sticks, Task};
+use super::transfer::Transfers;
 use super::upset::Drive;
 use super::wind::Wind;
 use super::yaw::{YawControl, YawDemand};
@@ -80,6 +81,7 @@ pub(super) struct Autopilot {
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
     pub(super) fence: Geofence,
+    pub(super) transfers: Transfers,
     pub(super) radio: Radio,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
@@ -127,6 +129,7 @@ impl Autopilot {
             home: None,
             plans: Plans::default(),
             fence: Geofence::default(),
+            transfers: Transfers::default(),
             radio: Radio {
                 sticks: Sticks::RELEASED,
                 until: Duration::ZERO,
@@ -154,6 +157,7 @@ impl Autopilot {
     /// Says something to every ground station.
     pub(super) fn say(&mut self, severity: MavSeverity, text: &str) {
         texts::say(&mut self.outbox, severity, text);
+        self.record_text(text);
     }
 
     /// Asks for a reboot; [`Autopilot::take_reboot`] performs it when it is due.
@@ -175,9 +179,11 @@ impl Autopilot {
         let system = self.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8;
         let own = (self.wind.clone(), self.board_id);
         let plans = std::mem::take(&mut self.plans);
+        let transfers = std::mem::take(&mut self.transfers).rebooted();
         let built = (start, Arc::clone(&self.airframe));
         *self = Self::booted(system, built, self.parameters.clone(), own);
         self.plans = plans;
+        self.transfers = transfers;
         self.fence_changed();
         true
     }
@@ -201,6 +207,7 @@ impl Autopilot {
         if self.steps.is_multiple_of(fence::EVERY_STEPS) {
             self.watch_fence();
         }
+        self.record(self.steps);
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
         }

@@ -1,7 +1,6 @@
 //! What a ground station says, and the vehicle's answers.
 
 mod fields;
-mod plans;
 
 use mavlink::dialects::ardupilotmega::{
     MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA, PARAM_VALUE_DATA,
@@ -14,7 +13,7 @@ use super::autopilot::{Autopilot, Radio};
 use super::commands::{self, Command};
 use super::parameters::Parameter;
 use super::port::Link;
-use super::{signing, telemetry};
+use super::{signing, telemetry, transfer};
 use crate::wire::{Content, Frame, Outgoing};
 
 /// `COMMAND_ACK`.
@@ -37,6 +36,9 @@ pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) 
         }
         return;
     }
+    if transfer::handle(autopilot, link, frame) {
+        return;
+    }
     if let Content::Message(message) = &frame.content {
         converse(autopilot, link, frame, message);
     }
@@ -53,12 +55,9 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
         Request::SetParameter { name, value } => {
             if let Some(parameter) = autopilot.parameters.set(name, *value) {
                 autopilot.retune();
-                let echo = PARAM_VALUE_DATA {
-                    param_index: BY_NAME,
-                    ..value_of(autopilot, &parameter)
-                };
                 // Every link hears of the change.
-                autopilot.outbox.push(MavMessage::PARAM_VALUE(echo));
+                let echo = unasked_value(autopilot, &parameter);
+                autopilot.outbox.push(echo);
             }
         }
     }
@@ -122,10 +121,7 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         {
             override_sticks(autopilot, data);
         }
-        other => {
-            let answer = plans::answer(autopilot.system, other, frame);
-            link.replies.extend(answer.map(Into::into));
-        }
+        _ => {}
     }
 }
 
@@ -190,6 +186,14 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
 /// `PARAM_VALUE` with the place in the list.
 pub(super) fn parameter_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
     MavMessage::PARAM_VALUE(value_of(autopilot, parameter))
+}
+
+/// `PARAM_VALUE` without the place in the list, as it comes after a change.
+pub(super) fn unasked_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
+    MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
+        param_index: BY_NAME,
+        ..value_of(autopilot, parameter)
+    })
 }
 
 fn value_of(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {

@@ -87,6 +87,14 @@ impl Parameters {
         })
     }
 
+    /// The value that the parameter at a place in the list has on a vehicle that nobody has changed.
+    pub(super) fn default_at(index: u16) -> f32 {
+        TABLE
+            .rows
+            .get(usize::from(index))
+            .map_or(0.0, |row| row.default)
+    }
+
     /// The parameter of that name; upper and lower case are the same.
     pub(super) fn named(&self, name: &str) -> Option<Parameter> {
         let index = TABLE.place(name)?;

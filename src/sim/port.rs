@@ -12,7 +12,7 @@ use super::autopilot::Autopilot;
 use super::parameters::Parameters;
 use super::schedule::Schedule;
 use super::signing::Signing;
-use super::{Serial, inbound};
+use super::{Serial, inbound, transfer};
 use crate::wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing, SigningKey};
 
 /// Bytes that wait for a reader at most.
@@ -21,6 +21,8 @@ const PENDING_MAX: usize = 256 * 1024;
 const TELEMETRY_MAX: usize = PENDING_MAX - 32 * 1024;
 /// A buffer that has grown beyond this is given back once it is empty.
 const PENDING_KEPT: usize = 4096;
+/// Beyond this transfers pause.
+const TRANSFERS_MAX: usize = PENDING_MAX / 2;
 /// Incoming bytes are decoded in pieces, so that a flood does not gather in memory.
 const PIECE: usize = 4096;
 /// After a pause of this many steps nothing more belongs to the bytes that have come (a frame takes far less).
@@ -32,6 +34,8 @@ const PARAMETERS_PER_STEP: u16 = 23;
 #[derive(Debug)]
 pub(super) struct Link {
     pub(super) schedule: Schedule,
+    /// Who on this port is being answered, in transfers.
+    pub(super) transfer: transfer::Own,
     /// Whether anything was ever received: until then the vehicle says little.
     pub(super) heard: bool,
     /// Asked for: a list of parameters from this one on.
@@ -46,6 +50,7 @@ impl Link {
     fn new(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
         Self {
             schedule: Schedule::booted(serial, parameters, now),
+            transfer: transfer::Own::default(),
             heard: false,
             listing: None,
             replies: Vec::new(),
@@ -91,6 +96,8 @@ pub(super) struct Port {
     pending: Vec<u8>,
     /// The next parameter of a list that is being sent.
     listing: Option<u16>,
+    /// What tells this ground station from the others in transfers.
+    transfer: transfer::Own,
     quiet_steps: u32,
 }
 
@@ -103,6 +110,7 @@ impl Port {
             encoder: Encoder::new(system, AUTOPILOT_COMPONENT),
             pending: Vec::new(),
             listing: None,
+            transfer: transfer::Own::default(),
             quiet_steps: 0,
         }
     }
@@ -159,7 +167,9 @@ impl Port {
         let Serials { links, signing } = serials;
         let link = &mut links[self.serial.index()];
         link.heard = true;
+        link.transfer = self.transfer;
         inbound::handle(autopilot, link, frame);
+        self.transfer = link.transfer;
         if let Some((key, timestamp)) = link.key.take() {
             signing.load(key, timestamp);
         }
@@ -208,6 +218,20 @@ impl Port {
             }
         }
         self.listing = (next < count).then_some(next);
+    }
+
+    /// Goes on with transfers; they wait for a reader that is slow.
+    pub(super) fn transfer(&mut self, autopilot: &mut Autopilot, serials: &mut Serials) {
+        if self.pending.len() >= TRANSFERS_MAX {
+            return;
+        }
+        let Serials { links, signing } = serials;
+        let link = &mut links[self.serial.index()];
+        link.transfer = self.transfer;
+        transfer::step(autopilot, link);
+        for reply in link.replies.drain(..) {
+            self.answer(&reply, signing);
+        }
     }
 
     /// Moves the bytes that wait.

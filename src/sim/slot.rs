@@ -84,6 +84,7 @@ impl Slot {
         self.stream();
         for (_, port) in self.ports.iter_mut().filter(|(_, port)| port.open) {
             port.list(&self.autopilot, &mut self.serials.signing);
+            port.transfer(&mut self.autopilot, &mut self.serials);
         }
         if self.autopilot.take_reboot() {
             self.reboot();

@@ -9,6 +9,7 @@ mod sensors;
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use self::Builder::{Always, Sometimes};
+pub(super) use self::health::EPOCH_US;
 use super::autopilot::Autopilot;
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.

@@ -1,12 +1,14 @@
 //! The simulator as a ground station sees it.
 
 mod airframes;
+mod files;
 mod flight;
 mod ground;
 mod links;
 mod protocol;
 mod serials;
 mod signing;
+mod transfers;
 
 use super::*;
 

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::Parameters;
 use crate::sim::failsafe::Rules;
+use crate::sim::transfer::Recorder;
 use crate::sim::upset::MotorFault;
 use crate::sim::{fence, rally, wind};
 
@@ -53,6 +54,7 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) failsafes: Rules,
     pub(in crate::sim) fence: fence::Rules,
     pub(in crate::sim) rally: rally::Rules,
+    pub(in crate::sim) recorder: Recorder,
 }
 
 impl Tuning {
@@ -107,6 +109,7 @@ impl Tuning {
             failsafes: Rules::read(all),
             fence: fence::Rules::read(all),
             rally: rally::Rules::read(all),
+            recorder: Recorder::read(all),
         }
     }
 }

@@ -25,7 +25,7 @@ const PREARM_CHECK: u32 = 0x1000_0000;
 const EKF_WAITING: u16 = 0x00A7;
 const EKF_GOOD: u16 = 0x033F;
 /// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
-const EPOCH_US: u64 = 1_767_225_600_000_000;
+pub(in crate::sim) const EPOCH_US: u64 = 1_767_225_600_000_000;
 
 pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
@@ -173,8 +173,7 @@ pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Only what is served: no FTP, no missions, fences or rally points, no terrain, no attitude targets, no
-/// compass calibration.
+/// Only what is served: no terrain, no attitude targets, no compass calibration.
 #[expect(
     deprecated,
     reason = "the bit that ArduCopter sets; its successor has the same meaning"
@@ -184,12 +183,17 @@ pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     uid2[..8].copy_from_slice(&autopilot.board_id.to_le_bytes());
     uid2[8] = autopilot.system;
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
-        capabilities: MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT
+        capabilities: MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT
+            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT
+            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_INT
+            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FTP
             | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_COMMAND_INT
             | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
             | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT
             | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MAVLINK2,
+            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MAVLINK2
+            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE
+            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY,
         uid: autopilot.board_id,
         flight_sw_version: 0x0406_0000,
         flight_custom_version: *b"sortie\0\0",
