@@ -184,6 +184,7 @@ impl Mission {
         WorldConfig {
             starts: self.starts(),
             seed,
+            realistic_boot: false,
         }
     }
 

@@ -13,8 +13,10 @@ mod arming;
 mod autopilot;
 mod battery;
 mod body;
+mod boot;
 mod commands;
 mod control;
+mod estimator;
 mod failsafe;
 mod inbound;
 mod leg;
@@ -59,6 +61,9 @@ pub struct WorldConfig {
     pub starts: Vec<Start>,
     /// Seed of everything random (gusts).
     pub seed: u64,
+    /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
+    /// GUIDED. Else they are ready after little more than a second.
+    pub realistic_boot: bool,
 }
 
 impl WorldConfig {
@@ -70,7 +75,11 @@ impl WorldConfig {
                 ..first
             })
             .collect();
-        Self { starts, seed: 0 }
+        Self {
+            starts,
+            seed: 0,
+            realistic_boot: false,
+        }
     }
 }
 
@@ -146,13 +155,17 @@ impl World {
             .starts
             .iter()
             .enumerate()
-            .map(|(vehicle, start)| Slot {
-                autopilot: Autopilot::new(
-                    (vehicle % SYSTEMS) as u8 + 1,
-                    *start,
-                    Wind::new(config.seed, vehicle as u64),
-                ),
-                ports: Vec::new(),
+            .map(|(vehicle, start)| {
+                let system = (vehicle % SYSTEMS) as u8 + 1;
+                let wind = Wind::new(config.seed, vehicle as u64);
+                let mut autopilot = Autopilot::new(system, *start, wind);
+                if config.realistic_boot {
+                    autopilot = autopilot.booting_realistically();
+                }
+                Slot {
+                    autopilot,
+                    ports: Vec::new(),
+                }
             })
             .collect();
         Self {
@@ -233,6 +246,15 @@ impl World {
         }
     }
 
+    /// Simulated seconds per second, if a ground station has asked a vehicle for it (`SIM_SPEEDUP` other than 1).
+    /// The world cannot set its own pace; whoever steps it should.
+    pub fn wanted_speedup(&self) -> Option<f64> {
+        self.slots
+            .iter()
+            .map(|slot| slot.autopilot.tuning.faults.speedup)
+            .find(|speedup| *speedup > 0.0 && (*speedup - 1.0).abs() > f64::EPSILON)
+    }
+
     /// The truth about a vehicle, counted from 0.
     ///
     /// # Panics
@@ -264,14 +286,21 @@ impl Slot {
     }
 
     fn step(&mut self) {
+        if self.autopilot.boot.awaits_client() && !self.ports.iter().any(|(_, port)| port.open) {
+            return;
+        }
         for place in 0..self.ports.len() {
             self.with_port(place, Port::end_of_burst);
         }
         let autopilot = &mut self.autopilot;
         autopilot.step();
         let said = std::mem::take(&mut autopilot.outbox);
+        let printed = autopilot.boot.take_console();
         for (_, port) in &mut self.ports {
             if port.open {
+                for text in &printed {
+                    port.print(text);
+                }
                 port.broadcast(&said);
                 port.step(autopilot);
             }
@@ -286,7 +315,7 @@ impl Slot {
 
 fn truth_of(autopilot: &Autopilot) -> Truth {
     let body = &autopilot.body;
-    let here = autopilot.here();
+    let here = autopilot.truly_here();
     let (roll, pitch) = body.roll_pitch_rad();
     Truth {
         at: here.at,

@@ -31,6 +31,8 @@ const PIPE_LEN: usize = 64 * 1024;
 /// Time that the machine did not give to the simulation is made up for up to this much at once; beyond it the
 /// simulation falls behind real time instead of never catching up.
 const CATCH_UP: Duration = Duration::from_millis(50);
+/// The fastest pace.
+const SPEEDUP_MAX: f64 = 1000.0;
 /// At high speed, ground stations are served again after this many steps.
 const STEPS_PER_ROUND: usize = 10;
 
@@ -137,7 +139,7 @@ impl Simulator {
         endpoints: &[Endpoint],
         cancel: CancellationToken,
     ) -> Result<Started, SimulatorError> {
-        if !(speedup > 0.0 && speedup <= 1000.0) {
+        if !(speedup > 0.0 && speedup <= SPEEDUP_MAX) {
             return Err(SimulatorError::Speedup(speedup));
         }
         let mut doors = Doors::default();
@@ -249,7 +251,9 @@ async fn run(mut world: World, speedup: f64, mut doors: Doors, cancel: Cancellat
             _ = wake.tick() => {}
         }
         let now = Instant::now();
-        owed += (now - last).min(CATCH_UP).mul_f64(speedup);
+        // A vehicle that was given another pace sets it for all.
+        let pace = world.wanted_speedup().unwrap_or(speedup).min(SPEEDUP_MAX);
+        owed += (now - last).min(CATCH_UP).mul_f64(pace);
         last = now;
         doors.read(&mut world);
         let mut steps = 0;

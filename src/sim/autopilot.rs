@@ -9,6 +9,8 @@ use super::arming::Safety;
 use super::battery::Battery;
 use super::body::{Body, Demand};
 use super::control::{Limits, PositionControl};
+use super::boot::Boot;
+use super::estimator::{Estimator, Surroundings};
 use super::failsafe::{self, Failsafe};
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
@@ -19,8 +21,6 @@ use super::yaw::{YawControl, YawDemand};
 use super::{STEP, Start, texts};
 use crate::geo::LatLon;
 
-/// The position estimate is good from here on.
-pub(super) const READY_AFTER: Duration = Duration::from_millis(1200);
 /// A vehicle that reboots drops its links this long after the acknowledgement.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
 /// The autopilot asks for the time this often.
@@ -73,6 +73,10 @@ pub(super) struct Autopilot {
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
     pub(super) board_id: u64,
+    pub(super) boot: Boot,
+    pub(super) estimator: Estimator,
+    /// Where the last takeoff ended.
+    takeoff_m: Option<DVec3>,
     /// Messages for every link, in order.
     pub(super) outbox: Vec<MavMessage>,
     steps: u64,
@@ -82,11 +86,24 @@ pub(super) struct Autopilot {
 impl Autopilot {
     /// A vehicle that has just been switched on.
     pub(super) fn new(system: u8, start: Start, mut wind: Wind) -> Self {
-        let board_id = wind.board_id();
-        Self::booted(system, start, Parameters::new(system), (wind, board_id))
+        let own = wind.board_id();
+        let parameters = Parameters::new(system);
+        Self::booted(system, start, parameters, (wind, own), false)
     }
 
-    fn booted(system: u8, start: Start, parameters: Parameters, own: (Wind, u64)) -> Self {
+    /// The same vehicle, which takes as long to boot as a real one.
+    pub(super) fn booting_realistically(mut self) -> Self {
+        self.boot = Boot::new(true);
+        self
+    }
+
+    fn booted(
+        system: u8,
+        start: Start,
+        parameters: Parameters,
+        own: (Wind, u64),
+        realistic: bool,
+    ) -> Self {
         let body = Body::resting(start.heading_deg);
         Self {
             system,
@@ -112,6 +129,9 @@ impl Autopilot {
             servos_us: [0; 16],
             wind: own.0,
             board_id: own.1,
+            boot: Boot::new(realistic),
+            estimator: Estimator::new(own.1),
+            takeoff_m: None,
             outbox: Vec::new(),
             steps: 0,
             reboot_at: None,
@@ -126,7 +146,12 @@ impl Autopilot {
 
     /// Whether the position estimate is good.
     pub(super) fn is_ready(&self) -> bool {
-        self.uptime() >= READY_AFTER
+        self.boot.is_over() && self.estimator.has_position()
+    }
+
+    /// What the autopilot believes of the vehicle's motion.
+    pub(super) fn believed(&self) -> &Body {
+        self.estimator.belief(&self.body)
     }
 
     /// Says something to every ground station.
@@ -144,7 +169,7 @@ impl Autopilot {
         if self.reboot_at.is_none_or(|at| self.uptime() < at) {
             return false;
         }
-        let here = self.here();
+        let here = self.truly_here();
         let start = Start {
             at: here.at,
             altitude_amsl_m: here.altitude_amsl_m,
@@ -153,7 +178,13 @@ impl Autopilot {
         let system = self.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8;
         let own = (self.wind.clone(), self.board_id);
         let plans = std::mem::take(&mut self.plans);
-        *self = Self::booted(system, start, self.parameters.clone(), own);
+        *self = Self::booted(
+            system,
+            start,
+            self.parameters.clone(),
+            own,
+            self.boot.realistic,
+        );
         self.plans = plans;
         true
     }
@@ -161,14 +192,17 @@ impl Autopilot {
     /// Moves on by one step.
     pub(super) fn step(&mut self) {
         self.steps += 1;
-        self.boot();
+        self.step_boot();
         let asleep = self.body.on_ground && !self.safety.armed;
         if !asleep {
             self.fly();
         }
+        self.estimate();
         self.battery
             .step(self.body.throttle, self.tuning.battery_voltage_v);
         self.watch_ground();
+        self.watch_radio();
+        self.report_obstacles(self.steps);
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
         }
@@ -177,8 +211,13 @@ impl Autopilot {
         }
     }
 
-    /// Where the vehicle is.
+    /// Where the vehicle believes to be.
     pub(super) fn here(&self) -> Place {
+        self.place_of(self.believed().position_m)
+    }
+
+    /// Where the vehicle really is.
+    pub(super) fn truly_here(&self) -> Place {
         self.place_of(self.body.position_m)
     }
 
@@ -235,7 +274,8 @@ impl Autopilot {
             home_m: self.home_point(),
             now: self.uptime(),
             control: &mut self.control,
-            body: &self.body,
+            body: self.estimator.belief(&self.body),
+            has_position: self.estimator.has_position(),
             tuning: &self.tuning,
         };
         work(&mut self.task, &mut cockpit)
@@ -252,7 +292,14 @@ impl Autopilot {
             Act::Throttle(throttle) => Demand::Throttle(throttle),
             Act::Fly => {
                 let lean_max = self.tuning.lean_max_rad;
-                Demand::Acceleration(self.control.demand(&self.body, lean_max))
+                let body = self.estimator.belief(&self.body);
+                Demand::Acceleration(self.control.demand(body, lean_max))
+            }
+            Act::Level => {
+                let down = self
+                    .control
+                    .demand_level(self.estimator.belief(&self.body));
+                Demand::Acceleration(self.estimator.level_error_m_s2().extend(down))
             }
         };
         self.end_turn();
@@ -280,6 +327,29 @@ impl Autopilot {
         }
     }
 
+    /// Lets the estimator follow what has happened, and the path what it has jumped.
+    fn estimate(&mut self) {
+        if !self.boot.is_over() {
+            return;
+        }
+        let around = Surroundings {
+            now: STEP * u32::try_from(self.steps).unwrap_or(u32::MAX),
+            truth: &self.body,
+            faults: &self.tuning.faults,
+            latitude_deg: self.start.at.lat_deg,
+        };
+        if let Some(jump_m) = self.estimator.step(&around, &mut self.outbox) {
+            self.control.path_m += jump_m;
+            // The height of a takeoff is held where the vehicle is, wherever that is said to be.
+            if let (Task::Goto { goal_m, .. }, Some(hold_m)) = (&mut self.task, &mut self.takeoff_m)
+                && *goal_m == *hold_m
+            {
+                *goal_m += jump_m;
+                *hold_m = *goal_m;
+            }
+        }
+    }
+
     /// A turning rate lasts as long as the setpoint that asked for it.
     fn end_turn(&mut self) {
         let until = match &self.task {
@@ -292,24 +362,11 @@ impl Autopilot {
     }
 
     fn end_takeoff(&mut self, goal_m: DVec3) {
+        self.takeoff_m = Some(goal_m);
         self.task = match self.mode.number {
             mode::GUIDED => Task::goto(goal_m),
             _ => Task::Piloted,
         };
-    }
-
-    /// What a boot says and when.
-    fn boot(&mut self) {
-        match self.steps {
-            30 => self.say(MavSeverity::MAV_SEVERITY_INFO, "ArduPilot Ready"),
-            50 => self.say(MavSeverity::MAV_SEVERITY_INFO, "EKF3 IMU0 initialised"),
-            _ => {}
-        }
-        if self.home.is_none() && self.is_ready() {
-            self.say(MavSeverity::MAV_SEVERITY_INFO, "EKF3 IMU0 origin set");
-            self.say(MavSeverity::MAV_SEVERITY_INFO, "EKF3 IMU0 is using GPS");
-            self.set_home(self.here());
-        }
     }
 
     fn ask_time(&mut self) {

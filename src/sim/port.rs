@@ -120,10 +120,20 @@ impl Port {
         }
     }
 
+    /// Sends plain text between the frames.
+    pub(super) fn print(&mut self, text: &str) {
+        if self.pending.len() + text.len() <= TELEMETRY_MAX {
+            self.pending.extend_from_slice(text.as_bytes());
+        }
+    }
+
     /// Sends what is due.
     pub(super) fn step(&mut self, autopilot: &Autopilot) {
         let (pending, encoder) = (&mut self.pending, &mut self.encoder);
         self.link.schedule.each_due(autopilot.uptime(), |id| {
+            if autopilot.boot.holds_back(id) {
+                return;
+            }
             if let Some(message) = telemetry::message(id, autopilot) {
                 append(pending, encoder, &message.into(), TELEMETRY_MAX);
             }

@@ -31,6 +31,9 @@ impl Autopilot {
                 );
                 return false;
             }
+            Entry::Position if mode.number == mode::SMART_RTL && self.failsafe.path_is_lost() => {
+                &["Mode change to SMARTRTL failed: init failed"]
+            }
             Entry::Free | Entry::Position | Entry::Plan => &[],
         };
         if !texts.is_empty() {
@@ -47,10 +50,18 @@ impl Autopilot {
         self.mode = mode;
         self.speeds = Speeds::default();
         self.paused = None;
-        self.control.take_over(&self.body);
+        self.control.take_over(self.estimator.belief(&self.body));
         self.yaw.settle(self.body.yaw_deg);
         self.task = self.first_task();
         self.outbox.extend(telemetry::message(0, self));
+    }
+
+    /// At the end of the initialisation the first mode is entered, whatever was asked before.
+    pub(super) fn go_back_to_first_mode(&mut self) {
+        if self.mode != Mode::BOOT {
+            self.mode = Mode::BOOT;
+            self.task = self.first_task();
+        }
     }
 
     fn first_task(&mut self) -> Task {
@@ -69,7 +80,7 @@ impl Autopilot {
             mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO => Task::STOP,
             mode::BRAKE => Task::Brake,
             mode::CIRCLE => {
-                let circle = Task::circle(&self.body, &self.tuning);
+                let circle = Task::circle(self.believed(), &self.tuning);
                 if let Task::Circle(circle) = &circle {
                     self.yaw.demand = YawDemand::Towards(circle.centre_m);
                 }

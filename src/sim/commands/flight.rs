@@ -12,8 +12,10 @@ use crate::sim::targets::altitude_amsl_m;
 use crate::sim::task::{Takeoff, Task};
 use crate::sim::yaw::YawDemand;
 
-/// The second parameter that makes arming or disarming ignore what can be ignored.
+/// The second parameter that makes disarming work in the air.
 const FORCE: f32 = 21196.0;
+/// The second parameter that makes arming ignore what can be ignored.
+const FORCE_ARMING: f32 = 2989.0;
 /// `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
 const RELATIVE_ALTITUDE: u8 = 3;
 /// What a takeoff in a mode with a pilot lifts before the pilot's throttle counts again.
@@ -30,7 +32,7 @@ pub(super) fn arm_or_disarm(
 ) -> MavResult {
     let [arm, magic, ..] = command.p;
     if (arm - 1.0).abs() < f32::EPSILON {
-        return done(autopilot.arm());
+        return done(autopilot.arm((magic - FORCE_ARMING).abs() < 0.5));
     }
     if arm != 0.0 {
         return MavResult::MAV_RESULT_UNSUPPORTED;

@@ -3,6 +3,8 @@
 use std::time::Duration;
 
 use super::Parameters;
+use crate::sim::arming::ArmingRules;
+use crate::sim::estimator::Faults;
 use crate::sim::failsafe::Rules;
 
 /// Limits and settings in SI units.
@@ -49,8 +51,9 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) wind_full_height_m: f64,
     pub(in crate::sim) battery_voltage_v: f64,
     pub(in crate::sim) battery_capacity_mah: f64,
-    pub(in crate::sim) satellites: u8,
     pub(in crate::sim) failsafes: Rules,
+    pub(in crate::sim) faults: Faults,
+    pub(in crate::sim) arming: ArmingRules,
 }
 
 impl Tuning {
@@ -102,8 +105,9 @@ impl Tuning {
             wind_full_height_m: all.value("SIM_WIND_T_ALT").max(1.0),
             battery_voltage_v: all.value("SIM_BATT_VOLTAGE").clamp(0.0, 600.0),
             battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
-            satellites: all.value("SIM_GPS_NUMSATS").clamp(0.0, 255.0) as u8,
             failsafes: Rules::read(all),
+            faults: Faults::read(all),
+            arming: ArmingRules::read(all),
         }
     }
 }
