@@ -8,8 +8,8 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 use super::arming::Safety;
 use super::battery::Battery;
 use super::body::{Body, Demand};
-use super::control::{Limits, PositionControl};
 use super::boot::Boot;
+use super::control::{Limits, PositionControl};
 use super::estimator::{Estimator, Surroundings};
 use super::failsafe::{self, Failsafe};
 use super::mode::{self, Mode};
@@ -296,9 +296,7 @@ impl Autopilot {
                 Demand::Acceleration(self.control.demand(body, lean_max))
             }
             Act::Level => {
-                let down = self
-                    .control
-                    .demand_level(self.estimator.belief(&self.body));
+                let down = self.control.demand_level(self.estimator.belief(&self.body));
                 Demand::Acceleration(self.estimator.level_error_m_s2().extend(down))
             }
         };

@@ -270,9 +270,9 @@ impl Autopilot {
         let gps = &self.tuning.faults.gps;
         let blind = gps.disabled || gps.jammed || self.uptime() < gps.lock_after;
         // The clock does not pass an event that waits for a position.
-        let holds = table.get(self.boot.next).is_some_and(|(time, waits, _)| {
-            *waits && blind && self.boot.clock + 1 >= *time
-        });
+        let holds = table
+            .get(self.boot.next)
+            .is_some_and(|(time, waits, _)| *waits && blind && self.boot.clock + 1 >= *time);
         if holds {
             return;
         }

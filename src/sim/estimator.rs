@@ -47,7 +47,7 @@ const BLIND_ACCEL_M_S2: f64 = 0.014;
 const LEVEL_ERROR_M_S2: f64 = 0.05;
 /// A stuck accelerometer is noticed after this time; until then it enters the velocity by this share.
 const LANE_PATIENCE: Duration = Duration::from_millis(300);
-const STUCK_SHARE: f64 = 0.5;
+const STUCK_SHARE: f64 = 1.0;
 /// Errors below this are none.
 const NEGLIGIBLE_M: f64 = 1e-3;
 
@@ -99,12 +99,16 @@ pub(super) struct Estimator {
     receiver: Receiver,
     ratios: Ratios,
     last_accepted: Duration,
+    /// Where the last accepted position was beside the truth.
+    accepted_m: DVec2,
     rejecting_since: Option<Duration>,
     last_rejected: Option<Duration>,
     glitching: bool,
     /// The EKF core in use.
     lane: usize,
     stuck_since: Option<Duration>,
+    /// What a stuck accelerometer has added to the velocity.
+    shake_m_s: DVec3,
     barometer: Barometer,
     compass: Compass,
     /// What is reported while the position is given up: the last one that was known.
@@ -125,11 +129,13 @@ impl Estimator {
             receiver: Receiver::new(seed),
             ratios: Ratios::GOOD,
             last_accepted: Duration::ZERO,
+            accepted_m: DVec2::ZERO,
             rejecting_since: None,
             last_rejected: None,
             glitching: false,
             lane: 0,
             stuck_since: None,
+            shake_m_s: DVec3::ZERO,
             barometer: Barometer::default(),
             compass: Compass::default(),
             last_known_m: None,
@@ -261,7 +267,7 @@ impl Estimator {
         let belief = self.belief.get_or_insert_with(|| Box::new(truth.clone()));
         belief.as_mut().clone_from(truth);
         belief.position_m += self.error_m;
-        belief.velocity_m_s += self.velocity_error_m_s;
+        belief.velocity_m_s += self.velocity_error_m_s + self.shake_m_s;
     }
 
     /// The GPS and what follows from it, or from its absence.
@@ -280,8 +286,7 @@ impl Estimator {
             None
         };
         if now < self.last_accepted + Duration::from_millis(500) {
-            let target_m = self.receiver.fix.offset_m.truncate();
-            let way = (target_m - self.error_m.truncate()) * (STEP_S / FOLLOWS_S);
+            let way = (self.accepted_m - self.error_m.truncate()) * (STEP_S / FOLLOWS_S);
             self.error_m += way.extend(0.0);
         } else {
             self.run_away(around.truth);
@@ -326,6 +331,7 @@ impl Estimator {
 
     fn accept(&mut self, now: Duration) {
         self.last_accepted = now;
+        self.accepted_m = self.receiver.fix.offset_m.truncate();
         self.rejecting_since = None;
         self.trust = Trust::Good;
         self.last_known_m = None;
@@ -384,16 +390,17 @@ impl Estimator {
         let stuck = &around.faults.accelerometers_stuck_m_s2;
         let other_works = stuck[1 - self.lane] == 0.0;
         if stuck[self.lane] == 0.0 || !other_works {
-            if self.stuck_since.take().is_some() {
-                self.velocity_error_m_s = DVec3::ZERO;
-            }
+            self.stuck_since = None;
+            self.shake_m_s = DVec3::ZERO;
             return;
         }
         let since = *self.stuck_since.get_or_insert(around.now);
         let push = stuck[self.lane] * STUCK_SHARE * STEP_S;
-        self.velocity_error_m_s += DVec3::new(push, push, 0.0);
+        self.shake_m_s += DVec3::new(push, push, 0.0);
         if around.now >= since + LANE_PATIENCE {
             self.switch_lane(outbox);
+            self.stuck_since = None;
+            self.shake_m_s = DVec3::ZERO;
         }
     }
 

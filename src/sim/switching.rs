@@ -1,6 +1,6 @@
 //! Changing the mode.
 
-use mavlink::dialects::ardupilotmega::MavSeverity;
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use super::autopilot::{Autopilot, Speeds};
 use super::mode::{self, Entry, Mode};
@@ -53,7 +53,15 @@ impl Autopilot {
         self.control.take_over(self.estimator.belief(&self.body));
         self.yaw.settle(self.body.yaw_deg);
         self.task = self.first_task();
-        self.outbox.extend(telemetry::message(0, self));
+        // The heartbeat overtakes the texts that wait to be sent.
+        let before_texts = self
+            .outbox
+            .iter()
+            .position(|message| matches!(message, MavMessage::STATUSTEXT(_)))
+            .unwrap_or(self.outbox.len());
+        if let Some(heartbeat) = telemetry::message(0, self) {
+            self.outbox.insert(before_texts, heartbeat);
+        }
     }
 
     /// At the end of the initialisation the first mode is entered, whatever was asked before.

@@ -1,9 +1,12 @@
 //! The simulator as a ground station sees it.
 
+mod booting;
+mod faults;
 mod flight;
 mod ground;
 mod links;
 mod protocol;
+mod timeline;
 
 use super::*;
 

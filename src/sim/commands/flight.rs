@@ -103,7 +103,7 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
         return MavResult::MAV_RESULT_DENIED;
     }
     let height_m = f64::from(command.z) - autopilot.home_point().z;
-    let climb_m = height_m - autopilot.body.height_m();
+    let climb_m = height_m - autopilot.believed().height_m();
     let sensible = climb_m > LEAST_CLIMB_M && climb_m < ALTITUDE_MAX_M;
     let ready = autopilot.safety.armed && autopilot.safety.landed && autopilot.mode.controls_height;
     let flies_itself = autopilot.mode.number == mode::GUIDED;
@@ -117,10 +117,10 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
     let height_m = if flies_itself {
         height_m
     } else {
-        autopilot.body.height_m() + climb_m.min(PILOTED_TAKEOFF_M)
+        autopilot.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
     };
     let now = autopilot.uptime();
-    autopilot.task = Task::Takeoff(Takeoff::new(autopilot.body.position_m, height_m, now));
+    autopilot.task = Task::Takeoff(Takeoff::new(autopilot.believed().position_m, height_m, now));
     autopilot.yaw.settle(autopilot.body.yaw_deg);
     MavResult::MAV_RESULT_ACCEPTED
 }

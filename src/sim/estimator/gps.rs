@@ -97,7 +97,11 @@ impl Receiver {
         let mut fix = Fix {
             kind: FIXED,
             satellites: fault.satellites,
-            offset_m: DVec3::new(fault.glitch.x * M_PER_DEGREE, fault.glitch.y * east_m, -up_m),
+            offset_m: DVec3::new(
+                fault.glitch.x * M_PER_DEGREE,
+                fault.glitch.y * east_m,
+                -up_m,
+            ),
             velocity_offset_m_s: DVec3::ZERO,
         };
         if fault.jammed {

@@ -99,7 +99,12 @@ impl Autopilot {
 
     /// Whether a landing is under way that must not be interrupted (`FS_OPTIONS`).
     pub(super) fn goes_on_landing(&self) -> bool {
-        self.is_landing() && self.tuning.failsafes.options.has(Options::LANDING_CONTINUES)
+        self.is_landing()
+            && self
+                .tuning
+                .failsafes
+                .options
+                .has(Options::LANDING_CONTINUES)
     }
 
     /// Whether the vehicle is landing.

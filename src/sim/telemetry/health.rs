@@ -61,7 +61,11 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
 fn sensors(autopilot: &Autopilot) -> [u32; 3] {
     let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
     let mut enabled = SENSORS;
-    if autopilot.boot.early_fix().is_some_and(|(kind, _)| kind == 0) {
+    if autopilot
+        .boot
+        .early_fix()
+        .is_some_and(|(kind, _)| kind == 0)
+    {
         present &= !GPS;
         enabled &= !GPS;
     }

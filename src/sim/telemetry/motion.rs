@@ -47,7 +47,10 @@ pub(super) fn local_position_ned(autopilot: &Autopilot) -> Option<MavMessage> {
     if !autopilot.boot.is_over() || !autopilot.estimator.is_aiding() {
         return None;
     }
-    let (at, v) = (autopilot.believed().position_m, autopilot.believed().velocity_m_s);
+    let (at, v) = (
+        autopilot.believed().position_m,
+        autopilot.believed().velocity_m_s,
+    );
     Some(MavMessage::LOCAL_POSITION_NED(LOCAL_POSITION_NED_DATA {
         time_boot_ms: boot_ms(autopilot),
         x: at.x as f32,

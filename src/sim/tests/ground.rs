@@ -27,7 +27,12 @@ pub(in crate::sim) struct Ground {
 impl Ground {
     /// Connected to a world that has just begun.
     pub(in crate::sim) fn new() -> Self {
-        let mut world = World::new(&WorldConfig::row(1, start()));
+        Self::on(&WorldConfig::row(1, start()))
+    }
+
+    /// Connected to the first vehicle of a world.
+    pub(in crate::sim) fn on(config: &WorldConfig) -> Self {
+        let mut world = World::new(config);
         let port = world.connect(0);
         Self {
             world,
