@@ -5,7 +5,8 @@
 //! world is a function of its configuration, the bytes it received and the steps between them.
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
-//! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
+//! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports. The
+//! autopilot knows the body only through its `estimator`, which errs as the sensors do; `failsafe` and `arming` judge.
 //! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points, logs and signing are not
 //! simulated, and the vehicle does not claim them.
 

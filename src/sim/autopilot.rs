@@ -327,7 +327,7 @@ impl Autopilot {
 
     /// Lets the estimator follow what has happened, and the path what it has jumped.
     fn estimate(&mut self) {
-        if !self.boot.is_over() {
+        if !self.boot.is_over() || !self.estimator.has_work(&self.tuning.faults) {
             return;
         }
         let around = Surroundings {

@@ -24,13 +24,13 @@ use super::body::{Body, STEP_S};
 use super::texts;
 
 /// Without a GPS position for this long the horizontal estimate is not trusted; for this long, it is given up.
-const DISTRUSTED_AFTER: Duration = Duration::from_millis(7000);
-const GIVEN_UP_AFTER: Duration = Duration::from_millis(15_000);
+const DISTRUSTED_AFTER: Duration = Duration::from_secs(7);
+const GIVEN_UP_AFTER: Duration = Duration::from_secs(15);
 /// A position that has been rejected for this long is adopted after all.
 const ADOPTED_AFTER: Duration = Duration::from_millis(9900);
 /// A glitch is reported after this long, and forgotten after this long without another.
-const GLITCH_AFTER: Duration = Duration::from_millis(1000);
-const GLITCH_OVER_AFTER: Duration = Duration::from_millis(10_000);
+const GLITCH_AFTER: Duration = Duration::from_secs(1);
+const GLITCH_OVER_AFTER: Duration = Duration::from_secs(10);
 /// A new report enters the estimate this long after it has arrived (the fusion horizon).
 const FUSION_DELAY: Duration = Duration::from_millis(60);
 /// The position innovation that the test just bears (111 m gave a ratio of 28.7), and its growth per second
@@ -47,7 +47,9 @@ const BLIND_ACCEL_M_S2: f64 = 0.014;
 const LEVEL_ERROR_M_S2: f64 = 0.05;
 /// A stuck accelerometer is noticed after this time; until then it enters the velocity by this share.
 const LANE_PATIENCE: Duration = Duration::from_millis(300);
-const STUCK_SHARE: f64 = 1.0;
+const STUCK_SHARE: f64 = 0.5;
+/// What it has brought about dies away with this time constant: the vehicle is displaced by 1.4 m in all.
+const CALM_S: f64 = 0.6;
 /// Errors below this are none.
 const NEGLIGIBLE_M: f64 = 1e-3;
 
@@ -208,6 +210,11 @@ impl Estimator {
         self.bias * LEVEL_ERROR_M_S2
     }
 
+    /// Whether there is anything for [`Estimator::step`] to do.
+    pub(super) fn has_work(&self, faults: &Faults) -> bool {
+        self.disturbed || faults.any
+    }
+
     /// Moves on by one step. Returns by how much the believed position has jumped, if it has.
     pub(super) fn step(
         &mut self,
@@ -215,9 +222,6 @@ impl Estimator {
         outbox: &mut Vec<MavMessage>,
     ) -> Option<DVec3> {
         if !self.disturbed {
-            if !around.faults.any {
-                return None;
-            }
             self.begin(around);
         }
         let mut jump = self.watch_gps(around, outbox);
@@ -250,7 +254,7 @@ impl Estimator {
         if around.faults.any || !right || !settled || !known || self.glitching {
             return;
         }
-        if self.last_rejected.is_some() || self.stuck_since.is_some() {
+        if self.last_rejected.is_some() || self.shake_m_s != DVec3::ZERO {
             return;
         }
         self.disturbed = false;
@@ -391,7 +395,7 @@ impl Estimator {
         let other_works = stuck[1 - self.lane] == 0.0;
         if stuck[self.lane] == 0.0 || !other_works {
             self.stuck_since = None;
-            self.shake_m_s = DVec3::ZERO;
+            self.calm_down();
             return;
         }
         let since = *self.stuck_since.get_or_insert(around.now);
@@ -400,6 +404,13 @@ impl Estimator {
         if around.now >= since + LANE_PATIENCE {
             self.switch_lane(outbox);
             self.stuck_since = None;
+        }
+    }
+
+    /// The other core has been misled a little, too.
+    fn calm_down(&mut self) {
+        self.shake_m_s *= 1.0 - STEP_S / CALM_S;
+        if self.shake_m_s.length_squared() < NEGLIGIBLE_M {
             self.shake_m_s = DVec3::ZERO;
         }
     }

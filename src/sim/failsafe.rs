@@ -9,7 +9,7 @@ mod links;
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavSeverity;
+use mavlink::dialects::ardupilotmega::{MavBatteryChargeState, MavSeverity};
 
 pub(super) use self::battery::BatteryRules;
 use self::battery::BatteryWatch;
@@ -95,6 +95,11 @@ impl Failsafe {
     /// Whether the battery has fallen so far that it set off its failsafe. Only a reboot ends that.
     pub(super) fn battery_is_down(&self) -> bool {
         self.battery.has_triggered()
+    }
+
+    /// How far the battery has fallen.
+    pub(super) fn charge_state(&self) -> MavBatteryChargeState {
+        self.battery.charge_state()
     }
 
     /// Whether the ground station is missing.

@@ -1,6 +1,7 @@
 //! The simulator as a ground station sees it.
 
 mod booting;
+mod failsafes;
 mod faults;
 mod flight;
 mod ground;

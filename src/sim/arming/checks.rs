@@ -179,7 +179,7 @@ impl Autopilot {
             }
             if faults.accelerometer_failed {
                 reasons.push("Accels not healthy");
-            } else if faults.accelerometers_stuck_m_s2 != [0.0; 2] {
+            } else if faults.has_stuck_accelerometer() {
                 reasons.push("Accels inconsistent");
             }
         }

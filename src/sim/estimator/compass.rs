@@ -39,7 +39,8 @@ impl Compass {
         }
         if self.all_failed {
             self.all_failed = false;
-            return self.turn_to(failed.iter().position(|failed| !failed)?, faults);
+            let first = failed.iter().position(|failed| !failed)?;
+            return Some(self.turn_to(first, faults));
         }
         let bad = failed[self.used] || self.ratio(faults) >= 1.0;
         if !bad {
@@ -53,7 +54,7 @@ impl Compass {
         let next = (1..3)
             .map(|step| (self.used + step) % 3)
             .find(|&other| !failed[other])?;
-        self.turn_to(next, faults)
+        Some(self.turn_to(next, faults))
     }
 
     /// The test ratio of the used compass.
@@ -67,11 +68,11 @@ impl Compass {
         self.bad_since.is_none() && self.healthy != Some(false) && self.learnt_mgauss == 0.0
     }
 
-    fn turn_to(&mut self, next: usize, faults: &Faults) -> Option<usize> {
+    fn turn_to(&mut self, next: usize, faults: &Faults) -> usize {
         self.used = next;
         self.bad_since = None;
         self.learnt_mgauss = faults.compass_errors_mgauss[next];
-        Some(next)
+        next
     }
 
     fn watch_health(&mut self, now: Duration, faults: &Faults) {

@@ -93,8 +93,15 @@ impl Faults {
             || faults.barometers.iter().any(BarometerFault::is_faulty)
             || faults.compasses_failed.contains(&true)
             || faults.compass_errors_mgauss.iter().any(|off| *off > 1.0)
-            || faults.accelerometers_stuck_m_s2 != [0.0; 2];
+            || faults.has_stuck_accelerometer();
         faults
+    }
+
+    /// Whether an accelerometer reports a constant.
+    pub(in crate::sim) fn has_stuck_accelerometer(&self) -> bool {
+        self.accelerometers_stuck_m_s2
+            .iter()
+            .any(|stuck| *stuck != 0.0)
     }
 }
 

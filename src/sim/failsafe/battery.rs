@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavSeverity;
+use mavlink::dialects::ardupilotmega::{MavBatteryChargeState, MavSeverity};
 
 use super::actions::Action;
 use crate::sim::autopilot::Autopilot;
@@ -46,6 +46,14 @@ pub(super) struct BatteryWatch {
 }
 
 impl BatteryWatch {
+    pub(super) fn charge_state(&self) -> MavBatteryChargeState {
+        match self.fallen {
+            Fallen::Not => MavBatteryChargeState::MAV_BATTERY_CHARGE_STATE_OK,
+            Fallen::Low => MavBatteryChargeState::MAV_BATTERY_CHARGE_STATE_LOW,
+            Fallen::Critical => MavBatteryChargeState::MAV_BATTERY_CHARGE_STATE_CRITICAL,
+        }
+    }
+
     pub(super) fn has_triggered(&self) -> bool {
         self.fallen > Fallen::Not
     }

@@ -11,7 +11,7 @@ use crate::sim::mode;
 const LOOKS: u8 = 10;
 /// `EKF variance` is said this often at most.
 const WARNED_EVERY: Duration = Duration::from_secs(30);
-/// The path of SMART_RTL is given up after this long without a position.
+/// The path of `SMART_RTL` is given up after this long without a position.
 const PATH_PATIENCE: Duration = Duration::from_secs(15);
 
 /// What was seen of the estimate.
@@ -23,8 +23,9 @@ pub(super) struct EkfWatch {
     acted: bool,
     warned: Option<Duration>,
     glitching: bool,
+    /// Since when an armed vehicle has had no position.
     no_position_since: Option<Duration>,
-    path_lost: bool,
+    path_lost_at: Option<Duration>,
 }
 
 impl EkfWatch {
@@ -33,7 +34,7 @@ impl EkfWatch {
     }
 
     pub(super) fn path_is_lost(&self) -> bool {
-        self.path_lost
+        self.path_lost_at.is_some()
     }
 
     /// Whether there is nothing to look after.
@@ -138,8 +139,8 @@ impl Autopilot {
             return;
         }
         let since = *self.failsafe.ekf.no_position_since.get_or_insert(now);
-        if now >= since + PATH_PATIENCE && !self.failsafe.ekf.path_lost {
-            self.failsafe.ekf.path_lost = true;
+        if now >= since + PATH_PATIENCE && self.failsafe.ekf.path_lost_at.is_none() {
+            self.failsafe.ekf.path_lost_at = Some(now);
             self.say(
                 MavSeverity::MAV_SEVERITY_WARNING,
                 "SmartRTL deactivated: bad position",

@@ -2,10 +2,10 @@
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
-    EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryChargeState,
-    MavBatteryFunction, MavBatteryType, MavLandedState, MavMessage, MavModeFlag, MavPowerStatus,
-    MavProtocolCapability, MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavType,
-    MavVtolState, POWER_STATUS_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+    EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFunction, MavBatteryType,
+    MavLandedState, MavMessage, MavModeFlag, MavPowerStatus, MavProtocolCapability, MavState,
+    MavSysStatusSensor, MavSysStatusSensorExtended, MavType, MavVtolState, POWER_STATUS_DATA,
+    SYS_STATUS_DATA, SYSTEM_TIME_DATA,
 };
 
 use super::{boot_ms, boot_us};
@@ -138,7 +138,7 @@ pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
         battery_function: MavBatteryFunction::MAV_BATTERY_FUNCTION_UNKNOWN,
         mavtype: MavBatteryType::MAV_BATTERY_TYPE_UNKNOWN,
         battery_remaining: remaining(autopilot),
-        charge_state: MavBatteryChargeState::MAV_BATTERY_CHARGE_STATE_OK,
+        charge_state: autopilot.failsafe.charge_state(),
         ..Default::default()
     })
 }

@@ -1,6 +1,6 @@
-//! Section by section what was measured at the real vehicle when its sensors and links failed.
+//! Section by section what was measured at the real vehicle when its sensors failed.
 
-use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
+use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::Ground;
 use super::timeline::Timeline;
@@ -184,182 +184,6 @@ fn a_jammed_receiver_ends_in_a_landing() {
 }
 
 #[test]
-fn the_ekf_failsafe_does_what_its_parameters_say() {
-    for (action, threshold, mode) in [(1.0, 0.8, 9), (2.0, 0.8, 2), (3.0, 0.8, 9), (1.0, 0.0, 4)] {
-        let mut seen = hovering(15.0);
-        seen.ground.set("FS_EKF_ACTION", action);
-        seen.ground.set("FS_EKF_THRESH", threshold);
-        seen.ground.set("SIM_GPS_DISABLE", 1.0);
-        seen.run(10.0);
-        assert_eq!(seen.ground.truth().mode, mode, "{action} {threshold}");
-    }
-}
-
-#[test]
-fn batteries_act_by_level_voltage_and_charge() {
-    let cases: &[(&str, f32, f32, u8)] = &[
-        ("BATT_FS_LOW_ACT", 0.0, 10.2, 4),
-        ("BATT_FS_LOW_ACT", 1.0, 10.2, 9),
-        ("BATT_FS_LOW_ACT", 2.0, 10.2, 6),
-        ("BATT_FS_LOW_ACT", 3.0, 10.2, 21),
-        ("BATT_FS_LOW_ACT", 4.0, 10.2, 21),
-        ("BATT_FS_LOW_ACT", 6.0, 10.2, 6),
-        ("BATT_FS_LOW_ACT", 7.0, 10.2, 17),
-    ];
-    for (name, action, at_s, mode) in cases {
-        let mut seen = hovering(25.0);
-        seen.ground.set("BATT_LOW_VOLT", 11.0);
-        seen.ground.set(name, *action);
-        seen.mark();
-        seen.ground.set("SIM_BATT_VOLTAGE", 10.7);
-        seen.run(11.0);
-        let at_s = f64::from(*at_s);
-        seen.must_say(
-            TOLERANCE_S,
-            &[
-                (at_s, "Battery 1 is low 10.70V used "),
-                (at_s, "Battery Failsafe"),
-            ],
-        );
-        assert_eq!(seen.ground.truth().mode, *mode, "{name} {action}");
-    }
-    let mut seen = hovering(5.0);
-    seen.ground.set("BATT_FS_LOW_ACT", 5.0);
-    seen.ground.set("BATT_LOW_MAH", 3299.0);
-    seen.run(0.3);
-    assert!(!seen.ground.truth().armed, "terminated");
-}
-
-#[test]
-fn a_critical_battery_lands_after_a_pause_and_forbids_arming_until_a_reboot() {
-    let mut seen = hovering(25.0);
-    for (name, value) in [
-        ("BATT_LOW_VOLT", 11.0),
-        ("BATT_CRT_VOLT", 10.0),
-        ("BATT_FS_LOW_ACT", 2.0),
-        ("BATT_FS_CRT_ACT", 1.0),
-        ("SIM_BATT_VOLTAGE", 10.7),
-    ] {
-        seen.ground.set(name, value);
-    }
-    seen.run(11.0);
-    seen.must_say(
-        TOLERANCE_S,
-        &[(10.2, "mode 6 status 5"), (10.2, "health 5021")],
-    );
-    seen.mark();
-    seen.ground.set("SIM_BATT_VOLTAGE", 9.6);
-    seen.run(10.5);
-    seen.must_say(
-        TOLERANCE_S,
-        &[
-            (10.1, "mode 9 status 5"),
-            (10.1, "Battery 1 is critical 9.60V used "),
-            (10.1, "Battery Failsafe"),
-        ],
-    );
-    let before = seen.ground.truth().position_ned_m[2];
-    seen.run(2.0);
-    let paused = seen.ground.truth().position_ned_m[2] - before;
-    assert!(paused < 1.5, "waits before it descends: {paused}");
-    seen.run(55.0);
-    assert!(!seen.ground.truth().armed);
-    let unasked = [
-        "PreArm: Battery 1 low voltage failsafe",
-        "PreArm: Battery failsafe",
-    ];
-    assert!(
-        unasked
-            .iter()
-            .all(|text| seen.lines.iter().any(|(_, line)| line == text))
-    );
-    seen.ground.set("SIM_BATT_VOLTAGE", 12.6);
-    seen.ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0]);
-    seen.mark();
-    let refused = seen
-        .ground
-        .long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0]);
-    assert_eq!(refused, MavResult::MAV_RESULT_FAILED);
-    seen.run(0.1);
-    seen.must_say(TOLERANCE_S, &[(0.0, "Arm: Battery failsafe")]);
-    seen.must_not_say(&["low voltage"]);
-    let forced = seen
-        .ground
-        .long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 2989.0]);
-    assert_eq!(forced, MavResult::MAV_RESULT_ACCEPTED);
-}
-
-#[test]
-fn a_silent_ground_station_does_what_its_parameter_says() {
-    for (rule, mode, text) in [
-        (0.0, 4, ""),
-        (1.0, 6, "GCS Failsafe"),
-        (3.0, 21, "GCS Failsafe"),
-        (4.0, 21, "GCS Failsafe"),
-        (5.0, 9, "GCS Failsafe"),
-        (6.0, 6, "Trying RTL Mode"),
-        (7.0, 17, "GCS Failsafe"),
-    ] {
-        let mut seen = hovering(15.0);
-        seen.ground.set("FS_GCS_ENABLE", rule);
-        seen.ground.heartbeat();
-        seen.mark();
-        seen.beats = false;
-        seen.run(6.0);
-        if !text.is_empty() {
-            seen.must_say(TOLERANCE_S, &[(5.1, text)]);
-        }
-        assert_eq!(seen.ground.truth().mode, mode, "{rule}");
-        seen.mark();
-        seen.beats = true;
-        seen.run(1.5);
-        if rule > 0.0 {
-            seen.must_say(1.2, &[(0.1, "GCS Failsafe Cleared")]);
-        }
-        assert_eq!(seen.ground.truth().mode, mode, "stays");
-    }
-}
-
-#[test]
-fn options_let_the_vehicle_go_on() {
-    let mut seen = hovering(15.0);
-    seen.ground.set("FS_GCS_ENABLE", 1.0);
-    seen.ground.set("FS_OPTIONS", 8.0);
-    seen.ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 9.0]);
-    seen.mark();
-    seen.beats = false;
-    seen.run(6.0);
-    seen.must_say(1.1, &[(5.2, "GCS Failsafe - Continuing Landing")]);
-    assert_eq!(seen.ground.truth().mode, 9);
-    let mut seen = hovering(15.0);
-    seen.ground.set("FS_OPTIONS", 4.0);
-    seen.ground.set("SIM_RC_FAIL", 1.0);
-    seen.run(1.5);
-    seen.must_say(
-        TOLERANCE_S,
-        &[(1.0, "Radio Failsafe - Continuing Guided Mode")],
-    );
-    assert_eq!(seen.ground.truth().mode, 4);
-}
-
-#[test]
-fn a_lost_remote_control_brings_the_vehicle_home() {
-    for (fault, after_s) in [(1.0, 1.0), (2.0, 0.06)] {
-        let mut seen = hovering(15.0);
-        seen.ground.set("SIM_RC_FAIL", fault);
-        seen.run(2.0);
-        seen.must_say(0.1, &[(after_s, "mode 6 status 5")]);
-        seen.must_say(0.1, &[(after_s, "Radio Failsafe")]);
-        seen.must_say(0.2, &[(after_s + 0.1, "health 5220")]);
-        seen.mark();
-        seen.ground.set("SIM_RC_FAIL", 0.0);
-        seen.run(1.0);
-        seen.must_say(0.1, &[(0.05, "Radio Failsafe Cleared")]);
-        assert_eq!(seen.ground.truth().mode, 6, "stays");
-    }
-}
-
-#[test]
 fn failing_compasses_are_left_for_the_next() {
     let mut seen = hovering(15.0);
     seen.ground.set("SIM_MAG1_FAIL", 1.0);
@@ -401,7 +225,7 @@ fn a_stuck_accelerometer_costs_a_lane_and_a_metre() {
             (0.35, "EKF primary changed:1"),
         ],
     );
-    assert!((0.5..2.0).contains(&most_m), "{most_m}");
+    assert!((1.0..1.8).contains(&most_m), "measured 1.4: {most_m}");
 }
 
 #[test]
