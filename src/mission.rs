@@ -186,6 +186,7 @@ impl Mission {
             airframes: Vec::new(),
             seed,
             obstacles: Vec::new(),
+            realistic_boot: false,
         }
     }
 

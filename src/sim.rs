@@ -6,7 +6,8 @@
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports;
-//! `transfer` carries missions, fences, rally points, files and logs.
+//! `transfer` carries missions, fences, rally points, files and logs. The autopilot knows the body only through its
+//! `estimator`, which errs as the sensors do; `failsafe` and `arming` judge.
 //! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
 
 mod airframe;
@@ -14,10 +15,12 @@ mod arming;
 mod autopilot;
 mod battery;
 mod body;
+mod boot;
 mod collision;
 mod commands;
 mod control;
 mod crash;
+mod estimator;
 mod failsafe;
 mod fence;
 mod inbound;
@@ -75,6 +78,9 @@ pub struct WorldConfig {
     pub seed: u64,
     /// What stands in the way.
     pub obstacles: Vec<Obstacle>,
+    /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
+    /// GUIDED. Else they are ready after little more than a second.
+    pub realistic_boot: bool,
 }
 
 impl WorldConfig {
@@ -90,6 +96,7 @@ impl WorldConfig {
             starts,
             airframes: Vec::new(),
             seed: 0,
+            realistic_boot: false,
             obstacles: Vec::new(),
         }
     }
@@ -194,7 +201,11 @@ impl World {
                 let system = (vehicle % SYSTEMS) as u8 + 1;
                 let airframe = config.airframe(vehicle, &usual);
                 let wind = Wind::new(config.seed, vehicle as u64);
-                Slot::new(system, *start, airframe, wind)
+                let mut autopilot = Autopilot::new(system, *start, airframe, wind);
+                if config.realistic_boot {
+                    autopilot = autopilot.booting_realistically();
+                }
+                Slot::new(autopilot)
             })
             .collect();
         Self {
@@ -311,6 +322,15 @@ impl World {
         }
     }
 
+    /// Simulated seconds per second, if a ground station has asked a vehicle for it (`SIM_SPEEDUP` other than 1).
+    /// The world cannot set its own pace; whoever steps it should.
+    pub fn wanted_speedup(&self) -> Option<f64> {
+        self.slots
+            .iter()
+            .map(|slot| slot.autopilot.tuning.faults.speedup)
+            .find(|speedup| *speedup > 0.0 && (*speedup - 1.0).abs() > f64::EPSILON)
+    }
+
     /// The truth about a vehicle, counted from 0.
     ///
     /// # Panics
@@ -335,7 +355,7 @@ impl Part<'_> {
 
 fn truth_of(autopilot: &Autopilot) -> Truth {
     let body = &autopilot.body;
-    let here = autopilot.here();
+    let here = autopilot.truly_here();
     let (roll, pitch) = body.roll_pitch_rad();
     Truth {
         at: here.at,

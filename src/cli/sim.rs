@@ -40,6 +40,9 @@ pub(super) struct SimArguments {
     /// What varies the simulation's noise.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Boot as slowly as the real autopilot does: the first heartbeat after 1 s, ready for GUIDED after 42 s.
+    #[arg(long)]
+    realistic_boot: bool,
     /// Where the first vehicle stands: latitude, longitude, height above sea level in metres, heading in degrees.
     #[arg(
         long,
@@ -140,6 +143,7 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     let config = WorldConfig {
         seed: options.seed,
         airframes: airframes?,
+        realistic_boot: options.realistic_boot,
         ..WorldConfig::row(usize::from(options.vehicles), options.home.0)
     };
     let mut endpoints = Vec::new();

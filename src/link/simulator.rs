@@ -39,6 +39,8 @@ const PIPE_LEN: usize = 64 * 1024;
 const CATCH_UP: Duration = Duration::from_millis(50);
 /// `EMFILE`.
 const TOO_MANY_OPEN_FILES: i32 = 24;
+/// The fastest pace.
+const SPEEDUP_MAX: f64 = 1000.0;
 /// At high speed, ground stations are served again after this many steps.
 const STEPS_PER_ROUND: usize = 10;
 
@@ -162,7 +164,7 @@ impl Simulator {
         endpoints: &[Endpoint],
         cancel: CancellationToken,
     ) -> Result<Started, SimulatorError> {
-        if !(speedup > 0.0 && speedup <= 1000.0) {
+        if !(speedup > 0.0 && speedup <= SPEEDUP_MAX) {
             return Err(SimulatorError::Speedup(speedup));
         }
         let mut doors = Doors::new();
@@ -367,7 +369,10 @@ impl Running {
                 _ = wake.tick() => {}
             }
             let now = Instant::now();
-            owed += (now - last).min(CATCH_UP).mul_f64(speedup);
+            // A vehicle that was given another pace sets it for all.
+            let wanted = self.world.wanted_speedup();
+            let pace = wanted.unwrap_or(speedup).min(SPEEDUP_MAX);
+            owed += (now - last).min(CATCH_UP).mul_f64(pace);
             last = now;
             self.doors.read(&mut self.world);
             let mut steps = 0;

@@ -1,13 +1,17 @@
 //! Arming, disarming, finding the ground, and the rules for each.
 
+mod checks;
+
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::autopilot::{Autopilot, Place};
-use super::mode::{self, Entry};
+use super::mode;
 use super::task::Task;
 use super::telemetry;
+
+pub(super) use checks::ArmingRules;
 
 /// A vehicle that rests this long with its motors idle has landed.
 const LANDED_AFTER: Duration = Duration::from_secs(1);
@@ -20,6 +24,8 @@ pub(super) struct Safety {
     pub(super) armed: bool,
     /// The autopilot's belief; the body knows the truth.
     pub(super) landed: bool,
+    /// When the reasons against arming are told next without being asked.
+    pub(super) reports_at: Duration,
     /// Since when the vehicle has stood on the ground with nothing to do.
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
@@ -30,6 +36,7 @@ impl Default for Safety {
         Self {
             armed: false,
             landed: true,
+            reports_at: checks::REPORT_EVERY,
             idle_since: None,
             resting_since: None,
         }
@@ -37,61 +44,57 @@ impl Default for Safety {
 }
 
 impl Autopilot {
-    /// Why the vehicle cannot be armed now; empty when it can.
-    pub(super) fn arming_obstacles(&self) -> Vec<&'static str> {
-        let mut reasons = Vec::new();
-        if !self.is_ready() {
-            if self.mode.entry != Entry::Free {
-                reasons.push("Need Position Estimate");
-            }
-            reasons.push("AHRS: waiting for home");
-        }
-        if self.failsafe.battery_is_down() {
-            reasons.push("Battery failsafe");
-        }
-        reasons.extend(self.fence_obstacle());
-        reasons
-    }
-
-    /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
-    pub(super) fn is_armable(&self) -> bool {
-        self.is_ready() && !self.failsafe.battery_is_down() && self.fence_obstacle().is_none()
-    }
-
-    /// Arms, or says why not.
-    pub(super) fn arm(&mut self) -> bool {
+    /// Arms, or says why not. Forced, only the checks that cannot be switched off count.
+    pub(super) fn arm(&mut self, forced: bool) -> bool {
         if self.safety.armed {
             return true;
         }
-        if !self.mode.armable {
-            let text = format!("Arm: {} mode not armable", self.mode.name);
-            self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
-            return false;
-        }
-        let reasons = self.arming_obstacles();
-        if !reasons.is_empty() {
-            for reason in reasons {
-                self.say(
-                    MavSeverity::MAV_SEVERITY_CRITICAL,
-                    &format!("Arm: {reason}"),
-                );
+        let mandatory = if forced {
+            self.mandatory_obstacles()
+        } else {
+            Vec::new()
+        };
+        if !forced || !mandatory.is_empty() {
+            self.refuse("Arm", &mandatory);
+            let mut reasons = self.arming_obstacles();
+            if reasons.is_empty() {
+                reasons = self.last_obstacles();
             }
-            return false;
+            if !reasons.is_empty() {
+                self.refuse("Arm", &reasons);
+                return false;
+            }
+            if !self.mode.armable {
+                let text = format!("Arm: {} mode not armable", self.mode.name);
+                self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+                return false;
+            }
         }
+        self.start_motors(forced);
+        true
+    }
+
+    fn start_motors(&mut self, forced: bool) {
         self.safety = Safety {
             armed: true,
             landed: self.body.on_ground,
-            idle_since: None,
-            resting_since: None,
+            ..Safety::default()
         };
-        self.set_home(self.here());
+        if self.home.is_some() {
+            self.set_home(self.here());
+        }
+        if !forced && self.tuning.arming.is_off() {
+            self.say(
+                MavSeverity::MAV_SEVERITY_WARNING,
+                "Warning: Arming Checks Disabled",
+            );
+        }
         self.say(MavSeverity::MAV_SEVERITY_INFO, "Arming motors");
-        self.control.take_over(&self.body);
+        self.control.take_over(self.estimator.belief(&self.body));
         self.yaw.settle(self.body.yaw_deg);
         if self.body.on_ground {
             self.wait_on_ground();
         }
-        true
     }
 
     /// Disarms, in the air too.
@@ -100,6 +103,8 @@ impl Autopilot {
             return;
         }
         self.safety.armed = false;
+        // What now speaks against arming is told with the next look.
+        self.safety.reports_at = Duration::ZERO;
         self.say(MavSeverity::MAV_SEVERITY_INFO, "Disarming motors");
         if self.body.on_ground {
             self.safety.landed = true;

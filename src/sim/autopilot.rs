@@ -10,8 +10,10 @@ use super::airframe::{Airframe, Conditions, air_density};
 use super::arming::Safety;
 use super::battery::Battery;
 use super::body::{Body, Demand};
+use super::boot::Boot;
 use super::control::{Limits, PositionControl};
 use super::crash::CrashWatch;
+use super::estimator::{Estimator, Surroundings};
 use super::failsafe::{self, Failsafe};
 use super::fence::{self, Geofence};
 use super::mode::{self, Mode};
@@ -26,8 +28,6 @@ use super::yaw::{YawControl, YawDemand};
 use super::{STEP, Start, texts};
 use crate::geo::LatLon;
 
-/// The position estimate is good from here on.
-pub(super) const READY_AFTER: Duration = Duration::from_millis(1200);
 /// A vehicle that reboots drops its links this long after the acknowledgement.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
 /// The autopilot asks for the time this often.
@@ -86,6 +86,10 @@ pub(super) struct Autopilot {
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
     pub(super) board_id: u64,
+    pub(super) boot: Boot,
+    pub(super) estimator: Estimator,
+    /// Where the last takeoff ended.
+    takeoff_m: Option<DVec3>,
     /// Messages for every link, in order.
     pub(super) outbox: Vec<MavMessage>,
     steps: u64,
@@ -98,6 +102,12 @@ impl Autopilot {
         let board_id = wind.board_id();
         let parameters = factory_parameters(system, &airframe);
         Self::booted(system, (start, airframe), parameters, (wind, board_id))
+    }
+
+    /// The same vehicle, which takes as long to boot as a real one.
+    pub(super) fn booting_realistically(mut self) -> Self {
+        self.boot = Boot::new(true);
+        self
     }
 
     fn booted(
@@ -137,6 +147,9 @@ impl Autopilot {
             servos_us: [0; 16],
             wind: own.0,
             board_id: own.1,
+            boot: Boot::new(false),
+            estimator: Estimator::new(own.1),
+            takeoff_m: None,
             outbox: Vec::new(),
             steps: 0,
             reboot_at: None,
@@ -151,7 +164,12 @@ impl Autopilot {
 
     /// Whether the position estimate is good.
     pub(super) fn is_ready(&self) -> bool {
-        self.uptime() >= READY_AFTER
+        self.boot.is_over() && self.estimator.has_position()
+    }
+
+    /// What the autopilot believes of the vehicle's motion.
+    pub(super) fn believed(&self) -> &Body {
+        self.estimator.belief(&self.body)
     }
 
     /// Says something to every ground station.
@@ -170,7 +188,7 @@ impl Autopilot {
         if self.reboot_at.is_none_or(|at| self.uptime() < at) {
             return false;
         }
-        let here = self.here();
+        let here = self.truly_here();
         let start = Start {
             at: here.at,
             altitude_amsl_m: here.altitude_amsl_m,
@@ -180,8 +198,10 @@ impl Autopilot {
         let own = (self.wind.clone(), self.board_id);
         let plans = std::mem::take(&mut self.plans);
         let transfers = std::mem::take(&mut self.transfers).rebooted();
+        let boot = Boot::new(self.boot.realistic);
         let built = (start, Arc::clone(&self.airframe));
         *self = Self::booted(system, built, self.parameters.clone(), own);
+        self.boot = boot;
         self.plans = plans;
         self.transfers = transfers;
         self.fence_changed();
@@ -191,16 +211,19 @@ impl Autopilot {
     /// Moves on by one step.
     pub(super) fn step(&mut self) {
         self.steps += 1;
-        self.boot();
+        self.step_boot();
         let asleep = self.body.on_ground && !self.safety.armed;
         if !asleep {
             self.fly();
         }
         let power_w = self.airframe.power_w(self.body.thrust_m_s2);
+        self.estimate();
         self.battery
             .step(power_w, self.tuning.battery_set_v, &self.airframe);
         self.watch_crash();
         self.watch_ground();
+        self.watch_radio();
+        self.report_obstacles(self.steps);
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
         }
@@ -213,8 +236,13 @@ impl Autopilot {
         }
     }
 
-    /// Where the vehicle is.
+    /// Where the vehicle believes to be.
     pub(super) fn here(&self) -> Place {
+        self.place_of(self.believed().position_m)
+    }
+
+    /// Where the vehicle really is.
+    pub(super) fn truly_here(&self) -> Place {
         self.place_of(self.body.position_m)
     }
 
@@ -271,7 +299,8 @@ impl Autopilot {
             home_m: self.home_point(),
             now: self.uptime(),
             control: &mut self.control,
-            body: &self.body,
+            body: self.estimator.belief(&self.body),
+            has_position: self.estimator.has_position(),
             tuning: &self.tuning,
             fence: &mut self.fence,
             rally: Rally {
@@ -293,7 +322,12 @@ impl Autopilot {
             Act::Throttle(throttle) => Demand::Throttle(throttle),
             Act::Fly => {
                 let lean_max = self.tuning.lean_max_rad;
-                Demand::Acceleration(self.control.demand(&self.body, lean_max))
+                let body = self.estimator.belief(&self.body);
+                Demand::Acceleration(self.control.demand(body, lean_max))
+            }
+            Act::Level => {
+                let down = self.control.demand_level(self.estimator.belief(&self.body));
+                Demand::Acceleration(self.estimator.level_error_m_s2().extend(down))
             }
         };
         self.end_turn();
@@ -338,6 +372,29 @@ impl Autopilot {
         }
     }
 
+    /// Lets the estimator follow what has happened, and the path what it has jumped.
+    fn estimate(&mut self) {
+        if !self.boot.is_over() || !self.estimator.has_work(&self.tuning.faults) {
+            return;
+        }
+        let around = Surroundings {
+            now: STEP * u32::try_from(self.steps).unwrap_or(u32::MAX),
+            truth: &self.body,
+            faults: &self.tuning.faults,
+            latitude_deg: self.start.at.lat_deg,
+        };
+        if let Some(jump_m) = self.estimator.step(&around, &mut self.outbox) {
+            self.control.path_m += jump_m;
+            // The height of a takeoff is held where the vehicle is, wherever that is said to be.
+            if let (Task::Goto { goal_m, .. }, Some(hold_m)) = (&mut self.task, &mut self.takeoff_m)
+                && *goal_m == *hold_m
+            {
+                *goal_m += jump_m;
+                *hold_m = *goal_m;
+            }
+        }
+    }
+
     /// A turning rate lasts as long as the setpoint that asked for it.
     fn end_turn(&mut self) {
         let until = match &self.task {
@@ -350,24 +407,11 @@ impl Autopilot {
     }
 
     fn end_takeoff(&mut self, goal_m: DVec3) {
+        self.takeoff_m = Some(goal_m);
         self.task = match self.mode.number {
             mode::GUIDED => Task::goto(goal_m),
             _ => Task::Piloted,
         };
-    }
-
-    /// What a boot says and when.
-    fn boot(&mut self) {
-        match self.steps {
-            30 => self.say(MavSeverity::MAV_SEVERITY_INFO, "ArduPilot Ready"),
-            50 => self.say(MavSeverity::MAV_SEVERITY_INFO, "EKF3 IMU0 initialised"),
-            _ => {}
-        }
-        if self.home.is_none() && self.is_ready() {
-            self.say(MavSeverity::MAV_SEVERITY_INFO, "EKF3 IMU0 origin set");
-            self.say(MavSeverity::MAV_SEVERITY_INFO, "EKF3 IMU0 is using GPS");
-            self.set_home(self.here());
-        }
     }
 
     fn ask_time(&mut self) {

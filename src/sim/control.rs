@@ -195,6 +195,19 @@ impl PositionControl {
         flat.extend(self.accel_m_s2.z + climb * CLIMB_P)
     }
 
+    /// The vertical part of the demand; horizontally the path stays with the body.
+    pub(super) fn demand_level(&mut self, body: &Body) -> f64 {
+        let (height_m, climb_m_s, lift_m_s2) =
+            (self.path_m.z, self.velocity_m_s.z, self.accel_m_s2.z);
+        self.take_over(body);
+        self.path_m.z = height_m;
+        self.velocity_m_s.z = climb_m_s;
+        self.accel_m_s2 = DVec3::new(0.0, 0.0, lift_m_s2);
+        self.integral_m_s2 = DVec2::ZERO;
+        let climb = climb_m_s + (height_m - body.position_m.z) * HEIGHT_P - body.velocity_m_s.z;
+        lift_m_s2 + climb * CLIMB_P
+    }
+
     /// Moves the path on. Where the lean is used up the path waits for the body instead of running away.
     fn advance(&mut self) {
         let mut delta_m_s = self.accel_m_s2 * STEP_S;

@@ -1,33 +1,76 @@
-//! What the vehicle does by itself when the ground station falls silent or the battery runs low.
+//! What the vehicle does by itself when a link falls silent, the battery runs low or the estimate goes bad.
+//!
+//! Conditions, texts and actions are those of `ArduCopter` (`events.cpp`, `ekf_check.cpp`, `AP_BattMonitor`).
+
+mod actions;
+mod battery;
+mod ekf;
+mod links;
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavSeverity;
+use mavlink::dialects::ardupilotmega::{MavBatteryChargeState, MavSeverity};
 
+pub(super) use self::battery::BatteryRules;
+use self::battery::BatteryWatch;
+use self::ekf::EkfWatch;
+use self::links::LinkWatch;
 use super::autopilot::Autopilot;
-use super::battery::Battery;
-use super::mode;
-use super::parameters::{Parameters, Tuning};
+use super::parameters::Parameters;
 
 /// The vehicle looks this often.
 pub(super) const EVERY_STEPS: u64 = 10;
 
-/// When the failsafes act and what they do, from the `FS_GCS_*` and `BATT_*` parameters.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Rules {
-    ground_station: u8,
-    ground_station_timeout: Duration,
-    low: BatteryRule,
-    critical: BatteryRule,
-    battery_delay: Duration,
+/// Bits of `FS_OPTIONS`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Options(u32);
+
+impl Options {
+    const RADIO_CONTINUES_AUTO: u32 = 1;
+    const STATION_CONTINUES_AUTO: u32 = 1 << 1;
+    const RADIO_CONTINUES_GUIDED: u32 = 1 << 2;
+    const LANDING_CONTINUES: u32 = 1 << 3;
+    const STATION_CONTINUES_PILOTED: u32 = 1 << 4;
+
+    fn has(self, bit: u32) -> bool {
+        self.0 & bit != 0
+    }
 }
 
-/// Below which voltage or remaining charge a battery level is reached (0: never), and the action.
+/// When the failsafes act and what they do, from the `FS_*` and `BATT_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
-struct BatteryRule {
-    voltage_v: f64,
-    remaining_mah: f64,
-    action: u8,
+pub(super) struct Rules {
+    /// `FS_GCS_ENABLE`.
+    ground_station: i32,
+    ground_station_timeout: Duration,
+    /// `FS_THR_ENABLE`; 0: off.
+    pub(super) radio: i32,
+    radio_timeout: Duration,
+    /// `FS_THR_VALUE`, in microseconds.
+    pub(super) radio_low_us: f64,
+    options: Options,
+    /// `FS_EKF_THRESH`; 0: off.
+    pub(super) ekf_threshold: f64,
+    ekf_action: i32,
+    pub(super) battery: BatteryRules,
+}
+
+impl Rules {
+    /// Reads the parameters.
+    pub(super) fn read(all: &Parameters) -> Self {
+        let seconds = |name| Duration::from_secs_f64(all.value(name).clamp(0.0, 1e6));
+        Self {
+            ground_station: all.value("FS_GCS_ENABLE") as i32,
+            ground_station_timeout: seconds("FS_GCS_TIMEOUT"),
+            radio: all.value("FS_THR_ENABLE") as i32,
+            radio_timeout: seconds("RC_FS_TIMEOUT"),
+            radio_low_us: all.value("FS_THR_VALUE"),
+            options: Options(all.value("FS_OPTIONS") as u32),
+            ekf_threshold: all.value("FS_EKF_THRESH"),
+            ekf_action: all.value("FS_EKF_ACTION") as i32,
+            battery: BatteryRules::read(all),
+        }
+    }
 }
 
 /// What has been seen so far.
@@ -35,143 +78,60 @@ struct BatteryRule {
 pub(super) struct Failsafe {
     /// When the ground station's last heartbeat came.
     pub(super) heard: Option<Duration>,
-    silent: bool,
-    low_since: Option<Duration>,
-    critical_since: Option<Duration>,
-    level: Level,
-}
-
-/// How far the battery is down. It never recovers before a reboot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
-enum Level {
-    #[default]
-    Good,
-    Low,
-    Critical,
-}
-
-impl Rules {
-    /// Reads the parameters.
-    pub(super) fn read(all: &Parameters) -> Self {
-        let seconds = |name| Duration::from_secs_f64(all.value(name).clamp(0.0, 1e6));
-        let battery = |volts, charge, action| BatteryRule {
-            voltage_v: all.value(volts),
-            remaining_mah: all.value(charge),
-            action: all.value(action) as u8,
-        };
-        Self {
-            ground_station: all.value("FS_GCS_ENABLE") as u8,
-            ground_station_timeout: seconds("FS_GCS_TIMEOUT"),
-            low: battery("BATT_LOW_VOLT", "BATT_LOW_MAH", "BATT_FS_LOW_ACT"),
-            critical: battery("BATT_CRT_VOLT", "BATT_CRT_MAH", "BATT_FS_CRT_ACT"),
-            battery_delay: seconds("BATT_LOW_TIMER"),
-        }
-    }
-}
-
-impl BatteryRule {
-    fn applies(&self, tuning: &Tuning, battery: &Battery) -> bool {
-        battery.voltage_v < self.voltage_v
-            || self.remaining_mah > 0.0
-                && tuning.battery_capacity_mah - battery.consumed_mah < self.remaining_mah
-    }
+    links: LinkWatch,
+    ekf: EkfWatch,
+    battery: BatteryWatch,
 }
 
 impl Failsafe {
     /// Whether the vehicle reports itself in distress.
     pub(super) fn is_active(&self) -> bool {
-        self.silent || self.level > Level::Good
+        self.links.station_is_lost()
+            || self.links.radio_is_lost()
+            || self.ekf.is_bad()
+            || self.battery.has_triggered()
     }
 
-    /// Whether the battery forbids arming.
+    /// Whether the battery has fallen so far that it set off its failsafe. Only a reboot ends that.
     pub(super) fn battery_is_down(&self) -> bool {
-        self.level > Level::Good
+        self.battery.has_triggered()
+    }
+
+    /// How far the battery has fallen.
+    pub(super) fn charge_state(&self) -> MavBatteryChargeState {
+        self.battery.charge_state()
+    }
+
+    /// Whether the ground station is missing.
+    pub(super) fn station_is_lost(&self) -> bool {
+        self.links.station_is_lost()
+    }
+
+    /// Whether the remote control is missing.
+    pub(super) fn radio_is_lost(&self) -> bool {
+        self.links.radio_is_lost()
+    }
+
+    /// Whether the path back has been given up because the position was bad for too long.
+    pub(super) fn path_is_lost(&self) -> bool {
+        self.ekf.path_is_lost()
     }
 }
 
 impl Autopilot {
-    /// Looks at the link and at the battery, and acts.
+    /// Looks at the links, the estimate and the battery, and acts.
     pub(super) fn watch_failsafes(&mut self) {
         self.watch_ground_station();
+        self.watch_estimate();
         self.watch_battery();
     }
 
-    fn watch_ground_station(&mut self) {
-        let rule = self.tuning.failsafes.ground_station;
-        let timeout = self.tuning.failsafes.ground_station_timeout;
-        let Some(heard) = self.failsafe.heard else {
-            return;
+    /// `X Failsafe`, with what becomes of it.
+    fn announce(&mut self, what: &str, outcome: Option<&str>) {
+        let text = match outcome {
+            Some(outcome) => format!("{what} Failsafe - {outcome}"),
+            None => format!("{what} Failsafe"),
         };
-        let silent = rule != 0 && self.uptime() > heard + timeout;
-        if silent == self.failsafe.silent {
-            return;
-        }
-        self.failsafe.silent = silent;
-        if silent {
-            self.say(MavSeverity::MAV_SEVERITY_WARNING, "GCS Failsafe");
-            // 5 lands, the others return (by the same way here, where SmartRTL is asked for).
-            self.flee(if rule == 5 { mode::LAND } else { mode::RTL });
-        } else {
-            self.say(MavSeverity::MAV_SEVERITY_WARNING, "GCS Failsafe Cleared");
-        }
-    }
-
-    fn watch_battery(&mut self) {
-        if !self.safety.armed {
-            return;
-        }
-        let now = self.uptime();
-        let battery = self.battery;
-        let rules = self.tuning.failsafes.clone();
-        let held = |since: &mut Option<Duration>, applies: bool| {
-            if !applies {
-                *since = None;
-                return false;
-            }
-            now >= *since.get_or_insert(now) + rules.battery_delay
-        };
-        let low = held(
-            &mut self.failsafe.low_since,
-            rules.low.applies(&self.tuning, &battery),
-        );
-        let critical = held(
-            &mut self.failsafe.critical_since,
-            rules.critical.applies(&self.tuning, &battery),
-        );
-        if critical && self.failsafe.level < Level::Critical {
-            self.battery_fell(Level::Critical, "critical", rules.critical.action);
-        } else if low && self.failsafe.level < Level::Low {
-            self.battery_fell(Level::Low, "low", rules.low.action);
-        }
-    }
-
-    fn battery_fell(&mut self, level: Level, word: &str, action: u8) {
-        self.failsafe.level = level;
-        let text = format!(
-            "Battery 1 is {word} {:.2}V used {:.0} mAh",
-            self.battery.voltage_v, self.battery.consumed_mah
-        );
         self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-        if action == 0 {
-            return;
-        }
-        self.say(MavSeverity::MAV_SEVERITY_WARNING, "Battery Failsafe");
-        match action {
-            1 => self.flee(mode::LAND),
-            5 => self.disarm(),
-            _ => self.flee(mode::RTL),
-        }
-    }
-
-    /// Brings the vehicle down: at once if it stands, else in a mode.
-    fn flee(&mut self, to: u8) {
-        if !self.safety.armed {
-            return;
-        }
-        if self.safety.landed {
-            self.disarm();
-        } else if self.mode.number != mode::LAND && !self.set_mode(to) {
-            self.set_mode(mode::LAND);
-        }
     }
 }

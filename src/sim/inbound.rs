@@ -101,7 +101,10 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
             link.schedule
                 .set_stream(data.req_stream_id as u8, rate, autopilot.uptime());
         }
-        MavMessage::PARAM_REQUEST_LIST(data) if own(data.target_system) => {
+        // A vehicle that still initialises itself does not hear this.
+        MavMessage::PARAM_REQUEST_LIST(data)
+            if own(data.target_system) && !autopilot.boot.is_initialising() =>
+        {
             link.listing = Some(0);
             autopilot.say_banner();
         }

@@ -44,6 +44,7 @@ const fn refused(number: u8, name: &'static str, texts: &'static [&'static str])
 
 pub(super) const STABILIZE: u8 = 0;
 pub(super) const ACRO: u8 = 1;
+pub(super) const ALT_HOLD: u8 = 2;
 pub(super) const AUTO: u8 = 3;
 pub(super) const GUIDED: u8 = 4;
 pub(super) const LOITER: u8 = 5;
@@ -54,12 +55,13 @@ pub(super) const DRIFT: u8 = 11;
 pub(super) const BRAKE: u8 = 17;
 pub(super) const GUIDED_NOGPS: u8 = 20;
 pub(super) const SMART_RTL: u8 = 21;
+pub(super) const AUTO_RTL: u8 = 27;
 
 /// Facts in the order: autonomous, controls the height, armable.
 const MODES: &[Mode] = &[
     mode(STABILIZE, "STABILIZE", Entry::Free, [false, false, true]),
     mode(ACRO, "ACRO", Entry::Free, [false, false, true]),
-    mode(2, "ALT_HOLD", Entry::Free, [false, true, true]),
+    mode(ALT_HOLD, "ALT_HOLD", Entry::Free, [false, true, true]),
     mode(AUTO, "AUTO", Entry::Plan, [true, true, false]),
     mode(GUIDED, "GUIDED", Entry::Position, [true, true, true]),
     mode(LOITER, "LOITER", Entry::Position, [true, true, true]),
@@ -98,7 +100,7 @@ const MODES: &[Mode] = &[
     ),
     mode(24, "ZIGZAG", Entry::Position, [false, true, true]),
     refused(
-        27,
+        AUTO_RTL,
         "AUTO_RTL",
         &["Mode change to AUTO RTL failed: No return path or landing sequence found"],
     ),
@@ -108,6 +110,11 @@ const MODES: &[Mode] = &[
 impl Mode {
     /// The mode in which the vehicle boots.
     pub(super) const BOOT: Self = MODES[0];
+
+    /// Whether the mode flies by the horizontal position.
+    pub(super) fn needs_position(&self) -> bool {
+        matches!(self.entry, Entry::Position | Entry::Plan)
+    }
 
     /// The mode of a number, if the firmware has it.
     pub(super) fn numbered(number: u8) -> Option<Self> {

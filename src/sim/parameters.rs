@@ -1,5 +1,6 @@
 //! The vehicle's parameters, and what they mean in SI units.
 
+mod aliases;
 mod table;
 mod tuning;
 
@@ -95,10 +96,18 @@ impl Parameters {
             .map_or(0.0, |row| row.default)
     }
 
-    /// The parameter of that name; upper and lower case are the same.
+    /// The parameter of that name, be it a newer firmware's; upper and lower case are the same.
     pub(super) fn named(&self, name: &str) -> Option<Parameter> {
-        let index = TABLE.place(name)?;
-        self.at(index as u16)
+        if let Some(index) = TABLE.place(name) {
+            return self.at(index as u16);
+        }
+        let (alias, own, sense) = aliases::find(name)?;
+        let parameter = self.named(own)?;
+        Some(Parameter {
+            name: alias,
+            value: sense.convert(parameter.value),
+            ..parameter
+        })
     }
 
     /// Stores a value without a range check, as the vehicle does. `None` for an unknown name or a value that
@@ -106,6 +115,10 @@ impl Parameters {
     pub(super) fn set(&mut self, name: &str, value: f32) -> Option<Parameter> {
         if !value.is_finite() {
             return None;
+        }
+        if let Some((alias, own, sense)) = aliases::find(name) {
+            self.set(own, sense.convert(value))?;
+            return self.named(alias);
         }
         let parameter = self.named(name)?;
         let changed = (parameter.index, parameter.kind.stored(value));

@@ -199,6 +199,13 @@ impl Port {
         }
     }
 
+    /// Sends plain text between the frames.
+    pub(super) fn print(&mut self, text: &str) {
+        if self.pending.len() + text.len() <= TELEMETRY_MAX {
+            self.pending.extend_from_slice(text.as_bytes());
+        }
+    }
+
     /// Sends telemetry; answers have precedence when nobody reads.
     pub(super) fn stream(&mut self, message: &MavMessage, signing: &mut Signing) {
         self.say(message, signing, TELEMETRY_MAX);

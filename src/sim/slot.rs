@@ -1,14 +1,11 @@
 //! One vehicle with its serial ports and the ground stations on them.
 
-use std::sync::Arc;
-
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::autopilot::Autopilot;
 use super::port::{Port, Serials};
 use super::signing::Signing;
-use super::wind::Wind;
-use super::{Airframe, Serial, Start, telemetry};
+use super::{Serial, telemetry};
 
 /// A vehicle and its connections.
 #[derive(Debug)]
@@ -20,8 +17,7 @@ pub(super) struct Slot {
 }
 
 impl Slot {
-    pub(super) fn new(system: u8, start: Start, airframe: Arc<Airframe>, wind: Wind) -> Self {
-        let autopilot = Autopilot::new(system, start, airframe, wind);
+    pub(super) fn new(autopilot: Autopilot) -> Self {
         Self {
             serials: Serials::booted(&autopilot, Signing::default()),
             autopilot,
@@ -71,12 +67,16 @@ impl Slot {
 
     /// Moves on by one step and sends what is due.
     pub(super) fn step(&mut self) {
+        if self.autopilot.boot.awaits_client() && !self.ports.iter().any(|(_, port)| port.open) {
+            return;
+        }
         for place in 0..self.ports.len() {
             if self.ports[place].1.is_pause() {
                 self.with_port(place, Port::end_of_burst);
             }
         }
         self.autopilot.step();
+        self.print();
         if !self.autopilot.outbox.is_empty() {
             let said = std::mem::take(&mut self.autopilot.outbox);
             self.tell(&said, None);
@@ -91,6 +91,17 @@ impl Slot {
         }
     }
 
+    /// Sends what the boot prints on the first serial port.
+    fn print(&mut self) {
+        for text in self.autopilot.boot.take_console() {
+            for (_, port) in &mut self.ports {
+                if port.open && port.serial == Serial::Zero {
+                    port.print(text.as_ref());
+                }
+            }
+        }
+    }
+
     /// Sends the messages that are due, on each serial port where somebody listens.
     fn stream(&mut self) {
         let now = self.autopilot.uptime();
@@ -100,6 +111,9 @@ impl Slot {
             }
             let Serials { links, signing } = &mut self.serials;
             links[serial.index()].schedule.each_due(now, |id| {
+                if self.autopilot.boot.holds_back(id) {
+                    return;
+                }
                 let Some(message) = telemetry::message(id, &self.autopilot) else {
                     return;
                 };

@@ -1,6 +1,6 @@
 //! Changing the mode.
 
-use mavlink::dialects::ardupilotmega::MavSeverity;
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use super::autopilot::{Autopilot, Speeds};
 use super::mode::{self, Entry, Mode};
@@ -31,6 +31,9 @@ impl Autopilot {
                 );
                 return false;
             }
+            Entry::Position if mode.number == mode::SMART_RTL && self.failsafe.path_is_lost() => {
+                &["Mode change to SMARTRTL failed: init failed"]
+            }
             Entry::Free | Entry::Position | Entry::Plan => &[],
         };
         if !texts.is_empty() {
@@ -47,11 +50,27 @@ impl Autopilot {
         self.mode = mode;
         self.speeds = Speeds::default();
         self.paused = None;
-        self.control.take_over(&self.body);
+        self.control.take_over(self.estimator.belief(&self.body));
         self.yaw.settle(self.body.yaw_deg);
         self.task = self.first_task();
-        self.outbox.extend(telemetry::message(0, self));
+        // The heartbeat overtakes the texts that wait to be sent.
+        let before_texts = self
+            .outbox
+            .iter()
+            .position(|message| matches!(message, MavMessage::STATUSTEXT(_)))
+            .unwrap_or(self.outbox.len());
+        if let Some(heartbeat) = telemetry::message(0, self) {
+            self.outbox.insert(before_texts, heartbeat);
+        }
         self.fence.mode_changed(self.uptime());
+    }
+
+    /// At the end of the initialisation the first mode is entered, whatever was asked before.
+    pub(super) fn go_back_to_first_mode(&mut self) {
+        if self.mode != Mode::BOOT {
+            self.mode = Mode::BOOT;
+            self.task = self.first_task();
+        }
     }
 
     fn first_task(&mut self) -> Task {
@@ -70,7 +89,7 @@ impl Autopilot {
             mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO => Task::STOP,
             mode::BRAKE => Task::Brake,
             mode::CIRCLE => {
-                let circle = Task::circle(&self.body, &self.tuning);
+                let circle = Task::circle(self.believed(), &self.tuning);
                 if let Task::Circle(circle) = &circle {
                     self.yaw.demand = YawDemand::Towards(circle.centre_m);
                 }

@@ -125,7 +125,7 @@ impl Autopilot {
         match setpoint.point {
             Point::Local(offset) => Some(match setpoint.frame {
                 // Offsets start where the vehicle is.
-                7..=9 => self.body.position_m + self.in_north_east(setpoint, offset),
+                7..=9 => self.believed().position_m + self.in_north_east(setpoint, offset),
                 _ => offset,
             }),
             Point::Global { at, height_m } => {

@@ -33,6 +33,8 @@ pub(super) struct Cockpit<'a> {
     pub(super) sticks: Sticks,
     /// Home, in metres north, east and down from the start.
     pub(super) home_m: DVec3,
+    /// Whether the horizontal position and velocity of `body` can be trusted.
+    pub(super) has_position: bool,
     /// Since boot.
     pub(super) now: Duration,
     pub(super) fence: &'a mut Geofence,
@@ -44,6 +46,8 @@ pub(super) struct Cockpit<'a> {
 pub(super) enum Act {
     /// Follow the path of the position control.
     Fly,
+    /// Follow the height of the path, and keep level.
+    Level,
     /// Idle on the ground.
     Idle,
     /// A throttle from 0 to 1, level.

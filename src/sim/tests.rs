@@ -1,6 +1,9 @@
 //! The simulator as a ground station sees it.
 
 mod airframes;
+mod booting;
+mod failsafes;
+mod faults;
 mod files;
 mod flight;
 mod ground;
@@ -8,6 +11,7 @@ mod links;
 mod protocol;
 mod serials;
 mod signing;
+mod timeline;
 mod transfers;
 
 use super::*;

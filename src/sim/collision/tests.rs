@@ -93,7 +93,7 @@ fn two_in_the_air() -> Ground {
         .map(|slot| &mut slot.autopilot)
     {
         autopilot.set_mode(4);
-        assert!(autopilot.arm());
+        assert!(autopilot.arm(false));
     }
     ground.takeoff(10.0);
     let goal = DVec3::new(0.0, 0.0, -10.0);
@@ -267,6 +267,7 @@ fn cost() {
     });
     let mut world = World::new(&WorldConfig {
         airframes: Vec::new(),
+        realistic_boot: false,
         starts: starts.collect(),
         seed: 1,
         obstacles: vec![house(30.0, 5.0); 50],

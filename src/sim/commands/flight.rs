@@ -12,8 +12,10 @@ use crate::sim::targets::altitude_amsl_m;
 use crate::sim::task::{Takeoff, Task};
 use crate::sim::yaw::YawDemand;
 
-/// The second parameter that makes arming or disarming ignore what can be ignored.
+/// The second parameter that makes disarming work in the air.
 const FORCE: f32 = 21196.0;
+/// The second parameter that makes arming ignore what can be ignored.
+const FORCE_ARMING: f32 = 2989.0;
 /// `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
 const RELATIVE_ALTITUDE: u8 = 3;
 /// What a takeoff in a mode with a pilot lifts before the pilot's throttle counts again.
@@ -30,7 +32,7 @@ pub(super) fn arm_or_disarm(
 ) -> MavResult {
     let [arm, magic, ..] = command.p;
     if (arm - 1.0).abs() < f32::EPSILON {
-        return done(autopilot.arm());
+        return done(autopilot.arm((magic - FORCE_ARMING).abs() < 0.5));
     }
     if arm != 0.0 {
         return MavResult::MAV_RESULT_UNSUPPORTED;
@@ -101,7 +103,7 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
         return MavResult::MAV_RESULT_DENIED;
     }
     let height_m = f64::from(command.z) - autopilot.home_point().z;
-    let climb_m = height_m - autopilot.body.height_m();
+    let climb_m = height_m - autopilot.believed().height_m();
     let sensible = climb_m > LEAST_CLIMB_M && climb_m < ALTITUDE_MAX_M;
     let ready = autopilot.safety.armed && autopilot.safety.landed && autopilot.mode.controls_height;
     let flies_itself = autopilot.mode.number == mode::GUIDED;
@@ -115,10 +117,10 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
     let height_m = if flies_itself {
         height_m
     } else {
-        autopilot.body.height_m() + climb_m.min(PILOTED_TAKEOFF_M)
+        autopilot.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
     };
     let now = autopilot.uptime();
-    autopilot.task = Task::Takeoff(Takeoff::new(autopilot.body.position_m, height_m, now));
+    autopilot.task = Task::Takeoff(Takeoff::new(autopilot.believed().position_m, height_m, now));
     autopilot.yaw.settle(autopilot.body.yaw_deg);
     MavResult::MAV_RESULT_ACCEPTED
 }

@@ -3,6 +3,8 @@
 use std::time::Duration;
 
 use super::Parameters;
+use crate::sim::arming::ArmingRules;
+use crate::sim::estimator::Faults;
 use crate::sim::failsafe::Rules;
 use crate::sim::transfer::Recorder;
 use crate::sim::upset::MotorFault;
@@ -50,11 +52,12 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) motor_fault: Option<MotorFault>,
     pub(in crate::sim) crash_check: bool,
     pub(in crate::sim) battery_capacity_mah: f64,
-    pub(in crate::sim) satellites: u8,
     pub(in crate::sim) failsafes: Rules,
     pub(in crate::sim) fence: fence::Rules,
     pub(in crate::sim) rally: rally::Rules,
     pub(in crate::sim) recorder: Recorder,
+    pub(in crate::sim) faults: Faults,
+    pub(in crate::sim) arming: ArmingRules,
 }
 
 impl Tuning {
@@ -105,11 +108,12 @@ impl Tuning {
             motor_fault: motor_fault(all),
             crash_check: all.value("FS_CRASH_CHECK") > 0.0,
             battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
-            satellites: all.value("SIM_GPS_NUMSATS").clamp(0.0, 255.0) as u8,
             failsafes: Rules::read(all),
             fence: fence::Rules::read(all),
             rally: rally::Rules::read(all),
             recorder: Recorder::read(all),
+            faults: Faults::read(all),
+            arming: ArmingRules::read(all),
         }
     }
 }

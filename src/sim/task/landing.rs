@@ -13,6 +13,8 @@ const MOTORS_OFF_AFTER: Duration = Duration::from_millis(700);
 pub(in crate::sim) struct Landing {
     /// When the vehicle touched the ground.
     pub(in crate::sim) touched: Option<Duration>,
+    /// The descent begins at this time.
+    pub(in crate::sim) waits_until: Option<Duration>,
 }
 
 impl Landing {
@@ -33,11 +35,15 @@ impl Landing {
             tuning.land_speed_high_m_s.max(tuning.land_speed_m_s),
         );
         let mut wanted = glam::DVec3::new(0.0, 0.0, sink);
-        if cockpit.body.on_ground {
+        if cockpit.body.on_ground || self.waits_until.is_some_and(|until| cockpit.now < until) {
             wanted.z = 0.0;
         }
         let limits = cockpit.limits;
         cockpit.control.at_velocity(wanted, &limits);
-        Act::Fly
+        if cockpit.has_position {
+            Act::Fly
+        } else {
+            Act::Level
+        }
     }
 }

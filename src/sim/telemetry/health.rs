@@ -2,10 +2,10 @@
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
-    EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryChargeState,
-    MavBatteryFunction, MavBatteryType, MavLandedState, MavMessage, MavModeFlag, MavPowerStatus,
-    MavProtocolCapability, MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState,
-    POWER_STATUS_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+    EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFunction, MavBatteryType,
+    MavLandedState, MavMessage, MavModeFlag, MavPowerStatus, MavProtocolCapability, MavState,
+    MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState, POWER_STATUS_DATA,
+    SYS_STATUS_DATA, SYSTEM_TIME_DATA,
 };
 
 use super::{boot_ms, boot_us};
@@ -16,14 +16,18 @@ use crate::sim::task::Task;
 /// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery,
 /// pre-arm check, propulsion. Terrain and log are not simulated and not claimed.
 const SENSORS: u32 = 0x5221_9C2F;
+const GYRO: u32 = 0x01;
+const ACCELEROMETER: u32 = 0x02;
+const COMPASS: u32 = 0x04;
+const BAROMETER: u32 = 0x08;
+const GPS: u32 = 0x20;
+const RADIO: u32 = 0x0001_0000;
+const BATTERY: u32 = 0x0200_0000;
 const HEIGHT_CONTROL: u32 = 0x2000;
 const POSITION_CONTROL: u32 = 0x4000;
 const AHRS: u32 = 0x0020_0000;
 const FENCE: u32 = 0x0010_0000;
 const PREARM_CHECK: u32 = 0x1000_0000;
-/// Estimator flags with a constant-position assumption, and with GPS.
-const EKF_WAITING: u16 = 0x00A7;
-const EKF_GOOD: u16 = 0x033F;
 /// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
 pub(in crate::sim) const EPOCH_US: u64 = 1_767_225_600_000_000;
 
@@ -44,7 +48,7 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
         base_mode,
         system_status: if autopilot.failsafe.is_active() {
             MavState::MAV_STATE_CRITICAL
-        } else if autopilot.safety.landed {
+        } else if autopilot.safety.landed && !autopilot.boot.is_initialising() {
             MavState::MAV_STATE_STANDBY
         } else {
             MavState::MAV_STATE_ACTIVE
@@ -53,8 +57,21 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
+/// Which sensors and functions there are at present, which are in use, and which of these are healthy.
+fn sensors(autopilot: &Autopilot) -> [u32; 3] {
+    let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
     let mut enabled = SENSORS;
+    if autopilot
+        .boot
+        .early_fix()
+        .is_some_and(|(kind, _)| kind == 0)
+    {
+        present &= !GPS;
+        enabled &= !GPS;
+    }
+    if !autopilot.boot.has_reference() {
+        enabled &= !AHRS;
+    }
     if autopilot.mode.controls_height {
         enabled |= HEIGHT_CONTROL;
     }
@@ -62,23 +79,42 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
         enabled |= POSITION_CONTROL;
     }
     let fence = autopilot.fence_health();
-    let mut health = enabled;
-    if fence.is_healthy {
-        health |= FENCE;
-    }
     if fence.is_enabled {
         enabled |= FENCE;
     }
-    let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
     if fence.is_present {
         present |= FENCE;
     }
-    if !autopilot.is_armable() {
-        health &= !PREARM_CHECK;
-    }
-    if !autopilot.is_ready() {
-        health &= !AHRS;
-    }
+    // A fence that does not exist is never breached: ground stations look at this bit alone.
+    let healthy = if fence.is_healthy {
+        enabled | FENCE
+    } else {
+        enabled & !FENCE
+    };
+    [present, enabled, healthy & !failed(autopilot)]
+}
+
+/// What has failed.
+fn failed(autopilot: &Autopilot) -> u32 {
+    let faults = &autopilot.tuning.faults;
+    let failures = [
+        (!autopilot.is_armable(), PREARM_CHECK),
+        (!autopilot.boot.has_reference(), AHRS),
+        (faults.gyro_failed, GYRO),
+        (faults.accelerometer_failed, ACCELEROMETER),
+        (!autopilot.estimator.compass_is_healthy(), COMPASS),
+        (faults.barometers[0].disabled, BAROMETER),
+        (autopilot.failsafe.radio_is_lost(), RADIO),
+        (autopilot.failsafe.battery_is_down(), BATTERY),
+    ];
+    failures
+        .into_iter()
+        .filter(|(is_so, _)| *is_so)
+        .fold(0, |bits, (_, bit)| bits | bit)
+}
+
+pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
+    let [present, enabled, health] = sensors(autopilot);
     let none = MavSysStatusSensorExtended::empty();
     MavMessage::SYS_STATUS(SYS_STATUS_DATA {
         onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(present),
@@ -114,7 +150,7 @@ pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
         battery_function: MavBatteryFunction::MAV_BATTERY_FUNCTION_UNKNOWN,
         mavtype: MavBatteryType::MAV_BATTERY_TYPE_UNKNOWN,
         battery_remaining: remaining(autopilot),
-        charge_state: MavBatteryChargeState::MAV_BATTERY_CHARGE_STATE_OK,
+        charge_state: autopilot.failsafe.charge_state(),
         ..Default::default()
     })
 }
@@ -142,14 +178,17 @@ pub(super) fn meminfo(_autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
-    let flags = if autopilot.is_ready() {
-        EKF_GOOD
+    let ratios = autopilot.estimator.ratios();
+    let flags = if autopilot.boot.is_over() {
+        autopilot.estimator.flags()
     } else {
-        EKF_WAITING
+        autopilot.boot.flags()
     };
     MavMessage::EKF_STATUS_REPORT(EKF_STATUS_REPORT_DATA {
-        pos_horiz_variance: 0.01,
-        compass_variance: 0.03,
+        velocity_variance: ratios.velocity as f32,
+        pos_horiz_variance: ratios.position as f32,
+        pos_vert_variance: ratios.height as f32,
+        compass_variance: ratios.compass as f32,
         flags: EkfStatusFlags::from_bits_truncate(flags),
         ..Default::default()
     })

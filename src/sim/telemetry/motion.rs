@@ -7,11 +7,11 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::boot_ms;
 use crate::geo::{wrap_180, wrap_360};
-use crate::sim::autopilot::Autopilot;
+use crate::sim::autopilot::{Autopilot, Place};
 use crate::sim::body::GRAVITY_M_S2;
 
 pub(super) fn attitude(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
+    let body = autopilot.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     MavMessage::ATTITUDE(ATTITUDE_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -25,7 +25,7 @@ pub(super) fn attitude(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn attitude_quaternion(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
+    let body = autopilot.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     let yaw = body.yaw_deg.to_radians();
     let q = glam::DQuat::from_euler(glam::EulerRot::ZYX, yaw, pitch, roll);
@@ -44,10 +44,13 @@ pub(super) fn attitude_quaternion(autopilot: &Autopilot) -> MavMessage {
 
 /// Not sent before the estimator has a position.
 pub(super) fn local_position_ned(autopilot: &Autopilot) -> Option<MavMessage> {
-    if !autopilot.is_ready() {
+    if !autopilot.boot.is_over() || !autopilot.estimator.is_aiding() {
         return None;
     }
-    let (at, v) = (autopilot.body.position_m, autopilot.body.velocity_m_s);
+    let (at, v) = (
+        autopilot.believed().position_m,
+        autopilot.believed().velocity_m_s,
+    );
     Some(MavMessage::LOCAL_POSITION_NED(LOCAL_POSITION_NED_DATA {
         time_boot_ms: boot_ms(autopilot),
         x: at.x as f32,
@@ -60,8 +63,11 @@ pub(super) fn local_position_ned(autopilot: &Autopilot) -> Option<MavMessage> {
 }
 
 pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
-    let here = autopilot.here();
+    let body = autopilot.believed();
+    if autopilot.boot.early_fix().is_some() {
+        return nowhere_yet(autopilot);
+    }
+    let here = reported_place(autopilot);
     let (lat, lon) = here.at.to_e7();
     let v = body.velocity_m_s;
     let over_home_m = autopilot.home_point().z - body.position_m.z;
@@ -78,13 +84,30 @@ pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
+/// Before the GPS has a position there is none to report.
+fn nowhere_yet(autopilot: &Autopilot) -> MavMessage {
+    MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        hdg: (wrap_360(autopilot.believed().yaw_deg) * 100.0) as u16,
+        ..Default::default()
+    })
+}
+
+/// Where the vehicle believes to be; while the estimator has given up, where it last knew itself.
+fn reported_place(autopilot: &Autopilot) -> Place {
+    autopilot
+        .estimator
+        .last_known_m()
+        .map_or_else(|| autopilot.here(), |last_m| autopilot.place_of(last_m))
+}
+
 pub(super) fn vfr_hud(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
+    let body = autopilot.believed();
     let groundspeed = body.velocity_m_s.truncate().length() as f32;
     MavMessage::VFR_HUD(VFR_HUD_DATA {
         airspeed: groundspeed,
         groundspeed,
-        alt: autopilot.here().altitude_amsl_m as f32,
+        alt: reported_place(autopilot).altitude_amsl_m as f32,
         climb: -body.velocity_m_s.z as f32,
         heading: wrap_360(body.yaw_deg) as i16,
         throttle: (body.throttle * 100.0) as u16,
@@ -96,13 +119,13 @@ pub(super) fn ahrs(_autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn ahrs2(autopilot: &Autopilot) -> MavMessage {
-    let (roll, pitch) = autopilot.body.roll_pitch_rad();
+    let (roll, pitch) = autopilot.believed().roll_pitch_rad();
     let here = autopilot.here();
     let (lat, lng) = here.at.to_e7();
     MavMessage::AHRS2(AHRS2_DATA {
         roll: roll as f32,
         pitch: pitch as f32,
-        yaw: wrap_180(autopilot.body.yaw_deg).to_radians() as f32,
+        yaw: wrap_180(autopilot.believed().yaw_deg).to_radians() as f32,
         altitude: here.altitude_amsl_m as f32,
         lat,
         lng,
@@ -112,7 +135,7 @@ pub(super) fn ahrs2(autopilot: &Autopilot) -> MavMessage {
 pub(super) fn simstate(autopilot: &Autopilot) -> MavMessage {
     let body = &autopilot.body;
     let (roll, pitch) = body.roll_pitch_rad();
-    let (lat, lng) = autopilot.here().at.to_e7();
+    let (lat, lng) = autopilot.truly_here().at.to_e7();
     MavMessage::SIMSTATE(SIMSTATE_DATA {
         roll: roll as f32,
         pitch: pitch as f32,

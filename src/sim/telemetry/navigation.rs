@@ -112,7 +112,7 @@ fn goal(autopilot: &Autopilot) -> Option<DVec3> {
 }
 
 pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
+    let body = autopilot.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     let way = goal(autopilot).map_or(DVec3::ZERO, |goal| goal - body.position_m);
     let bearing = if way.truncate() == glam::DVec2::ZERO {

@@ -5,32 +5,67 @@ use mavlink::dialects::ardupilotmega::{
     SCALED_PRESSURE_DATA, SERVO_OUTPUT_RAW_DATA, VIBRATION_DATA, WIND_DATA,
 };
 
+use glam::DVec3;
+
 use super::{boot_ms, boot_us};
 use crate::geo::wrap_360;
 use crate::sim::autopilot::Autopilot;
 use crate::sim::body::GRAVITY_M_S2;
 
 pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
-    let here = autopilot.here();
+    let (kind, satellites, offset_m, velocity_m_s) = reception(autopilot);
+    let here = autopilot.place_of(autopilot.body.position_m + offset_m);
     let (lat, lon) = here.at.to_e7();
-    let v = autopilot.body.velocity_m_s;
+    let v = autopilot.body.velocity_m_s + velocity_m_s;
+    let seen = kind != GpsFixType::GPS_FIX_TYPE_NO_GPS;
     let course = wrap_360(v.y.atan2(v.x).to_degrees());
     MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
         time_usec: boot_us(autopilot),
-        lat,
-        lon,
-        alt: (here.altitude_amsl_m * 1000.0) as i32,
-        eph: 121,
-        epv: 200,
+        lat: if seen { lat } else { 0 },
+        lon: if seen { lon } else { 0 },
+        alt: if seen {
+            (here.altitude_amsl_m * 1000.0) as i32
+        } else {
+            0
+        },
+        eph: if seen { 121 } else { u16::MAX },
+        epv: if seen { 200 } else { u16::MAX },
         vel: (v.truncate().length() * 100.0) as u16,
         cog: (course * 100.0) as u16,
-        fix_type: GpsFixType::GPS_FIX_TYPE_RTK_FIXED,
-        satellites_visible: autopilot.tuning.satellites,
+        fix_type: kind,
+        satellites_visible: satellites,
         h_acc: 300,
         v_acc: 300,
         vel_acc: 40,
         ..Default::default()
     })
+}
+
+/// Fix type, satellites, and how far position (metres) and velocity (metres per second) are from the truth.
+fn reception(autopilot: &Autopilot) -> (GpsFixType, u8, DVec3, DVec3) {
+    if let Some((kind, satellites)) = autopilot.boot.early_fix() {
+        return (fix_type(kind), satellites, DVec3::ZERO, DVec3::ZERO);
+    }
+    autopilot.estimator.fix().map_or(
+        (
+            GpsFixType::GPS_FIX_TYPE_RTK_FIXED,
+            autopilot.tuning.faults.gps.satellites,
+            DVec3::ZERO,
+            DVec3::ZERO,
+        ),
+        |fix| {
+            let kind = fix_type(fix.kind);
+            (kind, fix.satellites, fix.offset_m, fix.velocity_offset_m_s)
+        },
+    )
+}
+
+fn fix_type(kind: u8) -> GpsFixType {
+    match kind {
+        0 => GpsFixType::GPS_FIX_TYPE_NO_GPS,
+        1 => GpsFixType::GPS_FIX_TYPE_NO_FIX,
+        _ => GpsFixType::GPS_FIX_TYPE_RTK_FIXED,
+    }
 }
 
 /// Specific force in milli-g and rotation in milli-radians per second, in the body's axes.
@@ -82,7 +117,8 @@ pub(super) fn scaled_imu2(autopilot: &Autopilot) -> MavMessage {
 
 /// Pressure of the standard atmosphere (ISA), in hectopascals.
 pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
-    let altitude_m = autopilot.here().altitude_amsl_m;
+    let altitude_m =
+        autopilot.truly_here().altitude_amsl_m + autopilot.estimator.barometer_offset_m();
     let pressure = 1013.25 * (1.0 - 2.255_77e-5 * altitude_m).max(0.0).powf(5.2559);
     MavMessage::SCALED_PRESSURE(SCALED_PRESSURE_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -124,7 +160,8 @@ pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn rc_channels(autopilot: &Autopilot) -> MavMessage {
-    let channels = autopilot.sticks().channels_us;
+    let mut channels = autopilot.sticks().channels_us;
+    channels[2] = autopilot.radio_throttle_us() as u16;
     MavMessage::RC_CHANNELS(RC_CHANNELS_DATA {
         time_boot_ms: boot_ms(autopilot),
         chan1_raw: channels[0],
@@ -144,7 +181,8 @@ pub(super) fn rc_channels(autopilot: &Autopilot) -> MavMessage {
 /// A copter without an airspeed sensor has no estimate of the wind.
 pub(super) fn wind(autopilot: &Autopilot) -> Option<MavMessage> {
     autopilot
-        .is_ready()
+        .boot
+        .is_over()
         .then(|| MavMessage::WIND(WIND_DATA::default()))
 }
 

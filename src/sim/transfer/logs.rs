@@ -200,7 +200,7 @@ impl Autopilot {
                 .battery
                 .remaining_percent(self.tuning.battery_capacity_mah)
                 as u8,
-            satellites: self.tuning.satellites,
+            satellites: self.tuning.faults.gps.satellites,
         }
     }
 }

@@ -1,0 +1,307 @@
+//! What happens between switching on and being ready, in seconds or like the real thing.
+
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+
+use super::autopilot::Autopilot;
+use super::estimator::{FLAGS_GIVEN_UP, FLAGS_GOOD};
+use super::mode::Mode;
+use super::telemetry;
+
+/// One event, and whether it waits for a GPS position; times are in hundredths of a second.
+type Entry = (u32, bool, Event);
+
+#[derive(Debug, Clone, Copy)]
+enum Event {
+    Say(&'static str),
+    /// Plain text on the serial ports, between the frames.
+    Print(&'static str),
+    /// The initialisation is over: back to the first mode.
+    Initialised,
+    /// The place is known: it becomes origin and home.
+    Origin,
+    Elevation,
+    /// The position can be flown by.
+    Ready,
+}
+
+use Event::{Elevation, Initialised, Origin, Print, Ready, Say};
+
+/// A boot that keeps nobody waiting.
+const QUICK: &[Entry] = &[
+    (30, false, Say("ArduPilot Ready")),
+    (50, false, Say("EKF3 IMU0 initialised")),
+    (120, true, Say("EKF3 IMU0 origin set")),
+    (120, true, Say("EKF3 IMU0 is using GPS")),
+    (120, true, Origin),
+    (120, true, Ready),
+];
+
+/// The boot of an `ArduCopter` in SITL, as it was measured 28 times.
+const REALISTIC: &[Entry] = &[
+    (
+        2,
+        false,
+        Print("\n\nInit ArduCopter V4.6.0-dev (sortie)\n\nFree RAM: 131072\nBooting 0/0\n"),
+    ),
+    (31, false, Say("Calibrating barometer")),
+    (105, false, Print("Init Gyro*")),
+    (110, false, Print("*\n")),
+    (191, false, Say("Barometer 1 calibration complete")),
+    (191, false, Say("Barometer 2 calibration complete")),
+    (243, false, Initialised),
+    (244, false, Say("ArduPilot Ready")),
+    (244, false, Say("AHRS: DCM active")),
+    (273, false, Say("RC7: SaveWaypoint LOW")),
+    (444, false, Say("EKF3 IMU0 initialised")),
+    (444, false, Say("EKF3 IMU1 initialised")),
+    (444, false, Say("AHRS: EKF3 active")),
+    (579, false, Say("EKF3 IMU0 tilt alignment complete")),
+    (579, false, Say("EKF3 IMU1 tilt alignment complete")),
+    (
+        589,
+        false,
+        Say("EKF3 IMU0 MAG0 initial yaw alignment complete"),
+    ),
+    (
+        589,
+        false,
+        Say("EKF3 IMU1 MAG0 initial yaw alignment complete"),
+    ),
+    (980, false, Say("GPS 1: probing for u-blox at 230400 baud")),
+    (982, false, Say("GPS 1: detected u-blox")),
+    (2001, true, Origin),
+    (2001, true, Say("EKF3 IMU0 origin set")),
+    (2004, true, Elevation),
+    (2020, true, Say("EKF3 IMU1 origin set")),
+    (4161, true, Say("EKF3 IMU0 is using GPS")),
+    (4161, true, Say("EKF3 IMU1 is using GPS")),
+    (4161, true, Ready),
+];
+
+/// Times of states that no event marks, in hundredths of a second.
+mod at {
+    pub(super) const FIRST_HEARTBEAT: u32 = 95;
+    pub(super) const INITIALISED: u32 = 243;
+    pub(super) const BATTERY_HEALTHY: u32 = 240;
+    pub(super) const COMPASS_HEALTHY: u32 = 240;
+    pub(super) const GYROS_HEALTHY: u32 = 190;
+    pub(super) const EKF_STARTED: u32 = 444;
+    pub(super) const ATTITUDE: u32 = 579;
+    pub(super) const ALIGNED: u32 = 589;
+    pub(super) const GPS_SEEN: u32 = 982;
+    pub(super) const GPS_FIXED: u32 = 1006;
+    pub(super) const ACCELS_CONSISTENT: u32 = 1210;
+    pub(super) const GYROS_CONSISTENT: u32 = 2250;
+    pub(super) const CHECKED: u32 = 2345;
+}
+
+/// How far the start has come.
+#[derive(Debug, Clone)]
+pub(super) struct Boot {
+    pub(super) realistic: bool,
+    /// Hundredths of a second; stands still while an event waits for the GPS.
+    clock: u32,
+    next: usize,
+    over: bool,
+    /// What is to be printed on the serial ports.
+    console: Vec<&'static str>,
+}
+
+impl Boot {
+    pub(super) fn new(realistic: bool) -> Self {
+        Self {
+            realistic,
+            clock: 0,
+            next: 0,
+            over: false,
+            console: Vec::new(),
+        }
+    }
+
+    /// Whether the position estimate has become good for the first time.
+    pub(super) fn is_over(&self) -> bool {
+        self.over
+    }
+
+    /// Whether the boot waits for the first ground station, as a SITL does.
+    pub(super) fn awaits_client(&self) -> bool {
+        self.realistic && self.clock == 0
+    }
+
+    /// Whether a message that is due cannot be sent yet.
+    pub(super) fn holds_back(&self, message_id: u32) -> bool {
+        let from = if message_id == 0 {
+            at::FIRST_HEARTBEAT
+        } else {
+            at::INITIALISED
+        };
+        self.is_before(from)
+    }
+
+    /// Whether the initialisation runs: the vehicle calls itself active.
+    pub(super) fn is_initialising(&self) -> bool {
+        self.is_before(at::INITIALISED)
+    }
+
+    /// `fix_type` and satellites of a receiver that has not come up yet.
+    pub(super) fn early_fix(&self) -> Option<(u8, u8)> {
+        if self.is_before(at::GPS_SEEN) {
+            Some((0, 0))
+        } else if self.is_before(at::GPS_FIXED) {
+            Some((1, 3))
+        } else {
+            None
+        }
+    }
+
+    /// Whether the attitude and position reference is healthy.
+    pub(super) fn has_reference(&self) -> bool {
+        self.over || (self.realistic && self.clock >= at::GYROS_CONSISTENT)
+    }
+
+    /// Whether the checks before arming have been made with a good result for modes that need no position.
+    pub(super) fn is_checked(&self) -> bool {
+        !self.is_before(at::CHECKED)
+    }
+
+    /// `EKF_STATUS_REPORT.flags` during the boot.
+    pub(super) fn flags(&self) -> u16 {
+        if self.over {
+            FLAGS_GOOD
+        } else if self.is_before(at::EKF_STARTED) {
+            0x0400
+        } else if self.is_before(at::ALIGNED) {
+            0
+        } else {
+            FLAGS_GIVEN_UP
+        }
+    }
+
+    /// Why the boot forbids arming, in the order of `ArduCopter`'s checks.
+    pub(super) fn obstacles(&self, mode: &Mode, has_home: bool) -> Vec<&'static str> {
+        let mut reasons = Vec::new();
+        if self.over {
+            return reasons;
+        }
+        if !self.realistic {
+            reasons.extend(self.reference_obstacle(mode));
+            return reasons;
+        }
+        let mut until = |time: u32, reason: &'static str| {
+            if self.is_before(time) {
+                reasons.push(reason);
+            }
+        };
+        if mode.controls_height {
+            until(at::ATTITUDE, "Need Alt Estimate");
+        }
+        if self.is_before(at::GYROS_HEALTHY) {
+            until(at::GYROS_HEALTHY, "Gyros not healthy");
+        } else if self.is_before(at::ACCELS_CONSISTENT) {
+            until(at::ACCELS_CONSISTENT, "Accels inconsistent");
+        } else {
+            until(at::GYROS_CONSISTENT, "Gyros inconsistent");
+        }
+        until(at::ATTITUDE, "EKF attitude is bad");
+        until(at::COMPASS_HEALTHY, "Compass not healthy");
+        if let Some(reason) = self.position_obstacle(mode, has_home) {
+            reasons.push(reason);
+        }
+        if self.is_before(at::BATTERY_HEALTHY) {
+            reasons.push("Battery 1 unhealthy");
+        }
+        reasons
+    }
+
+    /// What is missing for a position, in the checks that can be switched off.
+    fn position_obstacle(&self, mode: &Mode, has_home: bool) -> Option<&'static str> {
+        if mode.needs_position() {
+            return Some(if has_home {
+                "Need Position Estimate"
+            } else {
+                "AHRS: waiting for home"
+            });
+        }
+        self.reference_obstacle(mode)
+    }
+
+    /// What is missing in the checks that cannot be switched off.
+    pub(super) fn reference_obstacle(&self, mode: &Mode) -> Option<&'static str> {
+        if self.over {
+            None
+        } else if !self.realistic {
+            Some(if mode.needs_position() {
+                "Need Position Estimate"
+            } else {
+                "AHRS: waiting for home"
+            })
+        } else if self.is_before(at::EKF_STARTED) {
+            Some("AHRS: EKF3 not started")
+        } else if !mode.needs_position() {
+            None
+        } else if self.is_before(at::GPS_SEEN) {
+            Some("AHRS: EK3 sources require GPS")
+        } else {
+            Some("Need Position Estimate")
+        }
+    }
+
+    /// Takes what is to be printed.
+    pub(super) fn take_console(&mut self) -> Vec<&'static str> {
+        std::mem::take(&mut self.console)
+    }
+
+    fn is_before(&self, time: u32) -> bool {
+        self.realistic && self.clock < time
+    }
+
+    fn table(&self) -> &'static [Entry] {
+        if self.realistic { REALISTIC } else { QUICK }
+    }
+}
+
+impl Autopilot {
+    /// One step of the boot.
+    pub(super) fn step_boot(&mut self) {
+        if self.boot.over {
+            return;
+        }
+        let table = self.boot.table();
+        let gps = &self.tuning.faults.gps;
+        let blind = gps.disabled || gps.jammed || self.uptime() < gps.lock_after;
+        // The clock does not pass an event that waits for a position.
+        let holds = table
+            .get(self.boot.next)
+            .is_some_and(|(time, waits, _)| *waits && blind && self.boot.clock + 1 >= *time);
+        if holds {
+            return;
+        }
+        self.boot.clock += 1;
+        while let Some((_, _, event)) = table
+            .get(self.boot.next)
+            .filter(|(time, _, _)| *time <= self.boot.clock)
+        {
+            self.boot.next += 1;
+            self.pass(*event);
+        }
+    }
+
+    fn pass(&mut self, event: Event) {
+        match event {
+            Say(text) => self.say(MavSeverity::MAV_SEVERITY_INFO, text),
+            Print(text) => self.boot.console.push(text),
+            Initialised => {
+                self.go_back_to_first_mode();
+                let heartbeat: Option<MavMessage> = telemetry::message(0, self);
+                self.outbox.extend(heartbeat);
+            }
+            Origin => self.set_home(self.here()),
+            Elevation => {
+                let elevation_m = self.start.altitude_amsl_m;
+                let text = format!("Field Elevation Set: {elevation_m:.0}m");
+                self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+            }
+            Ready => self.boot.over = true,
+        }
+    }
+}

@@ -1,0 +1,447 @@
+//! What the autopilot believes of its own motion: the truth, and an error that faulty sensors bring about.
+//!
+//! The model keeps the error, not the estimate: where nothing is wrong the belief is the truth itself and costs
+//! nothing. Times, thresholds and texts are those measured at `ArduCopter`'s EKF3 in SITL: GPS innovations beyond a
+//! gate are rejected for ten seconds, after which the position jumps to the GPS; without GPS the estimate is blind,
+//! distrusted after seven seconds and given up after fifteen.
+
+mod barometer;
+mod compass;
+mod faults;
+mod gps;
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+
+use self::barometer::Barometer;
+use self::compass::Compass;
+pub(super) use self::faults::{Faults, RadioFault};
+pub(super) use self::gps::Fix;
+use self::gps::Receiver;
+use super::body::{Body, STEP_S};
+use super::texts;
+
+/// Without a GPS position for this long the horizontal estimate is not trusted; for this long, it is given up.
+const DISTRUSTED_AFTER: Duration = Duration::from_secs(7);
+const GIVEN_UP_AFTER: Duration = Duration::from_secs(15);
+/// A position that has been rejected for this long is adopted after all.
+const ADOPTED_AFTER: Duration = Duration::from_millis(9900);
+/// A glitch is reported after this long, and forgotten after this long without another.
+const GLITCH_AFTER: Duration = Duration::from_secs(1);
+const GLITCH_OVER_AFTER: Duration = Duration::from_secs(10);
+/// A new report enters the estimate this long after it has arrived (the fusion horizon).
+const FUSION_DELAY: Duration = Duration::from_millis(60);
+/// The position innovation that the test just bears (111 m gave a ratio of 28.7), and its growth per second
+/// without an accepted position.
+const GATE_M: f64 = 3.73;
+const GATE_GROWTH_PER_S: f64 = 0.0265;
+/// The velocity innovation that the test just bears.
+const GATE_M_S: f64 = 1.5;
+/// The position follows accepted reports with this time constant.
+const FOLLOWS_S: f64 = 1.5;
+/// An uncorrected estimate runs away like this: 0.4 m in 7 s.
+const BLIND_ACCEL_M_S2: f64 = 0.014;
+/// A vehicle that keeps level without a position leans by this much: it drifts at 0.19 m/s.
+const LEVEL_ERROR_M_S2: f64 = 0.05;
+/// A stuck accelerometer is noticed after this time; until then it enters the velocity by this share.
+const LANE_PATIENCE: Duration = Duration::from_millis(300);
+const STUCK_SHARE: f64 = 0.5;
+/// What it has brought about dies away with this time constant: the vehicle is displaced by 1.4 m in all.
+const CALM_S: f64 = 0.6;
+/// Errors below this are none.
+const NEGLIGIBLE_M: f64 = 1e-3;
+
+/// Flags of `EKF_STATUS_REPORT`: all good with GPS, without a trusted position, with a constant position.
+pub(super) const FLAGS_GOOD: u16 = 0x033F;
+const FLAGS_DISTRUSTED: u16 = 0x0025;
+pub(super) const FLAGS_GIVEN_UP: u16 = 0x00A7;
+const FLAG_HEIGHT: u16 = 0x0020;
+const FLAG_GLITCH: u16 = 0x8000;
+
+/// How far the horizontal position is trusted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Trust {
+    Good,
+    Distrusted,
+    GivenUp,
+}
+
+/// Test ratios (`EKF_STATUS_REPORT` calls them variances); from 1 on a measurement is rejected.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Ratios {
+    pub(super) velocity: f64,
+    pub(super) position: f64,
+    pub(super) height: f64,
+    pub(super) compass: f64,
+}
+
+/// What surrounds one step of the estimator.
+pub(super) struct Surroundings<'a> {
+    /// Since boot.
+    pub(super) now: Duration,
+    pub(super) truth: &'a Body,
+    pub(super) faults: &'a Faults,
+    pub(super) latitude_deg: f64,
+}
+
+/// The estimator of one vehicle.
+#[derive(Debug, Clone)]
+pub(super) struct Estimator {
+    /// Whether anything is or was wrong; else the belief is the truth.
+    disturbed: bool,
+    belief: Option<Box<Body>>,
+    /// Belief minus truth.
+    error_m: DVec3,
+    velocity_error_m_s: DVec3,
+    /// The direction in which this vehicle's imperfect sensors err.
+    bias: DVec2,
+    trust: Trust,
+    receiver: Receiver,
+    ratios: Ratios,
+    last_accepted: Duration,
+    /// Where the last accepted position was beside the truth.
+    accepted_m: DVec2,
+    rejecting_since: Option<Duration>,
+    last_rejected: Option<Duration>,
+    glitching: bool,
+    /// The EKF core in use.
+    lane: usize,
+    stuck_since: Option<Duration>,
+    /// What a stuck accelerometer has added to the velocity.
+    shake_m_s: DVec3,
+    barometer: Barometer,
+    compass: Compass,
+    /// What is reported while the position is given up: the last one that was known.
+    last_known_m: Option<DVec3>,
+}
+
+impl Estimator {
+    /// An estimator that is right; `seed` decides the direction of its small errors.
+    pub(super) fn new(seed: u64) -> Self {
+        let angle = (seed % 3600) as f64 * (std::f64::consts::TAU / 3600.0);
+        Self {
+            disturbed: false,
+            belief: None,
+            error_m: DVec3::ZERO,
+            velocity_error_m_s: DVec3::ZERO,
+            bias: DVec2::from_angle(angle),
+            trust: Trust::Good,
+            receiver: Receiver::new(seed),
+            ratios: Ratios::GOOD,
+            last_accepted: Duration::ZERO,
+            accepted_m: DVec2::ZERO,
+            rejecting_since: None,
+            last_rejected: None,
+            glitching: false,
+            lane: 0,
+            stuck_since: None,
+            shake_m_s: DVec3::ZERO,
+            barometer: Barometer::default(),
+            compass: Compass::default(),
+            last_known_m: None,
+        }
+    }
+
+    /// What the autopilot believes of a body.
+    pub(super) fn belief<'a>(&'a self, truth: &'a Body) -> &'a Body {
+        self.belief.as_deref().unwrap_or(truth)
+    }
+
+    /// Whether the horizontal position can be flown by.
+    pub(super) fn has_position(&self) -> bool {
+        self.trust == Trust::Good
+    }
+
+    /// Whether the position is still estimated at all, well or badly.
+    pub(super) fn is_aiding(&self) -> bool {
+        self.trust != Trust::GivenUp
+    }
+
+    /// The last known position, metres from the start, while the position is given up.
+    pub(super) fn last_known_m(&self) -> Option<DVec3> {
+        self.last_known_m
+    }
+
+    /// Whether the GPS contradicts the other sensors.
+    pub(super) fn is_glitching(&self) -> bool {
+        self.glitching
+    }
+
+    /// `EKF_STATUS_REPORT.flags`.
+    pub(super) fn flags(&self) -> u16 {
+        let mut flags = match self.trust {
+            Trust::Good => FLAGS_GOOD,
+            Trust::Distrusted => FLAGS_DISTRUSTED,
+            Trust::GivenUp => FLAGS_GIVEN_UP,
+        };
+        if self.barometer.lost {
+            flags &= !FLAG_HEIGHT;
+        }
+        if self.glitching {
+            flags |= FLAG_GLITCH;
+        }
+        flags
+    }
+
+    /// The test ratios.
+    pub(super) fn ratios(&self) -> Ratios {
+        self.ratios
+    }
+
+    /// What the GPS receiver reports, as the difference to the truth; `None`: nothing is the matter with it.
+    pub(super) fn fix(&self) -> Option<Fix> {
+        self.disturbed.then_some(self.receiver.fix)
+    }
+
+    /// The reading of the barometer beyond the truth, in metres up.
+    pub(super) fn barometer_offset_m(&self) -> f64 {
+        self.barometer.offset_m
+    }
+
+    /// Whether the first compass speaks.
+    pub(super) fn compass_is_healthy(&self) -> bool {
+        self.compass.healthy.unwrap_or(true)
+    }
+
+    /// The horizontal acceleration that a vehicle has which believes that it is level.
+    pub(super) fn level_error_m_s2(&self) -> DVec2 {
+        self.bias * LEVEL_ERROR_M_S2
+    }
+
+    /// Whether there is anything for [`Estimator::step`] to do.
+    pub(super) fn has_work(&self, faults: &Faults) -> bool {
+        self.disturbed || faults.any
+    }
+
+    /// Moves on by one step. Returns by how much the believed position has jumped, if it has.
+    pub(super) fn step(
+        &mut self,
+        around: &Surroundings<'_>,
+        outbox: &mut Vec<MavMessage>,
+    ) -> Option<DVec3> {
+        if !self.disturbed {
+            self.begin(around);
+        }
+        let mut jump = self.watch_gps(around, outbox);
+        self.watch_lanes(around, outbox);
+        let mut error_up_m = -self.error_m.z;
+        let height_m = around.truth.height_m();
+        let before_m = error_up_m;
+        if self
+            .barometer
+            .step(around.now, height_m, &mut error_up_m, around.faults)
+        {
+            jump.get_or_insert(DVec3::ZERO).z += before_m - error_up_m;
+        }
+        self.error_m.z = -error_up_m;
+        self.watch_compass(around, outbox);
+        self.end_if_quiet(around);
+        self.believe(around.truth);
+        jump
+    }
+
+    fn begin(&mut self, around: &Surroundings<'_>) {
+        self.disturbed = true;
+        self.last_accepted = Receiver::last_arrival(around.now, &around.faults.gps) + FUSION_DELAY;
+    }
+
+    fn end_if_quiet(&mut self, around: &Surroundings<'_>) {
+        let right = self.error_m.length() < NEGLIGIBLE_M && self.trust == Trust::Good;
+        let settled = self.barometer.is_settled() && self.compass.is_settled();
+        let known = self.receiver.fix.is_locked() && self.receiver.fix.offset_m == DVec3::ZERO;
+        if around.faults.any || !right || !settled || !known || self.glitching {
+            return;
+        }
+        if self.last_rejected.is_some() || self.shake_m_s != DVec3::ZERO {
+            return;
+        }
+        self.disturbed = false;
+        self.error_m = DVec3::ZERO;
+        self.velocity_error_m_s = DVec3::ZERO;
+        self.ratios = Ratios::GOOD;
+    }
+
+    fn believe(&mut self, truth: &Body) {
+        if !self.disturbed {
+            self.belief = None;
+            return;
+        }
+        let belief = self.belief.get_or_insert_with(|| Box::new(truth.clone()));
+        belief.as_mut().clone_from(truth);
+        belief.position_m += self.error_m;
+        belief.velocity_m_s += self.velocity_error_m_s + self.shake_m_s;
+    }
+
+    /// The GPS and what follows from it, or from its absence.
+    fn watch_gps(
+        &mut self,
+        around: &Surroundings<'_>,
+        outbox: &mut Vec<MavMessage>,
+    ) -> Option<DVec3> {
+        let now = around.now;
+        let arrived = self
+            .receiver
+            .step(now, around.latitude_deg, &around.faults.gps);
+        let jump = if arrived && self.receiver.fix.is_locked() {
+            self.fuse(now, outbox)
+        } else {
+            None
+        };
+        if now < self.last_accepted + Duration::from_millis(500) {
+            let way = (self.accepted_m - self.error_m.truncate()) * (STEP_S / FOLLOWS_S);
+            self.error_m += way.extend(0.0);
+        } else {
+            self.run_away(around.truth);
+        }
+        self.watch_glitches(now);
+        self.watch_trust(around, outbox);
+        jump
+    }
+
+    /// Takes in a position, or rejects it.
+    fn fuse(&mut self, now: Duration, outbox: &mut Vec<MavMessage>) -> Option<DVec3> {
+        let fix = self.receiver.fix;
+        let blind_s = now.saturating_sub(self.last_accepted).as_secs_f64();
+        let gate_m = GATE_M * (1.0 + GATE_GROWTH_PER_S * blind_s);
+        let innovation_m = (fix.offset_m - self.error_m).truncate();
+        self.ratios.position = innovation_m.length() / gate_m;
+        self.ratios.velocity = Ratios::GOOD.velocity + fix.velocity_offset_m_s.length() / GATE_M_S;
+        if self.trust == Trust::GivenUp {
+            for core in 0..2 {
+                let text = format!("EKF3 IMU{core} is using GPS");
+                texts::say(outbox, MavSeverity::MAV_SEVERITY_INFO, &text);
+            }
+        }
+        let late = self.trust != Trust::Good || now >= self.last_accepted + ADOPTED_AFTER;
+        if late {
+            let jump = innovation_m.extend(0.0);
+            self.error_m += jump;
+            self.accept(now);
+            return Some(jump);
+        }
+        if self.ratios.position < 1.0 && self.ratios.velocity < 1.0 {
+            self.accept(now);
+            return None;
+        }
+        if self.rejecting_since.is_none() {
+            self.rejecting_since = Some(now);
+            self.switch_lane(outbox);
+        }
+        self.last_rejected = Some(now);
+        None
+    }
+
+    fn accept(&mut self, now: Duration) {
+        self.last_accepted = now;
+        self.accepted_m = self.receiver.fix.offset_m.truncate();
+        self.rejecting_since = None;
+        self.trust = Trust::Good;
+        self.last_known_m = None;
+        self.velocity_error_m_s = DVec3::ZERO;
+    }
+
+    /// Without a position the estimate drifts away, unless the vehicle stands.
+    fn run_away(&mut self, truth: &Body) {
+        if truth.on_ground {
+            self.velocity_error_m_s = DVec3::ZERO;
+            return;
+        }
+        // The belief lags behind what really happens.
+        self.velocity_error_m_s -= (self.bias * (BLIND_ACCEL_M_S2 * STEP_S)).extend(0.0);
+        self.error_m += self.velocity_error_m_s * STEP_S;
+    }
+
+    fn watch_glitches(&mut self, now: Duration) {
+        if self
+            .rejecting_since
+            .is_some_and(|since| now >= since + GLITCH_AFTER)
+        {
+            self.glitching = true;
+        }
+        if self
+            .last_rejected
+            .is_some_and(|last| now >= last + GLITCH_OVER_AFTER)
+        {
+            self.last_rejected = None;
+            self.glitching = false;
+        }
+    }
+
+    fn watch_trust(&mut self, around: &Surroundings<'_>, outbox: &mut Vec<MavMessage>) {
+        let blind = around.now.saturating_sub(self.last_accepted);
+        if blind >= DISTRUSTED_AFTER && self.trust == Trust::Good && self.is_blind() {
+            self.trust = Trust::Distrusted;
+        }
+        if blind >= GIVEN_UP_AFTER && self.trust == Trust::Distrusted {
+            self.trust = Trust::GivenUp;
+            self.last_known_m = Some(around.truth.position_m + self.error_m);
+            for core in 0..2 {
+                let text = format!("EKF3 IMU{core} stopped aiding");
+                texts::say(outbox, MavSeverity::MAV_SEVERITY_WARNING, &text);
+            }
+        }
+    }
+
+    /// Whether no positions come, as opposed to bad ones.
+    fn is_blind(&self) -> bool {
+        !self.receiver.fix.is_locked()
+    }
+
+    /// An accelerometer that is stuck misleads its core until the other one takes over.
+    fn watch_lanes(&mut self, around: &Surroundings<'_>, outbox: &mut Vec<MavMessage>) {
+        let stuck = &around.faults.accelerometers_stuck_m_s2;
+        let other_works = stuck[1 - self.lane] == 0.0;
+        if stuck[self.lane] == 0.0 || !other_works {
+            self.stuck_since = None;
+            self.calm_down();
+            return;
+        }
+        let since = *self.stuck_since.get_or_insert(around.now);
+        let push = stuck[self.lane] * STUCK_SHARE * STEP_S;
+        self.shake_m_s += DVec3::new(push, push, 0.0);
+        if around.now >= since + LANE_PATIENCE {
+            self.switch_lane(outbox);
+            self.stuck_since = None;
+        }
+    }
+
+    /// The other core has been misled a little, too.
+    fn calm_down(&mut self) {
+        self.shake_m_s *= 1.0 - STEP_S / CALM_S;
+        if self.shake_m_s.length_squared() < NEGLIGIBLE_M {
+            self.shake_m_s = DVec3::ZERO;
+        }
+    }
+
+    fn switch_lane(&mut self, outbox: &mut Vec<MavMessage>) {
+        self.lane = 1 - self.lane;
+        self.velocity_error_m_s = DVec3::ZERO;
+        let text = format!("EKF3 lane switch {}", self.lane);
+        texts::say(outbox, MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+        let text = format!("EKF primary changed:{}", self.lane);
+        texts::say(outbox, MavSeverity::MAV_SEVERITY_WARNING, &text);
+    }
+
+    fn watch_compass(&mut self, around: &Surroundings<'_>, outbox: &mut Vec<MavMessage>) {
+        if let Some(next) = self.compass.step(around.now, around.faults) {
+            for core in 0..2 {
+                let text = format!("EKF3 IMU{core} switching to compass {next}");
+                texts::say(outbox, MavSeverity::MAV_SEVERITY_INFO, &text);
+            }
+        }
+        self.ratios.compass = self.compass.ratio(around.faults);
+        self.ratios.height = self.barometer.ratio;
+    }
+}
+
+impl Ratios {
+    /// In flight with everything in order.
+    pub(super) const GOOD: Self = Self {
+        velocity: 0.007,
+        position: 0.01,
+        height: 0.0,
+        compass: compass::GOOD,
+    };
+}

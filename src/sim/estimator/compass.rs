@@ -1,0 +1,87 @@
+//! Which compass the estimator uses, and how well it agrees with it.
+
+use std::time::Duration;
+
+use super::faults::Faults;
+
+/// A compass that fails or contradicts for this long is left for another one.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// A compass counts as unhealthy this long after its last word.
+const UNHEALTHY_AFTER: Duration = Duration::from_millis(500);
+/// The error that the innovation test just bears, in milligauss: 195 gave a test ratio of 1.286.
+const GATE_MGAUSS: f64 = 151.6;
+/// The test ratio of a good compass in flight.
+pub(super) const GOOD: f64 = 0.03;
+
+/// The estimator's compass.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Compass {
+    /// Counted from 0.
+    used: usize,
+    /// Since when the used one has been silent or contradicted.
+    bad_since: Option<Duration>,
+    /// Since when the first one, whose health the vehicle reports, has been silent.
+    silent_since: Option<Duration>,
+    pub(super) healthy: Option<bool>,
+    /// Learnt away when the compass was chosen, in milligauss.
+    learnt_mgauss: f64,
+    all_failed: bool,
+}
+
+impl Compass {
+    /// Looks at the compasses; the number of another one that the estimator now turns to.
+    pub(super) fn step(&mut self, now: Duration, faults: &Faults) -> Option<usize> {
+        self.watch_health(now, faults);
+        let failed = &faults.compasses_failed;
+        if failed.iter().all(|failed| *failed) {
+            self.all_failed = true;
+            return None;
+        }
+        if self.all_failed {
+            self.all_failed = false;
+            let first = failed.iter().position(|failed| !failed)?;
+            return Some(self.turn_to(first, faults));
+        }
+        let bad = failed[self.used] || self.ratio(faults) >= 1.0;
+        if !bad {
+            self.bad_since = None;
+            return None;
+        }
+        let since = *self.bad_since.get_or_insert(now);
+        if now < since + PATIENCE {
+            return None;
+        }
+        let next = (1..3)
+            .map(|step| (self.used + step) % 3)
+            .find(|&other| !failed[other])?;
+        Some(self.turn_to(next, faults))
+    }
+
+    /// The test ratio of the used compass.
+    pub(super) fn ratio(&self, faults: &Faults) -> f64 {
+        let off = faults.compass_errors_mgauss[self.used] - self.learnt_mgauss;
+        GOOD + off.abs() / GATE_MGAUSS
+    }
+
+    /// Whether nothing is out of the ordinary.
+    pub(super) fn is_settled(&self) -> bool {
+        self.bad_since.is_none() && self.healthy != Some(false) && self.learnt_mgauss == 0.0
+    }
+
+    fn turn_to(&mut self, next: usize, faults: &Faults) -> usize {
+        self.used = next;
+        self.bad_since = None;
+        self.learnt_mgauss = faults.compass_errors_mgauss[next];
+        next
+    }
+
+    fn watch_health(&mut self, now: Duration, faults: &Faults) {
+        if faults.compasses_failed[0] {
+            let since = *self.silent_since.get_or_insert(now);
+            self.healthy = Some(now < since + UNHEALTHY_AFTER);
+        } else {
+            self.silent_since = None;
+            self.healthy = None;
+        }
+    }
+}
