@@ -1,6 +1,9 @@
-//! Which messages one link gets, and how often.
+//! Which messages one serial port sends, and how often.
 
 use std::time::Duration;
+
+use super::Serial;
+use super::parameters::Parameters;
 
 /// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
 const SHORTEST_US: i64 = 3_000;
@@ -10,15 +13,15 @@ const HEARTBEAT_US: i64 = 1_000_000;
 /// Messages that are this many intervals late are given up.
 const LATE_INTERVALS: u64 = 4;
 
-/// The stream groups of `REQUEST_DATA_STREAM` with the messages of each.
-const STREAMS: &[(u8, &[u32])] = &[
-    (1, &[27, 116, 29]),
-    (2, &[1, 125, 152, 42, 24, 62, 87, 162]),
-    (3, &[36, 65]),
-    (6, &[32, 33]),
-    (10, &[30, 164, 178]),
-    (11, &[74]),
-    (12, &[2, 147, 163, 168, 193, 241]),
+/// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
+const STREAMS: &[(u8, &str, &[u32])] = &[
+    (1, "RAW_SENS", &[27, 116, 29]),
+    (2, "EXT_STAT", &[1, 125, 152, 42, 24, 62, 87, 162]),
+    (3, "RC_CHAN", &[36, 65]),
+    (6, "POSITION", &[32, 33]),
+    (10, "EXTRA1", &[30, 164, 178]),
+    (11, "EXTRA2", &[74]),
+    (12, "EXTRA3", &[2, 147, 163, 168, 193, 241]),
 ];
 /// The group that means all groups.
 const ALL_STREAMS: u8 = 0;
@@ -30,7 +33,7 @@ struct Entry {
     next_us: u64,
 }
 
-/// The intervals of one link.
+/// The intervals of one serial port.
 #[derive(Debug, Clone)]
 pub(super) struct Schedule {
     entries: Vec<Entry>,
@@ -47,6 +50,27 @@ impl Schedule {
         };
         schedule.set(HEARTBEAT, HEARTBEAT_US, now);
         schedule
+    }
+
+    /// What a serial port sends after boot: heartbeats, and the streams that its `SRn_` parameters ask for.
+    pub(super) fn booted(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
+        let mut schedule = Self::new(now);
+        for (group, name, _) in STREAMS {
+            let rate_hz = parameters.value(&format!("SR{}_{name}", serial.index()));
+            if rate_hz > 0.0 {
+                schedule.set_stream(*group, rate_hz as u16, now);
+            }
+        }
+        schedule
+    }
+
+    /// Somebody listens again after nobody did: everything is due at once, and once.
+    pub(super) fn resume(&mut self, now: Duration) {
+        let now_us = now.as_micros() as u64;
+        for entry in &mut self.entries {
+            entry.next_us = entry.next_us.max(now_us);
+        }
+        self.earliest_us = now_us;
     }
 
     /// Sets an interval in microseconds. 0 and -1 switch the message off; every other number that is too short
@@ -78,7 +102,7 @@ impl Schedule {
             0 => 0,
             rate => 1_000_000 / i64::from(rate),
         };
-        for (group, ids) in STREAMS {
+        for (group, _, ids) in STREAMS {
             if stream == ALL_STREAMS || stream == *group {
                 for &id in *ids {
                     self.set(id, interval_us, now);

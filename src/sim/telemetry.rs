@@ -100,7 +100,12 @@ mod tests {
     #[test]
     fn the_table_is_sorted_and_each_builder_makes_its_own_message() {
         assert!(TABLE.windows(2).all(|pair| pair[0].0 < pair[1].0));
-        let mut autopilot = Autopilot::new(1, crate::sim::tests::start(), Wind::new(0, 0));
+        let mut autopilot = Autopilot::new(
+            1,
+            crate::sim::tests::start(),
+            crate::sim::Airframe::shared_default(),
+            Wind::new(0, 0),
+        );
         for _ in 0..200 {
             autopilot.step();
         }

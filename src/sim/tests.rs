@@ -1,9 +1,12 @@
 //! The simulator as a ground station sees it.
 
+mod airframes;
 mod flight;
 mod ground;
 mod links;
 mod protocol;
+mod serials;
+mod signing;
 
 use super::*;
 

@@ -9,7 +9,12 @@ use crate::sim::wind::Wind;
 use crate::sim::{World, WorldConfig};
 
 fn autopilot(at: [f64; 3], velocity: [f64; 3], in_air: bool) -> Autopilot {
-    let mut autopilot = Autopilot::new(1, start(), Wind::new(0, 0));
+    let mut autopilot = Autopilot::new(
+        1,
+        start(),
+        crate::sim::Airframe::shared_default(),
+        Wind::new(0, 0),
+    );
     autopilot.body.position_m = DVec3::from_array(at);
     autopilot.body.velocity_m_s = DVec3::from_array(velocity);
     autopilot.body.on_ground = !in_air;
@@ -261,6 +266,7 @@ fn cost() {
         ..start()
     });
     let mut world = World::new(&WorldConfig {
+        airframes: Vec::new(),
         starts: starts.collect(),
         seed: 1,
         obstacles: vec![house(30.0, 5.0); 50],

@@ -4,8 +4,7 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::geo::LatLon;
-use crate::sim::autopilot::{Autopilot, Place};
-use crate::sim::parameters::Parameters;
+use crate::sim::autopilot::{Autopilot, Place, factory_parameters};
 use crate::sim::port::Link;
 use crate::sim::targets::altitude_amsl_m;
 
@@ -69,7 +68,7 @@ pub(super) fn storage(autopilot: &mut Autopilot, _: &mut Link, command: &Command
     if (command.p[0] - 2.0).abs() > f32::EPSILON {
         return MavResult::MAV_RESULT_DENIED;
     }
-    autopilot.parameters = Parameters::new(autopilot.system);
+    autopilot.parameters = factory_parameters(autopilot.system, &autopilot.airframe);
     autopilot.retune();
     autopilot.say(
         MavSeverity::MAV_SEVERITY_WARNING,

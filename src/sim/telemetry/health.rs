@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
     EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryChargeState,
     MavBatteryFunction, MavBatteryType, MavLandedState, MavMessage, MavModeFlag, MavPowerStatus,
-    MavProtocolCapability, MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavType,
-    MavVtolState, POWER_STATUS_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+    MavProtocolCapability, MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState,
+    POWER_STATUS_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
 };
 
 use super::{boot_ms, boot_us};
@@ -39,7 +39,7 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     }
     MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         custom_mode: u32::from(autopilot.mode.number),
-        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        mavtype: autopilot.airframe.vehicle_type(),
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         base_mode,
         system_status: if autopilot.failsafe.is_active() {
@@ -84,7 +84,7 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
         onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(present),
         onboard_control_sensors_enabled: MavSysStatusSensor::from_bits_truncate(enabled),
         onboard_control_sensors_health: MavSysStatusSensor::from_bits_truncate(health),
-        voltage_battery: (autopilot.tuning.battery_voltage_v * 1000.0) as u16,
+        voltage_battery: (autopilot.battery.voltage_v * 1000.0) as u16,
         current_battery: (autopilot.battery.current_a * 100.0) as i16,
         battery_remaining: remaining(autopilot),
         onboard_control_sensors_present_extended: none,
@@ -103,7 +103,7 @@ pub(super) fn system_time(autopilot: &Autopilot) -> MavMessage {
 
 pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
     let mut voltages = [u16::MAX; 10];
-    voltages[0] = (autopilot.tuning.battery_voltage_v * 1000.0) as u16;
+    voltages[0] = (autopilot.battery.voltage_v * 1000.0) as u16;
     MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
         current_consumed: autopilot.battery.consumed_mah as i32,
         energy_consumed: (autopilot.battery.consumed_wh * 36.0) as i32,

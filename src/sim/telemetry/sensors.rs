@@ -93,14 +93,20 @@ pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
-    let motor = (1000.0 + autopilot.body.throttle * 1000.0) as u16;
-    let servos = autopilot.servos_us;
+    let mut servos = autopilot.servos_us;
+    for (motor, servo) in servos
+        .iter_mut()
+        .enumerate()
+        .take(autopilot.airframe.motors())
+    {
+        *servo = autopilot.motor_pulse_us(motor);
+    }
     MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
         time_usec: autopilot.uptime().as_micros() as u32,
-        servo1_raw: motor,
-        servo2_raw: motor,
-        servo3_raw: motor,
-        servo4_raw: motor,
+        servo1_raw: servos[0],
+        servo2_raw: servos[1],
+        servo3_raw: servos[2],
+        servo4_raw: servos[3],
         servo5_raw: servos[4],
         servo6_raw: servos[5],
         servo7_raw: servos[6],

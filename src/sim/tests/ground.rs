@@ -30,6 +30,14 @@ impl Ground {
         Self::in_world(&WorldConfig::row(1, start()))
     }
 
+    /// Connected to a vehicle with an airframe.
+    pub(in crate::sim) fn flying(airframe: Arc<Airframe>) -> Self {
+        Self::in_world(&WorldConfig {
+            airframes: vec![airframe],
+            ..WorldConfig::row(1, start())
+        })
+    }
+
     /// Connected to the first vehicle of a world that has just begun.
     pub(in crate::sim) fn in_world(config: &WorldConfig) -> Self {
         let mut world = World::new(config);
@@ -65,7 +73,13 @@ impl Ground {
 
     /// Hovering at a height.
     pub(in crate::sim) fn hovering(height_m: f32) -> Self {
-        let mut ground = Self::armed();
+        Self::new().hover(height_m)
+    }
+
+    /// Armed, taken off and at rest at a height.
+    pub(in crate::sim) fn hover(self, height_m: f32) -> Self {
+        let mut ground = self;
+        ground.arm();
         ground.takeoff(height_m);
         ground.run(25.0 + f64::from(height_m) / 2.0);
         ground
