@@ -8,6 +8,9 @@ use crate::sim::tests::{Ground, start};
 use crate::sim::wind::Wind;
 use crate::sim::{World, WorldConfig};
 
+/// The size of the default airframe.
+const SIZE_M: f64 = 0.5;
+
 fn autopilot(at: [f64; 3], velocity: [f64; 3], in_air: bool) -> Autopilot {
     let mut autopilot = Autopilot::new(
         1,
@@ -43,7 +46,7 @@ fn pairs_by_hand(autopilots: &[Autopilot]) -> Vec<(usize, usize)> {
             let apart = a.body.position_m - b.body.position_m;
             let closing = (b.body.velocity_m_s - a.body.velocity_m_s).dot(apart) > 0.0;
             let flying = !(a.body.on_ground && b.body.on_ground);
-            if apart.length() < 2.0 * RADIUS_M && closing && flying {
+            if apart.length() < SIZE_M && closing && flying {
                 pairs.push((first, second));
             }
         }
