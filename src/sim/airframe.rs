@@ -124,6 +124,12 @@ impl Airframe {
         self.figures.mass_kg
     }
 
+    /// From one end of the propellers to the other, in metres. They reach beyond the motors: SITL's default quad of
+    /// 0.35 m is half a metre wide.
+    pub fn size_m(&self) -> f64 {
+        self.figures.diagonal_m * (0.5 / 0.35)
+    }
+
     /// The drag coefficients such that the reference flight is in balance (`SIM_Frame`'s `init`).
     fn derived(figures: Figures) -> Self {
         let (sin, cos) = figures.reference_lean_deg.to_radians().sin_cos();

@@ -21,12 +21,8 @@ use super::autopilot::Autopilot;
 use super::body::Body;
 use crate::geo::LatLon;
 
-/// Half of the size of a vehicle, across its propellers.
-const RADIUS_M: f64 = 0.25;
-/// From the feet, where the position of a vehicle is, to its middle.
-const FEET_M: DVec3 = DVec3::new(0.0, 0.0, -RADIUS_M);
-/// What a vehicle weighs, where only the ratio counts.
-const MASS_KG: f64 = 1.0;
+/// The largest radius that a vehicle may have here, in metres; what is larger counts as that large.
+const RADIUS_MAX_M: f64 = 5.0;
 /// The share of the speed with which bodies part again.
 const RESTITUTION: f64 = 0.3;
 /// A vehicle that comes down on an obstacle more slowly than this stands on it instead of breaking.
@@ -98,7 +94,7 @@ impl Collisions {
     /// Without vehicles yet; obstacles may be placed from the world's origin.
     pub(super) fn new(origin: Option<Start>, obstacles: &[Obstacle]) -> Self {
         Self {
-            obstacles: Obstacles::new(origin, obstacles, RADIUS_M),
+            obstacles: Obstacles::new(origin, obstacles, RADIUS_MAX_M),
             frames: Vec::new(),
             ..Self::default()
         }
@@ -134,11 +130,13 @@ impl Collisions {
 
     fn ball(&mut self, vehicle: usize, autopilot: &Autopilot) -> Ball {
         let body = &autopilot.body;
+        let radius_m = (0.5 * autopilot.airframe.size_m()).min(RADIUS_MAX_M);
+        let feet_m = self.offset(vehicle, autopilot.start) + body.position_m;
         Ball {
-            centre_m: self.offset(vehicle, autopilot.start) + body.position_m + FEET_M,
+            centre_m: feet_m - DVec3::Z * radius_m,
             velocity_m_s: body.velocity_m_s,
-            radius_m: RADIUS_M,
-            mass_kg: MASS_KG,
+            radius_m,
+            mass_kg: autopilot.airframe.mass_kg(),
             in_air: !body.on_ground,
             wrecked: body.wrecked,
         }
@@ -180,18 +178,22 @@ impl Collisions {
         let (balls, pairs) = (&self.balls, &mut self.pairs);
         pairs.clear();
         self.grid.fill(balls.iter().map(|ball| ball.centre_m));
+        let largest_m = balls
+            .iter()
+            .fold(0.0, |most: f64, ball| most.max(ball.radius_m));
         for (first, ball) in balls.iter().enumerate().filter(|(_, ball)| ball.in_air) {
-            self.grid.near(ball.centre_m, 2.0 * RADIUS_M, |second| {
-                let other = &balls[second];
-                // Of two in the air the earlier one finds the pair.
-                if second == first || (other.in_air && second < first) {
-                    return;
-                }
-                let reach_m = ball.radius_m + other.radius_m;
-                if ball.centre_m.distance_squared(other.centre_m) < reach_m * reach_m {
-                    pairs.push((first.min(second) as u32, first.max(second) as u32));
-                }
-            });
+            self.grid
+                .near(ball.centre_m, ball.radius_m + largest_m, |second| {
+                    let other = &balls[second];
+                    // Of two in the air the earlier one finds the pair.
+                    if second == first || (other.in_air && second < first) {
+                        return;
+                    }
+                    let reach_m = ball.radius_m + other.radius_m;
+                    if ball.centre_m.distance_squared(other.centre_m) < reach_m * reach_m {
+                        pairs.push((first.min(second) as u32, first.max(second) as u32));
+                    }
+                });
         }
         pairs.sort_unstable();
     }
@@ -246,7 +248,8 @@ impl Collisions {
 
     fn note(&mut self, at: Duration, vehicle: usize, with: Met, speed_m_s: f64) {
         let (start, offset) = self.frames[vehicle];
-        let own = self.balls[vehicle].centre_m - offset - FEET_M;
+        let ball = self.balls[vehicle];
+        let own = ball.centre_m + DVec3::Z * ball.radius_m - offset;
         self.events.push(Collision {
             at,
             vehicle,

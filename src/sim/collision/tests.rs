@@ -4,9 +4,12 @@ use mavlink::dialects::ardupilotmega::MavCmd;
 use proptest::prelude::*;
 
 use super::*;
+use crate::sim::WorldConfig;
 use crate::sim::tests::{Ground, start};
 use crate::sim::wind::Wind;
-use crate::sim::{World, WorldConfig};
+
+/// The size of the default airframe.
+const SIZE_M: f64 = 0.5;
 
 fn autopilot(at: [f64; 3], velocity: [f64; 3], in_air: bool) -> Autopilot {
     let mut autopilot = Autopilot::new(
@@ -43,7 +46,7 @@ fn pairs_by_hand(autopilots: &[Autopilot]) -> Vec<(usize, usize)> {
             let apart = a.body.position_m - b.body.position_m;
             let closing = (b.body.velocity_m_s - a.body.velocity_m_s).dot(apart) > 0.0;
             let flying = !(a.body.on_ground && b.body.on_ground);
-            if apart.length() < 2.0 * RADIUS_M && closing && flying {
+            if apart.length() < SIZE_M && closing && flying {
                 pairs.push((first, second));
             }
         }
@@ -254,39 +257,4 @@ fn a_vehicle_may_land_on_a_roof() {
     assert_eq!(ground.world.collisions(), []);
     let height_m = -ground.truth().position_ned_m[2];
     assert!((height_m - 5.0).abs() < 0.05, "{height_m}");
-}
-
-#[test]
-#[ignore = "a measurement"]
-fn cost() {
-    let starts = (0..2000).map(|i| crate::sim::Start {
-        at: start()
-            .at
-            .moved(5.0 * f64::from(i / 45), 5.0 * f64::from(i % 45)),
-        ..start()
-    });
-    let mut world = World::new(&WorldConfig {
-        airframes: Vec::new(),
-        realistic_boot: false,
-        starts: starts.collect(),
-        seed: 1,
-        obstacles: vec![house(30.0, 5.0); 50],
-    });
-    for slot in &mut world.slots {
-        slot.autopilot.body.position_m.z = -20.0;
-        slot.autopilot.body.on_ground = false;
-    }
-    let mut best = f64::MAX;
-    let mut all = f64::MAX;
-    for _ in 0..50 {
-        let begin = std::time::Instant::now();
-        for slot in &mut world.slots {
-            slot.step();
-        }
-        let stepped = std::time::Instant::now();
-        world.collide();
-        best = best.min(stepped.elapsed().as_secs_f64() * 1e6);
-        all = all.min((stepped - begin).as_secs_f64() * 1e6);
-    }
-    println!("pass {best:.1} us, step {all:.1} us");
 }
