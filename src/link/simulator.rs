@@ -9,26 +9,24 @@ use std::net::SocketAddr;
 use std::time::Duration;
 
 use tokio::io::DuplexStream;
-use tokio::net::{TcpListener, UdpSocket};
+use tokio::net::UdpSocket;
 use tokio::sync::watch;
 use tokio::task::{JoinHandle, coop::unconstrained, yield_now};
 use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
-use crate::sim::{STEP, Serial, World};
+use crate::sim::{STEP, World};
 use crate::text::Text;
 
 mod door;
+mod listen;
 #[cfg(test)]
 mod tests;
 
 use door::{Doors, PipeDoor, UdpDoor};
+use listen::open_servers;
 
-/// The ports of two vehicles are this far apart, as those of ArduPilot's SITL instances are.
-const PORT_STRIDE: usize = 10;
-/// How far the TCP ports of serial 0, 1 and 2 lie above the vehicle's first, as with ArduPilot's SITL.
-const SERIAL_OFFSETS: [usize; 3] = [0, 2, 3];
 /// From this many simulated seconds (of all vehicles together) per second on, steps are shared between threads.
 /// Below that one core does it easily, and waiting for another thread to be scheduled takes longer than the work.
 const SHARED_FROM: f64 = 20_000.0;
@@ -37,8 +35,6 @@ const PIPE_LEN: usize = 64 * 1024;
 /// Time that the machine did not give to the simulation is made up for up to this much at once; beyond it the
 /// simulation falls behind real time instead of never catching up.
 const CATCH_UP: Duration = Duration::from_millis(50);
-/// `EMFILE`.
-const TOO_MANY_OPEN_FILES: i32 = 24;
 /// The fastest pace.
 const SPEEDUP_MAX: f64 = 1000.0;
 /// At high speed, ground stations are served again after this many steps.
@@ -167,26 +163,15 @@ impl Simulator {
         if !(speedup > 0.0 && speedup <= SPEEDUP_MAX) {
             return Err(SimulatorError::Speedup(speedup));
         }
-        let mut doors = Doors::new();
-        let mut pipes = Vec::new();
-        let mut addresses = Vec::new();
-        let mut further_addresses = Vec::new();
+        let mut opened = Opened::default();
         for endpoint in endpoints {
-            match endpoint {
-                Endpoint::Pipes => pipes.extend(open_pipes(&mut doors, &mut world)),
-                Endpoint::Tcp { host, port } => {
-                    let opened = open_servers(&mut doors, world.vehicles(), host, *port).await?;
-                    for [zero, one, two] in opened {
-                        addresses.push(zero);
-                        further_addresses.push([one, two]);
-                    }
-                }
-                Endpoint::Udp { host, port } => {
-                    let socket = send_to(host, *port).await?;
-                    doors.stations.push(UdpDoor::new(socket, &mut world));
-                }
-            }
+            opened.open(endpoint, &mut world).await?;
         }
+        let Opened {
+            doors,
+            pipes,
+            addresses,
+        } = opened;
         // Without the exemption, tokio would make the sockets of late vehicles look idle in every round, after
         // those of early ones have used up the task's allowance.
         let (count, connections) = watch::channel(world.connections());
@@ -199,11 +184,37 @@ impl Simulator {
         let task = tokio::spawn(unconstrained(running.run(speedup, cancel)));
         Ok(Started {
             pipes,
-            addresses,
-            further_addresses,
+            addresses: addresses.iter().map(|[zero, ..]| *zero).collect(),
+            further_addresses: addresses.iter().map(|[_, one, two]| [*one, *two]).collect(),
             connections,
             task,
         })
+    }
+}
+
+/// The ways in, and their other ends.
+#[derive(Default)]
+struct Opened {
+    doors: Doors,
+    pipes: Vec<DuplexStream>,
+    addresses: Vec<[SocketAddr; 3]>,
+}
+
+impl Opened {
+    async fn open(&mut self, endpoint: &Endpoint, world: &mut World) -> Result<(), SimulatorError> {
+        let doors = &mut self.doors;
+        match endpoint {
+            Endpoint::Pipes => self.pipes.extend(open_pipes(doors, world)),
+            Endpoint::Tcp { host, port } => {
+                let opened = open_servers(doors, world.vehicles(), host, *port).await?;
+                self.addresses.extend(opened);
+            }
+            Endpoint::Udp { host, port } => {
+                let socket = send_to(host, *port).await?;
+                doors.stations.push(UdpDoor::new(socket, world));
+            }
+        }
+        Ok(())
     }
 }
 
@@ -216,83 +227,6 @@ fn open_pipes(doors: &mut Doors, world: &mut World) -> Vec<DuplexStream> {
             theirs
         })
         .collect()
-}
-
-/// Opens the TCP servers and returns where they listen, vehicle by vehicle.
-async fn open_servers(
-    doors: &mut Doors,
-    vehicles: usize,
-    host: &str,
-    first_port: u16,
-) -> Result<Vec<[SocketAddr; 3]>, SimulatorError> {
-    let listen = Listen {
-        host,
-        vehicles,
-        at: host_address(host, first_port).await?,
-    };
-    let last = usize::from(first_port) + PORT_STRIDE * vehicles.saturating_sub(1);
-    if first_port != 0 && last + SERIAL_OFFSETS[2] > usize::from(u16::MAX) {
-        return Err(SimulatorError::TooManyPorts {
-            vehicles,
-            port: first_port,
-        });
-    }
-    let mut addresses = Vec::with_capacity(vehicles);
-    for vehicle in 0..vehicles {
-        let mut own = [listen.at; 3];
-        for (serial, address) in Serial::ALL.into_iter().zip(&mut own) {
-            let above = PORT_STRIDE * vehicle + SERIAL_OFFSETS[serial.index()];
-            let port = match first_port {
-                0 => 0,
-                first => first.saturating_add(above as u16),
-            };
-            let listener = listen.on(port).await?;
-            *address = listener.local_addr().map_err(|e| listen.failure(port, e))?;
-            doors.servers.open(listener, vehicle, serial);
-        }
-        addresses.push(own);
-    }
-    Ok(addresses)
-}
-
-/// The address to listen on; a name is looked up once, not once per port.
-async fn host_address(host: &str, port: u16) -> Result<SocketAddr, SimulatorError> {
-    resolve(host, port)
-        .await
-        .map_err(|reason| SimulatorError::Listen {
-            host: host.to_owned(),
-            port,
-            source: io::Error::other(reason.to_string()),
-        })
-}
-
-/// Where servers listen, and for whom.
-struct Listen<'a> {
-    host: &'a str,
-    vehicles: usize,
-    at: SocketAddr,
-}
-
-impl Listen<'_> {
-    async fn on(&self, port: u16) -> Result<TcpListener, SimulatorError> {
-        TcpListener::bind(SocketAddr::new(self.at.ip(), port))
-            .await
-            .map_err(|error| self.failure(port, error))
-    }
-
-    fn failure(&self, port: u16, source: io::Error) -> SimulatorError {
-        let host = self.host.to_owned();
-        match source.kind() {
-            io::ErrorKind::AddrInUse => SimulatorError::PortInUse { host, port },
-            _ if source.raw_os_error() == Some(TOO_MANY_OPEN_FILES) => {
-                SimulatorError::TooManyFiles {
-                    vehicles: self.vehicles,
-                    needed: self.vehicles * Serial::ALL.len(),
-                }
-            }
-            _ => SimulatorError::Listen { host, port, source },
-        }
-    }
 }
 
 async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {

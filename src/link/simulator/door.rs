@@ -17,8 +17,11 @@ const CLIENT_CAP: usize = 16;
 /// Clients taken in per round, so that nobody can keep the world from being stepped by connecting.
 const ACCEPTS_PER_ROUND: usize = 64;
 const READ_LEN: usize = 4096;
-/// How often a door is read per round, so that nobody can keep the world from being stepped by talking.
-const READS_PER_ROUND: usize = 16;
+/// How often a stream is read per round, so that nobody can keep the world from being stepped by talking: far more
+/// comes through than through the fastest serial port.
+const READS_PER_ROUND: usize = 4;
+/// The same for datagrams, which are shorter.
+const DATAGRAMS_PER_ROUND: usize = 16;
 /// A buffer that has grown beyond this is given back once it is empty.
 const OUTPUT_KEPT: usize = 4096;
 /// What surely fits into one UDP packet of an Ethernet.
@@ -32,9 +35,8 @@ pub(super) struct Doors {
     input: Box<[u8; READ_LEN]>,
 }
 
-impl Doors {
-    /// None.
-    pub(super) fn new() -> Self {
+impl Default for Doors {
+    fn default() -> Self {
         Self {
             pipes: Vec::new(),
             servers: Servers::default(),
@@ -42,7 +44,9 @@ impl Doors {
             input: Box::new([0; READ_LEN]),
         }
     }
+}
 
+impl Doors {
     /// Gives the world what has come.
     pub(super) fn read(&mut self, world: &mut World) {
         let input = self.input.as_mut_slice();
@@ -268,7 +272,7 @@ impl UdpDoor {
 
     /// Every vehicle hears everything, as on a radio; each obeys what is addressed to it.
     fn read(&mut self, world: &mut World, input: &mut [u8]) {
-        for _ in 0..READS_PER_ROUND {
+        for _ in 0..DATAGRAMS_PER_ROUND {
             match self.socket.try_recv(input) {
                 Ok(len) => {
                     for &port in &self.ports {

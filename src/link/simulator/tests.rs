@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use mavlink::dialects::ardupilotmega::{COMMAND_LONG_DATA, MavCmd, MavMessage};
+use tokio::net::TcpListener;
 use tokio::time::advance;
 
 use super::*;

@@ -167,12 +167,12 @@ proptest! {
 
     #[test]
     fn valid_frames_with_random_fields_never_break_the_flight(
-        frames in prop::collection::vec((prop::sample::select(vec![11u32, 20, 21, 23, 43, 44, 66, 70, 75, 76, 82, 84, 86, 110, 111]), prop::collection::vec(any::<u8>(), 60), any::<bool>()), 1..80),
+        frames in prop::collection::vec((prop::sample::select(vec![11u32, 20, 21, 23, 43, 44, 66, 70, 75, 76, 82, 84, 86, 110, 111, 256]), prop::collection::vec(any::<u8>(), 60), any::<bool>()), 1..80),
         commands in prop::collection::vec((0u16..600, prop::array::uniform7(prop::num::f32::ANY)), 1..80),
     ) {
         let mut ground = Ground::hovering(10.0);
         for (id, mut payload, own) in frames {
-            if own && payload.len() > 50 { payload[30] = 1; payload[50] = 1; payload[4] = 1; }
+            if own && payload.len() > 50 { payload[30] = 1; payload[50] = 1; payload[4] = 1; payload[8] = 1; }
             ground.send(&Outgoing::Raw { id, payload });
             ground.run(0.05);
         }

@@ -1,12 +1,13 @@
 //! Several serial ports, and several ground stations on each.
 
 use mavlink::dialects::ardupilotmega::{
-    MavCmd, MavMessage, MavResult, PARAM_REQUEST_LIST_DATA, PARAM_REQUEST_READ_DATA,
+    COMMAND_LONG_DATA, MavCmd, MavMessage, MavResult, PARAM_REQUEST_LIST_DATA,
+    PARAM_REQUEST_READ_DATA,
 };
 use mavlink::types::CharArray;
 
 use super::*;
-use crate::wire::Decoder;
+use crate::wire::{Decoder, Encoder};
 
 const ATTITUDE: u32 = 30;
 const PARAM_VALUE: u32 = 22;
@@ -136,6 +137,33 @@ fn rates_in_parameters_count_from_the_next_boot_on() {
     let counts = ports.map(|port| count(&take(&mut ground.world, port), ATTITUDE));
     assert_eq!((counts[0], counts[2]), (0, 0));
     assert!((39..=41).contains(&counts[1]), "{counts:?}");
+}
+
+#[test]
+fn beyond_254_vehicles_system_ids_repeat_and_ports_tell_the_vehicles_apart() {
+    let mut world = World::new(&WorldConfig::row(300, start()));
+    let ports = [0, 253, 254, 299].map(|vehicle| world.connect(vehicle));
+    for _ in 0..200 {
+        world.step();
+    }
+    let systems = ports.map(|port| {
+        let (mut bytes, mut decoder) = (Vec::new(), Decoder::new());
+        world.take_output(port, &mut bytes);
+        decoder.push(&bytes);
+        decoder.next_frame().expect("a heartbeat").system
+    });
+    assert_eq!(systems, [1, 254, 1, 46]);
+    let mut bytes = Vec::new();
+    let arm = MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
+        command: MavCmd::MAV_CMD_DO_SET_MODE,
+        param1: 1.0,
+        param2: 4.0,
+        target_system: 1,
+        ..Default::default()
+    });
+    Encoder::new(255, 190).encode_message(&arm, &mut bytes);
+    world.receive(ports[2], &bytes);
+    assert_eq!((world.truth(0).mode, world.truth(254).mode), (0, 4));
 }
 
 #[test]
