@@ -4,6 +4,7 @@ mod airframes;
 mod flight;
 mod ground;
 mod links;
+mod numbers;
 mod protocol;
 
 use super::*;
