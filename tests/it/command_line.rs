@@ -236,6 +236,12 @@ fn faults_say_what_and_what_to_do() {
         (&["fly"], 1, &["needs a terminal"]),
         (&["sim", "--vehicles", "0"], 2, &["0"]),
         (&["sim", "--home", "91,0,0,0"], 2, &["latitude"]),
+        (
+            &["sim", "--frame", "Cargo.toml"],
+            2,
+            &["Cargo.toml:1:2: not JSON"],
+        ),
+        (&["sim", "--frame", "nowhere.json"], 2, &["nowhere.json"]),
         (&["bench", "decode", "Cargo.toml"], 1, &["byte 0", "tlog"]),
     ];
     for (arguments, code, words) in cases {
