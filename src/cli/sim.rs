@@ -50,7 +50,7 @@ pub(super) struct SimArguments {
         allow_hyphen_values = true
     )]
     home: Home,
-    /// The airframe of the vehicles: a frame file of ArduPilot's SITL (SIM_Frame JSON). Give the option once for all
+    /// The airframe of the vehicles: a frame file of ArduPilot's SITL, in JSON. Give the option once for all
     /// vehicles, or several times: one file per vehicle, the last one for all that follow.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,

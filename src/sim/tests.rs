@@ -8,6 +8,7 @@ mod files;
 mod flight;
 mod ground;
 mod links;
+mod numbers;
 mod protocol;
 mod serials;
 mod signing;

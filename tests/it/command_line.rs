@@ -242,6 +242,12 @@ fn faults_say_what_and_what_to_do() {
             1,
             &["600 vehicle(s)", "beyond 65535", "--tcp"],
         ),
+        (
+            &["sim", "--frame", "Cargo.toml"],
+            2,
+            &["Cargo.toml:1:2: not JSON"],
+        ),
+        (&["sim", "--frame", "nowhere.json"], 2, &["nowhere.json"]),
         (&["bench", "decode", "Cargo.toml"], 1, &["byte 0", "tlog"]),
     ];
     for (arguments, code, words) in cases {

@@ -204,16 +204,16 @@ impl File {
             }
             let label = name("vector");
             if let Some(thrust) = self.vector(&label)? {
-                if !(thrust.length() <= 10.0) {
+                if thrust.length() > 10.0 {
                     return Err(self.wrong(&label, "expected a direction of length 1"));
                 }
                 motor.thrust = thrust.try_normalize().unwrap_or(motor.thrust);
             }
             let label = name("yaw");
-            if let Some(spin) = self.number(&label, (-10.0, 10.0))? {
-                if spin != 0.0 {
-                    motor.spin = spin;
-                }
+            if let Some(spin) = self.number(&label, (-10.0, 10.0))?
+                && spin != 0.0
+            {
+                motor.spin = spin;
             }
         }
         Ok(())

@@ -9,8 +9,8 @@ const CALM: Conditions = Conditions {
 };
 
 /// A heavy octocopter with the figures of ArduPilot's Callisto.
-const HEAVY: &str = r##"
-# A comment with a "quote
+const HEAVY: &str = r#"
+# A comment with a "quote"
 {
     "mass": 32.5, "diagonal_size": 1.325,
     "refSpd": 25.0,    # m/s
@@ -18,7 +18,7 @@ const HEAVY: &str = r##"
     "refBatRes": 0.024, "maxVoltage": 50.4, "battCapacityAh": 44, "propExpo": 0.5,
     "refRotRate": 120, "hoverThrOut": 0.36, "pwmMin": 1000, "pwmMax": 1940, "spin_min": 0.2,
     "spin_max": 0.975, "slew_max": 75, "disc_area": 1.82, "mdrag_coef": 0.10, "num_motors": 8
-}"##;
+}"#;
 
 fn heavy() -> Airframe {
     let (airframe, warnings) = Airframe::from_json(HEAVY).expect("valid");
@@ -198,12 +198,11 @@ pub(in crate::sim) fn any_frame() -> impl Strategy<Value = Airframe> {
         proptest::array::uniform3(0.0..10.0_f64),
     )
         .prop_filter_map("loads", |(parts, count, inertia)| {
-            let mut text = file::tests::fields_at(&parts);
-            text.push_str(&format!(
-                "\"num_motors\": {}, \"moment_inertia\": {inertia:?}",
-                layout::COUNTS[count]
-            ));
-            Airframe::from_json(&format!("{{{text}}}")).ok()
+            let text = file::tests::fields_at(&parts);
+            let count = layout::COUNTS[count];
+            let text =
+                format!("{{{text}\"num_motors\": {count}, \"moment_inertia\": {inertia:?}}}");
+            Airframe::from_json(&text).ok()
         })
         .prop_map(|(airframe, _)| airframe)
 }

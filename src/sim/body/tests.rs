@@ -38,6 +38,8 @@ fn any_velocity() -> impl Strategy<Value = DVec3> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn without_power_no_energy_is_made(
         airframe in any_frame(),
