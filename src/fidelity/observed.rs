@@ -107,6 +107,18 @@ impl Observed {
                 self.origin
                     .get_or_insert((at, f64::from(data.altitude) / 1000.0));
             }
+            MavMessage::HEARTBEAT(data) => {
+                let armed = data
+                    .base_mode
+                    .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
+                self.note_heartbeat(at_s, data.custom_mode, armed);
+            }
+            _ => self.note_answer(at_s, message),
+        }
+    }
+
+    fn note_answer(&mut self, at_s: f64, message: &MavMessage) {
+        match message {
             MavMessage::COMMAND_ACK(data) => {
                 let name = format!("{:?}", data.command);
                 let name = name.trim_start_matches("MAV_CMD_");
@@ -125,12 +137,6 @@ impl Observed {
                 let text = String::from_utf8_lossy(&data.text[..]);
                 let text = text.trim_end_matches('\0');
                 self.texts.push(Said::text(at_s, data.severity as u8, text));
-            }
-            MavMessage::HEARTBEAT(data) => {
-                let armed = data
-                    .base_mode
-                    .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
-                self.note_heartbeat(at_s, data.custom_mode, armed);
             }
             _ => {}
         }

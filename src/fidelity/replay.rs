@@ -8,7 +8,9 @@ use mavlink::Message as _;
 use super::{Observed, Recording, Timed};
 use crate::geo::LatLon;
 use crate::sim::{STEP, Start, World, WorldConfig};
-use crate::wire::{AUTOPILOT_COMPONENT, Content, Decoder, Encoder, Outgoing, SystemId};
+use crate::wire::{
+    AUTOPILOT_COMPONENT, ComponentId, Content, Decoder, Encoder, Frame, Outgoing, SystemId,
+};
 
 /// The simulated vehicle's system id.
 const SYSTEM: u8 = 1;
@@ -33,8 +35,10 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     let mut world = World::new(&WorldConfig::row(1, start));
     let mut port = world.connect(0);
     let mut decoder = Decoder::new();
-    let mut encoders = BTreeMap::new();
-    let recorded = system_of(recording);
+    let mut ground = Ground {
+        encoders: BTreeMap::new(),
+        recorded: system_of(recording),
+    };
     let mut sent = recording.sent.iter().peekable();
     let mut heard = Vec::new();
     let mut bytes = Vec::new();
@@ -45,15 +49,9 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     while world.now() < end {
         let now = world.now();
         while let Some(Timed { frame, .. }) = sent.next_if(|next| next.at < now + STEP) {
-            if let Some(outgoing) = readdressed(&frame.content, recorded) {
-                let sender = (frame.system, frame.component);
-                let encoder = encoders
-                    .entry(sender)
-                    .or_insert_with(|| Encoder::new(sender.0, sender.1));
-                bytes.clear();
-                encoder.encode(&outgoing, &mut bytes);
-                world.receive(port, &bytes);
-            }
+            bytes.clear();
+            ground.encode(frame, &mut bytes);
+            world.receive(port, &bytes);
         }
         world.step();
         bytes.clear();
@@ -66,11 +64,34 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
             });
         }
         if !world.is_open(port) {
+            // The vehicle reboots. A recording that goes on has a ground station that connects again.
+            if world.now() + AFTERWARDS >= end {
+                break;
+            }
             world.disconnect(port);
             port = world.connect(0);
         }
     }
     heard
+}
+
+/// The ground stations of a recording, as the simulated vehicle hears them.
+struct Ground {
+    encoders: BTreeMap<(SystemId, ComponentId), Encoder>,
+    /// The recorded vehicle's system id.
+    recorded: SystemId,
+}
+
+impl Ground {
+    /// Says to the simulated vehicle what was said to the recorded one.
+    fn encode(&mut self, frame: &Frame, bytes: &mut Vec<u8>) {
+        if let Some(outgoing) = readdressed(&frame.content, self.recorded) {
+            let (system, component) = (frame.system, frame.component);
+            let encoder = self.encoders.entry((system, component));
+            let encoder = encoder.or_insert_with(|| Encoder::new(system, component));
+            encoder.encode(&outgoing, bytes);
+        }
+    }
 }
 
 /// The recorded vehicle's system id.

@@ -5,7 +5,7 @@
 
 use std::io::{BufRead as _, BufReader};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
 /// No script may take longer.
@@ -54,6 +54,18 @@ fn simulator(speedup: u8) -> (Running, String) {
     (Running(child), address)
 }
 
+/// How a process ended, if it did in time.
+fn end_of(process: &mut Child) -> Option<ExitStatus> {
+    let started = Instant::now();
+    while started.elapsed() < LIMIT {
+        if let Some(status) = process.try_wait().expect("waited for") {
+            return Some(status);
+        }
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    None
+}
+
 /// Runs a script against a vehicle of its own. `prefix` makes an address of HOST:PORT as the client spells it.
 fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
     let Some(python) = python_with(modules) else {
@@ -85,15 +97,7 @@ fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
             .expect("the interpreter was found before"),
     );
     let started = Instant::now();
-    let status = loop {
-        if let Some(status) = client.0.try_wait().expect("waited for") {
-            break Some(status);
-        }
-        if started.elapsed() > LIMIT {
-            break None;
-        }
-        std::thread::sleep(Duration::from_millis(100));
-    };
+    let status = end_of(&mut client.0);
     let said = String::from_utf8_lossy(&std::fs::read(&log).expect("read")).into_owned();
     assert!(
         status.is_some_and(|status| status.success()),
