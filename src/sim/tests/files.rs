@@ -138,4 +138,11 @@ fn a_flight_leaves_a_log_that_can_be_downloaded_and_survives_a_reboot() {
         .collect();
     assert_eq!(log.len(), entry.size as usize);
     assert_eq!(&log[..7], &[0xA3, 0x95, 0x80, 0x80, 89, b'F', b'M']);
+    ground.long(MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, [1.0]);
+    ground.run(1.0);
+    ground.port = ground.world.connect(0);
+    ground.heartbeat();
+    let listed = ftp(&mut ground, [1, 0, 3, 4], 0, b"logs");
+    let listed = String::from_utf8_lossy(&listed[0].2).into_owned();
+    assert!(listed.contains("F00000001.BIN\t"), "{listed:?}");
 }
