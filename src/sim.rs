@@ -30,6 +30,7 @@ mod task;
 mod telemetry;
 mod texts;
 mod wind;
+mod workbench;
 mod yaw;
 
 #[cfg(test)]

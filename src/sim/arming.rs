@@ -49,6 +49,7 @@ impl Autopilot {
         if self.failsafe.battery_is_down() {
             reasons.push("Battery failsafe");
         }
+        reasons.extend(self.workbench.obstacles());
         reasons
     }
 

@@ -15,6 +15,7 @@ use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
 use super::task::{Act, Cockpit, Sticks, Task};
 use super::wind::Wind;
+use super::workbench::Workbench;
 use super::yaw::{YawControl, YawDemand};
 use super::{STEP, Start, texts};
 use crate::geo::LatLon;
@@ -70,6 +71,7 @@ pub(super) struct Autopilot {
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
     pub(super) radio: Radio,
+    pub(super) workbench: Workbench,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
     pub(super) board_id: u64,
@@ -109,6 +111,7 @@ impl Autopilot {
                 sticks: Sticks::RELEASED,
                 until: Duration::ZERO,
             },
+            workbench: Workbench::default(),
             servos_us: [0; 16],
             wind: own.0,
             board_id: own.1,
@@ -171,6 +174,7 @@ impl Autopilot {
         self.watch_ground();
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
+            self.watch_workbench();
         }
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();

@@ -46,17 +46,19 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
     match request {
         Request::Command(command) => {
             let result = commands::execute(autopilot, link, command);
+            let place = if commands::answers_first(command.number) {
+                link.replies.len()
+            } else {
+                0
+            };
             link.replies
-                .insert(0, acknowledgement(command, result, frame));
+                .insert(place, acknowledgement(command, result, frame));
         }
         Request::Setpoint(setpoint) => autopilot.take_setpoint(setpoint),
         Request::SetParameter { name, value } => {
             if let Some(parameter) = autopilot.parameters.set(name, *value) {
                 autopilot.retune();
-                let echo = PARAM_VALUE_DATA {
-                    param_index: BY_NAME,
-                    ..value_of(autopilot, &parameter)
-                };
+                let echo = unasked_parameter(autopilot, &parameter);
                 // Every link hears of the change.
                 autopilot.outbox.push(MavMessage::PARAM_VALUE(echo));
             }
@@ -181,6 +183,14 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
             param_id: data.param_id,
             ..value_of(autopilot, &parameter)
         }));
+    }
+}
+
+/// What `PARAM_VALUE` says of a parameter that was not asked for by its place.
+pub(super) fn unasked_parameter(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
+    PARAM_VALUE_DATA {
+        param_index: BY_NAME,
+        ..value_of(autopilot, parameter)
     }
 }
 

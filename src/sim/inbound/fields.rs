@@ -47,26 +47,22 @@ impl Request {
 fn long(data: &COMMAND_LONG_DATA) -> Addressed {
     command(
         data.target_system,
-        Command {
-            number: data.command as u16,
-            p: [data.param1, data.param2, data.param3, data.param4],
-            x: f64::from(data.param5),
-            y: f64::from(data.param6),
-            z: data.param7,
-            frame: None,
-        },
+        Command::from_long(
+            data.command as u16,
+            [data.param1, data.param2, data.param3, data.param4],
+            [data.param5, data.param6, data.param7],
+        ),
     )
 }
 
 fn int(data: &COMMAND_INT_DATA) -> Addressed {
-    let at = LatLon::from_e7(data.x, data.y);
     command(
         data.target_system,
         Command {
             number: data.command as u16,
             p: [data.param1, data.param2, data.param3, data.param4],
-            x: at.lat_deg,
-            y: at.lon_deg,
+            x: data.x,
+            y: data.y,
             z: data.z,
             frame: Some(data.frame as u8),
         },
@@ -193,22 +189,19 @@ fn by_hand(id: u32, payload: &Payload<'_>) -> Option<Addressed> {
 }
 
 fn command_by_hand(id: u32, payload: &Payload<'_>) -> Command {
-    let whole = id == 75;
-    let at = LatLon::from_e7(payload.integer(16), payload.integer(20));
-    let coordinate = |degrees: f64, at: usize| {
-        if whole {
-            degrees
-        } else {
-            f64::from(payload.float(at))
+    let number = payload.short(28);
+    let p = [0, 4, 8, 12].map(|at| payload.float(at));
+    if id == 75 {
+        Command {
+            number,
+            p,
+            x: payload.integer(16),
+            y: payload.integer(20),
+            z: payload.float(24),
+            frame: Some(payload.byte(32)),
         }
-    };
-    Command {
-        number: payload.short(28),
-        p: [0, 4, 8, 12].map(|at| payload.float(at)),
-        x: coordinate(at.lat_deg, 16),
-        y: coordinate(at.lon_deg, 20),
-        z: payload.float(24),
-        frame: whole.then(|| payload.byte(32)),
+    } else {
+        Command::from_long(number, p, [16, 20, 24].map(|at| payload.float(at)))
     }
 }
 
