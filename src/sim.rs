@@ -23,6 +23,7 @@ mod parameters;
 #[expect(dead_code, reason = "the lists are filled and flown next")]
 mod plan;
 mod port;
+mod radio;
 mod schedule;
 mod switching;
 mod targets;

@@ -13,7 +13,8 @@ use super::failsafe::{self, Failsafe};
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
-use super::task::{Act, Cockpit, Sticks, Task};
+use super::radio::Radio;
+use super::task::{Act, Cockpit, Pilot, Sticks, Task};
 use super::wind::Wind;
 use super::workbench::Workbench;
 use super::yaw::{YawControl, YawDemand};
@@ -43,13 +44,6 @@ pub(super) struct Speeds {
     pub(super) down_m_s: Option<f64>,
 }
 
-/// What a transmitter, or a ground station in its place, last said.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Radio {
-    pub(super) sticks: Sticks,
-    pub(super) until: Duration,
-}
-
 /// One vehicle.
 #[derive(Debug, Clone)]
 pub(super) struct Autopilot {
@@ -71,6 +65,8 @@ pub(super) struct Autopilot {
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
     pub(super) radio: Radio,
+    /// What the modes with a pilot remember.
+    pub(super) pilot: Pilot,
     pub(super) workbench: Workbench,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
@@ -107,10 +103,8 @@ impl Autopilot {
             battery: Battery::default(),
             home: None,
             plans: Plans::default(),
-            radio: Radio {
-                sticks: Sticks::RELEASED,
-                until: Duration::ZERO,
-            },
+            radio: Radio::default(),
+            pilot: Pilot::default(),
             workbench: Workbench::default(),
             servos_us: [0; 16],
             wind: own.0,
@@ -156,7 +150,12 @@ impl Autopilot {
         let system = self.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8;
         let own = (self.wind.clone(), self.board_id);
         let plans = std::mem::take(&mut self.plans);
-        *self = Self::booted(system, start, self.parameters.clone(), own);
+        let parameters = if self.workbench.erased {
+            Parameters::new(self.system)
+        } else {
+            self.parameters.clone()
+        };
+        *self = Self::booted(system, start, parameters, own);
         self.plans = plans;
         true
     }
@@ -175,6 +174,7 @@ impl Autopilot {
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
             self.watch_workbench();
+            self.watch_sticks();
         }
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
@@ -211,11 +211,7 @@ impl Autopilot {
 
     /// The sticks as they are now: released when nobody has moved them lately.
     pub(super) fn sticks(&self) -> Sticks {
-        if self.uptime() < self.radio.until {
-            self.radio.sticks
-        } else {
-            Sticks::RELEASED
-        }
+        self.radio.sticks(self.uptime())
     }
 
     /// Reads the parameters again after a change.
@@ -239,6 +235,7 @@ impl Autopilot {
             home_m: self.home_point(),
             now: self.uptime(),
             control: &mut self.control,
+            pilot: &mut self.pilot,
             body: &self.body,
             tuning: &self.tuning,
         };
@@ -254,19 +251,20 @@ impl Autopilot {
         let demand = match act {
             Act::Idle => Demand::Off,
             Act::Throttle(throttle) => Demand::Throttle(throttle),
+            Act::Accelerate(wanted) => Demand::Acceleration(wanted),
             Act::Fly => {
                 let lean_max = self.tuning.lean_max_rad;
                 Demand::Acceleration(self.control.demand(&self.body, lean_max))
             }
         };
         self.end_turn();
+        self.turn_by_stick();
         let wind = self.wind.step(self.body.height_m(), &self.tuning);
         if demand != Demand::Off || !self.body.on_ground {
             let moving = self.control.velocity_m_s.truncate();
             let here = self.body.position_m.truncate();
-            let rate = self
-                .yaw
-                .step(self.body.yaw_deg, moving, here, self.tuning.slew_yaw_deg_s);
+            let turning = (self.tuning.slew_yaw_deg_s, self.tuning.yaw_accel_deg_s2);
+            let rate = self.yaw.step(self.body.yaw_deg, moving, here, turning);
             self.body.turn(rate);
         }
         if let Some(impact_m_s) = self.body.step(demand, wind) {
@@ -288,10 +286,26 @@ impl Autopilot {
     fn end_turn(&mut self) {
         let until = match &self.task {
             Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
+            Task::Attitude(attitude) => attitude.until,
             _ => return,
         };
         if self.uptime() >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
             self.yaw.demand = YawDemand::Hold;
+        }
+    }
+
+    /// A yaw stick that is over turns the nose, also where the autopilot flies.
+    fn turn_by_stick(&mut self) {
+        let steered = matches!(self.task, Task::Piloted | Task::Manual);
+        let overridden = self.uptime() < self.radio.until;
+        if !self.safety.armed || !(steered || overridden) || self.mode.number == mode::BRAKE {
+            return;
+        }
+        let pilot = self.pilot.clone();
+        let rate = self.with_cockpit(|_, cockpit| pilot.turn_deg_s(cockpit));
+        let turning = matches!(self.yaw.demand, YawDemand::Stick(_));
+        if rate != 0.0 || turning {
+            self.yaw.demand = YawDemand::Stick(rate);
         }
     }
 

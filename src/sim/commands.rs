@@ -9,8 +9,7 @@ mod setup;
 mod streams;
 
 use mavlink::dialects::ardupilotmega::MavResult::{
-    self, MAV_RESULT_ACCEPTED as ACCEPTED, MAV_RESULT_DENIED as DENIED,
-    MAV_RESULT_FAILED as FAILED,
+    self, MAV_RESULT_ACCEPTED as ACCEPTED, MAV_RESULT_DENIED as DENIED, MAV_RESULT_FAILED as FAILED,
 };
 
 use super::autopilot::Autopilot;

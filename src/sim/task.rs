@@ -1,5 +1,6 @@
 //! What the autopilot is doing inside its mode: one small controller per task.
 
+mod attitude;
 mod landing;
 mod piloted;
 mod returning;
@@ -9,8 +10,9 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
+pub(super) use attitude::{Attitude, Lift};
 pub(super) use landing::Landing;
-pub(super) use piloted::Sticks;
+pub(super) use piloted::{Pilot, PilotRules, Sticks};
 pub(super) use returning::Returning;
 pub(super) use takeoff::Takeoff;
 
@@ -24,6 +26,8 @@ const BRAKE_ACCEL_M_S2: f64 = 7.5;
 /// What a task works with.
 pub(super) struct Cockpit<'a> {
     pub(super) control: &'a mut PositionControl,
+    /// What the modes with a pilot remember.
+    pub(super) pilot: &'a mut Pilot,
     /// What the autopilot believes of the body.
     pub(super) body: &'a Body,
     pub(super) tuning: &'a Tuning,
@@ -42,6 +46,8 @@ pub(super) enum Act {
     Fly,
     /// Idle on the ground.
     Idle,
+    /// An acceleration (north, east, down) by lean and thrust; gravity is not part of it.
+    Accelerate(DVec3),
     /// A throttle from 0 to 1, level.
     Throttle(f64),
 }
@@ -63,6 +69,8 @@ pub(super) enum Task {
     Velocity { wanted_m_s: DVec3, until: Duration },
     /// Accelerates, then stops and holds.
     Accelerate { wanted_m_s2: DVec3, until: Duration },
+    /// Leans as a ground station says.
+    Attitude(Attitude),
     /// Brakes hard and holds.
     Brake,
     /// Flies home and lands.
@@ -122,7 +130,8 @@ impl Task {
             Self::Land(landing) => return landing.step(cockpit),
             Self::Return(returning) => return returning.step(cockpit),
             Self::Piloted => return piloted::step(cockpit),
-            Self::Manual => return Act::Throttle(cockpit.sticks.throttle()),
+            Self::Manual => return piloted::manual(cockpit),
+            Self::Attitude(attitude) => return attitude.step(cockpit),
             Self::Goto {
                 goal_m,
                 drift_m_s,

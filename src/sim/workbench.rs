@@ -16,6 +16,11 @@ const COMPASSES: u8 = 0b111;
 const COUNTED_EVERY: Duration = Duration::from_secs(30);
 /// Home lies at most this far above or below the origin.
 const HOME_HEIGHT_MAX_M: f64 = 50_000.0;
+/// How often the workbench is looked after.
+const LOOK: Duration = Duration::from_millis(100);
+/// Slower than this, up or down, the vehicle hovers; how fast the throttle of that is learnt.
+const HOVER_CLIMB_M_S: f64 = 0.6;
+const HOVER_LEARNT_S: f64 = 10.0;
 /// The hover throttle is told if it moved by more than this in a flight.
 const HOVER_MOVED: f32 = 0.001;
 
@@ -33,8 +38,9 @@ pub(super) struct Workbench {
     pub(super) erased: bool,
     /// When BRAKE, entered by the pause button, turns into LOITER.
     pub(super) brake_until: Option<Duration>,
-    /// The origin was set by a message instead of the GPS.
-    pub(super) flown: Duration,
+    /// Time in the air since the motors were armed, and the throttle that held the vehicle there.
+    flown: Duration,
+    hover: f64,
     counted: Duration,
     was_armed: bool,
 }
@@ -178,6 +184,7 @@ impl Autopilot {
         let armed = self.safety.armed;
         let landed_again = self.workbench.was_armed && !armed;
         self.workbench.was_armed = armed;
+        self.watch_hover();
         if landed_again {
             self.learn_hover();
         }
@@ -194,12 +201,29 @@ impl Autopilot {
         }
     }
 
+    /// Averages the throttle while the vehicle hovers, as `MOT_HOVER_LEARN` does.
+    fn watch_hover(&mut self) {
+        let still = self.body.velocity_m_s.z.abs() < HOVER_CLIMB_M_S;
+        if self.safety.landed || !still {
+            return;
+        }
+        let bench = &mut self.workbench;
+        if bench.flown.is_zero() {
+            bench.hover = self.tuning.pilot.hover();
+        }
+        bench.flown += LOOK;
+        bench.hover += (self.body.throttle - bench.hover) * LOOK.as_secs_f64() / HOVER_LEARNT_S;
+    }
+
     /// After a flight the throttle that held the vehicle is the new hover throttle.
     fn learn_hover(&mut self) {
-        let learned = self.body.hover_throttle() as f32;
+        let learned = self.workbench.hover as f32;
         let known = self.parameters.value("MOT_THST_HOVER") as f32;
-        if (learned - known).abs() > HOVER_MOVED && self.workbench.flown > COUNTED_EVERY {
-            self.store("MOT_THST_HOVER", learned);
+        let long_enough = self.workbench.flown > LOOK * 10;
+        self.workbench.flown = Duration::ZERO;
+        if long_enough && (learned - known).abs() > HOVER_MOVED {
+            self.store("MOT_THST_HOVER", learned.clamp(0.125, 0.6875));
+            self.retune();
         }
     }
 

@@ -24,10 +24,12 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
     let Some(place) = motion::place(autopilot, command, command.frame.unwrap_or(0)) else {
         return MavResult::MAV_RESULT_DENIED;
     };
-    done(autopilot.may_be_home(place) && {
-        autopilot.set_home(place);
-        true
-    })
+    done(
+        autopilot.may_be_home(place) && {
+            autopilot.set_home(place);
+            true
+        },
+    )
 }
 
 /// The system id of a vehicle to follow is stored; nothing follows it, since the mode is not enabled.

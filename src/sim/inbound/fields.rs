@@ -3,13 +3,13 @@
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{
-    COMMAND_INT_DATA, COMMAND_LONG_DATA, MavMessage, PARAM_SET_DATA,
+    COMMAND_INT_DATA, COMMAND_LONG_DATA, MavMessage, PARAM_SET_DATA, SET_ATTITUDE_TARGET_DATA,
     SET_POSITION_TARGET_GLOBAL_INT_DATA, SET_POSITION_TARGET_LOCAL_NED_DATA,
 };
 
 use crate::geo::LatLon;
 use crate::sim::commands::Command;
-use crate::sim::targets::{Point, Setpoint};
+use crate::sim::targets::{AttitudeTarget, Point, Setpoint};
 use crate::wire::Content;
 
 /// A request together with the system it is meant for.
@@ -24,6 +24,7 @@ pub(super) struct Addressed {
 pub(super) enum Request {
     Command(Command),
     Setpoint(Setpoint),
+    Attitude(AttitudeTarget),
     SetParameter { name: String, value: f32 },
 }
 
@@ -37,6 +38,7 @@ impl Request {
             Content::Message(MavMessage::SET_POSITION_TARGET_GLOBAL_INT(data)) => {
                 Some(global(data))
             }
+            Content::Message(MavMessage::SET_ATTITUDE_TARGET(data)) => Some(attitude(data)),
             Content::Message(MavMessage::PARAM_SET(data)) => Some(parameter(data)),
             Content::Message(_) | Content::Unknown { .. } => None,
             Content::Undecoded { id, payload } => by_hand(*id, &Payload(payload)),
@@ -109,6 +111,22 @@ fn global(data: &SET_POSITION_TARGET_GLOBAL_INT_DATA) -> Addressed {
     }
 }
 
+fn attitude(data: &SET_ATTITUDE_TARGET_DATA) -> Addressed {
+    Addressed {
+        to: data.target_system,
+        request: Request::Attitude(AttitudeTarget {
+            q: data.q,
+            rates_rad_s: [
+                data.body_roll_rate,
+                data.body_pitch_rate,
+                data.body_yaw_rate,
+            ],
+            thrust: data.thrust,
+            mask: data.type_mask.bits(),
+        }),
+    }
+}
+
 fn parameter(data: &PARAM_SET_DATA) -> Addressed {
     Addressed {
         to: data.target_system,
@@ -157,6 +175,17 @@ fn by_hand(id: u32, payload: &Payload<'_>) -> Option<Addressed> {
     let request = match id {
         23 => return Some(parameter_by_hand(payload)),
         75 | 76 => Request::Command(command_by_hand(id, payload)),
+        82 => {
+            return Some(Addressed {
+                to: payload.byte(36),
+                request: Request::Attitude(AttitudeTarget {
+                    q: [4, 8, 12, 16].map(|at| payload.float(at)),
+                    rates_rad_s: [20, 24, 28].map(|at| payload.float(at)),
+                    thrust: payload.float(32),
+                    mask: payload.byte(38),
+                }),
+            });
+        }
         84 | 86 => {
             let point = if id == 84 {
                 Point::Local(payload.vector(4))
