@@ -232,6 +232,7 @@ impl Autopilot {
         let mut cockpit = Cockpit {
             limits: limits(&self.tuning, self.speeds),
             sticks: self.sticks(),
+            piloted: self.uptime() < self.radio.until,
             home_m: self.home_point(),
             now: self.uptime(),
             control: &mut self.control,

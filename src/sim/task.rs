@@ -20,6 +20,9 @@ use super::body::{Body, STEP_S};
 use super::control::{Limits, PositionControl};
 use super::parameters::Tuning;
 
+/// The widest and the fastest circle.
+const CIRCLE_MAX_M: f64 = 2000.0;
+const CIRCLE_MAX_DEG_S: f64 = 90.0;
 /// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`).
 const BRAKE_ACCEL_M_S2: f64 = 7.5;
 
@@ -33,6 +36,8 @@ pub(super) struct Cockpit<'a> {
     pub(super) tuning: &'a Tuning,
     pub(super) limits: Limits,
     pub(super) sticks: Sticks,
+    /// A ground station speaks in the transmitter's place: the throttle is somebody's will.
+    pub(super) piloted: bool,
     /// Home, in metres north, east and down from the start.
     pub(super) home_m: DVec3,
     /// Since boot.
@@ -92,6 +97,9 @@ pub(super) struct Circle {
     pub(super) angle_rad: f64,
     pub(super) rate_rad_s: f64,
     pub(super) down_m: f64,
+    /// The pilot's pitch stick changes the radius, the roll stick the rate.
+    pub(super) radius_m: f64,
+    pub(super) asked_deg_s: f64,
 }
 
 impl Task {
@@ -119,6 +127,8 @@ impl Task {
             angle_rad: body.yaw_deg.to_radians() + std::f64::consts::PI,
             rate_rad_s: 0.0,
             down_m: body.position_m.z,
+            radius_m: tuning.circle_radius_m,
+            asked_deg_s: tuning.circle_rate_deg_s,
         })
     }
 
@@ -175,15 +185,35 @@ fn brake(cockpit: &mut Cockpit<'_>) {
 }
 
 impl Circle {
+    /// Pitch forward shrinks the circle at up to the cruise speed, roll turns it faster or slower by up to 1 degree
+    /// per second each second, throttle climbs.
+    fn obey_sticks(&mut self, cockpit: &Cockpit<'_>) {
+        let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
+        let channels = &cockpit.sticks.channels_us;
+        let (right, back) = (roll.off_centre(channels[0]), pitch.off_centre(channels[1]));
+        if back != 0.0 {
+            let grown_m = self.radius_m + back * cockpit.tuning.speed_m_s * STEP_S;
+            self.radius_m = grown_m.clamp(0.0, CIRCLE_MAX_M);
+        }
+        if right != 0.0 {
+            let faster = self.rate_rad_s.to_degrees() + right * STEP_S;
+            self.asked_deg_s = if self.asked_deg_s < 0.0 {
+                faster.clamp(-CIRCLE_MAX_DEG_S, 0.0)
+            } else {
+                faster.clamp(0.0, CIRCLE_MAX_DEG_S)
+            };
+        }
+        if cockpit.piloted {
+            self.down_m -= piloted::climb_m_s(cockpit) * STEP_S;
+        }
+    }
+
     fn step(&mut self, cockpit: &mut Cockpit<'_>) {
-        let radius_m = cockpit.tuning.circle_radius_m;
+        self.obey_sticks(cockpit);
+        let radius_m = self.radius_m;
         let most = (cockpit.limits.speed_m_s / radius_m.max(0.1))
             .min((0.5 * cockpit.limits.accel_m_s2 / radius_m.max(0.1)).sqrt());
-        let wanted = cockpit
-            .tuning
-            .circle_rate_deg_s
-            .to_radians()
-            .clamp(-most, most);
+        let wanted = self.asked_deg_s.to_radians().clamp(-most, most);
         let spin_up = 0.5 * cockpit.limits.accel_m_s2 / radius_m.max(1.0) * STEP_S;
         self.rate_rad_s += (wanted - self.rate_rad_s).clamp(-spin_up, spin_up);
         self.angle_rad += self.rate_rad_s * STEP_S;

@@ -3,7 +3,10 @@
 mod flight;
 mod ground;
 mod links;
+mod messages;
+mod piloted;
 mod protocol;
+mod sweep;
 
 use super::*;
 

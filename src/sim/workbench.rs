@@ -42,6 +42,8 @@ pub(super) struct Workbench {
     flown: Duration,
     hover: f64,
     counted: Duration,
+    /// Seconds in the air that are not yet stored.
+    flight_s: f64,
     was_armed: bool,
 }
 
@@ -179,25 +181,36 @@ impl Autopilot {
         self.count(now);
     }
 
-    /// Counts time in the air and since boot, and tells the counters as they are stored.
+    /// Counts time in the air and since boot, and tells the counters when they are stored: every 30 s and after a
+    /// flight.
     fn count(&mut self, now: Duration) {
         let armed = self.safety.armed;
         let landed_again = self.workbench.was_armed && !armed;
         self.workbench.was_armed = armed;
         self.watch_hover();
+        if !self.safety.landed {
+            self.workbench.flight_s += LOOK.as_secs_f64();
+        }
+        let due = now >= self.workbench.counted + COUNTED_EVERY;
+        if due || (landed_again && self.workbench.flight_s >= 1.0) {
+            let passed = now
+                .as_secs()
+                .saturating_sub(self.workbench.counted.as_secs()) as f64;
+            let flown = self.workbench.flight_s.floor();
+            self.workbench.counted = now;
+            self.workbench.flight_s -= flown;
+            self.add("STAT_FLTTIME", flown);
+            self.add("STAT_RUNTIME", passed);
+        }
         if landed_again {
             self.learn_hover();
         }
-        if now < self.workbench.counted + COUNTED_EVERY {
-            return;
-        }
-        let passed = now.saturating_sub(self.workbench.counted).as_secs() as f64;
-        self.workbench.counted = now;
-        let run = self.parameters.value("STAT_RUNTIME") + passed;
-        self.store("STAT_RUNTIME", run as f32);
-        if !self.safety.landed {
-            let flown = self.parameters.value("STAT_FLTTIME") + passed;
-            self.store("STAT_FLTTIME", flown as f32);
+    }
+
+    fn add(&mut self, name: &str, seconds: f64) {
+        if seconds > 0.0 {
+            let sum = self.parameters.value(name) + seconds;
+            self.store(name, sum as f32);
         }
     }
 

@@ -21,6 +21,9 @@ const POSITION_CONTROL: u32 = 0x4000;
 const AHRS: u32 = 0x0020_0000;
 const FENCE: u32 = 0x0010_0000;
 const PREARM_CHECK: u32 = 0x1000_0000;
+/// Missions, fences and rally points, parameters, `COMMAND_INT`, FTP, setpoints of attitude and position, terrain,
+/// flight termination, compass calibration, `MAVLink` 2.
+const CAPABILITIES: u64 = 0xFBEF;
 /// Estimator flags with a constant-position assumption, and with GPS.
 const EKF_WAITING: u16 = 0x00A7;
 const EKF_GOOD: u16 = 0x033F;
@@ -111,7 +114,7 @@ pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-fn remaining(autopilot: &Autopilot) -> i8 {
+pub(super) fn remaining(autopilot: &Autopilot) -> i8 {
     autopilot
         .battery
         .remaining_percent(autopilot.tuning.battery_capacity_mah)
@@ -165,23 +168,12 @@ pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Only what is served: no FTP, no missions, fences or rally points, no terrain, no attitude targets, no
-/// compass calibration.
-#[expect(
-    deprecated,
-    reason = "the bit that ArduCopter sets; its successor has the same meaning"
-)]
 pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     let mut uid2 = [0; 18];
     uid2[..8].copy_from_slice(&autopilot.board_id.to_le_bytes());
     uid2[8] = autopilot.system;
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
-        capabilities: MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_COMMAND_INT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MAVLINK2,
+        capabilities: MavProtocolCapability::from_bits_truncate(CAPABILITIES),
         uid: autopilot.board_id,
         flight_sw_version: 0x0406_0000,
         flight_custom_version: *b"sortie\0\0",
