@@ -54,6 +54,10 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
                 .insert(place, acknowledgement(command, result, frame));
         }
         Request::Setpoint(setpoint) => autopilot.take_setpoint(setpoint),
+        Request::SetMode { base, custom } if base & 1 == 1 => {
+            autopilot.set_mode(*custom as u8);
+        }
+        Request::SetMode { .. } => {}
         Request::Attitude(asked) => autopilot.take_attitude(asked),
         Request::SetParameter { name, value } => {
             if let Some(parameter) = autopilot.parameters.set(name, *value) {
@@ -88,12 +92,6 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
     match message {
         MavMessage::HEARTBEAT(_) if frame.system == autopilot.tuning.ground_station => {
             autopilot.failsafe.heard = Some(autopilot.uptime());
-        }
-        MavMessage::SET_MODE(data) if own(data.target_system) => {
-            // No acknowledgement: the vehicle has none for this message.
-            if let Ok(number) = u8::try_from(data.custom_mode) {
-                autopilot.set_mode(number);
-            }
         }
         MavMessage::REQUEST_DATA_STREAM(data) if own(data.target_system) => {
             let rate = if data.start_stop == 0 {

@@ -93,18 +93,18 @@ impl StickRange {
     }
 
     /// How far a stick is from its end, 0 to 1; zero within the dead zone.
-    pub(super) fn from_end(&self, pulse_us: u16) -> f64 {
+    pub(super) fn pushed(&self, pulse_us: u16) -> f64 {
         let from = self.min + self.dead;
         let travel = (self.max - from).max(1.0);
         let share = ((f64::from(pulse_us) - from) / travel).clamp(0.0, 1.0);
         if self.sign < 0.0 { 1.0 - share } else { share }
     }
 
-    /// Where the middle of the stick is by [`from_end`](Self::from_end).
+    /// Where the middle of the stick is by [`pushed`](Self::pushed).
     pub(super) fn middle(&self) -> f64 {
         let from = self.min + self.dead;
         let travel = (self.max - from).max(1.0);
-        (((self.min + self.max) / 2.0 - from) / travel).clamp(0.05, 0.95)
+        ((f64::midpoint(self.min, self.max) - from) / travel).clamp(0.05, 0.95)
     }
 
     /// The pulse of a share of the whole travel.
@@ -230,7 +230,7 @@ impl Autopilot {
             }
         }
         let [.., throttle, yaw] = self.tuning.radio.sticks;
-        let low = throttle.from_end(sticks.channels_us[2]) <= 0.0;
+        let low = throttle.pushed(sticks.channels_us[2]) <= 0.0;
         let cornered = low && yaw.off_centre(sticks.channels_us[3]) > CORNER;
         if !cornered || self.safety.armed || !self.tuning.radio.rudder_arms {
             self.radio.corner = 0;
@@ -261,8 +261,8 @@ mod tests {
         // A stick at 1300 leans by 0.375 of the most: 11.25 of 30 degrees.
         assert!((roll.off_centre(1300) + 0.375).abs() < 1e-9);
         assert!(roll.off_centre(1515) == 0.0 && roll.off_centre(1485) == 0.0);
-        assert!((throttle.from_end(1700) - 670.0 / 970.0).abs() < 1e-9);
-        assert!(throttle.from_end(1020) == 0.0);
+        assert!((throttle.pushed(1700) - 670.0 / 970.0).abs() < 1e-9);
+        assert!(throttle.pushed(1020) == 0.0);
         assert!((throttle.middle() - 470.0 / 970.0).abs() < 1e-9);
     }
 

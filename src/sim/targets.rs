@@ -23,7 +23,7 @@ const NO_YAW_RATE: u8 = 0x04;
 const NO_THRUST: u8 = 0x40;
 const NO_ATTITUDE: u8 = 0x80;
 /// A quaternion may be off the unit length by this much.
-const UNIT_WITHIN: f32 = 1e-3;
+const UNIT_WITHIN: f64 = 1e-3;
 /// The bit of `GUID_OPTIONS` that makes the thrust of an attitude a thrust instead of a climb.
 const THRUST_AS_THRUST: i32 = 1 << 3;
 /// Velocities and accelerations beyond this stop the vehicle.
@@ -106,16 +106,14 @@ impl Autopilot {
         if !mode::is_guided(self.mode.number) || !self.safety.armed || !finite {
             return;
         }
-        let [w, x, y, z] = asked.q;
-        let length = (w * w + x * x + y * y + z * z).sqrt();
+        let q = quaternion(asked.q);
         let attitude = asked.mask & NO_ATTITUDE == 0;
-        let unit = (length - 1.0).abs() < UNIT_WITHIN;
+        let unit = (q.length() - 1.0).abs() < UNIT_WITHIN;
         if asked.mask & NO_THRUST != 0 || (attitude && !unit) {
             return;
         }
         self.paused = None;
         let of = |bit: u8, rate: f64| if asked.mask & bit == 0 { rate } else { 0.0 };
-        let q = DQuat::from_xyzw(f64::from(x), f64::from(y), f64::from(z), f64::from(w));
         let (yaw, pitch, roll) = q.normalize().to_euler(EulerRot::ZYX);
         let lean_rad = if attitude {
             DVec2::new(-pitch, roll)
@@ -264,4 +262,10 @@ fn is_frame_known(setpoint: &Setpoint) -> bool {
         Point::Local(_) => matches!(setpoint.frame, 1 | 7 | 8 | 9),
         Point::Global { .. } => matches!(setpoint.frame, 0 | 3 | 5 | 6 | 10 | 11),
     }
+}
+
+/// A quaternion in the order of `MAVLink`: the scalar first.
+fn quaternion(q: [f32; 4]) -> DQuat {
+    let [scalar, vector @ ..] = q.map(f64::from);
+    DQuat::from_vec4(DVec3::from_array(vector).extend(scalar))
 }

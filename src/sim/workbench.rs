@@ -26,6 +26,7 @@ const HOVER_MOVED: f32 = 0.001;
 
 /// Everything that is under way or set up by hand. It does not survive a reboot.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "independent switches")]
 pub(super) struct Workbench {
     pub(super) motor_test: Option<MotorTest>,
     pub(super) compasses: CompassCalibration,

@@ -37,7 +37,8 @@ pub(super) fn change_speed(
     command: &Command,
 ) -> MavResult {
     let [kind, speed, ..] = command.p.map(f64::from);
-    if !(speed > 0.0 && speed.is_finite()) || !mode::changes_speed(autopilot.mode.number) {
+    let able = mode::changes_speed(autopilot.mode.number);
+    if !(able && speed > 0.0 && speed.is_finite()) {
         return MavResult::MAV_RESULT_FAILED;
     }
     // The autopilot sets climb and descent together: asking for one resets the other. The kinds are compared

@@ -25,11 +25,23 @@ pub(super) enum Request {
     Command(Command),
     Setpoint(Setpoint),
     Attitude(AttitudeTarget),
-    SetParameter { name: String, value: f32 },
+    /// Base mode and custom mode of `SET_MODE`, which is not acknowledged.
+    SetMode {
+        base: u8,
+        custom: u32,
+    },
+    SetParameter {
+        name: String,
+        value: f32,
+    },
 }
 
 impl Request {
     /// The request of a frame, if it carries one.
+    #[expect(
+        deprecated,
+        reason = "ground stations in use still send what the dialect calls superseded"
+    )]
     pub(super) fn read(content: &Content) -> Option<Addressed> {
         match content {
             Content::Message(MavMessage::COMMAND_LONG(data)) => Some(long(data)),
@@ -40,6 +52,13 @@ impl Request {
             }
             Content::Message(MavMessage::SET_ATTITUDE_TARGET(data)) => Some(attitude(data)),
             Content::Message(MavMessage::PARAM_SET(data)) => Some(parameter(data)),
+            Content::Message(MavMessage::SET_MODE(data)) => Some(Addressed {
+                to: data.target_system,
+                request: Request::SetMode {
+                    base: data.base_mode.bits(),
+                    custom: data.custom_mode,
+                },
+            }),
             Content::Message(_) | Content::Unknown { .. } => None,
             Content::Undecoded { id, payload } => by_hand(*id, &Payload(payload)),
         }

@@ -248,7 +248,7 @@ pub(super) fn moved_landing(cockpit: &Cockpit<'_>, most_m_s: f64) -> DVec2 {
 pub(in crate::sim) fn climb_m_s(cockpit: &Cockpit<'_>) -> f64 {
     let rules = &cockpit.tuning.pilot;
     let throttle = &cockpit.tuning.radio.sticks[2];
-    let share = throttle.from_end(cockpit.sticks.channels_us[2]);
+    let share = throttle.pushed(cockpit.sticks.channels_us[2]);
     let (top, bottom) = (
         (throttle.middle() + rules.dead_throttle).min(0.99),
         (throttle.middle() - rules.dead_throttle).max(0.01),
@@ -372,7 +372,7 @@ fn loiter_still(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> A
 /// One step of a mode in which the throttle stick drives the motors.
 pub(super) fn manual(cockpit: &mut Cockpit<'_>) -> Act {
     let throttle = &cockpit.tuning.radio.sticks[2];
-    let share = throttle.from_end(cockpit.sticks.channels_us[2]);
+    let share = throttle.pushed(cockpit.sticks.channels_us[2]);
     if cockpit.body.on_ground && share <= 0.0 {
         return Act::Idle;
     }
