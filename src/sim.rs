@@ -6,7 +6,7 @@
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
-//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points, logs and signing are not
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points and logs are not
 //! simulated, and the vehicle does not claim them.
 
 mod arming;
@@ -25,6 +25,8 @@ mod plan;
 mod port;
 mod radio;
 mod schedule;
+mod signing;
+mod slot;
 mod switching;
 mod targets;
 mod task;
@@ -39,10 +41,8 @@ mod tests;
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavMessage;
-
 use self::autopilot::Autopilot;
-use self::port::Port;
+use self::slot::Slot;
 use self::wind::Wind;
 use crate::geo::{LatLon, wrap_360};
 
@@ -52,7 +52,7 @@ pub const STEP: Duration = Duration::from_millis(10);
 const ROW_SPACING_M: f64 = 5.0;
 /// Vehicles have the system ids 1 to 254 (255 is the ground station's); further vehicles begin again at 1 and can
 /// only be told apart by their ports.
-const SYSTEMS: usize = 254;
+pub const SYSTEMS: usize = 254;
 
 /// What a world consists of.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,11 +87,32 @@ pub struct Start {
     pub heading_deg: f64,
 }
 
+/// A serial port of a vehicle. Each has its own rates of telemetry.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Serial {
+    /// Where a cable is supposed to be: it accepts unsigned packets too.
+    Zero,
+    /// A radio.
+    One,
+    /// Another radio.
+    Two,
+}
+
+impl Serial {
+    /// All that a vehicle has.
+    pub const ALL: [Self; 3] = [Self::Zero, Self::One, Self::Two];
+
+    /// Its number, from 0.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
 /// A connection of a ground station to a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PortId {
     vehicle: usize,
-    serial: u64,
+    number: u64,
 }
 
 /// What really is the case, whatever the telemetry says: for tests and benches.
@@ -127,17 +148,12 @@ pub struct Truth {
     pub throttle: f64,
 }
 
-#[derive(Debug)]
-struct Slot {
-    autopilot: Autopilot,
-    ports: Vec<(u64, Port)>,
-}
-
 /// Vehicles and the ground stations on them.
 #[derive(Debug)]
 pub struct World {
     slots: Vec<Slot>,
-    next_serial: u64,
+    next_port: u64,
+    connections: usize,
     steps: u64,
 }
 
@@ -148,18 +164,15 @@ impl World {
             .starts
             .iter()
             .enumerate()
-            .map(|(vehicle, start)| Slot {
-                autopilot: Autopilot::new(
-                    (vehicle % SYSTEMS) as u8 + 1,
-                    *start,
-                    Wind::new(config.seed, vehicle as u64),
-                ),
-                ports: Vec::new(),
+            .map(|(vehicle, start)| {
+                let system = (vehicle % SYSTEMS) as u8 + 1;
+                Slot::new(system, *start, Wind::new(config.seed, vehicle as u64))
             })
             .collect();
         Self {
             slots,
-            next_serial: 0,
+            next_port: 0,
+            connections: 0,
             steps: 0,
         }
     }
@@ -174,64 +187,82 @@ impl World {
         STEP * u32::try_from(self.steps).unwrap_or(u32::MAX)
     }
 
-    /// Attaches a ground station to a vehicle, counted from 0. A port to a vehicle that does not exist is closed
-    /// from the start.
-    pub fn connect(&mut self, vehicle: usize) -> PortId {
-        let serial = self.next_serial;
-        self.next_serial += 1;
-        if let Some(slot) = self.slots.get_mut(vehicle) {
-            let port = Port::new(slot.autopilot.system, slot.autopilot.uptime());
-            slot.ports.push((serial, port));
+    /// From now on serial 0 of a vehicle that signs drops unsigned packets too, as its other ports do.
+    pub fn require_signatures(&mut self) {
+        for slot in &mut self.slots {
+            slot.require_signatures();
         }
-        PortId { vehicle, serial }
+    }
+
+    /// Attaches a ground station to serial 0 of a vehicle, counted from 0. A port to a vehicle that does not exist
+    /// is closed from the start.
+    pub fn connect(&mut self, vehicle: usize) -> PortId {
+        self.connect_to(vehicle, Serial::Zero)
+    }
+
+    /// Attaches a ground station to a serial port of a vehicle, counted from 0. Ground stations on the same serial
+    /// port get the same telemetry, at the rates that any of them has asked for; rates last until the vehicle
+    /// reboots, also when everybody has left. Answers go to the one who asked.
+    pub fn connect_to(&mut self, vehicle: usize, serial: Serial) -> PortId {
+        let number = self.next_port;
+        self.next_port += 1;
+        if let Some(slot) = self.slots.get_mut(vehicle) {
+            slot.connect(number, serial);
+            self.connections += 1;
+        }
+        PortId { vehicle, number }
     }
 
     /// Detaches a ground station. The vehicle flies on.
     pub fn disconnect(&mut self, port: PortId) {
-        if let Some(slot) = self.slots.get_mut(port.vehicle) {
-            slot.ports.retain(|(serial, _)| *serial != port.serial);
+        let slot = self.slots.get_mut(port.vehicle);
+        if slot.is_some_and(|slot| slot.disconnect(port.number)) {
+            self.connections -= 1;
         }
+    }
+
+    /// How many ground stations are attached and have not been detached.
+    pub fn connections(&self) -> usize {
+        self.connections
     }
 
     /// Whether the connection stands; a vehicle that reboots drops its connections.
     pub fn is_open(&self, port: PortId) -> bool {
         self.slots
             .get(port.vehicle)
-            .and_then(|slot| slot.ports.iter().find(|(serial, _)| *serial == port.serial))
-            .is_some_and(|(_, port)| port.open)
+            .is_some_and(|slot| slot.is_open(port.number))
     }
 
     /// Hands bytes to the vehicle. It handles them at once: the answers are ready for
     /// [`take_output`](Self::take_output).
     pub fn receive(&mut self, port: PortId, bytes: &[u8]) {
         if let Some(slot) = self.slots.get_mut(port.vehicle) {
-            let place = slot
-                .ports
-                .iter()
-                .position(|(serial, _)| *serial == port.serial);
-            if let Some(place) = place {
-                slot.with_port(place, |own, autopilot| own.receive(autopilot, bytes));
-            }
+            slot.receive(port.number, bytes);
         }
     }
 
     /// Advances every vehicle by [`STEP`] and sends what is due.
     pub fn step(&mut self) {
+        self.step_in_parts(1, |parts| {
+            for part in parts {
+                part.step();
+            }
+        });
+    }
+
+    /// [`World::step`] in parts that do not touch each other, so that `run` can step them at the same time. The
+    /// outcome is the same for any number of parts and any order. A part that is not stepped stands still.
+    pub fn step_in_parts(&mut self, parts: usize, run: impl FnOnce(Vec<Part<'_>>)) {
         self.steps += 1;
-        for slot in &mut self.slots {
-            slot.step();
-        }
+        let size = self.slots.len().div_ceil(parts.max(1)).max(1);
+        run(self.slots.chunks_mut(size).map(Part).collect());
     }
 
     /// Moves the bytes that wait for a ground station to the end of `into`. At most 256 KiB wait; beyond that whole
     /// frames are lost, telemetry first.
     pub fn take_output(&mut self, port: PortId, into: &mut Vec<u8>) {
         if let Some(slot) = self.slots.get_mut(port.vehicle) {
-            for (serial, own) in &mut slot.ports {
-                if *serial == port.serial {
-                    own.take_output(into);
-                }
-            }
+            slot.take_output(port.number, into);
         }
     }
 
@@ -244,44 +275,15 @@ impl World {
     }
 }
 
-impl Slot {
-    /// Works with one open port; what the vehicle then says to everybody reaches the others too.
-    fn with_port(
-        &mut self,
-        place: usize,
-        work: impl FnOnce(&mut Port, &mut Autopilot) -> Vec<MavMessage>,
-    ) {
-        let Some((_, own)) = self.ports.get_mut(place).filter(|(_, port)| port.open) else {
-            return;
-        };
-        let said = work(own, &mut self.autopilot);
-        if said.is_empty() {
-            return;
-        }
-        for (other, (_, port)) in self.ports.iter_mut().enumerate() {
-            if other != place && port.open {
-                port.broadcast(&said);
-            }
-        }
-    }
+/// Some of the vehicles of a world: see [`World::step_in_parts`].
+#[derive(Debug)]
+pub struct Part<'a>(&'a mut [Slot]);
 
-    fn step(&mut self) {
-        for place in 0..self.ports.len() {
-            self.with_port(place, Port::end_of_burst);
-        }
-        let autopilot = &mut self.autopilot;
-        autopilot.step();
-        let said = std::mem::take(&mut autopilot.outbox);
-        for (_, port) in &mut self.ports {
-            if port.open {
-                port.broadcast(&said);
-                port.step(autopilot);
-            }
-        }
-        if autopilot.take_reboot() {
-            for (_, port) in &mut self.ports {
-                port.open = false;
-            }
+impl Part<'_> {
+    /// Advances these vehicles by [`STEP`] and sends what is due.
+    pub fn step(self) {
+        for slot in self.0 {
+            slot.step();
         }
     }
 }

@@ -13,11 +13,13 @@ mod anatomy;
 mod decoder;
 mod encoder;
 mod loss;
+mod signature;
 
 pub use anatomy::Anatomy;
 pub use decoder::{Counters, Decoder};
 pub use encoder::{Encoder, Outgoing};
 pub use loss::LossMeter;
+pub use signature::{SigningKey, Stamp, is_signed_with};
 
 /// A MAVLink system id. 0 addresses everybody and is never a sender.
 pub type SystemId = u8;
@@ -56,7 +58,7 @@ pub struct Frame {
     pub sequence: u8,
     /// MAVLink 1 or 2.
     pub version: MavlinkVersion,
-    /// Whether a signature followed the frame (it is not verified here).
+    /// Whether a signature followed the frame ([`is_signed_with`] verifies it).
     pub signed: bool,
     /// Bytes on the wire, header, checksum and signature included.
     pub wire_len: u16,

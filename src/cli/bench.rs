@@ -9,6 +9,7 @@ use super::Failure;
 mod decode;
 mod frame;
 mod load;
+mod sim;
 
 /// What to measure.
 #[derive(Debug, Subcommand)]
@@ -19,6 +20,8 @@ pub(super) enum Bench {
     Frame(frame::FrameArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.
     Load(load::LoadArguments),
+    /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
+    Sim(sim::SimArguments),
 }
 
 /// Measures and prints.
@@ -27,5 +30,6 @@ pub(super) fn bench(bench: &Bench) -> Result<ExitCode, Failure> {
         Bench::Decode(options) => decode::decode(options),
         Bench::Frame(options) => frame::frame(options),
         Bench::Load(options) => load::load(options),
+        Bench::Sim(options) => sim::sim(options),
     }
 }

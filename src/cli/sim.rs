@@ -4,12 +4,13 @@ use std::process::ExitCode;
 use std::str::FromStr;
 
 use clap::Args;
+use nix::sys::resource::{Resource, getrlimit, setrlimit};
 use tokio_util::sync::CancellationToken;
 
 use super::{Failure, parse_speedup, runtime};
 use crate::geo::LatLon;
-use crate::link::{Endpoint, Simulator};
-use crate::sim::{Start, World, WorldConfig};
+use crate::link::{Endpoint, Simulator, Started};
+use crate::sim::{SYSTEMS, Start, World, WorldConfig};
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
@@ -17,15 +18,19 @@ use crate::sim::{Start, World, WorldConfig};
     sortie sim --vehicles 4\n  \
     sortie sim --udp 127.0.0.1:14550 --home 50.45,30.52,180,90")]
 pub(super) struct SimArguments {
-    /// How many vehicles; their system ids are 1 and up.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=250))]
-    vehicles: u8,
-    /// Serve TCP: vehicle i on PORT + 10 * i, as ArduPilot's SITL does. The default, on 127.0.0.1:5760.
+    /// How many vehicles; their system ids are 1 to 254 and then begin again at 1.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=5000))]
+    vehicles: u16,
+    /// Serve TCP: vehicle i on PORT + 10 * i (serial 0), and 2 and 3 above that (serial 1 and 2), as ArduPilot's
+    /// SITL does. The default, on 127.0.0.1:5760.
     #[arg(long, value_name = "HOST:PORT")]
     tcp: Option<HostPort>,
-    /// Send UDP to a ground station that listens there.
-    #[arg(long, value_name = "HOST:PORT")]
+    /// Send UDP to a ground station that listens there, often on port 14550.
+    #[arg(long, value_name = "HOST:PORT", value_parser = parse_target)]
     udp: Option<HostPort>,
+    /// Once a vehicle has a signing key, accept nothing unsigned on serial 0 either.
+    #[arg(long)]
+    strict_signing: bool,
     /// Simulated seconds per second.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
@@ -62,6 +67,16 @@ impl FromStr for HostPort {
             host: host.to_owned(),
             port,
         })
+    }
+}
+
+/// Somewhere to send to.
+fn parse_target(text: &str) -> Result<HostPort, String> {
+    match text.parse()? {
+        HostPort { port: 0, .. } => Err(
+            "nobody can be reached on port 0; give the one that the ground station listens on, often 14550".to_owned(),
+        ),
+        target => Ok(target),
     }
 }
 
@@ -108,24 +123,51 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
         });
         endpoints.push(Endpoint::Tcp { host, port });
     }
+    let mut world = World::new(&config);
+    if options.strict_signing {
+        world.require_signatures();
+    }
+    allow_many_files();
     runtime()?.block_on(async {
         let cancel = CancellationToken::new();
-        let started = Simulator::start(
-            World::new(&config),
-            options.speedup,
-            &endpoints,
-            cancel.clone(),
-        )
-        .await?;
-        for address in &started.addresses {
-            say!("serving {address}")?;
-        }
+        let started = Simulator::start(world, options.speedup, &endpoints, cancel.clone()).await?;
+        say_where(&started)?;
         if let Some(HostPort { host, port }) = &options.udp {
             say!("sending to {host}:{port} over UDP")?;
+        }
+        if usize::from(options.vehicles) > SYSTEMS {
+            say!("system ids repeat after {SYSTEMS}: tell the vehicles apart by their TCP ports")?;
         }
         say!("{} vehicle(s), end with Ctrl-C", options.vehicles)?;
         tokio::signal::ctrl_c().await?;
         cancel.cancel();
         Ok(ExitCode::SUCCESS)
     })
+}
+
+/// Every TCP server is an open file, and the usual limit of 1024 may be raised by anybody. What then still cannot
+/// be opened is told by the simulator.
+fn allow_many_files() {
+    if let Ok((_, hard)) = getrlimit(Resource::RLIMIT_NOFILE) {
+        let _ = setrlimit(Resource::RLIMIT_NOFILE, hard, hard);
+    }
+}
+
+/// Names the TCP ports: of a few vehicles each, of many the first and the last.
+fn say_where(started: &Started) -> Result<(), Failure> {
+    let all: Vec<_> = started
+        .addresses
+        .iter()
+        .zip(&started.further_addresses)
+        .collect();
+    let few = 10;
+    for (place, (address, [one, two])) in all.iter().enumerate() {
+        if all.len() <= few || place == 0 || place + 1 == all.len() {
+            let (one, two) = (one.port(), two.port());
+            say!("serving {address} (serial 1 and 2: {one} and {two})")?;
+        } else if place == 1 {
+            say!("serving {} more in between", all.len() - 2)?;
+        }
+    }
+    Ok(())
 }

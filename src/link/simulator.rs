@@ -10,43 +10,52 @@ use std::time::Duration;
 
 use tokio::io::DuplexStream;
 use tokio::net::{TcpListener, UdpSocket};
+use tokio::sync::watch;
 use tokio::task::{JoinHandle, coop::unconstrained, yield_now};
 use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
-use crate::sim::{STEP, World};
+use crate::sim::{STEP, Serial, World};
 use crate::text::Text;
 
 mod door;
 #[cfg(test)]
 mod tests;
 
-use door::{Doors, PipeDoor, TcpDoor, UdpDoor};
+use door::{Doors, PipeDoor, UdpDoor};
 
-/// Simulated ports are this far apart, as those of ArduPilot's SITL instances are.
+/// The ports of two vehicles are this far apart, as those of ArduPilot's SITL instances are.
 const PORT_STRIDE: usize = 10;
+/// How far the TCP ports of serial 0, 1 and 2 lie above the vehicle's first, as with ArduPilot's SITL.
+const SERIAL_OFFSETS: [usize; 3] = [0, 2, 3];
+/// From this many simulated seconds (of all vehicles together) per second on, steps are shared between threads.
+/// Below that one core does it easily, and waiting for another thread to be scheduled takes longer than the work.
+const SHARED_FROM: f64 = 20_000.0;
 /// How much a pipe holds in each direction.
 const PIPE_LEN: usize = 64 * 1024;
 /// Time that the machine did not give to the simulation is made up for up to this much at once; beyond it the
 /// simulation falls behind real time instead of never catching up.
 const CATCH_UP: Duration = Duration::from_millis(50);
+/// `EMFILE`.
+const TOO_MANY_OPEN_FILES: i32 = 24;
 /// At high speed, ground stations are served again after this many steps.
 const STEPS_PER_ROUND: usize = 10;
 
 /// How ground stations reach the vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Endpoint {
-    /// One pipe per vehicle within this program.
+    /// One pipe per vehicle within this program, on its serial 0.
     Pipes,
-    /// A TCP server per vehicle, for many clients each: vehicle i (from 0) on `port + 10 * i`.
+    /// TCP servers, for many clients each: serial 0, 1 and 2 of vehicle i (from 0) on `port + 10 * i`, and 2 and 3
+    /// above that.
     Tcp {
         /// The local address to listen on.
         host: String,
-        /// The first vehicle's port; 0 lets the system choose for each.
+        /// The first vehicle's serial 0; 0 lets the system choose every port.
         port: u16,
     },
-    /// All vehicles send to one ground station by UDP. They share one socket: a ground station that answers
+    /// All vehicles send what serial 0 has to say to one ground station by UDP. They share one socket: a ground station that answers
     /// only the last address that it heard reaches them all.
     Udp {
         /// The ground station's name or IP address.
@@ -79,13 +88,24 @@ pub enum SimulatorError {
     },
     /// The last vehicle's port would be beyond 65535.
     #[error(
-        "{vehicles} vehicles from port {port} on need ports beyond 65535: choose a lower one with --tcp"
+        "{vehicles} vehicle(s) from port {port} on need ports beyond 65535: choose a lower one with --tcp"
     )]
     TooManyPorts {
         /// How many vehicles there are.
         vehicles: usize,
         /// The first vehicle's port.
         port: u16,
+    },
+    /// The system's limit of open files is too low for so many sockets.
+    #[error(
+        "{vehicles} vehicle(s) need {needed} sockets, more open files than this system allows: raise the limit \
+         (ulimit -n), fly fewer, or serve them over one socket with --udp"
+    )]
+    TooManyFiles {
+        /// How many vehicles there are.
+        vehicles: usize,
+        /// How many sockets they listen on.
+        needed: usize,
     },
     /// The ground station's address cannot be sent to.
     #[error("cannot send to {host}:{port} (see --udp): {reason}")]
@@ -118,8 +138,13 @@ pub struct Simulator;
 pub struct Started {
     /// One pipe per vehicle, in order, if they were asked for.
     pub pipes: Vec<DuplexStream>,
-    /// Where the TCP servers listen, in the order of the vehicles.
+    /// Where the TCP servers of serial 0 listen, in the order of the vehicles.
     pub addresses: Vec<SocketAddr>,
+    /// The same for serial 1 and 2.
+    pub further_addresses: Vec<[SocketAddr; 2]>,
+    /// How many ground stations are connected now (one that has a pipe, or is sent to by UDP, counts for each
+    /// vehicle).
+    pub connections: watch::Receiver<usize>,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,
 }
@@ -140,15 +165,19 @@ impl Simulator {
         if !(speedup > 0.0 && speedup <= 1000.0) {
             return Err(SimulatorError::Speedup(speedup));
         }
-        let mut doors = Doors::default();
+        let mut doors = Doors::new();
         let mut pipes = Vec::new();
         let mut addresses = Vec::new();
+        let mut further_addresses = Vec::new();
         for endpoint in endpoints {
             match endpoint {
                 Endpoint::Pipes => pipes.extend(open_pipes(&mut doors, &mut world)),
                 Endpoint::Tcp { host, port } => {
                     let opened = open_servers(&mut doors, world.vehicles(), host, *port).await?;
-                    addresses.extend(opened);
+                    for [zero, one, two] in opened {
+                        addresses.push(zero);
+                        further_addresses.push([one, two]);
+                    }
                 }
                 Endpoint::Udp { host, port } => {
                     let socket = send_to(host, *port).await?;
@@ -158,10 +187,19 @@ impl Simulator {
         }
         // Without the exemption, tokio would make the sockets of late vehicles look idle in every round, after
         // those of early ones have used up the task's allowance.
-        let task = tokio::spawn(unconstrained(run(world, speedup, doors, cancel)));
+        let (count, connections) = watch::channel(world.connections());
+        let running = Running {
+            threads: threads(world.vehicles(), speedup),
+            world,
+            doors,
+            count,
+        };
+        let task = tokio::spawn(unconstrained(running.run(speedup, cancel)));
         Ok(Started {
             pipes,
             addresses,
+            further_addresses,
+            connections,
             task,
         })
     }
@@ -178,41 +216,81 @@ fn open_pipes(doors: &mut Doors, world: &mut World) -> Vec<DuplexStream> {
         .collect()
 }
 
-/// Opens a TCP server per vehicle and returns where they listen.
+/// Opens the TCP servers and returns where they listen, vehicle by vehicle.
 async fn open_servers(
     doors: &mut Doors,
     vehicles: usize,
     host: &str,
     first_port: u16,
-) -> Result<Vec<SocketAddr>, SimulatorError> {
-    let mut addresses = Vec::new();
-    for vehicle in 0..vehicles {
-        let port = match first_port {
-            0 => Some(0),
-            _ => u16::try_from(usize::from(first_port) + PORT_STRIDE * vehicle).ok(),
-        };
-        let port = port.ok_or(SimulatorError::TooManyPorts {
+) -> Result<Vec<[SocketAddr; 3]>, SimulatorError> {
+    let listen = Listen {
+        host,
+        vehicles,
+        at: host_address(host, first_port).await?,
+    };
+    let last = usize::from(first_port) + PORT_STRIDE * vehicles.saturating_sub(1);
+    if first_port != 0 && last + SERIAL_OFFSETS[2] > usize::from(u16::MAX) {
+        return Err(SimulatorError::TooManyPorts {
             vehicles,
             port: first_port,
-        })?;
-        let (listener, address) = listen(host, port).await?;
-        doors.servers.push(TcpDoor::new(listener, vehicle));
-        addresses.push(address);
+        });
+    }
+    let mut addresses = Vec::with_capacity(vehicles);
+    for vehicle in 0..vehicles {
+        let mut own = [listen.at; 3];
+        for (serial, address) in Serial::ALL.into_iter().zip(&mut own) {
+            let above = PORT_STRIDE * vehicle + SERIAL_OFFSETS[serial.index()];
+            let port = match first_port {
+                0 => 0,
+                first => first.saturating_add(above as u16),
+            };
+            let listener = listen.on(port).await?;
+            *address = listener.local_addr().map_err(|e| listen.failure(port, e))?;
+            doors.servers.open(listener, vehicle, serial);
+        }
+        addresses.push(own);
     }
     Ok(addresses)
 }
 
-async fn listen(host: &str, port: u16) -> Result<(TcpListener, SocketAddr), SimulatorError> {
-    let bound = TcpListener::bind((host, port)).await;
-    bound
-        .and_then(|listener| listener.local_addr().map(|address| (listener, address)))
-        .map_err(|source| {
-            let host = host.to_owned();
-            match source.kind() {
-                io::ErrorKind::AddrInUse => SimulatorError::PortInUse { host, port },
-                _ => SimulatorError::Listen { host, port, source },
-            }
+/// The address to listen on; a name is looked up once, not once per port.
+async fn host_address(host: &str, port: u16) -> Result<SocketAddr, SimulatorError> {
+    resolve(host, port)
+        .await
+        .map_err(|reason| SimulatorError::Listen {
+            host: host.to_owned(),
+            port,
+            source: io::Error::other(reason.to_string()),
         })
+}
+
+/// Where servers listen, and for whom.
+struct Listen<'a> {
+    host: &'a str,
+    vehicles: usize,
+    at: SocketAddr,
+}
+
+impl Listen<'_> {
+    async fn on(&self, port: u16) -> Result<TcpListener, SimulatorError> {
+        TcpListener::bind(SocketAddr::new(self.at.ip(), port))
+            .await
+            .map_err(|error| self.failure(port, error))
+    }
+
+    fn failure(&self, port: u16, source: io::Error) -> SimulatorError {
+        let host = self.host.to_owned();
+        match source.kind() {
+            io::ErrorKind::AddrInUse => SimulatorError::PortInUse { host, port },
+            _ if source.raw_os_error() == Some(TOO_MANY_OPEN_FILES) => {
+                SimulatorError::TooManyFiles {
+                    vehicles: self.vehicles,
+                    needed: self.vehicles * Serial::ALL.len(),
+                }
+            }
+            _ => SimulatorError::Listen { host, port, source },
+        }
+    }
 }
 
 async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
@@ -221,6 +299,10 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
         port,
         reason,
     };
+    if port == 0 {
+        let reason = "nobody can be reached on port 0; give the one that the ground station listens on, often 14550";
+        return Err(failure(reason.to_owned()));
+    }
     let target = resolve(host, port)
         .await
         .map_err(|reason| failure(reason.to_string()))?;
@@ -238,34 +320,81 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
     Ok(socket)
 }
 
-async fn run(mut world: World, speedup: f64, mut doors: Doors, cancel: CancellationToken) {
-    let mut wake = interval(STEP);
-    wake.set_missed_tick_behavior(MissedTickBehavior::Skip);
-    let mut last = Instant::now();
-    let mut owed = Duration::ZERO;
-    loop {
-        tokio::select! {
-            () = cancel.cancelled() => return,
-            _ = wake.tick() => {}
-        }
-        let now = Instant::now();
-        owed += (now - last).min(CATCH_UP).mul_f64(speedup);
-        last = now;
-        doors.read(&mut world);
-        let mut steps = 0;
-        while owed >= STEP {
-            owed -= STEP;
-            world.step();
-            steps += 1;
-            if steps % STEPS_PER_ROUND == 0 {
-                doors.write(&mut world);
-                yield_now().await;
-                if cancel.is_cancelled() {
-                    return;
-                }
-                doors.read(&mut world);
+/// How many threads step a world.
+fn threads(vehicles: usize, speedup: f64) -> usize {
+    if vehicles as f64 * speedup < SHARED_FROM {
+        return 1;
+    }
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// Steps a world on several threads. Vehicles do not touch each other within a step, so the outcome is the same.
+pub fn step_on_threads(world: &mut World, threads: usize) {
+    if threads < 2 {
+        world.step();
+        return;
+    }
+    world.step_in_parts(threads, |mut parts| {
+        let own = parts.pop();
+        std::thread::scope(|scope| {
+            for part in parts {
+                scope.spawn(|| part.step());
             }
+            if let Some(own) = own {
+                own.step();
+            }
+        });
+    });
+}
+
+/// A world with its doors.
+struct Running {
+    world: World,
+    doors: Doors,
+    count: watch::Sender<usize>,
+    threads: usize,
+}
+
+impl Running {
+    async fn run(mut self, speedup: f64, cancel: CancellationToken) {
+        let mut wake = interval(STEP);
+        wake.set_missed_tick_behavior(MissedTickBehavior::Skip);
+        let mut last = Instant::now();
+        let mut owed = Duration::ZERO;
+        loop {
+            tokio::select! {
+                () = cancel.cancelled() => return,
+                _ = wake.tick() => {}
+            }
+            let now = Instant::now();
+            owed += (now - last).min(CATCH_UP).mul_f64(speedup);
+            last = now;
+            self.doors.read(&mut self.world);
+            let mut steps = 0;
+            while owed >= STEP {
+                owed -= STEP;
+                step_on_threads(&mut self.world, self.threads);
+                steps += 1;
+                if steps % STEPS_PER_ROUND == 0 {
+                    self.doors.write(&mut self.world);
+                    yield_now().await;
+                    if cancel.is_cancelled() {
+                        return;
+                    }
+                    self.doors.read(&mut self.world);
+                }
+            }
+            self.doors.write(&mut self.world);
+            self.count_connections();
         }
-        doors.write(&mut world);
+    }
+
+    fn count_connections(&self) {
+        let now = self.world.connections();
+        self.count.send_if_modified(|count| {
+            let changed = *count != now;
+            *count = now;
+            changed
+        });
     }
 }

@@ -15,7 +15,7 @@ use super::commands::{self, Command};
 use super::parameters::Parameter;
 use super::port::Link;
 use super::radio::CHANNELS;
-use super::telemetry;
+use super::{signing, telemetry};
 use crate::geo::LatLon;
 use crate::wire::{Content, Frame, Outgoing};
 
@@ -113,6 +113,9 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         MavMessage::AUTOPILOT_VERSION_REQUEST(data) if own(data.target_system) => {
             link.replies
                 .extend(telemetry::message(148, autopilot).map(Into::into));
+        }
+        MavMessage::SETUP_SIGNING(data) if own(data.target_system) => {
+            signing::set_up(autopilot, link, data);
         }
         MavMessage::RC_CHANNELS_OVERRIDE(data)
             if own(data.target_system) && frame.system == autopilot.tuning.ground_station =>

@@ -50,35 +50,41 @@ pub(super) struct Parameter {
     pub(super) index: u16,
 }
 
-/// The values, in the order of the table. They survive a reboot.
+/// The values. They survive a reboot. Thousands of vehicles share the defaults: each keeps only what differs.
 #[derive(Debug, Clone)]
 pub(super) struct Parameters {
-    values: Vec<f32>,
+    /// Places in the table with values other than the default, in rising order.
+    changed: Vec<(u16, f32)>,
 }
 
 impl Parameters {
     /// Everything at its default, with the vehicle's own system id.
     pub(super) fn new(system: u8) -> Self {
         let mut all = Self {
-            values: TABLE.rows.iter().map(|row| row.default).collect(),
+            changed: Vec::new(),
         };
         all.set("SYSID_THISMAV", f32::from(system));
         all
     }
 
     /// How many there are.
+    #[expect(
+        clippy::unused_self,
+        reason = "that all vehicles have the same ones is known here only"
+    )]
     pub(super) fn count(&self) -> u16 {
-        self.values.len() as u16
+        TABLE.rows.len() as u16
     }
 
     /// The parameter at a place in the list.
     pub(super) fn at(&self, index: u16) -> Option<Parameter> {
         let row = TABLE.rows.get(usize::from(index))?;
-        let value = *self.values.get(usize::from(index))?;
+        let changed = self.changed_place(index).ok();
+        let changed = changed.and_then(|place| self.changed.get(place));
         Some(Parameter {
             name: row.name,
             kind: row.kind,
-            value,
+            value: changed.map_or(row.default, |(_, value)| *value),
             index,
         })
     }
@@ -96,8 +102,16 @@ impl Parameters {
             return None;
         }
         let parameter = self.named(name)?;
-        *self.values.get_mut(usize::from(parameter.index))? = parameter.kind.stored(value);
+        let changed = (parameter.index, parameter.kind.stored(value));
+        match self.changed_place(parameter.index) {
+            Ok(place) => self.changed[place] = changed,
+            Err(place) => self.changed.insert(place, changed),
+        }
         self.at(parameter.index)
+    }
+
+    fn changed_place(&self, index: u16) -> Result<usize, usize> {
+        self.changed.binary_search_by_key(&index, |(own, _)| *own)
     }
 
     /// The value of a parameter of the table.

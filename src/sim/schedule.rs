@@ -1,7 +1,9 @@
-//! Which messages one link gets, and how often.
+//! Which messages one serial port sends, and how often.
 
 use std::time::Duration;
 
+use super::Serial;
+use super::parameters::Parameters;
 use super::telemetry::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
 /// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
@@ -13,15 +15,19 @@ const TERRAIN_US: i64 = 2_000_000;
 /// Messages that are this many intervals late are given up.
 const LATE_INTERVALS: u64 = 4;
 
-/// The stream groups of `REQUEST_DATA_STREAM` with the messages of each.
-const STREAMS: &[(u8, &[u32])] = &[
-    (1, &[27, 116, 129, 29, 137]),
-    (2, &[1, 125, 152, 42, 24, 62, 87]),
-    (3, &[36, 65]),
-    (6, &[32, 33]),
-    (10, &[30, 164, 178]),
-    (11, &[74]),
-    (12, &[2, 147, 163, 168, 193, 241, TERRAIN_REQUEST, 11030]),
+/// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
+const STREAMS: &[(u8, &str, &[u32])] = &[
+    (1, "RAW_SENS", &[27, 116, 129, 29, 137]),
+    (2, "EXT_STAT", &[1, 125, 152, 42, 24, 62, 87]),
+    (3, "RC_CHAN", &[36, 65]),
+    (6, "POSITION", &[32, 33]),
+    (10, "EXTRA1", &[30, 164, 178]),
+    (11, "EXTRA2", &[74]),
+    (
+        12,
+        "EXTRA3",
+        &[2, 147, 163, 168, 193, 241, TERRAIN_REQUEST, 11030],
+    ),
 ];
 /// The group that means all groups.
 const ALL_STREAMS: u8 = 0;
@@ -33,7 +39,7 @@ struct Entry {
     next_us: u64,
 }
 
-/// The intervals of one link.
+/// The intervals of one serial port.
 #[derive(Debug, Clone)]
 pub(super) struct Schedule {
     entries: Vec<Entry>,
@@ -50,6 +56,27 @@ impl Schedule {
         };
         schedule.set(HEARTBEAT, HEARTBEAT_US, now);
         schedule
+    }
+
+    /// What a serial port sends after boot: heartbeats, and the streams that its `SRn_` parameters ask for.
+    pub(super) fn booted(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
+        let mut schedule = Self::new(now);
+        for (group, name, _) in STREAMS {
+            let rate_hz = parameters.value(&format!("SR{}_{name}", serial.index()));
+            if rate_hz > 0.0 {
+                schedule.set_stream(*group, rate_hz as u16, now);
+            }
+        }
+        schedule
+    }
+
+    /// Somebody listens again after nobody did: everything is due at once, and once.
+    pub(super) fn resume(&mut self, now: Duration) {
+        let now_us = now.as_micros() as u64;
+        for entry in &mut self.entries {
+            entry.next_us = entry.next_us.max(now_us);
+        }
+        self.earliest_us = now_us;
     }
 
     /// Sets an interval in microseconds. 0 and -1 switch the message off; every other number that is too short
@@ -80,6 +107,11 @@ impl Schedule {
 
     /// The interval of a message in microseconds, -1 when it is off.
     pub(super) fn interval_us(&self, id: u32) -> i64 {
+        let id = if id == TERRAIN_REQUEST {
+            TERRAIN_REPORT
+        } else {
+            id
+        };
         self.entries
             .iter()
             .find(|entry| entry.id == id)
@@ -92,7 +124,7 @@ impl Schedule {
             0 => 0,
             rate => 1_000_000 / i64::from(rate),
         };
-        for (group, ids) in STREAMS {
+        for (group, _, ids) in STREAMS {
             if stream == ALL_STREAMS || stream == *group {
                 for &id in *ids {
                     self.set(id, interval_us, now);

@@ -6,6 +6,8 @@ mod links;
 mod messages;
 mod piloted;
 mod protocol;
+mod serials;
+mod signing;
 mod sweep;
 
 use super::*;

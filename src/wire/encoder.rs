@@ -3,6 +3,8 @@
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::{MavlinkVersion, Message as _, calculate_crc};
 
+use super::decoder::FLAG_SIGNED;
+use super::signature::{self, SigningKey, Stamp};
 use super::{ComponentId, SystemId};
 
 /// What can be sent.
@@ -47,6 +49,8 @@ pub struct Encoder {
     component: ComponentId,
     sequence: u8,
     version: MavlinkVersion,
+    /// What the next frame is signed with.
+    seal: Option<(SigningKey, Stamp)>,
 }
 
 impl Encoder {
@@ -57,6 +61,7 @@ impl Encoder {
             component,
             sequence: 0,
             version: MavlinkVersion::V2,
+            seal: None,
         }
     }
 
@@ -70,37 +75,76 @@ impl Encoder {
         self.version = version;
     }
 
+    /// Signs the next frame, if it is a `MAVLink` 2 one.
+    pub fn sign_next(&mut self, key: &SigningKey, stamp: Stamp) {
+        self.seal = Some((*key, stamp));
+    }
+
     /// Appends one frame to `bytes` and returns its length. A message id above 255 cannot be said in
     /// MAVLink 1 and is sent as MAVLink 2.
     pub fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>) -> usize {
-        let id = outgoing.id();
-        let version = if id > 255 {
+        match outgoing {
+            Outgoing::Message(message) => self.encode_message(message, bytes),
+            Outgoing::Raw { id, payload: raw } => {
+                let version = self.version_for(*id);
+                let payload = &raw[..raw.len().min(255)];
+                let len = match version {
+                    MavlinkVersion::V1 => payload.len(),
+                    MavlinkVersion::V2 => without_trailing_zeros(payload),
+                };
+                // An empty payload still has one byte in MAVLink 2.
+                let payload = payload.get(..len).unwrap_or(&[0]);
+                self.frame(version, *id, payload, bytes)
+            }
+        }
+    }
+
+    /// [`Encoder::encode`] for a message that its owner keeps.
+    pub fn encode_message(&mut self, message: &MavMessage, bytes: &mut Vec<u8>) -> usize {
+        let id = message.message_id();
+        let version = self.version_for(id);
+        let mut payload = [0u8; 255];
+        let len = message.ser(version, &mut payload);
+        self.frame(version, id, &payload[..len], bytes)
+    }
+
+    fn version_for(&self, id: u32) -> MavlinkVersion {
+        if id > 255 {
             MavlinkVersion::V2
         } else {
             self.version
-        };
-        let mut payload = [0u8; 255];
-        let len = match outgoing {
-            Outgoing::Message(message) => message.ser(version, &mut payload),
-            Outgoing::Raw { payload: raw, .. } => {
-                let len = raw.len().min(payload.len());
-                payload[..len].copy_from_slice(&raw[..len]);
-                match version {
-                    MavlinkVersion::V1 => len,
-                    MavlinkVersion::V2 => without_trailing_zeros(&payload[..len]),
-                }
-            }
-        };
+        }
+    }
+
+    fn frame(
+        &mut self,
+        version: MavlinkVersion,
+        id: u32,
+        payload: &[u8],
+        bytes: &mut Vec<u8>,
+    ) -> usize {
+        let seal = self.seal.take().filter(|_| version == MavlinkVersion::V2);
         let start = bytes.len();
-        self.head(version, id, len as u8, bytes);
-        bytes.extend_from_slice(&payload[..len]);
+        self.head(version, (id, seal.is_some()), payload.len() as u8, bytes);
+        bytes.extend_from_slice(payload);
         let crc = calculate_crc(&bytes[start + 1..], MavMessage::extra_crc(id));
         bytes.extend_from_slice(&crc.to_le_bytes());
+        if let Some((key, stamp)) = seal {
+            stamp.append_to(bytes);
+            let hash = signature::hash(&key, &bytes[start..]);
+            bytes.extend_from_slice(&hash.unwrap_or_default());
+        }
         self.sequence = self.sequence.wrapping_add(1);
         bytes.len() - start
     }
 
-    fn head(&self, version: MavlinkVersion, id: u32, len: u8, bytes: &mut Vec<u8>) {
+    fn head(
+        &self,
+        version: MavlinkVersion,
+        (id, signed): (u32, bool),
+        len: u8,
+        bytes: &mut Vec<u8>,
+    ) {
         let sender = [self.sequence, self.system, self.component];
         let [id0, id1, id2, _] = id.to_le_bytes();
         match version {
@@ -110,7 +154,8 @@ impl Encoder {
                 bytes.push(id0);
             }
             MavlinkVersion::V2 => {
-                bytes.extend_from_slice(&[0xFD, len, 0, 0]);
+                let flags = if signed { FLAG_SIGNED } else { 0 };
+                bytes.extend_from_slice(&[0xFD, len, flags, 0]);
                 bytes.extend_from_slice(&sender);
                 bytes.extend_from_slice(&[id0, id1, id2]);
             }

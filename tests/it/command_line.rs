@@ -236,6 +236,12 @@ fn faults_say_what_and_what_to_do() {
         (&["fly"], 1, &["needs a terminal"]),
         (&["sim", "--vehicles", "0"], 2, &["0"]),
         (&["sim", "--home", "91,0,0,0"], 2, &["latitude"]),
+        (&["sim", "--udp", "127.0.0.1:0"], 2, &["port 0", "14550"]),
+        (
+            &["sim", "--tcp", "127.0.0.1:60000", "--vehicles", "600"],
+            1,
+            &["600 vehicle(s)", "beyond 65535", "--tcp"],
+        ),
         (&["bench", "decode", "Cargo.toml"], 1, &["byte 0", "tlog"]),
     ];
     for (arguments, code, words) in cases {
@@ -248,6 +254,31 @@ fn faults_say_what_and_what_to_do() {
                 "{arguments:?} does not say {word:?}: {said}"
             );
         }
+    }
+}
+
+#[test]
+fn the_simulator_is_measured_in_one_document() {
+    let output = sortie(&[
+        "bench",
+        "sim",
+        "--vehicles",
+        "1,3",
+        "--seconds",
+        "1",
+        "--json",
+    ]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one document");
+    assert_eq!(rows.as_array().map(Vec::len), Some(2));
+    assert_eq!(rows[1]["vehicles"], 3);
+    for field in [
+        "us_per_vehicle_step",
+        "core_percent",
+        "core_percent_per_vehicle",
+        "realtime_factor",
+    ] {
+        assert!(rows[1][field].as_f64().is_some_and(|x| x > 0.0), "{field}");
     }
 }
 

@@ -14,6 +14,7 @@ mod pty;
 mod recordings;
 mod screens;
 mod settings;
+mod simulator;
 mod terminal;
 mod terminals;
 mod texts;

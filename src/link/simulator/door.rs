@@ -1,49 +1,63 @@
 //! The ways into a simulated world. None of them ever waits.
 
 use std::io;
+use std::pin::Pin;
+use std::sync::Arc;
 
 use futures_util::FutureExt as _;
+use futures_util::stream::{FuturesUnordered, StreamExt as _};
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
 use tokio::net::{TcpListener, TcpStream, UdpSocket};
 
 use crate::link::tlog::frame_len;
-use crate::sim::{PortId, World};
+use crate::sim::{PortId, Serial, World};
 
-/// Clients per vehicle; further ones are turned away.
+/// Clients per TCP port; further ones are turned away.
 const CLIENT_CAP: usize = 16;
+/// Clients taken in per round, so that nobody can keep the world from being stepped by connecting.
+const ACCEPTS_PER_ROUND: usize = 64;
 const READ_LEN: usize = 4096;
 /// How often a door is read per round, so that nobody can keep the world from being stepped by talking.
 const READS_PER_ROUND: usize = 16;
+/// A buffer that has grown beyond this is given back once it is empty.
+const OUTPUT_KEPT: usize = 4096;
 /// What surely fits into one UDP packet of an Ethernet.
 const DATAGRAM_LEN: usize = 1400;
 
 /// All ways into a world.
-#[derive(Default)]
 pub(super) struct Doors {
     pub(super) pipes: Vec<PipeDoor>,
-    pub(super) servers: Vec<TcpDoor>,
+    pub(super) servers: Servers,
     pub(super) stations: Vec<UdpDoor>,
+    input: Box<[u8; READ_LEN]>,
 }
 
 impl Doors {
+    /// None.
+    pub(super) fn new() -> Self {
+        Self {
+            pipes: Vec::new(),
+            servers: Servers::default(),
+            stations: Vec::new(),
+            input: Box::new([0; READ_LEN]),
+        }
+    }
+
     /// Gives the world what has come.
     pub(super) fn read(&mut self, world: &mut World) {
-        self.pipes.retain_mut(|pipe| pipe.0.read(world));
-        for server in &mut self.servers {
-            server.accept(world);
-            server.clients.retain_mut(|client| client.read(world));
-        }
+        let input = self.input.as_mut_slice();
+        self.pipes.retain_mut(|pipe| pipe.0.read(world, input));
+        self.servers.accept(world);
+        self.servers.read(world, input);
         for station in &mut self.stations {
-            station.read(world);
+            station.read(world, input);
         }
     }
 
     /// Sends what the world has to say, as far as there is room.
     pub(super) fn write(&mut self, world: &mut World) {
         self.pipes.retain_mut(|pipe| pipe.write(world));
-        for server in &mut self.servers {
-            server.clients.retain_mut(|client| client.write(world));
-        }
+        self.servers.write(world);
         for station in &mut self.stations {
             station.write(world);
         }
@@ -97,11 +111,10 @@ impl<S: Stream> Client<S> {
     }
 
     /// Returns whether the client is still there.
-    fn read(&mut self, world: &mut World) -> bool {
-        let mut buffer = [0; READ_LEN];
+    fn read(&mut self, world: &mut World, input: &mut [u8]) -> bool {
         for _ in 0..READS_PER_ROUND {
-            match self.stream.try_read(&mut buffer) {
-                Ok(len) if len > 0 => world.receive(self.port, &buffer[..len]),
+            match self.stream.try_read(input) {
+                Ok(len) if len > 0 => world.receive(self.port, &input[..len]),
                 Err(error) if error.kind() == io::ErrorKind::WouldBlock => break,
                 _ => {
                     world.disconnect(self.port);
@@ -135,6 +148,9 @@ impl<S: Stream> Client<S> {
                 _ => self.output.clear(),
             }
         }
+        if self.output.capacity() > OUTPUT_KEPT {
+            self.output = Vec::new();
+        }
     }
 }
 
@@ -154,33 +170,82 @@ impl PipeDoor {
     }
 }
 
-/// A TCP server for one vehicle.
-pub(super) struct TcpDoor {
-    listener: TcpListener,
-    vehicle: usize,
-    clients: Vec<Client<TcpStream>>,
+type Accepted = (usize, io::Result<TcpStream>);
+
+/// The TCP servers and their clients. There may be thousands of servers: they are waited for rather than asked in
+/// turn.
+#[derive(Default)]
+pub(super) struct Servers {
+    listeners: Vec<Listener>,
+    accepting: FuturesUnordered<Pin<Box<dyn Future<Output = Accepted> + Send>>>,
+    /// With the places of their listeners.
+    clients: Vec<(usize, Client<TcpStream>)>,
 }
 
-impl TcpDoor {
-    pub(super) fn new(listener: TcpListener, vehicle: usize) -> Self {
-        Self {
-            listener,
+/// A TCP server for one serial port of a vehicle.
+struct Listener {
+    socket: Arc<TcpListener>,
+    vehicle: usize,
+    serial: Serial,
+    clients: usize,
+}
+
+impl Servers {
+    pub(super) fn open(&mut self, socket: TcpListener, vehicle: usize, serial: Serial) {
+        self.listeners.push(Listener {
+            socket: Arc::new(socket),
             vehicle,
-            clients: Vec::new(),
+            serial,
+            clients: 0,
+        });
+        self.await_client(self.listeners.len() - 1);
+    }
+
+    fn await_client(&mut self, place: usize) {
+        if let Some(listener) = self.listeners.get(place) {
+            let socket = Arc::clone(&listener.socket);
+            let accept = async move { (place, socket.accept().await.map(|(stream, _)| stream)) };
+            self.accepting.push(Box::pin(accept));
         }
     }
 
     fn accept(&mut self, world: &mut World) {
-        // A failure to accept is the client's loss and passes, or is met again in the next round.
-        while let Some(Ok((stream, _))) = self.listener.accept().now_or_never() {
-            if self.clients.len() >= CLIENT_CAP {
-                continue;
+        for _ in 0..ACCEPTS_PER_ROUND {
+            let Some(Some((place, accepted))) = self.accepting.next().now_or_never() else {
+                return;
+            };
+            self.await_client(place);
+            // A failure to accept is the client's loss and passes, or is met again in the next round.
+            let (Ok(stream), Some(listener)) = (accepted, self.listeners.get_mut(place)) else {
+                return;
+            };
+            if listener.clients < CLIENT_CAP {
+                listener.clients += 1;
+                // Without it answers are late, not lost.
+                let _ = stream.set_nodelay(true);
+                let port = world.connect_to(listener.vehicle, listener.serial);
+                self.clients.push((place, Client::new(stream, port)));
             }
-            // Without it answers are late, not lost.
-            let _ = stream.set_nodelay(true);
-            let port = world.connect(self.vehicle);
-            self.clients.push(Client::new(stream, port));
         }
+    }
+
+    fn read(&mut self, world: &mut World, input: &mut [u8]) {
+        self.keep(|client| client.read(world, input));
+    }
+
+    fn write(&mut self, world: &mut World) {
+        self.keep(|client| client.write(world));
+    }
+
+    fn keep(&mut self, mut is_there: impl FnMut(&mut Client<TcpStream>) -> bool) {
+        let listeners = &mut self.listeners;
+        self.clients.retain_mut(|(place, client)| {
+            let stays = is_there(client);
+            if !stays && let Some(listener) = listeners.get_mut(*place) {
+                listener.clients -= 1;
+            }
+            stays
+        });
     }
 }
 
@@ -202,13 +267,12 @@ impl UdpDoor {
     }
 
     /// Every vehicle hears everything, as on a radio; each obeys what is addressed to it.
-    fn read(&mut self, world: &mut World) {
-        let mut buffer = [0; READ_LEN];
+    fn read(&mut self, world: &mut World, input: &mut [u8]) {
         for _ in 0..READS_PER_ROUND {
-            match self.socket.try_recv(&mut buffer) {
+            match self.socket.try_recv(input) {
                 Ok(len) => {
                     for &port in &self.ports {
-                        world.receive(port, &buffer[..len]);
+                        world.receive(port, &input[..len]);
                     }
                 }
                 Err(error) if error.kind() == io::ErrorKind::WouldBlock => break,

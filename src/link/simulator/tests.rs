@@ -37,6 +37,13 @@ fn tcp(port: u16) -> Endpoint {
     }
 }
 
+fn udp(port: u16) -> Endpoint {
+    Endpoint::Udp {
+        host: "127.0.0.1".into(),
+        port,
+    }
+}
+
 fn reboot(system: u8) -> Outgoing {
     MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
         param1: 1.0,
@@ -206,7 +213,8 @@ async fn what_cannot_be_started_is_explained() {
     };
     let table = [
         (1.0, tcp(port), in_use.as_str()),
-        (1.0, tcp(65530), "2 vehicles from port 65530"),
+        (1.0, tcp(65530), "2 vehicle(s) from port 65530"),
+        (1.0, udp(0), "nobody can be reached on port 0"),
         (1.0, nowhere, "cannot listen on port 0 of 192.0.2.1"),
         (0.0, Endpoint::Pipes, "a speedup of 0"),
         (f64::NAN, Endpoint::Pipes, "a speedup of NaN"),

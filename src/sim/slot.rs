@@ -1,0 +1,152 @@
+//! One vehicle with its serial ports and the ground stations on them.
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+
+use super::autopilot::Autopilot;
+use super::port::{Port, Serials};
+use super::signing::Signing;
+use super::wind::Wind;
+use super::{Serial, Start, telemetry};
+
+/// A vehicle and its connections.
+#[derive(Debug)]
+pub(super) struct Slot {
+    pub(super) autopilot: Autopilot,
+    serials: Serials,
+    /// Under the numbers that the world gave them.
+    ports: Vec<(u64, Port)>,
+}
+
+impl Slot {
+    pub(super) fn new(system: u8, start: Start, wind: Wind) -> Self {
+        let autopilot = Autopilot::new(system, start, wind);
+        Self {
+            serials: Serials::booted(&autopilot, Signing::default()),
+            autopilot,
+            ports: Vec::new(),
+        }
+    }
+
+    pub(super) fn require_signatures(&mut self) {
+        self.serials.signing.be_strict();
+    }
+
+    pub(super) fn connect(&mut self, number: u64, serial: Serial) {
+        if !self.is_anybody_on(serial) {
+            let now = self.autopilot.uptime();
+            self.serials.link_mut(serial).schedule.resume(now);
+        }
+        let port = Port::new(self.autopilot.system, serial);
+        self.ports.push((number, port));
+    }
+
+    /// Returns whether there was such a port.
+    pub(super) fn disconnect(&mut self, number: u64) -> bool {
+        let place = self.place(number);
+        place.map(|place| self.ports.remove(place)).is_some()
+    }
+
+    pub(super) fn is_open(&self, number: u64) -> bool {
+        self.place(number)
+            .and_then(|place| self.ports.get(place))
+            .is_some_and(|(_, port)| port.open)
+    }
+
+    pub(super) fn receive(&mut self, number: u64, bytes: &[u8]) {
+        if let Some(place) = self.place(number) {
+            self.with_port(place, |port, autopilot, serials| {
+                port.receive(autopilot, serials, bytes)
+            });
+        }
+    }
+
+    pub(super) fn take_output(&mut self, number: u64, into: &mut Vec<u8>) {
+        let place = self.place(number);
+        if let Some((_, port)) = place.and_then(|place| self.ports.get_mut(place)) {
+            port.take_output(into);
+        }
+    }
+
+    /// Moves on by one step and sends what is due.
+    pub(super) fn step(&mut self) {
+        for place in 0..self.ports.len() {
+            if self.ports[place].1.is_pause() {
+                self.with_port(place, Port::end_of_burst);
+            }
+        }
+        self.autopilot.step();
+        if !self.autopilot.outbox.is_empty() {
+            let said = std::mem::take(&mut self.autopilot.outbox);
+            self.tell(&said, None);
+        }
+        self.stream();
+        for (_, port) in self.ports.iter_mut().filter(|(_, port)| port.open) {
+            port.list(&self.autopilot, &mut self.serials.signing);
+        }
+        if self.autopilot.take_reboot() {
+            self.reboot();
+        }
+    }
+
+    /// Sends the messages that are due, on each serial port where somebody listens.
+    fn stream(&mut self) {
+        let now = self.autopilot.uptime();
+        for serial in Serial::ALL {
+            if !self.is_anybody_on(serial) {
+                continue;
+            }
+            let Serials { links, signing } = &mut self.serials;
+            links[serial.index()].schedule.each_due(now, |id| {
+                let Some(message) = telemetry::message(id, &self.autopilot) else {
+                    return;
+                };
+                for (_, port) in &mut self.ports {
+                    if port.open && port.serial == serial {
+                        port.stream(&message, signing);
+                    }
+                }
+            });
+        }
+    }
+
+    fn reboot(&mut self) {
+        for (_, port) in &mut self.ports {
+            port.open = false;
+        }
+        let mut signing = std::mem::take(&mut self.serials.signing);
+        signing.reboot();
+        self.serials = Serials::booted(&self.autopilot, signing);
+    }
+
+    fn place(&self, number: u64) -> Option<usize> {
+        self.ports.iter().position(|(own, _)| *own == number)
+    }
+
+    fn is_anybody_on(&self, serial: Serial) -> bool {
+        self.ports
+            .iter()
+            .any(|(_, port)| port.open && port.serial == serial)
+    }
+
+    /// Works with one open port; what the vehicle then says to everybody reaches the others too.
+    fn with_port(
+        &mut self,
+        place: usize,
+        work: impl FnOnce(&mut Port, &mut Autopilot, &mut Serials) -> Vec<MavMessage>,
+    ) {
+        let Some((_, own)) = self.ports.get_mut(place).filter(|(_, port)| port.open) else {
+            return;
+        };
+        let said = work(own, &mut self.autopilot, &mut self.serials);
+        self.tell(&said, Some(place));
+    }
+
+    /// Says something to every ground station except one that has heard it already.
+    fn tell(&mut self, said: &[MavMessage], except: Option<usize>) {
+        for (place, (_, port)) in self.ports.iter_mut().enumerate() {
+            if Some(place) != except && port.open {
+                port.broadcast(said, &mut self.serials);
+            }
+        }
+    }
+}
