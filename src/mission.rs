@@ -183,7 +183,9 @@ impl Mission {
     pub fn world(&self, seed: u64) -> WorldConfig {
         WorldConfig {
             starts: self.starts(),
+            airframes: Vec::new(),
             seed,
+            obstacles: Vec::new(),
         }
     }
 

@@ -6,24 +6,29 @@
 //!
 //! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
 //! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports.
-//! Behaviour and figures follow an `ArduCopter` 4.6 SITL. Missions, fences, rally points and logs are not
-//! simulated, and the vehicle does not claim them.
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
 
+mod airframe;
 mod arming;
 mod autopilot;
 mod battery;
 mod body;
+mod collision;
 mod commands;
 mod control;
+mod crash;
 mod failsafe;
+mod fence;
 mod inbound;
 mod leg;
+mod mixer;
 mod mode;
 mod parameters;
 #[expect(dead_code, reason = "the lists are filled and flown next")]
 mod plan;
 mod port;
 mod radio;
+mod rally;
 mod schedule;
 mod signing;
 mod slot;
@@ -32,6 +37,7 @@ mod targets;
 mod task;
 mod telemetry;
 mod texts;
+mod upset;
 mod wind;
 mod workbench;
 mod yaw;
@@ -39,9 +45,13 @@ mod yaw;
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
 use std::time::Duration;
 
+pub use self::airframe::{Airframe, AirframeError};
 use self::autopilot::Autopilot;
+use self::collision::Collisions;
+pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 use self::slot::Slot;
 use self::wind::Wind;
 use crate::geo::{LatLon, wrap_360};
@@ -59,8 +69,13 @@ pub const SYSTEMS: usize = 254;
 pub struct WorldConfig {
     /// One start per vehicle; the first has system id 1.
     pub starts: Vec<Start>,
+    /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
+    /// follow, and without any the vehicles are SITL's default quadcopter.
+    pub airframes: Vec<Arc<Airframe>>,
     /// Seed of everything random (gusts).
     pub seed: u64,
+    /// What stands in the way.
+    pub obstacles: Vec<Obstacle>,
 }
 
 impl WorldConfig {
@@ -72,7 +87,17 @@ impl WorldConfig {
                 ..first
             })
             .collect();
-        Self { starts, seed: 0 }
+        Self {
+            starts,
+            airframes: Vec::new(),
+            seed: 0,
+            obstacles: Vec::new(),
+        }
+    }
+
+    fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
+        let own = self.airframes.get(vehicle).or(self.airframes.last());
+        Arc::clone(own.unwrap_or(usual))
     }
 }
 
@@ -155,18 +180,22 @@ pub struct World {
     next_port: u64,
     connections: usize,
     steps: u64,
+    collisions: Collisions,
 }
 
 impl World {
     /// Switches the vehicles on. Beyond 254 vehicles the system ids begin again at 1.
     pub fn new(config: &WorldConfig) -> Self {
+        let usual = Airframe::shared_default();
         let slots = config
             .starts
             .iter()
             .enumerate()
             .map(|(vehicle, start)| {
                 let system = (vehicle % SYSTEMS) as u8 + 1;
-                Slot::new(system, *start, Wind::new(config.seed, vehicle as u64))
+                let airframe = config.airframe(vehicle, &usual);
+                let wind = Wind::new(config.seed, vehicle as u64);
+                Slot::new(system, *start, airframe, wind)
             })
             .collect();
         Self {
@@ -174,6 +203,7 @@ impl World {
             next_port: 0,
             connections: 0,
             steps: 0,
+            collisions: Collisions::new(config.starts.first().copied(), &config.obstacles),
         }
     }
 
@@ -256,6 +286,22 @@ impl World {
         self.steps += 1;
         let size = self.slots.len().div_ceil(parts.max(1)).max(1);
         run(self.slots.chunks_mut(size).map(Part).collect());
+        self.collide();
+    }
+
+    /// What has collided so far, in order.
+    pub fn collisions(&self) -> &[Collision] {
+        self.collisions.events()
+    }
+
+    fn collide(&mut self) {
+        let now = self.now();
+        let autopilots = self.slots.iter().map(|slot| &slot.autopilot);
+        for hit in self.collisions.find(now, autopilots) {
+            if let Some(slot) = self.slots.get_mut(hit.vehicle) {
+                slot.autopilot.body.take(hit);
+            }
+        }
     }
 
     /// Moves the bytes that wait for a ground station to the end of `into`. At most 256 KiB wait; beyond that whole
@@ -303,7 +349,7 @@ fn truth_of(autopilot: &Autopilot) -> Truth {
         armed: autopilot.safety.armed,
         on_ground: body.on_ground,
         mode: autopilot.mode.number,
-        battery_voltage_v: autopilot.tuning.battery_voltage_v,
+        battery_voltage_v: autopilot.battery.voltage_v,
         battery_current_a: autopilot.battery.current_a,
         battery_consumed_mah: autopilot.battery.consumed_mah,
         throttle: body.throttle,

@@ -9,6 +9,7 @@ file-unknown = there is no { $kind } `{ $name }`: give a path, or one of { $know
 file-mission = mission
 file-pilot = pilot script
 file-parameters = parameter file
+file-frame = airframe
 file-theme = theme
 file-keymap = keymap
 file-configuration = configuration

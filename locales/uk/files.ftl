@@ -9,6 +9,7 @@ file-unknown = не знайдено: { $kind } `{ $name }`. Вкажіть шл
 file-mission = завдання
 file-pilot = скрипт пілота
 file-parameters = файл параметрів
+file-frame = файл рами
 file-theme = тема
 file-keymap = розкладка клавіш
 file-configuration = файл налаштувань

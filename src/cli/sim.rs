@@ -1,7 +1,9 @@
 //! `sortie sim`: the embedded simulator as a server.
 
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use clap::Args;
 use nix::sys::resource::{Resource, getrlimit, setrlimit};
@@ -10,7 +12,8 @@ use tokio_util::sync::CancellationToken;
 use super::{Failure, parse_speedup, runtime};
 use crate::geo::LatLon;
 use crate::link::{Endpoint, Simulator, Started};
-use crate::sim::{SYSTEMS, Start, World, WorldConfig};
+use crate::sim::{Airframe, SYSTEMS, Start, World, WorldConfig};
+use crate::store;
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
@@ -44,6 +47,10 @@ pub(super) struct SimArguments {
         allow_hyphen_values = true
     )]
     home: Home,
+    /// The airframe of the vehicles: a frame file of ArduPilot's SITL (SIM_Frame JSON). Give the option once for all
+    /// vehicles, or several times: one file per vehicle, the last one for all that follow.
+    #[arg(long = "frame", value_name = "FILE")]
+    frames: Vec<PathBuf>,
 }
 
 /// HOST:PORT.
@@ -106,10 +113,33 @@ impl FromStr for Home {
     }
 }
 
+/// Reads a frame file; its warnings go to standard error.
+fn airframe(path: &Path) -> Result<Arc<Airframe>, Failure> {
+    let source = store::read(path, "file-frame")
+        .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
+    let name = &source.name;
+    let (airframe, warnings) = Airframe::from_json(&source.text).map_err(|error| {
+        Failure::Invalid(format!(
+            "sortie: {name}:{}:{}: {}",
+            error.line, error.column, error.what
+        ))
+    })?;
+    for fault in warnings {
+        eprintln!(
+            "sortie: {name}:{}:{}: {}",
+            fault.line, fault.column, fault.what
+        );
+    }
+    Ok(Arc::new(airframe))
+}
+
 /// Serves until interrupted.
 pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
+    let airframes: Result<Vec<_>, Failure> =
+        options.frames.iter().map(|path| airframe(path)).collect();
     let config = WorldConfig {
         seed: options.seed,
+        airframes: airframes?,
         ..WorldConfig::row(usize::from(options.vehicles), options.home.0)
     };
     let mut endpoints = Vec::new();

@@ -50,12 +50,13 @@ impl Autopilot {
             reasons.push("Battery failsafe");
         }
         reasons.extend(self.workbench.obstacles());
+        reasons.extend(self.fence_obstacle());
         reasons
     }
 
     /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
     pub(super) fn is_armable(&self) -> bool {
-        self.is_ready() && !self.failsafe.battery_is_down()
+        self.is_ready() && !self.failsafe.battery_is_down() && self.fence_obstacle().is_none()
     }
 
     /// Arms, or says why not.

@@ -1,20 +1,26 @@
 //! One vehicle: airframe, autopilot state, and its step.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
+use super::airframe::{Airframe, Conditions, air_density};
 use super::arming::Safety;
 use super::battery::Battery;
 use super::body::{Body, Demand};
 use super::control::{Limits, PositionControl};
+use super::crash::CrashWatch;
 use super::failsafe::{self, Failsafe};
+use super::fence::{self, Geofence};
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
 use super::radio::Radio;
+use super::rally::Rally;
 use super::task::{Act, Cockpit, Pilot, Sticks, Task};
+use super::upset::Drive;
 use super::wind::Wind;
 use super::workbench::Workbench;
 use super::yaw::{YawControl, YawDemand};
@@ -49,6 +55,9 @@ pub(super) struct Speeds {
 pub(super) struct Autopilot {
     pub(super) system: u8,
     pub(super) start: Start,
+    pub(super) airframe: Arc<Airframe>,
+    /// Density of the air at the start.
+    start_density: f64,
     pub(super) parameters: Parameters,
     pub(super) tuning: Tuning,
     pub(super) body: Body,
@@ -61,9 +70,11 @@ pub(super) struct Autopilot {
     pub(super) speeds: Speeds,
     pub(super) safety: Safety,
     pub(super) failsafe: Failsafe,
+    pub(super) crash: CrashWatch,
     pub(super) battery: Battery,
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
+    pub(super) fence: Geofence,
     pub(super) radio: Radio,
     /// What the modes with a pilot remember.
     pub(super) pilot: Pilot,
@@ -79,17 +90,27 @@ pub(super) struct Autopilot {
 
 impl Autopilot {
     /// A vehicle that has just been switched on.
-    pub(super) fn new(system: u8, start: Start, mut wind: Wind) -> Self {
+    pub(super) fn new(system: u8, start: Start, airframe: Arc<Airframe>, mut wind: Wind) -> Self {
         let board_id = wind.board_id();
-        Self::booted(system, start, Parameters::new(system), (wind, board_id))
+        let parameters = factory_parameters(system, &airframe);
+        Self::booted(system, (start, airframe), parameters, (wind, board_id))
     }
 
-    fn booted(system: u8, start: Start, parameters: Parameters, own: (Wind, u64)) -> Self {
+    fn booted(
+        system: u8,
+        (start, airframe): (Start, Arc<Airframe>),
+        parameters: Parameters,
+        own: (Wind, u64),
+    ) -> Self {
         let body = Body::resting(start.heading_deg);
+        let tuning = Tuning::read(&parameters);
         Self {
             system,
             start,
-            tuning: Tuning::read(&parameters),
+            start_density: air_density(start.altitude_amsl_m),
+            battery: Battery::charged(&airframe, tuning.battery_set_v),
+            airframe,
+            tuning,
             parameters,
             control: PositionControl::at(&body),
             yaw: YawControl::holding(start.heading_deg),
@@ -100,12 +121,13 @@ impl Autopilot {
             speeds: Speeds::default(),
             safety: Safety::default(),
             failsafe: Failsafe::default(),
-            battery: Battery::default(),
+            crash: CrashWatch::default(),
             home: None,
             plans: Plans::default(),
             radio: Radio::default(),
             pilot: Pilot::default(),
             workbench: Workbench::default(),
+            fence: Geofence::default(),
             servos_us: [0; 16],
             wind: own.0,
             board_id: own.1,
@@ -150,13 +172,15 @@ impl Autopilot {
         let system = self.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8;
         let own = (self.wind.clone(), self.board_id);
         let plans = std::mem::take(&mut self.plans);
+        let built = (start, Arc::clone(&self.airframe));
         let parameters = if self.workbench.erased {
-            Parameters::new(self.system)
+            factory_parameters(self.system, &self.airframe)
         } else {
             self.parameters.clone()
         };
-        *self = Self::booted(system, start, parameters, own);
+        *self = Self::booted(system, built, parameters, own);
         self.plans = plans;
+        self.fence_changed();
         true
     }
 
@@ -168,13 +192,18 @@ impl Autopilot {
         if !asleep {
             self.fly();
         }
+        let power_w = self.airframe.power_w(self.body.thrust_m_s2);
         self.battery
-            .step(self.body.throttle, self.tuning.battery_voltage_v);
+            .step(power_w, self.tuning.battery_set_v, &self.airframe);
+        self.watch_crash();
         self.watch_ground();
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
             self.watch_workbench();
             self.watch_sticks();
+        }
+        if self.steps.is_multiple_of(fence::EVERY_STEPS) {
+            self.watch_fence();
         }
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
@@ -239,6 +268,11 @@ impl Autopilot {
             pilot: &mut self.pilot,
             body: &self.body,
             tuning: &self.tuning,
+            fence: &mut self.fence,
+            rally: Rally {
+                items: &self.plans.rally,
+                start: &self.start,
+            },
         };
         work(&mut self.task, &mut cockpit)
     }
@@ -260,7 +294,7 @@ impl Autopilot {
         };
         self.end_turn();
         self.turn_by_stick();
-        let wind = self.wind.step(self.body.height_m(), &self.tuning);
+        let conditions = self.conditions();
         if demand != Demand::Off || !self.body.on_ground {
             let moving = self.control.velocity_m_s.truncate();
             let here = self.body.position_m.truncate();
@@ -268,9 +302,14 @@ impl Autopilot {
             let rate = self.yaw.step(self.body.yaw_deg, moving, here, turning);
             self.body.turn(rate);
         }
-        if let Some(impact_m_s) = self.body.step(demand, wind) {
-            let text = format!("SIM Hit ground at {impact_m_s:.3} m/s");
-            self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        let drive = Drive {
+            airframe: &self.airframe,
+            conditions: &conditions,
+            fault: self.tuning.motor_fault,
+            wrecked: self.body.wrecked,
+        };
+        if let Some(impact_m_s) = self.body.step(demand, &drive) {
+            self.report_impact(impact_m_s);
         }
         if let Task::Takeoff(takeoff) = &self.task {
             if takeoff.is_spooled(self.uptime()) {
@@ -280,6 +319,18 @@ impl Autopilot {
                 let goal_m = takeoff.goal_m;
                 self.end_takeoff(goal_m);
             }
+        }
+    }
+
+    /// Air and battery now.
+    fn conditions(&mut self) -> Conditions {
+        let height_m = self.body.height_m();
+        // A tenth of a percent for 10 m, as in the standard atmosphere.
+        let thinner = (1.0 - 1e-4 * height_m).clamp(0.1, 1.5);
+        Conditions {
+            wind_m_s: self.wind.step(height_m, &self.tuning.wind),
+            air_density: self.start_density * thinner,
+            voltage_share: self.battery.voltage_share(&self.airframe),
         }
     }
 
@@ -342,6 +393,15 @@ impl Autopilot {
         ));
     }
 
+    /// The pulse that a motor gets, in microseconds: the least while the motors stand still.
+    pub(super) fn motor_pulse_us(&self, motor: usize) -> u16 {
+        if self.body.throttle <= 0.0 {
+            return 1000;
+        }
+        let share = self.body.motor_share(motor, &self.airframe);
+        self.airframe.pulse_us(share) as u16
+    }
+
     /// How the nose behaves when a mode or a target leaves it to the autopilot.
     pub(super) fn default_yaw(&self) -> YawDemand {
         if self.tuning.yaw_behaviour == 0 {
@@ -350,6 +410,19 @@ impl Autopilot {
             YawDemand::Course
         }
     }
+}
+
+/// The parameters of a vehicle that was never flown: the defaults, with its own system id and what its airframe sets.
+pub(super) fn factory_parameters(system: u8, airframe: &Airframe) -> Parameters {
+    let mut parameters = Parameters::new(system);
+    let capacity_ah = airframe.battery_capacity_ah() as f32;
+    parameters.set("FRAME_CLASS", airframe.frame_class());
+    parameters.set("SIM_BATT_VOLTAGE", airframe.full_voltage_v() as f32);
+    parameters.set("SIM_BATT_CAP_AH", capacity_ah);
+    if capacity_ah > 0.0 {
+        parameters.set("BATT_CAPACITY", capacity_ah * 1000.0);
+    }
+    parameters
 }
 
 /// The limits of the flight: parameters, with what commands changed.

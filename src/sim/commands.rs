@@ -2,6 +2,7 @@
 
 mod auxiliary;
 mod calibration;
+mod fence;
 mod flight;
 mod motion;
 mod outputs;
@@ -102,6 +103,7 @@ const TABLE: &[(u16, Handler)] = &[
     (195, motion::look_at),
     (197, motion::look_ahead),
     (201, motion::look_at),
+    (207, fence::enable),
     (208, outputs::parachute),
     (209, outputs::motor_test),
     (218, auxiliary::switch),

@@ -84,6 +84,29 @@ impl PositionControl {
         self.at_velocity(wanted.extend(climb), limits);
     }
 
+    /// Where the path comes to rest if it brakes at the acceleration that is allowed, and gently at the end.
+    pub(super) fn stopping_point(&self, limits: &Limits) -> DVec2 {
+        let velocity = self.velocity_m_s.truncate();
+        let speed = velocity.length();
+        let slow = limits.accel_m_s2 / POSITION_P;
+        let way_m = if speed < slow {
+            speed / POSITION_P
+        } else {
+            (slow / POSITION_P + speed * speed / limits.accel_m_s2) * 0.5
+        };
+        self.path_m.truncate() + velocity.normalize_or_zero() * way_m
+    }
+
+    /// Slows the path down so that it ends at its stopping point, without the limit of the jerk.
+    pub(super) fn brake_to(&mut self, end_m: DVec2, down_m: f64, limits: &Limits) {
+        let (here, before) = (self.path_m.truncate(), self.velocity_m_s.truncate());
+        let way = end_m - here;
+        let speed = square_root(way.length(), POSITION_P, limits.accel_m_s2);
+        let velocity = way.normalize_or_zero() * speed;
+        let accel = ((velocity - before) / STEP_S).clamp_length_max(limits.accel_m_s2);
+        self.along((here + velocity * STEP_S, velocity, accel), down_m, limits);
+    }
+
     /// Brings the path to a velocity; vertical speed limits do not apply, as in `ArduPilot`.
     pub(super) fn at_velocity(&mut self, wanted_m_s: DVec3, limits: &Limits) {
         let error = wanted_m_s - self.velocity_m_s;

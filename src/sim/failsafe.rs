@@ -5,6 +5,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::autopilot::Autopilot;
+use super::battery::Battery;
 use super::mode;
 use super::parameters::{Parameters, Tuning};
 
@@ -69,9 +70,9 @@ impl Rules {
 }
 
 impl BatteryRule {
-    fn applies(&self, tuning: &Tuning, consumed_mah: f64) -> bool {
-        tuning.battery_voltage_v < self.voltage_v
-            || tuning.battery_capacity_mah - consumed_mah < self.remaining_mah
+    fn applies(&self, tuning: &Tuning, battery: &Battery) -> bool {
+        battery.voltage_v < self.voltage_v
+            || tuning.battery_capacity_mah - battery.consumed_mah < self.remaining_mah
     }
 }
 
@@ -119,7 +120,7 @@ impl Autopilot {
             return;
         }
         let now = self.uptime();
-        let consumed = self.battery.consumed_mah;
+        let battery = self.battery;
         let rules = self.tuning.failsafes.clone();
         let held = |since: &mut Option<Duration>, applies: bool| {
             if !applies {
@@ -130,11 +131,11 @@ impl Autopilot {
         };
         let low = held(
             &mut self.failsafe.low_since,
-            rules.low.applies(&self.tuning, consumed),
+            rules.low.applies(&self.tuning, &battery),
         );
         let critical = held(
             &mut self.failsafe.critical_since,
-            rules.critical.applies(&self.tuning, consumed),
+            rules.critical.applies(&self.tuning, &battery),
         );
         if critical && self.failsafe.level < Level::Critical {
             self.battery_fell(Level::Critical, "critical", rules.critical.action);
@@ -147,7 +148,7 @@ impl Autopilot {
         self.failsafe.level = level;
         let text = format!(
             "Battery 1 is {word} {:.2}V used {:.0} mAh",
-            self.tuning.battery_voltage_v, self.battery.consumed_mah
+            self.battery.voltage_v, self.battery.consumed_mah
         );
         self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
         if action == 0 {

@@ -18,7 +18,7 @@ const LATE_INTERVALS: u64 = 4;
 /// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
 const STREAMS: &[(u8, &str, &[u32])] = &[
     (1, "RAW_SENS", &[27, 116, 129, 29, 137]),
-    (2, "EXT_STAT", &[1, 125, 152, 42, 24, 62, 87]),
+    (2, "EXT_STAT", &[1, 125, 152, 42, 24, 62, 87, 162]),
     (3, "RC_CHAN", &[36, 65]),
     (6, "POSITION", &[32, 33]),
     (10, "EXTRA1", &[30, 164, 178]),

@@ -1,12 +1,14 @@
 //! One vehicle with its serial ports and the ground stations on them.
 
+use std::sync::Arc;
+
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::autopilot::Autopilot;
 use super::port::{Port, Serials};
 use super::signing::Signing;
 use super::wind::Wind;
-use super::{Serial, Start, telemetry};
+use super::{Airframe, Serial, Start, telemetry};
 
 /// A vehicle and its connections.
 #[derive(Debug)]
@@ -18,8 +20,8 @@ pub(super) struct Slot {
 }
 
 impl Slot {
-    pub(super) fn new(system: u8, start: Start, wind: Wind) -> Self {
-        let autopilot = Autopilot::new(system, start, wind);
+    pub(super) fn new(system: u8, start: Start, airframe: Arc<Airframe>, wind: Wind) -> Self {
+        let autopilot = Autopilot::new(system, start, airframe, wind);
         Self {
             serials: Serials::booted(&autopilot, Signing::default()),
             autopilot,

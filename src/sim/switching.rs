@@ -55,6 +55,7 @@ impl Autopilot {
         self.pilot = Pilot::begin(mode.number, self.body.lean_m_s2);
         self.task = self.first_task();
         self.outbox.extend(telemetry::message(0, self));
+        self.fence.mode_changed(self.uptime());
     }
 
     fn first_task(&mut self) -> Task {

@@ -76,8 +76,8 @@ pub(super) fn altitude_amsl_m(autopilot: &Autopilot, frame: u8, height_m: f64) -
 }
 
 impl Autopilot {
-    /// Takes a setpoint. Outside GUIDED, disarmed or before a takeoff it is ignored without a word; one that makes no sense
-    /// (an unknown frame, nothing asked, not a number) stops the vehicle where it is.
+    /// Takes a setpoint. Outside GUIDED, disarmed or before a takeoff it is ignored without a word, and so is a point
+    /// outside the fence; one that makes no sense (an unknown frame, nothing asked, not a number) stops the vehicle where it is.
     pub(super) fn take_setpoint(&mut self, setpoint: &Setpoint) {
         let flying = self.safety.armed && !self.safety.landed;
         let lifting = matches!(self.task, Task::Takeoff(_)) && self.body.on_ground;
@@ -88,8 +88,14 @@ impl Autopilot {
         if forced {
             return;
         }
+        let task = self.task_for(setpoint);
+        if let Some(Task::Goto { goal_m, .. }) = &task
+            && !self.may_fly_to(*goal_m)
+        {
+            return;
+        }
         self.paused = None;
-        match self.task_for(setpoint) {
+        match task {
             Some(task) => {
                 self.task = task;
                 self.aim_nose(setpoint);

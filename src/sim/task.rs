@@ -18,7 +18,9 @@ pub(super) use takeoff::Takeoff;
 
 use super::body::{Body, STEP_S};
 use super::control::{Limits, PositionControl};
+use super::fence::Geofence;
 use super::parameters::Tuning;
+use super::rally::Rally;
 
 /// The widest and the fastest circle.
 const CIRCLE_MAX_M: f64 = 2000.0;
@@ -42,6 +44,8 @@ pub(super) struct Cockpit<'a> {
     pub(super) home_m: DVec3,
     /// Since boot.
     pub(super) now: Duration,
+    pub(super) fence: &'a mut Geofence,
+    pub(super) rally: Rally<'a>,
 }
 
 /// How the motors are driven in this step.
@@ -153,11 +157,12 @@ impl Task {
                 cockpit.control.towards(*goal_m, &cockpit.limits);
             }
             Self::Velocity { wanted_m_s, until } => {
-                let wanted = if cockpit.now < *until {
-                    *wanted_m_s
-                } else {
-                    DVec3::ZERO
-                };
+                let fresh = cockpit.now < *until && *until != Duration::MAX;
+                let wanted = cockpit.keep_inside(if fresh { *wanted_m_s } else { DVec3::ZERO });
+                if fresh {
+                    // What the fence takes away stays away until the next setpoint.
+                    *wanted_m_s = wanted;
+                }
                 cockpit.control.at_velocity(wanted, &cockpit.limits);
             }
             Self::Accelerate { wanted_m_s2, until } => {

@@ -1,6 +1,7 @@
 //! What the vehicle reports: one builder per message, picked by message id.
 
 mod extra;
+mod fence;
 mod health;
 mod motion;
 mod navigation;
@@ -13,8 +14,8 @@ use super::autopilot::Autopilot;
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
 const SILENT: &[u32] = &[
-    22, 34, 35, 100, 124, 127, 128, 132, 143, 162, 173, 180, 181, 191, 192, 194, 195, 225, 226,
-    246, 259, 260, 262, 271, 280, 281, 285, 301, 373, 9005, 10008, 11020,
+    22, 34, 35, 100, 124, 127, 128, 132, 143, 173, 180, 181, 191, 192, 194, 195, 225, 226, 246,
+    259, 260, 262, 271, 280, 281, 285, 301, 373, 9005, 10008, 11020,
 ];
 /// Sent with another message and not to be asked for by itself.
 const UNASKABLE: u32 = TERRAIN_REPORT;
@@ -71,6 +72,7 @@ const TABLE: &[(u32, Builder)] = &[
     (147, Always(health::battery_status)),
     (148, Always(health::autopilot_version)),
     (152, Always(health::meminfo)),
+    (162, Sometimes(fence::fence_status)),
     (163, Always(motion::ahrs)),
     (164, Always(motion::simstate)),
     (165, Always(extra::hwstatus)),
@@ -120,7 +122,12 @@ mod tests {
     #[test]
     fn the_table_is_sorted_and_each_builder_makes_its_own_message() {
         assert!(TABLE.windows(2).all(|pair| pair[0].0 < pair[1].0));
-        let mut autopilot = Autopilot::new(1, crate::sim::tests::start(), Wind::new(0, 0));
+        let mut autopilot = Autopilot::new(
+            1,
+            crate::sim::tests::start(),
+            crate::sim::Airframe::shared_default(),
+            Wind::new(0, 0),
+        );
         for _ in 0..200 {
             autopilot.step();
         }

@@ -1,5 +1,6 @@
 //! The simulator as a ground station sees it.
 
+mod airframes;
 mod flight;
 mod ground;
 mod links;

@@ -1,20 +1,105 @@
-//! The moving air.
+//! The moving air: a mean wind with a profile over height, and gusts after Dryden's model (MIL-F-8785C, low altitude).
 
 use glam::DVec3;
 use rand::{Rng as _, RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use super::body::STEP_S;
-use super::parameters::Tuning;
+use super::parameters::Parameters;
 
-/// How long a gust lasts.
-const GUST_S: f64 = 2.0;
+/// Gusts drift past even a vehicle that hovers in a calm; at this speed they do so at least, in metres per second.
+const DRIFT_MIN_M_S: f64 = 5.0;
+/// Standard deviation per `SIM_WIND_TURB`: such that 3 moves a hovering quad by about 0.1 m, as was measured. The real
+/// simulator's gusts are larger but last hundredths of a second.
+const GUST_PER_TURBULENCE: f64 = 0.35;
+const METRES_PER_FOOT: f64 = 0.3048;
 
-/// Mean wind and gusts at one vehicle.
+/// The wind from the `SIM_WIND_*` parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Rules {
+    speed_m_s: f64,
+    /// Where the air moves to, of length 1.
+    towards: DVec3,
+    turbulence_m_s: f64,
+    profile: Profile,
+}
+
+/// How the mean wind changes with height (`SIM_WIND_T`).
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Profile {
+    /// Up to a height, with the root of the height.
+    Root {
+        full_height_m: f64,
+    },
+    Constant,
+    /// Linearly: so much more for each metre above a height.
+    Linear {
+        height_m: f64,
+        per_s: f64,
+    },
+}
+
+/// Gusts at one vehicle, and its random numbers.
 #[derive(Debug, Clone)]
 pub(super) struct Wind {
     rng: ChaCha8Rng,
-    gust_m_s: DVec3,
+    /// Along the mean wind.
+    along_m_s: f64,
+    /// Across it and vertically: the gust and the noise it follows.
+    across: Filter,
+    vertical: Filter,
+}
+
+/// Second-order noise: two equal lags in a row.
+#[derive(Debug, Clone, Copy, Default)]
+struct Filter {
+    first: f64,
+    second: f64,
+}
+
+impl Rules {
+    /// Reads the parameters.
+    pub(super) fn read(all: &Parameters) -> Self {
+        let finite = |name| all.value(name).clamp(-1e6, 1e6);
+        let (sin, cos) = finite("SIM_WIND_DIR").to_radians().sin_cos();
+        let (up, flat) = finite("SIM_WIND_DIR_Z").to_radians().sin_cos();
+        let height_m = finite("SIM_WIND_T_ALT");
+        Self {
+            speed_m_s: all.value("SIM_WIND_SPD").clamp(0.0, 100.0),
+            towards: -DVec3::new(cos * flat, sin * flat, up),
+            turbulence_m_s: all.value("SIM_WIND_TURB").clamp(0.0, 50.0),
+            profile: match all.value("SIM_WIND_T") as i8 {
+                0 => Profile::Root {
+                    full_height_m: height_m.max(1.0),
+                },
+                2 => Profile::Linear {
+                    height_m,
+                    per_s: finite("SIM_WIND_T_COEF"),
+                },
+                _ => Profile::Constant,
+            },
+        }
+    }
+
+    /// The mean speed at a height above the start, in metres per second.
+    fn speed_at(&self, height_m: f64) -> f64 {
+        match self.profile {
+            Profile::Root { full_height_m } => {
+                self.speed_m_s * (height_m / full_height_m).clamp(0.0, 1.0).sqrt()
+            }
+            Profile::Constant => self.speed_m_s,
+            Profile::Linear {
+                height_m: at,
+                per_s,
+            } => (self.speed_m_s + (height_m - at) * per_s).clamp(0.0, 100.0),
+        }
+    }
+
+    fn is_calm(&self) -> bool {
+        self.speed_m_s <= 0.0
+            && self.turbulence_m_s <= 0.0
+            && !matches!(self.profile, Profile::Linear { .. })
+    }
 }
 
 impl Wind {
@@ -24,27 +109,23 @@ impl Wind {
         rng.set_stream(vehicle);
         Self {
             rng,
-            gust_m_s: DVec3::ZERO,
+            along_m_s: 0.0,
+            across: Filter::default(),
+            vertical: Filter::default(),
         }
     }
 
-    /// The air's velocity at a height. Below `SIM_WIND_T_ALT` the wind grows with the root of the height.
-    pub(super) fn step(&mut self, height_m: f64, tuning: &Tuning) -> DVec3 {
-        if tuning.wind_speed_m_s <= 0.0 && tuning.wind_turbulence_m_s <= 0.0 {
+    /// The air's velocity (north, east, down) at a height above the start, for one step.
+    pub(super) fn step(&mut self, height_m: f64, rules: &Rules) -> DVec3 {
+        if rules.is_calm() {
             return DVec3::ZERO;
         }
-        let profile = (height_m / tuning.wind_full_height_m)
-            .clamp(0.0, 1.0)
-            .sqrt();
-        let (sin, cos) = tuning.wind_from_deg.to_radians().sin_cos();
-        let mean = DVec3::new(-cos, -sin, 0.0) * (tuning.wind_speed_m_s * profile);
-        if tuning.wind_turbulence_m_s > 0.0 {
-            let keep = 1.0 - STEP_S / GUST_S;
-            let kick = tuning.wind_turbulence_m_s * (3.0 * (1.0 - keep * keep)).sqrt();
-            let noise = DVec3::new(self.symmetric(), self.symmetric(), self.symmetric());
-            self.gust_m_s = self.gust_m_s * keep + noise * kick;
+        let speed_m_s = rules.speed_at(height_m);
+        let mean = rules.towards * speed_m_s;
+        if rules.turbulence_m_s <= 0.0 {
+            return mean;
         }
-        mean + self.gust_m_s
+        mean + self.gust(height_m, speed_m_s, rules)
     }
 
     /// A number that identifies this vehicle's board.
@@ -52,7 +133,41 @@ impl Wind {
         self.rng.next_u64()
     }
 
-    fn symmetric(&mut self) -> f64 {
-        self.rng.random_range(-1.0..1.0)
+    /// Dryden's gusts: near the ground the vertical ones are weaker than the horizontal ones, and all are shorter.
+    fn gust(&mut self, height_m: f64, speed_m_s: f64, rules: &Rules) -> DVec3 {
+        let height_ft = (height_m / METRES_PER_FOOT).clamp(10.0, 1000.0);
+        let shape = 0.177 + 0.000_823 * height_ft;
+        let long_m = height_ft * METRES_PER_FOOT / shape.powf(1.2);
+        let high_m = height_ft * METRES_PER_FOOT;
+        let drift_m_s = speed_m_s.max(DRIFT_MIN_M_S);
+        let (long_s, high_s) = (long_m / drift_m_s, high_m / drift_m_s);
+        let keep = 1.0 - STEP_S / long_s.max(2.0 * STEP_S);
+        self.along_m_s = self.along_m_s * keep + self.noise() * (1.0 - keep * keep).sqrt();
+        let noise = self.noise();
+        let across = self.across.step(noise, long_s);
+        let noise = self.noise();
+        let vertical = self.vertical.step(noise, high_s) * shape.powf(0.4).min(1.0);
+        let ahead = rules.towards.truncate().normalize_or(glam::DVec2::X);
+        let flat = ahead * self.along_m_s + ahead.perp() * across;
+        flat.extend(vertical) * (rules.turbulence_m_s * GUST_PER_TURBULENCE)
+    }
+
+    /// Evenly distributed noise with a variance of 1.
+    fn noise(&mut self) -> f64 {
+        self.rng.random_range(-1.0..1.0) * 3.0_f64.sqrt()
     }
 }
+
+impl Filter {
+    /// Dryden's filter for the gusts across, `(1 + √3 T s) / (1 + T s)²`, with a variance of 1.
+    fn step(&mut self, noise: f64, lag_s: f64) -> f64 {
+        let blend = STEP_S / lag_s.max(2.0 * STEP_S);
+        let root = 3.0_f64.sqrt();
+        self.first += (noise / blend.sqrt() - self.first) * blend;
+        self.second += (self.first - self.second) * blend;
+        root * self.first + (1.0 - root) * self.second
+    }
+}
+
+#[cfg(test)]
+mod tests;

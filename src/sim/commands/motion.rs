@@ -95,11 +95,14 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     let Some(place) = place(autopilot, command, frame) else {
         return MavResult::MAV_RESULT_DENIED;
     };
+    let goal = autopilot.point_of(place);
+    if !autopilot.safety.landed && !autopilot.may_fly_to(goal) {
+        return MavResult::MAV_RESULT_FAILED;
+    }
     if !guided && !autopilot.set_mode(mode::GUIDED) {
         return MavResult::MAV_RESULT_FAILED;
     }
     if !autopilot.safety.landed {
-        let goal = autopilot.point_of(place);
         autopilot.go_to(goal, DVec3::ZERO);
         autopilot.yaw.demand = autopilot.default_yaw();
     }

@@ -6,6 +6,8 @@ use super::Parameters;
 use crate::sim::failsafe::Rules;
 use crate::sim::radio::RadioRules;
 use crate::sim::task::PilotRules;
+use crate::sim::upset::MotorFault;
+use crate::sim::{fence, rally, wind};
 
 /// Limits and settings in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,16 +46,16 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) setpoint_timeout: Duration,
     pub(in crate::sim) ground_station: u8,
     pub(in crate::sim) only_ground_station: bool,
-    pub(in crate::sim) wind_speed_m_s: f64,
-    /// Where the wind comes from.
-    pub(in crate::sim) wind_from_deg: f64,
-    pub(in crate::sim) wind_turbulence_m_s: f64,
-    /// The height from which the wind has its full speed.
-    pub(in crate::sim) wind_full_height_m: f64,
-    pub(in crate::sim) battery_voltage_v: f64,
+    pub(in crate::sim) wind: wind::Rules,
+    /// To which the simulated battery is charged or drained when it changes.
+    pub(in crate::sim) battery_set_v: f64,
+    pub(in crate::sim) motor_fault: Option<MotorFault>,
+    pub(in crate::sim) crash_check: bool,
     pub(in crate::sim) battery_capacity_mah: f64,
     pub(in crate::sim) satellites: u8,
     pub(in crate::sim) failsafes: Rules,
+    pub(in crate::sim) fence: fence::Rules,
+    pub(in crate::sim) rally: rally::Rules,
 }
 
 impl Tuning {
@@ -97,14 +99,29 @@ impl Tuning {
             setpoint_timeout: seconds(all.value("GUID_TIMEOUT").max(0.1)),
             ground_station: all.value("SYSID_MYGCS") as u8,
             only_ground_station: all.value("SYSID_ENFORCE") > 0.0,
-            wind_speed_m_s: all.value("SIM_WIND_SPD").clamp(0.0, 100.0),
-            wind_from_deg: all.value("SIM_WIND_DIR").rem_euclid(360.0),
-            wind_turbulence_m_s: all.value("SIM_WIND_TURB").clamp(0.0, 50.0),
-            wind_full_height_m: all.value("SIM_WIND_T_ALT").max(1.0),
-            battery_voltage_v: all.value("SIM_BATT_VOLTAGE").clamp(0.0, 600.0),
+            wind: wind::Rules::read(all),
+            battery_set_v: all.value("SIM_BATT_VOLTAGE").clamp(0.0, 600.0),
+            motor_fault: motor_fault(all),
+            crash_check: all.value("FS_CRASH_CHECK") > 0.0,
             battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
             satellites: all.value("SIM_GPS_NUMSATS").clamp(0.0, 255.0) as u8,
             failsafes: Rules::read(all),
+            fence: fence::Rules::read(all),
+            rally: rally::Rules::read(all),
         }
     }
+}
+
+/// The motor that does not obey: `SIM_ENGINE_FAIL` counts outputs from 0, and one beyond the last means the first.
+fn motor_fault(all: &Parameters) -> Option<MotorFault> {
+    let multiplier = all.value("SIM_ENGINE_MUL").clamp(-10.0, 10.0);
+    let output = all.value("SIM_ENGINE_FAIL");
+    ((multiplier - 1.0).abs() > 1e-6).then_some(MotorFault {
+        motor: if (0.0..16.0).contains(&output) {
+            output as usize
+        } else {
+            0
+        },
+        multiplier,
+    })
 }

@@ -193,6 +193,7 @@ pub(in crate::sim) fn climb_m_s(cockpit: &Cockpit<'_>) -> f64 {
 /// One step of a mode in which the autopilot holds the height.
 pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
     let climb = climb_m_s(cockpit);
+    let climb = -cockpit.keep_inside(DVec3::new(0.0, 0.0, -climb)).z;
     if cockpit.body.on_ground && !cockpit.pilot.lifts(climb, cockpit.now) {
         return Act::Idle;
     }
@@ -248,6 +249,7 @@ fn loiter(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
         velocity = way * slower.min(rules.loiter_speed_m_s);
         accel -= way * pilot.brake_m_s2;
     }
+    let velocity = cockpit.keep_inside(velocity.extend(0.0)).truncate();
     let here = cockpit.body.position_m.truncate();
     let path = cockpit.control.path_m.truncate() + velocity * STEP_S;
     let path = here + (path - here).clamp_length_max(LEAD_MAX_M);

@@ -1,8 +1,8 @@
-//! Return to launch: stop and climb, fly home, wait, come down.
+//! Return to launch: stop and climb, fly home or to a rally point, wait, come down.
 
 use std::time::Duration;
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use super::{Act, Cockpit, Landing};
 use crate::sim::leg::Leg;
@@ -15,8 +15,10 @@ const STANDING_M_S: f64 = 0.1;
 const HEIGHT_REACHED_M: f64 = 0.2;
 /// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown.
 const HOME_REACHED_M: f64 = 2.0;
-/// The cone never asks for less height than this (`RTL_ALT_MIN`).
-const CONE_FLOOR_M: f64 = 2.0;
+/// A return is never lower than this (`RTL_ALT_MIN`).
+const LEAST_HEIGHT_M: f64 = 2.0;
+/// A cone that is flatter than this does not count (`RTL_MIN_CONE_SLOPE`).
+const CONE_SLOPE_MIN: f64 = 0.5;
 
 #[derive(Debug, Clone, PartialEq)]
 enum Stage {
@@ -31,30 +33,41 @@ enum Stage {
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::sim) struct Returning {
     stage: Stage,
+    /// Where it ends, north and east.
+    goal_m: DVec2,
     /// The height to fly at, as metres down from the start.
     down_m: f64,
-    /// Where to climb: decided when the vehicle has stopped.
+    /// Where to climb: decided in the first step.
     over_m: Option<DVec2>,
 }
 
 impl Returning {
-    /// Chooses the height: `RTL_ALT` above home, not above the cone, never below the present height.
+    /// Chooses where to (home or a rally point) and the height: `RTL_ALT` above home, not above the cone nor the
+    /// fence, never below the present height.
     pub(in crate::sim) fn new(cockpit: &Cockpit<'_>) -> Self {
         let tuning = cockpit.tuning;
-        let way = cockpit.body.position_m - cockpit.home_m;
-        let here_m = -way.z;
-        let mut height_m = tuning
-            .return_altitude_m
-            .max(here_m + tuning.return_climb_min_m);
-        if tuning.return_cone_slope > 0.0 {
-            let cone_m = way.truncate().length() * tuning.return_cone_slope;
-            height_m = height_m.min(cone_m.max(CONE_FLOOR_M));
+        let (here, home) = (cockpit.body.position_m, cockpit.home_m);
+        let goal = cockpit
+            .rally
+            .destination(&tuning.rally, here, home, |point| {
+                cockpit.fence.allows(&tuning.fence, point, home)
+            });
+        let here_m = home.z - here.z;
+        let least_m = (here_m + tuning.return_climb_min_m).max(LEAST_HEIGHT_M);
+        let mut height_m = tuning.return_altitude_m.max(least_m).max(home.z - goal.z);
+        if tuning.return_cone_slope >= CONE_SLOPE_MIN {
+            let way_m = (here - goal).truncate().length();
+            height_m = height_m.min((way_m * tuning.return_cone_slope).max(least_m));
+        }
+        if let Some(highest_m) = tuning.fence.highest_m() {
+            height_m = height_m.min(highest_m);
         }
         Self {
             stage: Stage::Climb {
                 standing_since: None,
             },
-            down_m: cockpit.home_m.z - height_m.max(here_m),
+            goal_m: goal.truncate(),
+            down_m: home.z - height_m.max(here_m),
             over_m: None,
         }
     }
@@ -74,51 +87,49 @@ impl Returning {
             Stage::Fly { leg, since } => {
                 let elapsed = cockpit.now.saturating_sub(*since).as_secs_f64();
                 cockpit.control.along(leg.at(elapsed), self.down_m, &limits);
-                let way = (cockpit.body.position_m - cockpit.home_m).truncate();
-                if elapsed >= leg.duration_s() && way.length() < HOME_REACHED_M {
+                let way_m = cockpit.body.position_m.truncate().distance(self.goal_m);
+                if elapsed >= leg.duration_s() && way_m < HOME_REACHED_M {
                     self.stage = Stage::Wait {
                         until: cockpit.now + cockpit.tuning.return_loiter,
                     };
                 }
             }
             Stage::Wait { until } => {
-                let home = cockpit.home_m.truncate();
-                cockpit.control.towards(home.extend(self.down_m), &limits);
+                let over = self.goal_m.extend(self.down_m);
+                cockpit.control.towards(over, &limits);
                 if cockpit.now >= *until {
                     self.stage = Self::end(cockpit);
                 }
             }
             Stage::Hold { down_m } => {
-                let home = cockpit.home_m.truncate();
-                cockpit.control.towards(home.extend(*down_m), &limits);
+                let over = self.goal_m.extend(*down_m);
+                cockpit.control.towards(over, &limits);
             }
             Stage::Land(landing) => return landing.step(cockpit),
         }
         Act::Fly
     }
 
-    /// Stops, climbs over the place where it stopped, and plans the leg home.
+    /// Stops and climbs over the place where it stops, and plans the leg to the goal.
     fn climb(&mut self, cockpit: &mut Cockpit<'_>) {
         if cockpit.body.on_ground {
             self.stage = Stage::Land(Landing::default());
             return;
         }
         let limits = cockpit.limits;
-        let Some(over) = self.over_m else {
-            cockpit.control.at_velocity(DVec3::ZERO, &limits);
-            if cockpit.control.velocity_m_s.truncate().length() < STANDING_M_S {
-                self.over_m = Some(cockpit.control.path_m.truncate());
-            }
-            return;
-        };
-        cockpit.control.towards(over.extend(self.down_m), &limits);
+        let over = *self
+            .over_m
+            .get_or_insert_with(|| cockpit.control.stopping_point(&limits));
+        cockpit.control.brake_to(over, self.down_m, &limits);
         let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
+        let stands = cockpit.control.velocity_m_s.truncate().length() < STANDING_M_S;
         if let Stage::Climb { standing_since } = &mut self.stage
             && high
+            && stands
         {
             let since = *standing_since.get_or_insert(cockpit.now);
             if cockpit.now >= since + PLAN_TIME {
-                self.stage = Self::leg_home(cockpit);
+                self.stage = Self::leg_to(self.goal_m, cockpit);
             }
         }
     }
@@ -135,11 +146,11 @@ impl Returning {
         }
     }
 
-    fn leg_home(cockpit: &Cockpit<'_>) -> Stage {
+    fn leg_to(goal_m: DVec2, cockpit: &Cockpit<'_>) -> Stage {
         Stage::Fly {
             leg: Leg::plan(
                 cockpit.control.path_m.truncate(),
-                cockpit.home_m.truncate(),
+                goal_m,
                 cockpit.tuning.return_speed_m_s,
                 cockpit.tuning.accel_m_s2,
                 cockpit.tuning.leg_jerk_m_s3,

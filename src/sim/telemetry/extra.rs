@@ -24,51 +24,35 @@ const TERRAIN_PENDING: u16 = 504;
 const TERRAIN_MASK: u64 = (1 << 56) - 1;
 /// The south-western corner of the grid that is asked for lies this far away, metres south and west.
 const TERRAIN_CORNER_M: (f64, f64) = (1281.0, 1038.0);
-/// Motor outputs: `MOT_SPIN_ARM`, `MOT_SPIN_MIN`, `MOT_SPIN_MAX`, `MOT_THST_EXPO`.
-const SPIN_ARM: f64 = 0.1;
-const SPIN_MIN: f64 = 0.15;
-const SPIN_MAX: f64 = 0.95;
-const THRUST_EXPO: f64 = 0.65;
 /// A motor of a SITL quad at full output, revolutions per minute.
 const FULL_RPM: f64 = 7000.0;
 /// `HIGH_LATENCY2`'s failure flag of the differential pressure sensor, which a copter lacks.
 const NO_AIRSPEED: u16 = 2;
 
-/// The pulse of motors that carry a share of the full thrust.
-fn motor_us(autopilot: &Autopilot) -> u16 {
-    if !autopilot.safety.armed {
-        return 1000;
-    }
-    let thrust = autopilot.body.throttle.clamp(0.0, 1.0);
-    let spin = if thrust <= 0.0 {
-        SPIN_ARM
-    } else {
-        let linear = 1.0 - THRUST_EXPO;
-        let share =
-            ((linear * linear + 4.0 * THRUST_EXPO * thrust).sqrt() - linear) / (2.0 * THRUST_EXPO);
-        SPIN_MIN + (SPIN_MAX - SPIN_MIN) * share
-    };
-    (1000.0 + spin * 1000.0) as u16
-}
-
 pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
-    let mut motors = [motor_us(autopilot); 4];
+    let mut servos = autopilot.servos_us;
+    let count = autopilot.airframe.motors();
+    for (motor, servo) in servos.iter_mut().enumerate().take(count) {
+        *servo = autopilot.motor_pulse_us(motor);
+    }
     if let Some(test) = &autopilot.workbench.motor_test {
-        motors = [1000; 4];
+        servos
+            .iter_mut()
+            .take(count)
+            .for_each(|servo| *servo = 1000);
         if let Some((motor, pulse_us)) = test.turning(autopilot.uptime())
             && let Some(place) = usize::try_from(motor).ok().and_then(|n| n.checked_sub(1))
-            && let Some(output) = motors.get_mut(MOTOR_ORDER.get(place).copied().unwrap_or(4))
+            && let Some(output) = servos.get_mut(MOTOR_ORDER.get(place).copied().unwrap_or(place))
         {
             *output = pulse_us;
         }
     }
-    let servos = autopilot.servos_us;
     MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
         time_usec: boot_us(autopilot) as u32,
-        servo1_raw: motors[0],
-        servo2_raw: motors[1],
-        servo3_raw: motors[2],
-        servo4_raw: motors[3],
+        servo1_raw: servos[0],
+        servo2_raw: servos[1],
+        servo3_raw: servos[2],
+        servo4_raw: servos[3],
         servo5_raw: servos[4],
         servo6_raw: servos[5],
         servo7_raw: servos[6],
@@ -312,7 +296,7 @@ pub(super) fn relay_status(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn esc_telemetry(autopilot: &Autopilot) -> MavMessage {
-    let spin = f64::from(motor_us(autopilot) - 1000) / 1000.0;
+    let spin = f64::from(autopilot.motor_pulse_us(0).saturating_sub(1000)) / 1000.0;
     MavMessage::ESC_TELEMETRY_1_TO_4(ESC_TELEMETRY_1_TO_4_DATA {
         voltage: [1679; 4],
         current: [80; 4],

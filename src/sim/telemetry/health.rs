@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
     EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryChargeState,
     MavBatteryFunction, MavBatteryType, MavLandedState, MavMessage, MavModeFlag, MavPowerStatus,
-    MavProtocolCapability, MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavType,
-    MavVtolState, POWER_STATUS_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+    MavProtocolCapability, MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState,
+    POWER_STATUS_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
 };
 
 use super::{boot_ms, boot_us};
@@ -14,7 +14,7 @@ use crate::sim::mode;
 use crate::sim::task::Task;
 
 /// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery,
-/// pre-arm check, propulsion. Fence, terrain and log are not simulated and not claimed.
+/// pre-arm check, propulsion. Terrain and log are not simulated and not claimed.
 const SENSORS: u32 = 0x5221_9C2F;
 const HEIGHT_CONTROL: u32 = 0x2000;
 const POSITION_CONTROL: u32 = 0x4000;
@@ -42,7 +42,7 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     }
     MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         custom_mode: u32::from(autopilot.mode.number),
-        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        mavtype: autopilot.airframe.vehicle_type(),
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         base_mode,
         system_status: if autopilot.failsafe.is_active() {
@@ -64,8 +64,18 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
     if autopilot.mode.autonomous {
         enabled |= POSITION_CONTROL;
     }
-    // A fence that does not exist is never breached: ground stations look at this bit alone.
-    let mut health = enabled | FENCE;
+    let fence = autopilot.fence_health();
+    let mut health = enabled;
+    if fence.is_healthy {
+        health |= FENCE;
+    }
+    if fence.is_enabled {
+        enabled |= FENCE;
+    }
+    let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
+    if fence.is_present {
+        present |= FENCE;
+    }
     if !autopilot.is_armable() {
         health &= !PREARM_CHECK;
     }
@@ -74,12 +84,10 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
     }
     let none = MavSysStatusSensorExtended::empty();
     MavMessage::SYS_STATUS(SYS_STATUS_DATA {
-        onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(
-            SENSORS | HEIGHT_CONTROL | POSITION_CONTROL,
-        ),
+        onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(present),
         onboard_control_sensors_enabled: MavSysStatusSensor::from_bits_truncate(enabled),
         onboard_control_sensors_health: MavSysStatusSensor::from_bits_truncate(health),
-        voltage_battery: (autopilot.tuning.battery_voltage_v * 1000.0) as u16,
+        voltage_battery: (autopilot.battery.voltage_v * 1000.0) as u16,
         current_battery: (autopilot.battery.current_a * 100.0) as i16,
         battery_remaining: remaining(autopilot),
         onboard_control_sensors_present_extended: none,
@@ -98,7 +106,7 @@ pub(super) fn system_time(autopilot: &Autopilot) -> MavMessage {
 
 pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
     let mut voltages = [u16::MAX; 10];
-    voltages[0] = (autopilot.tuning.battery_voltage_v * 1000.0) as u16;
+    voltages[0] = (autopilot.battery.voltage_v * 1000.0) as u16;
     MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
         current_consumed: autopilot.battery.consumed_mah as i32,
         energy_consumed: (autopilot.battery.consumed_wh * 36.0) as i32,

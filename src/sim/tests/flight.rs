@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 use super::*;
 
 /// `got` within `share` of the measured figure.
-fn close(what: &str, got: f64, measured: f64, share: f64) {
+pub(super) fn close(what: &str, got: f64, measured: f64, share: f64) {
     println!("{what}: {got:.2}, measured {measured:.2}");
     assert!(
         (got - measured).abs() <= share * measured.abs(),

@@ -27,7 +27,20 @@ pub(in crate::sim) struct Ground {
 impl Ground {
     /// Connected to a world that has just begun.
     pub(in crate::sim) fn new() -> Self {
-        let mut world = World::new(&WorldConfig::row(1, start()));
+        Self::in_world(&WorldConfig::row(1, start()))
+    }
+
+    /// Connected to a vehicle with an airframe.
+    pub(in crate::sim) fn flying(airframe: Arc<Airframe>) -> Self {
+        Self::in_world(&WorldConfig {
+            airframes: vec![airframe],
+            ..WorldConfig::row(1, start())
+        })
+    }
+
+    /// Connected to the first vehicle of a world that has just begun.
+    pub(in crate::sim) fn in_world(config: &WorldConfig) -> Self {
+        let mut world = World::new(config);
         let port = world.connect(0);
         Self {
             world,
@@ -41,21 +54,32 @@ impl Ground {
     /// Ready, in GUIDED and armed.
     pub(in crate::sim) fn armed() -> Self {
         let mut ground = Self::new();
-        ground.run(2.0);
-        assert_eq!(
-            ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, GUIDED]),
-            MavResult::MAV_RESULT_ACCEPTED
-        );
-        assert_eq!(
-            ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0]),
-            MavResult::MAV_RESULT_ACCEPTED
-        );
+        ground.arm();
         ground
+    }
+
+    /// Gets ready, enters GUIDED and arms.
+    pub(in crate::sim) fn arm(&mut self) {
+        self.run(2.0);
+        assert_eq!(
+            self.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, GUIDED]),
+            MavResult::MAV_RESULT_ACCEPTED
+        );
+        assert_eq!(
+            self.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0]),
+            MavResult::MAV_RESULT_ACCEPTED
+        );
     }
 
     /// Hovering at a height.
     pub(in crate::sim) fn hovering(height_m: f32) -> Self {
-        let mut ground = Self::armed();
+        Self::new().hover(height_m)
+    }
+
+    /// Armed, taken off and at rest at a height.
+    pub(in crate::sim) fn hover(self, height_m: f32) -> Self {
+        let mut ground = self;
+        ground.arm();
         ground.takeoff(height_m);
         ground.run(25.0 + f64::from(height_m) / 2.0);
         ground

@@ -1,0 +1,376 @@
+//! The airframe of a multirotor as `ArduPilot`'s `SIM_Frame` describes it: what a reference flight measured, and the
+//! drag, thrust and current that follow from it by the same relations, so that one file gives both simulators the
+//! same drone.
+
+mod file;
+mod layout;
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+use mavlink::dialects::ardupilotmega::MavType;
+
+pub use file::AirframeError;
+pub(super) use layout::Motor;
+
+use super::body::GRAVITY_M_S2;
+
+/// Density of the standard atmosphere at sea level, in kilograms per cubic metre.
+const SEA_LEVEL_DENSITY: f64 = 1.225;
+/// Of the throttle that the thrust needs, the part that the autopilot's compensation of density and voltage leaves:
+/// fitted to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593 m.
+const COMPENSATED: f64 = 0.9777;
+/// Rotation is braked by this over the frame's `refRotRate`, as `SIM_Frame` does.
+const ROTATION_DRAG_DEG_S: f64 = 400.0;
+/// Below this share of its full voltage a battery turns no motor.
+const DEAD_VOLTAGE_SHARE: f64 = 0.1;
+
+/// The figures of the file; names in brackets are its fields.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Figures {
+    /// `mass`, kilograms.
+    mass_kg: f64,
+    /// `diagonal_size`: how far the motors are from the centre, metres.
+    diagonal_m: f64,
+    /// `refSpd`, `refAngle`: a speed through still air and the lean that holds it.
+    reference_speed_m_s: f64,
+    reference_lean_deg: f64,
+    /// `refVoltage`, `refCurrent`: what the hover takes.
+    reference_voltage_v: f64,
+    reference_current_a: f64,
+    /// `refAlt`: where this was measured, metres above sea level.
+    reference_altitude_m: f64,
+    /// `refBatRes`, ohms.
+    battery_resistance_ohm: f64,
+    /// `maxVoltage` of the full battery.
+    full_voltage_v: f64,
+    /// `battCapacityAh`; zero: never runs down.
+    battery_capacity_ah: f64,
+    /// `hoverThrOut`, 0 to 1.
+    hover_throttle: f64,
+    /// `propExpo`: how far thrust follows the square of the command.
+    expo: f64,
+    /// `refRotRate`, degrees per second.
+    rotation_rate_deg_s: f64,
+    /// `pwmMin`, `pwmMax`, microseconds; `spin_min`, `spin_max`, shares of that range.
+    pwm_us: (f64, f64),
+    spin: (f64, f64),
+    /// `slew_max`: most change of a command per second; zero: no limit.
+    slew_per_s: f64,
+    /// `disc_area` of all rotors, square metres.
+    disc_area_m2: f64,
+    /// `mdrag_coef`.
+    momentum_drag: f64,
+    /// `moment_inertia`, kilogram square metres; zero: estimated.
+    inertia_kg_m2: DVec3,
+    motors: Vec<Motor>,
+}
+
+/// One kind of multirotor. Share it among vehicles by its `Arc`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Airframe {
+    figures: Figures,
+    /// Drag per mass and density: of the body per square of the speed, and of the rotors' inflow per root.
+    form_drag: f64,
+    momentum_drag: f64,
+    reference_density: f64,
+    hover_power_w: f64,
+    /// Speed of the rotors' outflow in the hover, metres per second.
+    outflow_m_s: f64,
+    hover_throttle_at_reference: f64,
+}
+
+/// The state of the air and of the battery, as far as it changes thrust and drag.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Conditions {
+    /// Velocity of the air, north, east, down.
+    pub(super) wind_m_s: DVec3,
+    /// Kilograms per cubic metre.
+    pub(super) air_density: f64,
+    /// Of the full voltage, 0 to 1 and a little more.
+    pub(super) voltage_share: f64,
+}
+
+impl Default for Airframe {
+    /// The quadcopter of a SITL without a frame file.
+    fn default() -> Self {
+        Self::derived(Figures::default())
+    }
+}
+
+impl Airframe {
+    /// Reads a frame file (`SIM_Frame` JSON, `#` starts a comment). Fields that are absent keep the value of the
+    /// default quad. Also returns warnings about fields that no simulator knows.
+    ///
+    /// # Errors
+    /// What is not JSON, has a wrong type or is physically impossible, with its line and column.
+    pub fn from_json(text: &str) -> Result<(Self, Vec<AirframeError>), AirframeError> {
+        let (figures, warnings) = file::read(text)?;
+        Ok((Self::derived(figures), warnings))
+    }
+
+    /// The default, to share.
+    pub fn shared_default() -> Arc<Self> {
+        Arc::new(Self::default())
+    }
+
+    /// How many motors.
+    pub fn motors(&self) -> usize {
+        self.figures.motors.len()
+    }
+
+    /// Mass, in kilograms.
+    pub fn mass_kg(&self) -> f64 {
+        self.figures.mass_kg
+    }
+
+    /// The drag coefficients such that the reference flight is in balance (`SIM_Frame`'s `init`).
+    fn derived(figures: Figures) -> Self {
+        let (sin, cos) = figures.reference_lean_deg.to_radians().sin_cos();
+        let density = air_density(figures.reference_altitude_m);
+        let speed = figures.reference_speed_m_s;
+        let weight_n = figures.mass_kg * GRAVITY_M_S2;
+        let drag_n = weight_n * sin / cos;
+        let mut coefficient = figures.momentum_drag;
+        let inflow_n = cos
+            * coefficient
+            * speed
+            * cos
+            * (weight_n / cos * density * figures.disc_area_m2).sqrt();
+        let mut form_n = drag_n - inflow_n;
+        if form_n < 0.0 {
+            coefficient *= drag_n / inflow_n;
+            form_n = 0.0;
+        }
+        Self {
+            form_drag: form_n / (density * speed * speed * figures.mass_kg),
+            momentum_drag: coefficient * (figures.disc_area_m2 / figures.mass_kg).sqrt(),
+            reference_density: density,
+            hover_power_w: figures.hover_power_w(),
+            outflow_m_s: figures.outflow_m_s(),
+            hover_throttle_at_reference: COMPENSATED * figures.hover_throttle * density
+                / SEA_LEVEL_DENSITY,
+            figures,
+        }
+    }
+
+    /// The type that a heartbeat names.
+    pub(super) fn vehicle_type(&self) -> MavType {
+        match self.motors() {
+            6 => MavType::MAV_TYPE_HEXAROTOR,
+            8 => MavType::MAV_TYPE_OCTOROTOR,
+            10 => MavType::MAV_TYPE_DECAROTOR,
+            12 => MavType::MAV_TYPE_DODECAROTOR,
+            _ => MavType::MAV_TYPE_QUADROTOR,
+        }
+    }
+
+    /// `ArduCopter`'s `FRAME_CLASS`.
+    pub(super) fn frame_class(&self) -> f32 {
+        match self.motors() {
+            6 => 2.0,
+            8 => 3.0,
+            10 => 14.0,
+            12 => 12.0,
+            _ => 1.0,
+        }
+    }
+
+    /// Volts of the full battery.
+    pub(super) fn full_voltage_v(&self) -> f64 {
+        self.figures.full_voltage_v
+    }
+
+    /// Ampere hours; zero: never runs down.
+    pub(super) fn battery_capacity_ah(&self) -> f64 {
+        self.figures.battery_capacity_ah
+    }
+
+    /// Ohms.
+    pub(super) fn battery_resistance_ohm(&self) -> f64 {
+        self.figures.battery_resistance_ohm
+    }
+
+    /// Most thrust per mass, with air flowing into the rotors at `inflow_m_s`.
+    pub(super) fn thrust_max(&self, inflow_m_s: f64, conditions: &Conditions) -> f64 {
+        let full = self.motor_thrust(1.0, inflow_m_s, conditions);
+        full.max(0.0)
+    }
+
+    /// Thrust per mass with all motors at one share of their thrust range.
+    pub(super) fn motor_thrust(&self, share: f64, inflow_m_s: f64, conditions: &Conditions) -> f64 {
+        if conditions.voltage_share < DEAD_VOLTAGE_SHARE {
+            return 0.0;
+        }
+        let inflow = inflow_m_s.max(0.0) / self.outflow_m_s;
+        let out = share * conditions.voltage_share.powi(2) / self.figures.hover_throttle;
+        GRAVITY_M_S2 * conditions.air_density / self.reference_density * (out - inflow * inflow)
+    }
+
+    /// The throttle, 0 to 1, at which the autopilot gets a thrust per mass. It makes up for thin air; of a sagging
+    /// voltage it makes up for a half (37 % at 12.0 V, 41 % at 11.0 V and 45 % at 10.24 V were measured).
+    pub(super) fn throttle_for(
+        &self,
+        thrust: f64,
+        inflow_m_s: f64,
+        conditions: &Conditions,
+    ) -> f64 {
+        let inflow = inflow_m_s.max(0.0) / self.outflow_m_s;
+        let share = thrust / GRAVITY_M_S2
+            + inflow * inflow * conditions.air_density / self.reference_density;
+        let voltage = conditions.voltage_share.max(DEAD_VOLTAGE_SHARE);
+        (self.hover_throttle_at_reference * share / voltage).clamp(0.0, 1.0)
+    }
+
+    /// The thrust per mass of a throttle: what [`throttle_for`](Self::throttle_for) undoes.
+    pub(super) fn thrust_for(
+        &self,
+        throttle: f64,
+        inflow_m_s: f64,
+        conditions: &Conditions,
+    ) -> f64 {
+        let inflow = inflow_m_s.max(0.0) / self.outflow_m_s;
+        let share = throttle * conditions.voltage_share / self.hover_throttle_at_reference
+            - inflow * inflow * conditions.air_density / self.reference_density;
+        (share * GRAVITY_M_S2).clamp(0.0, self.thrust_max(inflow_m_s, conditions))
+    }
+
+    /// Watts for a thrust per mass.
+    pub(super) fn power_w(&self, thrust: f64) -> f64 {
+        self.hover_power_w * thrust.abs() / GRAVITY_M_S2
+    }
+
+    /// The body's drag per mass along its axes, from the air's velocity along them.
+    pub(super) fn form_drag(&self, along_m_s: DVec3, air_density: f64) -> DVec3 {
+        along_m_s * along_m_s.abs() * (self.form_drag * air_density)
+    }
+
+    /// The drag of the rotors' inflow per mass and speed: the same in every direction.
+    pub(super) fn momentum_drag(&self, thrust: f64, air_density: f64) -> f64 {
+        self.momentum_drag * (thrust.max(0.0) * air_density).sqrt()
+    }
+
+    /// Where the motors are and how they turn.
+    pub(super) fn layout(&self) -> &[Motor] {
+        &self.figures.motors
+    }
+
+    /// The rotors' yaw torque per thrust and command, in metres.
+    pub(super) fn yaw_arm_m(&self) -> f64 {
+        0.05 * self.figures.diagonal_m
+    }
+
+    /// Moments of inertia per mass, square metres. Without a figure, half the mass lies on a ring.
+    pub(super) fn inertia_m2(&self) -> DVec3 {
+        let given = self.figures.inertia_kg_m2;
+        if given.min_element() > 0.0 {
+            return given / self.figures.mass_kg;
+        }
+        let ring = (self.figures.diagonal_m * 0.5).powi(2);
+        DVec3::new(0.25 * ring, 0.25 * ring, 0.5 * ring)
+    }
+
+    /// How fast rotation dies, per second.
+    pub(super) fn rotation_drag_per_s(&self) -> f64 {
+        if self.figures.rotation_rate_deg_s > 0.0 {
+            ROTATION_DRAG_DEG_S.to_radians() / self.figures.rotation_rate_deg_s
+        } else {
+            0.0
+        }
+    }
+
+    /// Most change of a motor's command in some seconds.
+    pub(super) fn slew(&self, seconds: f64) -> f64 {
+        if self.figures.slew_per_s > 0.0 {
+            self.figures.slew_per_s * seconds
+        } else {
+            1.0
+        }
+    }
+
+    /// The pulse of a motor, in microseconds, for a share of the thrust range, and what the motor makes of it after a
+    /// fault has multiplied it: the share that remains.
+    pub(super) fn share_after_fault(&self, share: f64, multiplier: f64) -> f64 {
+        let pulse_us = 1000.0 + (self.pulse_us(share) - 1000.0) * multiplier;
+        let (low, high) = self.figures.pwm_us;
+        let (spin_min, spin_max) = self.figures.spin;
+        let command = ((pulse_us - low) / (high - low) - spin_min) / (spin_max - spin_min);
+        let command = command.clamp(0.0, 1.0);
+        (1.0 - self.figures.expo) * command + self.figures.expo * command * command
+    }
+
+    /// The pulse that the autopilot sends for a share of the thrust range, in microseconds.
+    pub(super) fn pulse_us(&self, share: f64) -> f64 {
+        let (low, high) = self.figures.pwm_us;
+        let (spin_min, spin_max) = self.figures.spin;
+        low + (high - low) * (spin_min + (spin_max - spin_min) * self.command(share))
+    }
+
+    /// The command, 0 to 1, for a share of the thrust range.
+    pub(super) fn command(&self, share: f64) -> f64 {
+        let (expo, share) = (self.figures.expo, share.clamp(0.0, 1.0));
+        if expo < 1e-3 {
+            return share;
+        }
+        let linear = 1.0 - expo;
+        ((linear * linear + 4.0 * expo * share).sqrt() - linear) / (2.0 * expo)
+    }
+
+    /// Share of the thrust range that carries the weight at the reference.
+    pub(super) fn hover_share(&self) -> f64 {
+        self.figures.hover_throttle
+    }
+}
+
+impl Figures {
+    fn hover_power_w(&self) -> f64 {
+        self.reference_current_a * self.reference_voltage_v
+    }
+
+    /// Of the air that the hover throws down, by momentum theory.
+    fn outflow_m_s(&self) -> f64 {
+        2.0 * self.hover_power_w() / (self.mass_kg * GRAVITY_M_S2)
+    }
+}
+
+impl Default for Figures {
+    fn default() -> Self {
+        Self {
+            mass_kg: 3.0,
+            diagonal_m: 0.35,
+            reference_speed_m_s: 15.08,
+            reference_lean_deg: 45.0,
+            reference_voltage_v: 12.09,
+            reference_current_a: 29.3,
+            reference_altitude_m: 593.0,
+            battery_resistance_ohm: 0.01,
+            full_voltage_v: 12.6,
+            battery_capacity_ah: 0.0,
+            hover_throttle: 0.39,
+            expo: 0.65,
+            rotation_rate_deg_s: 120.0,
+            pwm_us: (1000.0, 2000.0),
+            spin: (0.15, 0.95),
+            slew_per_s: 150.0,
+            disc_area_m2: 0.385,
+            momentum_drag: 0.2,
+            inertia_kg_m2: DVec3::ZERO,
+            motors: layout::standard(4, 0.35),
+        }
+    }
+}
+
+/// Density of the standard atmosphere (1976, troposphere) at an altitude above mean sea level.
+pub(super) fn air_density(altitude_m: f64) -> f64 {
+    let warmth = 1.0 - 0.0065 / 288.15 * altitude_m.clamp(-5000.0, 11_000.0);
+    SEA_LEVEL_DENSITY * warmth.powf(4.2559)
+}
+
+/// The body's axes in the world, from the direction of the nose and of the thrust: forward, right, up.
+pub(super) fn axes(heading: DVec2, up: DVec3) -> [DVec3; 3] {
+    let right = heading.extend(0.0).cross(up).normalize_or(DVec3::Y);
+    [up.cross(right), right, up]
+}
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -1,0 +1,59 @@
+//! A hash grid over the ground: which bodies are near a point.
+
+use glam::DVec3;
+
+/// The side of a cell: several times the reach of a search, so that most searches look into one cell.
+const CELL_M: f64 = 4.0;
+/// The end of a chain.
+const NONE: u32 = u32::MAX;
+
+/// Cells are chains in a table of twice as many slots as bodies. Different cells may share a slot; a body knows its
+/// own cell.
+#[derive(Debug, Default)]
+pub(super) struct Grid {
+    heads: Vec<u32>,
+    /// Per body: its cell and the next body of the chain.
+    links: Vec<((i32, i32), u32)>,
+}
+
+impl Grid {
+    /// Begins anew with these bodies, numbered in order.
+    pub(super) fn fill(&mut self, centres: impl ExactSizeIterator<Item = DVec3>) {
+        let slots = (2 * centres.len()).next_power_of_two();
+        self.heads.clear();
+        self.heads.resize(slots, NONE);
+        self.links.clear();
+        for (body, centre) in centres.enumerate() {
+            let cell = (cell(centre.x), cell(centre.y));
+            let slot = self.slot(cell);
+            self.links.push((cell, self.heads[slot]));
+            self.heads[slot] = body as u32;
+        }
+    }
+
+    /// Calls `found` for every body in the cells that a circle around a point touches, once each.
+    pub(super) fn near(&self, centre: DVec3, reach_m: f64, mut found: impl FnMut(usize)) {
+        for north in cell(centre.x - reach_m)..=cell(centre.x + reach_m) {
+            for east in cell(centre.y - reach_m)..=cell(centre.y + reach_m) {
+                let mut next = self.heads[self.slot((north, east))];
+                while let Some((own, after)) = self.links.get(next as usize) {
+                    if *own == (north, east) {
+                        found(next as usize);
+                    }
+                    next = *after;
+                }
+            }
+        }
+    }
+
+    fn slot(&self, (north, east): (i32, i32)) -> usize {
+        let mixed =
+            (north as u32).wrapping_mul(0x9E37_79B1) ^ (east as u32).wrapping_mul(0x85EB_CA77);
+        (mixed ^ (mixed >> 15)) as usize & (self.heads.len() - 1)
+    }
+}
+
+/// The row or column of a coordinate; beyond the range of the type everything shares the last one.
+fn cell(metres: f64) -> i32 {
+    (metres / CELL_M).floor() as i32
+}

@@ -1,0 +1,455 @@
+//! The geofence: areas that were uploaded, a circle around home, a ceiling and a floor; noticing a breach and acting on
+//! it. Follows `ArduPilot`'s `AC_Fence` and `ArduCopter`'s reaction to it.
+
+mod area;
+mod avoidance;
+#[cfg(test)]
+mod tests;
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+use mavlink::dialects::ardupilotmega::{FenceBreach, FenceMitigate, MavSeverity};
+
+use self::area::Area;
+pub(super) use self::area::Fence;
+use self::avoidance::{Edges, Limiter};
+use super::autopilot::Autopilot;
+use super::mode;
+use super::parameters::Parameters;
+use super::task::Cockpit;
+use super::telemetry;
+
+/// The vehicle looks this often.
+pub(super) const EVERY_STEPS: u64 = 4;
+/// Bits of `FENCE_TYPE`.
+const CEILING: u8 = 1;
+const CIRCLE: u8 = 2;
+const AREAS: u8 = 4;
+const FLOOR: u8 = 8;
+/// Once broken, a limit is broken anew this much further out.
+const BACKUP_M: f64 = 20.0;
+/// A vehicle this far outside lands where it is.
+const GIVE_UP_M: f64 = 100.0;
+/// After a change of the mode the vehicle does not look for this long: somebody is bringing it back.
+const RECOVERY: Duration = Duration::from_secs(10);
+/// Ground stations are told of a breach unasked, but not more often than this.
+const TELL_EVERY: Duration = Duration::from_secs(1);
+const COUNT_MAX: u16 = 65_500;
+/// The id of `FENCE_STATUS`.
+const FENCE_STATUS: u32 = 162;
+
+/// What the `FENCE_*` parameters say.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Rules {
+    pub(super) is_enabled: bool,
+    kinds: u8,
+    action: u8,
+    ceiling_m: f64,
+    floor_m: f64,
+    radius_m: f64,
+    margin_m: f64,
+    avoidance: avoidance::Rules,
+}
+
+impl Rules {
+    /// Reads the parameters.
+    pub(super) fn read(all: &Parameters) -> Self {
+        Self {
+            is_enabled: all.value("FENCE_ENABLE") as i32 != 0,
+            kinds: all.value("FENCE_TYPE") as u8,
+            action: all.value("FENCE_ACTION") as u8,
+            ceiling_m: all.value("FENCE_ALT_MAX"),
+            floor_m: all.value("FENCE_ALT_MIN"),
+            radius_m: all.value("FENCE_RADIUS"),
+            margin_m: all.value("FENCE_MARGIN"),
+            avoidance: avoidance::Rules::read(all),
+        }
+    }
+
+    /// The kinds of fence that count now.
+    fn active(&self) -> u8 {
+        if self.is_enabled { self.kinds } else { 0 }
+    }
+
+    /// The greatest height above home that keeps the margin to the ceiling.
+    pub(super) fn highest_m(&self) -> Option<f64> {
+        (self.active() & CEILING != 0).then_some(self.ceiling_m - self.margin_m)
+    }
+}
+
+/// A limit that is a single number: how far the vehicle is beyond it, and where it is broken anew.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Limit {
+    beyond_m: f64,
+    backup_m: Option<f64>,
+}
+
+/// The fences of a vehicle and what has been seen of them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Geofence {
+    /// In metres north and east of the start.
+    areas: Vec<Area<DVec2>>,
+    broken: u8,
+    breaches: u16,
+    broken_since: Duration,
+    ceiling: Limit,
+    floor: Limit,
+    circle: Limit,
+    /// The floor counts from the first command that switches the fence on.
+    has_floor: bool,
+    recovering_until: Option<Duration>,
+    told: Option<Duration>,
+    limiter: Limiter,
+}
+
+/// Where a vehicle is, as fences see it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
+struct Spot {
+    /// North and east from the start.
+    here_m: DVec2,
+    from_home_m: DVec2,
+    above_home_m: f64,
+}
+
+impl Spot {
+    fn new(point_m: DVec3, home_m: DVec3) -> Self {
+        Self {
+            here_m: point_m.truncate(),
+            from_home_m: (point_m - home_m).truncate(),
+            above_home_m: home_m.z - point_m.z,
+        }
+    }
+}
+
+impl Geofence {
+    /// A mode was entered: nobody looks for a while if a fence is broken.
+    pub(super) fn mode_changed(&mut self, now: Duration) {
+        if self.broken != 0 {
+            self.recovering_until = Some(now + RECOVERY);
+        }
+    }
+
+    /// Looks at every fence; the kinds that have just been broken.
+    fn check(&mut self, rules: &Rules, spot: Spot, now: Duration) -> u8 {
+        self.broken &= rules.kinds;
+        if rules.active() == 0 {
+            return 0;
+        }
+        if self.recovering_until.is_some_and(|until| now < until) {
+            return 0;
+        }
+        self.recovering_until = None;
+        let beyond = [
+            (CEILING, spot.above_home_m - rules.ceiling_m),
+            (FLOOR, rules.floor_m - spot.above_home_m),
+            (CIRCLE, spot.from_home_m.length() - rules.radius_m),
+        ];
+        let mut fresh = 0;
+        for (kind, beyond_m) in beyond {
+            let counts = rules.kinds & kind != 0 && (kind != FLOOR || self.has_floor);
+            if counts && self.cross(kind, beyond_m, now) {
+                fresh |= kind;
+            }
+        }
+        let outside = rules.kinds & AREAS != 0 && self.is_area_broken(spot.here_m);
+        if !outside {
+            self.broken &= !AREAS;
+        } else if self.broken & AREAS == 0 {
+            self.record(AREAS, now);
+            fresh |= AREAS;
+        }
+        fresh
+    }
+
+    /// Notes how far the vehicle is beyond a limit; whether that breaks it anew.
+    fn cross(&mut self, kind: u8, beyond_m: f64, now: Duration) -> bool {
+        let was_broken = self.broken & kind != 0;
+        let limit = match kind {
+            CEILING => &mut self.ceiling,
+            FLOOR => &mut self.floor,
+            _ => &mut self.circle,
+        };
+        if beyond_m < 0.0 {
+            *limit = Limit::default();
+            self.broken &= !kind;
+            return false;
+        }
+        limit.beyond_m = beyond_m;
+        let fresh = !was_broken || limit.backup_m.is_some_and(|backup| beyond_m >= backup);
+        if fresh {
+            limit.backup_m = Some(beyond_m + BACKUP_M);
+            self.record(kind, now);
+        }
+        fresh
+    }
+
+    fn record(&mut self, kind: u8, now: Duration) {
+        if self.broken == 0 {
+            self.broken_since = now;
+        }
+        if self.breaches < COUNT_MAX {
+            self.breaches += 1;
+        }
+        self.broken |= kind;
+    }
+
+    fn is_area_broken(&self, point: DVec2) -> bool {
+        self.areas.iter().any(|area| area.is_broken_at(point))
+    }
+
+    /// Whether a point may be flown to.
+    pub(super) fn allows(&self, rules: &Rules, point_m: DVec3, home_m: DVec3) -> bool {
+        let active = rules.active();
+        if active == 0 {
+            return true;
+        }
+        let spot = Spot::new(point_m, home_m);
+        let outside = (active & CEILING != 0 && spot.above_home_m > rules.ceiling_m)
+            || (active & FLOOR != 0 && spot.above_home_m < rules.floor_m)
+            || (active & CIRCLE != 0 && spot.from_home_m.length() > rules.radius_m)
+            || (active & AREAS != 0 && self.is_area_broken(spot.here_m));
+        !outside
+    }
+
+    /// How far outside the vehicle is, of the kinds given.
+    fn farthest_m(&self, kinds: u8) -> f64 {
+        [
+            (CEILING, &self.ceiling),
+            (FLOOR, &self.floor),
+            (CIRCLE, &self.circle),
+        ]
+        .iter()
+        .filter(|(kind, _)| kinds & kind != 0)
+        .fold(0.0, |most, (_, limit)| limit.beyond_m.max(most))
+    }
+
+    fn is_present(&self, rules: &Rules) -> bool {
+        rules.kinds & (CEILING | FLOOR | CIRCLE) != 0
+            || (rules.kinds & AREAS != 0 && !self.areas.is_empty())
+    }
+
+    /// Why the fence forbids arming.
+    fn obstacle(&self, rules: &Rules) -> Option<&'static str> {
+        if !rules.is_enabled {
+            return None;
+        }
+        if !self.is_present(rules) {
+            return Some("Fences enabled, but none selected");
+        }
+        let narrow = |area: &Area<DVec2>| match area.shape {
+            area::Shape::Circle { radius_m, .. } => area.keeps_in && radius_m < rules.margin_m,
+            area::Shape::Polygon(_) => false,
+        };
+        let reasons = [
+            (
+                rules.kinds & AREAS != 0 && self.areas.iter().any(narrow),
+                "Margin is less than inclusion circle radius",
+            ),
+            (rules.radius_m < 0.0, "Invalid FENCE_RADIUS value"),
+            (
+                rules.radius_m < rules.margin_m,
+                "FENCE_MARGIN is less than FENCE_RADIUS",
+            ),
+            (rules.ceiling_m < 0.0, "Invalid FENCE_ALT_MAX value"),
+            (rules.floor_m < -100.0, "Invalid FENCE_ALT_MIN value"),
+            (self.broken != 0, "vehicle outside fence"),
+            (rules.margin_m < 0.0, "Invalid FENCE_MARGIN value"),
+            (
+                rules.ceiling_m < rules.floor_m,
+                "FENCE_ALT_MAX < FENCE_ALT_MIN",
+            ),
+            (
+                rules.ceiling_m - rules.floor_m <= 2.0 * rules.margin_m,
+                "FENCE_MARGIN too big",
+            ),
+        ];
+        let found = reasons.into_iter().find(|(applies, _)| *applies);
+        found.map(|(_, reason)| reason)
+    }
+
+    fn breach_type(&self) -> FenceBreach {
+        if self.broken & (CIRCLE | AREAS) != 0 {
+            FenceBreach::FENCE_BREACH_BOUNDARY
+        } else if self.broken & CEILING != 0 {
+            FenceBreach::FENCE_BREACH_MAXALT
+        } else if self.broken & FLOOR != 0 {
+            FenceBreach::FENCE_BREACH_MINALT
+        } else {
+            FenceBreach::FENCE_BREACH_NONE
+        }
+    }
+}
+
+/// What `FENCE_STATUS` tells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FenceReport {
+    pub(super) is_broken: bool,
+    pub(super) breaches: u16,
+    pub(super) kind: FenceBreach,
+    /// Since boot.
+    pub(super) broken_since: Duration,
+    pub(super) mitigation: FenceMitigate,
+}
+
+/// What `SYS_STATUS` tells of the fence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct FenceHealth {
+    pub(super) is_present: bool,
+    pub(super) is_enabled: bool,
+    pub(super) is_healthy: bool,
+}
+
+impl Autopilot {
+    /// Takes over the uploaded fence. The upload has checked it; a list that makes no sense counts as no fence.
+    pub(super) fn fence_changed(&mut self) {
+        let fence = match Fence::check(&self.plans.fence) {
+            Ok(fence) => fence,
+            Err(error) => {
+                self.say(error.severity(), &error.to_string());
+                Fence::default()
+            }
+        };
+        self.fence.areas = fence.in_metres(self.start.at);
+    }
+
+    /// Switches the fence on or off; `false` if there is no fence to switch on.
+    pub(super) fn enable_fence(&mut self, on: bool) -> bool {
+        if on && !self.fence.is_present(&self.tuning.fence) {
+            return false;
+        }
+        self.parameters.set("FENCE_ENABLE", f32::from(u8::from(on)));
+        self.retune();
+        self.fence.has_floor = on;
+        if !on {
+            self.fence.broken = 0;
+        }
+        true
+    }
+
+    /// Stops looking at the floor.
+    pub(super) fn disable_fence_floor(&mut self) {
+        self.fence.has_floor = false;
+        self.fence.broken &= !FLOOR;
+    }
+
+    /// Looks at the fences and acts on a breach.
+    pub(super) fn watch_fence(&mut self) {
+        if !self.tuning.fence.is_enabled && self.fence.broken == 0 {
+            return;
+        }
+        let spot =
+            self.with_cockpit(|_, cockpit| Spot::new(cockpit.body.position_m, cockpit.home_m));
+        let now = self.uptime();
+        let was_broken = self.fence.broken != 0;
+        let fresh = self.fence.check(&self.tuning.fence, spot, now);
+        if fresh == 0 {
+            return;
+        }
+        let tell = !was_broken && self.fence.told.is_none_or(|told| now > told + TELL_EVERY);
+        if tell {
+            self.fence.told = Some(now);
+        }
+        let flying = self.safety.armed && !self.safety.landed;
+        if self.safety.armed && self.tuning.fence.action != 0 {
+            self.act_on_breach(fresh);
+        }
+        if tell {
+            self.outbox.extend(telemetry::message(FENCE_STATUS, self));
+        }
+        if flying {
+            self.say(MavSeverity::MAV_SEVERITY_NOTICE, "Fence Breached");
+        }
+    }
+
+    fn act_on_breach(&mut self, fresh: u8) {
+        let manual = !self.mode.controls_height && self.sticks().throttle_is_low();
+        let falling_back = self.fence.broken & CEILING != 0;
+        if self.safety.landed || (manual && !falling_back) {
+            self.disarm();
+            return;
+        }
+        let ways: &[u8] = if self.fence.farthest_m(fresh) > GIVE_UP_M {
+            &[mode::LAND]
+        } else {
+            match self.tuning.fence.action {
+                2 => &[mode::LAND],
+                3 => &[mode::SMART_RTL, mode::RTL, mode::LAND],
+                4 => &[mode::BRAKE, mode::LAND],
+                5 => &[mode::SMART_RTL, mode::LAND],
+                _ => &[mode::RTL, mode::LAND],
+            }
+        };
+        for &way in ways {
+            if self.set_mode(way) {
+                break;
+            }
+        }
+    }
+
+    /// Why the fence forbids arming now.
+    pub(super) fn fence_obstacle(&self) -> Option<&'static str> {
+        self.fence.obstacle(&self.tuning.fence)
+    }
+
+    /// Whether the fence lets the vehicle fly to a point.
+    pub(super) fn may_fly_to(&self, point_m: DVec3) -> bool {
+        self.fence
+            .allows(&self.tuning.fence, point_m, self.home_point())
+    }
+
+    /// The bits of the fence in `SYS_STATUS`.
+    pub(super) fn fence_health(&self) -> FenceHealth {
+        let rules = &self.tuning.fence;
+        let is_present = self.fence.is_present(rules);
+        FenceHealth {
+            is_present,
+            is_enabled: is_present && rules.action != 0 && rules.is_enabled,
+            is_healthy: !(is_present && self.fence.broken != 0),
+        }
+    }
+
+    /// The report of the fence, as long as it is enabled.
+    pub(super) fn fence_report(&self) -> Option<FenceReport> {
+        self.tuning.fence.is_enabled.then(|| FenceReport {
+            is_broken: self.fence.broken != 0,
+            breaches: self.fence.breaches,
+            kind: self.fence.breach_type(),
+            broken_since: self.fence.broken_since,
+            mitigation: if self.fence.limiter.is_active(self.uptime()) {
+                FenceMitigate::FENCE_MITIGATE_VEL_LIMIT
+            } else {
+                FenceMitigate::FENCE_MITIGATE_NONE
+            },
+        })
+    }
+}
+
+impl Cockpit<'_> {
+    /// A wanted velocity, slowed so that the vehicle stays inside its fence.
+    pub(super) fn keep_inside(&mut self, wanted_m_s: DVec3) -> DVec3 {
+        let rules = &self.tuning.fence;
+        let active = rules.active();
+        if active == 0 {
+            return wanted_m_s;
+        }
+        let spot = Spot::new(self.body.position_m, self.home_m);
+        let fence = &mut *self.fence;
+        let edges = Edges {
+            rules: &rules.avoidance,
+            margin_m: rules.margin_m.max(0.0),
+            around_home: (active & CIRCLE & !fence.broken != 0)
+                .then_some((rules.radius_m, spot.from_home_m)),
+            areas: if active & AREAS == 0 {
+                &[]
+            } else {
+                &fence.areas
+            },
+            headroom_m: rules.highest_m().map(|most| most - spot.above_home_m),
+            here_m: spot.here_m,
+            accel_m_s2: (self.limits.accel_m_s2, self.limits.accel_z_m_s2),
+        };
+        fence.limiter.limit(wanted_m_s, &edges, self.now)
+    }
+}
