@@ -34,6 +34,7 @@ pub mod console;
 pub mod debrief;
 pub mod diagnostic;
 pub mod doctor;
+pub mod fidelity;
 pub mod fleet;
 pub mod geo;
 pub mod headless;

@@ -7,6 +7,7 @@ use clap::Subcommand;
 use super::Failure;
 
 mod decode;
+mod fidelity;
 mod frame;
 mod load;
 mod sim;
@@ -16,6 +17,8 @@ mod sim;
 pub(super) enum Bench {
     /// Decoding and model update per message, beside a floor that only finds frames.
     Decode(decode::DecodeArguments),
+    /// The embedded simulator beside recordings of the real vehicle, manoeuvre by manoeuvre.
+    Fidelity(fidelity::FidelityArguments),
     /// Time and bytes per frame of the console, with a tenth of the vehicles changing.
     Frame(frame::FrameArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.
@@ -28,6 +31,7 @@ pub(super) enum Bench {
 pub(super) fn bench(bench: &Bench) -> Result<ExitCode, Failure> {
     match bench {
         Bench::Decode(options) => decode::decode(options),
+        Bench::Fidelity(options) => fidelity::fidelity(options),
         Bench::Frame(options) => frame::frame(options),
         Bench::Load(options) => load::load(options),
         Bench::Sim(options) => sim::sim(options),

@@ -16,6 +16,9 @@ const CLIMB_P: f64 = 5.0;
 /// The integrator never asks for more than this (`PSC_VELXY_IMAX`).
 const INTEGRAL_MAX_M_S2: f64 = 10.0;
 
+/// How much faster a vertical speed beyond its limit may change, per share of the limit.
+const OVERSPEED_GAIN_Z: f64 = 2.0;
+
 /// What the path must keep to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Limits {
@@ -26,6 +29,27 @@ pub(super) struct Limits {
     pub(super) accel_z_m_s2: f64,
     pub(super) jerk_m_s3: f64,
     pub(super) jerk_z_m_s3: f64,
+}
+
+impl Limits {
+    /// A path that already climbs or sinks faster than it should may change its vertical speed the faster
+    /// (`POSCONTROL_OVERSPEED_GAIN_Z`): a velocity is obeyed whatever the speed limits say.
+    pub(super) fn overspeed(self, down_m_s: f64) -> Self {
+        let most = if down_m_s < 0.0 {
+            self.speed_up_m_s
+        } else {
+            self.speed_down_m_s
+        };
+        let share = down_m_s.abs() / most.max(0.1);
+        if share <= 1.0 {
+            return self;
+        }
+        Self {
+            accel_z_m_s2: self.accel_z_m_s2 * OVERSPEED_GAIN_Z * share,
+            jerk_z_m_s3: self.jerk_z_m_s3 * OVERSPEED_GAIN_Z * share,
+            ..self
+        }
+    }
 }
 
 /// The path and the feedback's memory.

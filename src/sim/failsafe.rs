@@ -72,7 +72,8 @@ impl Rules {
 impl BatteryRule {
     fn applies(&self, tuning: &Tuning, battery: &Battery) -> bool {
         battery.voltage_v < self.voltage_v
-            || tuning.battery_capacity_mah - battery.consumed_mah < self.remaining_mah
+            || self.remaining_mah > 0.0
+                && tuning.battery_capacity_mah - battery.consumed_mah < self.remaining_mah
     }
 }
 

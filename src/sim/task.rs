@@ -163,7 +163,8 @@ impl Task {
                     // What the fence takes away stays away until the next setpoint.
                     *wanted_m_s = wanted;
                 }
-                cockpit.control.at_velocity(wanted, &cockpit.limits);
+                let limits = cockpit.limits.overspeed(cockpit.control.velocity_m_s.z);
+                cockpit.control.at_velocity(wanted, &limits);
             }
             Self::Accelerate { wanted_m_s2, until } => {
                 if cockpit.now < *until {

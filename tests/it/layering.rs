@@ -16,7 +16,7 @@ const PURE: &[&[&str]] = &[
     &["commands", "messages"],
     &["language"],
     &["session", "sim"],
-    &["mission", "scoring", "debrief"],
+    &["fidelity", "mission", "scoring", "debrief"],
     &["headless"],
 ];
 /// Modules with input and output: they may use pure ones, and those before them.

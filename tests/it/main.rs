@@ -1,9 +1,11 @@
 //! The one integration-test binary.
 
 mod arducopter;
+mod clients;
 mod command_line;
 mod console;
 mod doctor;
+mod fidelity;
 mod fixtures;
 mod fleet;
 mod harness;

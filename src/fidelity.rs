@@ -1,0 +1,98 @@
+//! The embedded simulator beside a recording of the real `ArduCopter`: the same commands at the same times.
+//!
+//! A recording is what a vehicle said and what a ground station sent, both with times. [`replay`] sends the same
+//! bytes to a vehicle of the embedded simulator. One [`Observed`] reads what either of the two vehicles said, so
+//! that nothing is known of the one that is not known of the other in the same way. [`compare`] cuts the flight
+//! into manoeuvres by what was sent, and measures each of them from a common start: the place at the time of the
+//! command is subtracted, so that a difference is counted in the manoeuvre that makes it.
+
+mod answers;
+mod compare;
+mod manoeuvre;
+mod observed;
+mod replay;
+mod series;
+
+#[cfg(test)]
+mod tests;
+
+use std::time::Duration;
+
+pub use answers::{Answers, FirstDifference};
+pub use compare::{Comparison, Difference, Flight, compare};
+pub use manoeuvre::{Aim, Manoeuvre};
+pub use observed::Observed;
+pub use replay::replay;
+pub use series::Series;
+
+use crate::wire::{Decoder, Frame};
+
+/// A frame and when it passed, since the beginning of its recording.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Timed {
+    /// Since the beginning of the recording.
+    pub at: Duration,
+    /// The frame.
+    pub frame: Frame,
+}
+
+/// A flight of a real vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// What the vehicle said, in order.
+    pub heard: Vec<Timed>,
+    /// What the ground station sent, in order.
+    pub sent: Vec<Timed>,
+}
+
+impl Recording {
+    /// A recording from the contents of two tlog files (8 bytes of big-endian microseconds before each frame) of the
+    /// same clock. It begins with the earlier of the two.
+    pub fn from_tlogs(heard: &[u8], sent: &[u8]) -> Self {
+        let (heard, sent) = (records(heard), records(sent));
+        let firsts = [heard.first(), sent.first()];
+        let begin = firsts.iter().flatten().map(|first| first.at).min();
+        let since = |mut records: Vec<Timed>| {
+            for record in &mut records {
+                record.at = record.at.saturating_sub(begin.unwrap_or_default());
+            }
+            records
+        };
+        Self {
+            heard: since(heard),
+            sent: since(sent),
+        }
+    }
+}
+
+/// The frames of a tlog; what follows a broken record is left out.
+fn records(mut tlog: &[u8]) -> Vec<Timed> {
+    let mut decoder = Decoder::new();
+    let mut found = Vec::new();
+    while let Some((time, rest)) = tlog.split_first_chunk::<8>() {
+        let len = match rest {
+            [0xFD, len, flags, ..] if flags & 1 != 0 => usize::from(*len) + 25,
+            [0xFD, len, ..] => usize::from(*len) + 12,
+            [0xFE, len, ..] => usize::from(*len) + 8,
+            _ => break,
+        };
+        let Some((frame, after)) = rest.split_at_checked(len) else {
+            break;
+        };
+        decoder.push(frame);
+        let at = Duration::from_micros(u64::from_be_bytes(*time));
+        while let Some(frame) = decoder.next_frame() {
+            found.push(Timed { at, frame });
+        }
+        tlog = after;
+    }
+    found
+}
+
+/// Flies what a recording holds with the embedded simulator and compares.
+pub fn fly(recording: &Recording) -> Comparison {
+    let real = Observed::new(&recording.heard);
+    let simulated = Observed::new(&replay(recording, &real));
+    let manoeuvres = manoeuvre::cut(&recording.sent, &real);
+    compare(&manoeuvres, &real, &simulated)
+}

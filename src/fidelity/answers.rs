@@ -1,0 +1,112 @@
+//! What two vehicles answered, in order.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+/// Something said, and when.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Said {
+    pub at_s: f64,
+    pub text: String,
+}
+
+impl Said {
+    pub fn new(at_s: f64, text: String) -> Self {
+        Self { at_s, text }
+    }
+
+    /// A status text. Its numbers do not count: two flights never touch the ground at the same micrometre per second.
+    pub fn text(at_s: f64, severity: u8, text: &str) -> Self {
+        let mut words = format!("[{severity}] ");
+        for letter in text.chars() {
+            if !letter.is_ascii_digit() {
+                words.push(letter);
+            } else if !words.ends_with('#') {
+                words.push('#');
+            }
+        }
+        Self::new(at_s, words)
+    }
+}
+
+/// Where two orders part.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FirstDifference {
+    /// Its place in the order, from 0.
+    pub place: usize,
+    /// When the recording said it, in seconds since the recording began (the simulator, if the recording ended).
+    pub at_s: f64,
+    /// What the real vehicle said.
+    pub recorded: Option<String>,
+    /// What the simulated vehicle said instead.
+    pub simulated: Option<String>,
+}
+
+/// How the answers of one kind compare.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Answers {
+    /// Which kind: acks, texts, modes or reached.
+    pub kind: &'static str,
+    /// How many the real vehicle gave.
+    pub recorded: usize,
+    /// How many the simulated vehicle gave.
+    pub simulated: usize,
+    /// Nothing if the orders are identical.
+    pub first_difference: Option<FirstDifference>,
+    /// What only the real vehicle said, with how often.
+    pub missing: BTreeMap<String, usize>,
+    /// What only the simulated vehicle said, with how often.
+    pub extra: BTreeMap<String, usize>,
+}
+
+impl Answers {
+    /// Compares what was said from a time on.
+    pub(super) fn new(kind: &'static str, from_s: f64, real: &[Said], simulated: &[Said]) -> Self {
+        let since = |all: &[Said]| -> Vec<Said> {
+            let later = all.iter().filter(|said| said.at_s >= from_s);
+            later.cloned().collect()
+        };
+        let (real, simulated) = (since(real), since(simulated));
+        Self {
+            kind,
+            recorded: real.len(),
+            simulated: simulated.len(),
+            first_difference: first_difference(&real, &simulated),
+            missing: only_in(&real, &simulated),
+            extra: only_in(&simulated, &real),
+        }
+    }
+
+    /// Whether both vehicles said the same in the same order.
+    pub fn identical(&self) -> bool {
+        self.first_difference.is_none()
+    }
+}
+
+fn first_difference(real: &[Said], simulated: &[Said]) -> Option<FirstDifference> {
+    let text = |said: Option<&Said>| said.map(|said| said.text.clone());
+    let place = (0..real.len().max(simulated.len()))
+        .find(|place| text(real.get(*place)) != text(simulated.get(*place)))?;
+    let said = real.get(place).or(simulated.get(place))?;
+    Some(FirstDifference {
+        place,
+        at_s: said.at_s,
+        recorded: text(real.get(place)),
+        simulated: text(simulated.get(place)),
+    })
+}
+
+fn only_in(these: &[Said], those: &[Said]) -> BTreeMap<String, usize> {
+    let mut left: BTreeMap<String, usize> = BTreeMap::new();
+    for said in these {
+        *left.entry(said.text.clone()).or_default() += 1;
+    }
+    for said in those {
+        if let Some(count) = left.get_mut(&said.text) {
+            *count = count.saturating_sub(1);
+        }
+    }
+    left.retain(|_, count| *count > 0);
+    left
+}

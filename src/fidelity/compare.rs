@@ -1,0 +1,319 @@
+//! Two flights of the same commands, manoeuvre by manoeuvre.
+
+use serde::Serialize;
+
+use super::answers::Answers;
+use super::{Aim, Manoeuvre, Observed};
+use crate::geo::wrap_180;
+
+/// How far apart the points of a comparison are, seconds.
+const EVERY_S: f64 = 0.1;
+/// A vehicle that moves slower than this stands, m/s.
+const STANDS_M_S: f64 = 0.2;
+/// How long a vehicle that stands is still compared, seconds.
+const REST_S: f64 = 2.0;
+/// Near enough to a place, metres.
+const NEAR_M: f64 = 1.0;
+/// Near enough to a height, metres.
+const NEAR_HEIGHT_M: f64 = 0.5;
+/// Near enough to a heading, degrees.
+const NEAR_DEG: f64 = 2.0;
+/// Near enough to a velocity, as a share of the change.
+const NEAR_SHARE: f64 = 0.1;
+/// A velocity that changes by less is not a change, m/s.
+const CHANGE_M_S: f64 = 0.5;
+
+/// Root-mean-square and largest difference of one quantity.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Difference {
+    /// Root of the mean square.
+    pub rms: f64,
+    /// The largest.
+    pub largest: f64,
+}
+
+/// One manoeuvre of both vehicles.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Flight {
+    /// What was asked for.
+    pub name: String,
+    /// When, in seconds since the recording began.
+    pub at_s: f64,
+    /// How long it was compared: until both vehicles stand, or the next manoeuvre begins.
+    pub compared_s: f64,
+    /// The real vehicle's highest speed, m/s.
+    pub top_speed_m_s: f64,
+    /// How far the vehicles were apart when it began, metres; the differences below leave it out.
+    pub apart_at_start_m: f64,
+    /// Distance between the vehicles, metres.
+    pub position_m: Difference,
+    /// Difference in height, metres.
+    pub altitude_m: Difference,
+    /// Length of the difference of the velocities, m/s.
+    pub velocity_m_s: Difference,
+    /// Degrees.
+    pub roll_deg: Difference,
+    /// Degrees.
+    pub pitch_deg: Difference,
+    /// Degrees.
+    pub yaw_deg: Difference,
+    /// Volts.
+    pub voltage_v: Difference,
+    /// How long the real vehicle took to what the manoeuvre is for, if it got there.
+    pub recorded_reach_s: Option<f64>,
+    /// How long the simulated vehicle took.
+    pub simulated_reach_s: Option<f64>,
+}
+
+impl Flight {
+    /// By how many percent the simulated vehicle was later than the real one.
+    pub fn later_percent(&self) -> Option<f64> {
+        let (real, simulated) = self.recorded_reach_s.zip(self.simulated_reach_s)?;
+        (real > 0.0).then(|| (simulated - real) / real * 100.0)
+    }
+}
+
+/// Two flights of the same commands.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The manoeuvres in order.
+    pub manoeuvres: Vec<Flight>,
+    /// What was answered from the time on at which the position was known: acks, texts, modes, reached.
+    pub answers: Vec<Answers>,
+}
+
+/// Compares two flights of the same commands.
+pub fn compare(manoeuvres: &[Manoeuvre], real: &Observed, simulated: &Observed) -> Comparison {
+    let from_s = real.begin_s();
+    let kinds = [
+        ("acks", &real.acks, &simulated.acks),
+        ("modes", &real.modes, &simulated.modes),
+        ("texts", &real.texts, &simulated.texts),
+        ("reached", &real.reached, &simulated.reached),
+    ];
+    Comparison {
+        manoeuvres: manoeuvres
+            .iter()
+            .filter_map(|manoeuvre| Pair::new(manoeuvre, real, simulated)?.flight())
+            .collect(),
+        answers: kinds
+            .map(|(kind, real, simulated)| Answers::new(kind, from_s, real, simulated))
+            .into(),
+    }
+}
+
+/// Both vehicles during one manoeuvre.
+struct Pair<'a> {
+    manoeuvre: &'a Manoeuvre,
+    real: &'a Observed,
+    simulated: &'a Observed,
+    /// The simulated vehicle's place less the real one's when it began.
+    offset_m: [f64; 3],
+    to_s: f64,
+}
+
+impl<'a> Pair<'a> {
+    fn new(manoeuvre: &'a Manoeuvre, real: &'a Observed, simulated: &'a Observed) -> Option<Self> {
+        let at = |observed: &Observed| observed.position_ned_m.at(manoeuvre.from_s);
+        let mut pair = Self {
+            manoeuvre,
+            real,
+            simulated,
+            offset_m: minus(at(simulated)?, at(real)?),
+            to_s: manoeuvre.to_s,
+        };
+        let moves = |at_s: &f64| pair.moves(real, *at_s) || pair.moves(simulated, *at_s);
+        let rest_s = pair.times().rev().find(moves).unwrap_or(manoeuvre.from_s) + REST_S;
+        pair.to_s = rest_s.min(manoeuvre.to_s);
+        Some(pair)
+    }
+
+    fn times(&self) -> impl DoubleEndedIterator<Item = f64> + use<> {
+        let count = ((self.to_s - self.manoeuvre.from_s) / EVERY_S) as u32;
+        let from_s = self.manoeuvre.from_s;
+        (0..=count).map(move |place| from_s + f64::from(place) * EVERY_S)
+    }
+
+    fn moves(&self, observed: &Observed, at_s: f64) -> bool {
+        let fast = observed
+            .velocity_ned_m_s
+            .at(at_s)
+            .is_some_and(|velocity| length(velocity) > STANDS_M_S);
+        let heading = |at_s| observed.attitude_deg.at(at_s).map(|angles| angles[2]);
+        let turning = heading(at_s)
+            .zip(heading(self.to_s.min(observed.end_s() - EVERY_S)))
+            .is_some_and(|(now, last)| (now - last).abs() > NEAR_DEG);
+        fast || turning
+    }
+
+    fn flight(&self) -> Option<Flight> {
+        let mut tally = Tally::default();
+        let mut top_speed_m_s: f64 = 0.0;
+        for at_s in self.times() {
+            let velocity = self.real.velocity_ned_m_s.at(at_s);
+            top_speed_m_s = top_speed_m_s.max(velocity.map_or(0.0, length));
+            self.note(at_s, &mut tally);
+        }
+        let [
+            position_m,
+            altitude_m,
+            velocity_m_s,
+            roll_deg,
+            pitch_deg,
+            yaw_deg,
+            voltage_v,
+        ] = tally.differences()?;
+        Some(Flight {
+            name: self.manoeuvre.name.clone(),
+            at_s: self.manoeuvre.from_s,
+            compared_s: self.to_s - self.manoeuvre.from_s,
+            top_speed_m_s,
+            apart_at_start_m: length(self.offset_m),
+            position_m,
+            altitude_m,
+            velocity_m_s,
+            roll_deg,
+            pitch_deg,
+            yaw_deg,
+            voltage_v,
+            recorded_reach_s: self.reach_s(self.real),
+            simulated_reach_s: self.reach_s(self.simulated),
+        })
+    }
+
+    /// Adds the differences at one time, if both vehicles told their state around it.
+    fn note(&self, at_s: f64, tally: &mut Tally) {
+        let (real, simulated) = (self.real, self.simulated);
+        let place = real
+            .position_ned_m
+            .at(at_s)
+            .zip(simulated.position_ned_m.at(at_s));
+        if let Some((real, simulated)) = place {
+            let apart = minus(minus(simulated, real), self.offset_m);
+            tally.add(0, length(apart));
+            tally.add(1, apart[2]);
+        }
+        let velocity = real
+            .velocity_ned_m_s
+            .at(at_s)
+            .zip(simulated.velocity_ned_m_s.at(at_s));
+        if let Some((real, simulated)) = velocity {
+            tally.add(2, length(minus(simulated, real)));
+        }
+        let attitude = real
+            .attitude_deg
+            .at(at_s)
+            .zip(simulated.attitude_deg.at(at_s));
+        if let Some((real, simulated)) = attitude {
+            let apart = minus(simulated, real);
+            tally.add(3, apart[0]);
+            tally.add(4, apart[1]);
+            tally.add(5, wrap_180(apart[2]));
+        }
+        if let Some(([real], [simulated])) =
+            real.voltage_v.at(at_s).zip(simulated.voltage_v.at(at_s))
+        {
+            tally.add(6, simulated - real);
+        }
+    }
+
+    /// How long a vehicle took to what the manoeuvre is for; `None` also if it was there from the start.
+    fn reach_s(&self, observed: &Observed) -> Option<f64> {
+        let Manoeuvre { from_s, to_s, .. } = *self.manoeuvre;
+        if self.manoeuvre.aim == Aim::Landed {
+            let mut after = observed.armed.iter().filter(|(at, _)| *at > from_s);
+            let (at, _) = after
+                .find(|(_, armed)| !armed)
+                .filter(|(at, _)| *at <= to_s)?;
+            return Some(at - from_s);
+        }
+        let goal = self.goal()?;
+        let steps = ((self.to_s - from_s) / STEP_S) as u32;
+        let there = (0..=steps)
+            .map(|step| from_s + f64::from(step) * STEP_S)
+            .find(|at_s| goal.reached(observed, *at_s) == Some(true))?;
+        (there > from_s).then_some(there - from_s)
+    }
+
+    /// What counts as reached, for both vehicles.
+    fn goal(&self) -> Option<Goal> {
+        let known_s = self.real.position_ned_m.last()?.0;
+        let asked_s = self.manoeuvre.last_asked_s.min(known_s);
+        Some(match self.manoeuvre.aim {
+            Aim::Height(height) => Goal::Height(height),
+            Aim::Place(place) => Goal::Place(place),
+            Aim::Heading => Goal::Heading(self.real.attitude_deg.at(asked_s)?[2]),
+            Aim::Velocity | Aim::Landed => {
+                let wanted = self.real.velocity_ned_m_s.at(asked_s)?;
+                let before = self.real.velocity_ned_m_s.at(self.manoeuvre.from_s)?;
+                let change = length(minus(wanted, before));
+                (change > CHANGE_M_S).then_some(Goal::Velocity(wanted, NEAR_SHARE * change))?
+            }
+        })
+    }
+}
+
+/// Something to reach.
+enum Goal {
+    Height(f64),
+    Place([f64; 3]),
+    Heading(f64),
+    /// A velocity, and how near is near enough.
+    Velocity([f64; 3], f64),
+}
+
+impl Goal {
+    fn reached(&self, observed: &Observed, at_s: f64) -> Option<bool> {
+        let position = observed.position_ned_m.at(at_s)?;
+        Some(match *self {
+            Self::Height(height) => height + position[2] < NEAR_HEIGHT_M,
+            Self::Place(place) => length(minus(position, place)) < NEAR_M,
+            Self::Heading(heading) => {
+                let yaw = observed.attitude_deg.at(at_s)?[2];
+                wrap_180(yaw - heading).abs() < NEAR_DEG
+            }
+            Self::Velocity(wanted, near) => {
+                length(minus(observed.velocity_ned_m_s.at(at_s)?, wanted)) < near
+            }
+        })
+    }
+}
+
+/// How finely the time to reach is told, seconds.
+const STEP_S: f64 = 0.02;
+/// Quantities that are compared.
+const QUANTITIES: usize = 7;
+
+/// Squares and maxima of the differences so far.
+#[derive(Default)]
+struct Tally {
+    count: [f64; QUANTITIES],
+    squares: [f64; QUANTITIES],
+    largest: [f64; QUANTITIES],
+}
+
+impl Tally {
+    fn add(&mut self, quantity: usize, difference: f64) {
+        self.count[quantity] += 1.0;
+        self.squares[quantity] += difference * difference;
+        self.largest[quantity] = self.largest[quantity].max(difference.abs());
+    }
+
+    /// `None` if the vehicles were never seen together.
+    fn differences(&self) -> Option<[Difference; QUANTITIES]> {
+        (self.count[0] > 0.0).then(|| {
+            std::array::from_fn(|quantity| Difference {
+                rms: (self.squares[quantity] / self.count[quantity].max(1.0)).sqrt(),
+                largest: self.largest[quantity],
+            })
+        })
+    }
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn length(v: [f64; 3]) -> f64 {
+    v[0].hypot(v[1]).hypot(v[2])
+}

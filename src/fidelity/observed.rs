@@ -1,0 +1,173 @@
+//! What a ground station can know of a flight.
+
+use mavlink::dialects::ardupilotmega::{MavMessage, MavModeFlag};
+
+use super::answers::Said;
+use super::{Series, Timed};
+use crate::geo::{LatLon, wrap_180};
+use crate::sim::Start;
+use crate::wire::Content;
+
+/// The message id of `COMMAND_ACK`.
+const COMMAND_ACK: u32 = 77;
+
+/// What one vehicle said, sorted by subject. Times are seconds since the beginning of the recording.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Observed {
+    /// Metres north, east and down of the origin.
+    pub position_ned_m: Series<3>,
+    /// Metres per second north, east and down.
+    pub velocity_ned_m_s: Series<3>,
+    /// Roll, pitch and yaw in degrees; the yaw goes on beyond 360 instead of jumping.
+    pub attitude_deg: Series<3>,
+    /// The battery's voltage.
+    pub voltage_v: Series<1>,
+    /// Results of commands and of plan transfers.
+    pub(super) acks: Vec<Said>,
+    /// Status texts.
+    pub(super) texts: Vec<Said>,
+    /// Modes entered.
+    pub(super) modes: Vec<Said>,
+    /// Plan items reached.
+    pub(super) reached: Vec<Said>,
+    /// When the vehicle was armed (`true`) and disarmed.
+    pub(super) armed: Vec<(f64, bool)>,
+    /// Command, result and time of each ack, by number.
+    pub(super) results: Vec<(f64, u16, u8)>,
+    end_s: f64,
+    origin: Option<(LatLon, f64)>,
+    mode: Option<u32>,
+}
+
+impl Observed {
+    /// Sorts what a vehicle said.
+    pub fn new(heard: &[Timed]) -> Self {
+        let mut observed = Self::default();
+        for Timed { at, frame } in heard {
+            let at_s = at.as_secs_f64();
+            observed.end_s = at_s;
+            match &frame.content {
+                Content::Message(message) => observed.note(at_s, message),
+                Content::Undecoded { id, payload } if *id == COMMAND_ACK => {
+                    let command = u16::from_le_bytes([payload[0], payload[1]]);
+                    observed.note_result(at_s, command, payload[2], &command.to_string());
+                }
+                Content::Undecoded { .. } | Content::Unknown { .. } => {}
+            }
+        }
+        observed
+    }
+
+    /// When the position became known: what came before is the boot.
+    pub fn begin_s(&self) -> f64 {
+        self.position_ned_m.first().map_or(0.0, |(at, _)| at)
+    }
+
+    /// When it said something for the last time.
+    pub fn end_s(&self) -> f64 {
+        self.end_s
+    }
+
+    /// Where the vehicle was switched on, if it told its origin.
+    pub fn start(&self) -> Option<Start> {
+        let (at, altitude_amsl_m) = self.origin?;
+        let heading = self.attitude_deg.at(self.begin_s()).map(|angles| angles[2]);
+        Some(Start {
+            at,
+            altitude_amsl_m,
+            heading_deg: heading.unwrap_or_default(),
+        })
+    }
+
+    /// Whether the vehicle accepted a command that was sent at a time (true if it said nothing of it).
+    pub(super) fn accepted(&self, command: u16, sent_s: f64) -> bool {
+        self.results
+            .iter()
+            .find(|(at, about, _)| *about == command && *at >= sent_s)
+            .is_none_or(|(_, _, result)| *result == 0)
+    }
+
+    fn note(&mut self, at_s: f64, message: &MavMessage) {
+        match message {
+            MavMessage::LOCAL_POSITION_NED(data) => {
+                let position = [data.x, data.y, data.z].map(f64::from);
+                let velocity = [data.vx, data.vy, data.vz].map(f64::from);
+                self.position_ned_m.push(at_s, position);
+                self.velocity_ned_m_s.push(at_s, velocity);
+            }
+            MavMessage::ATTITUDE(data) => {
+                self.note_attitude(at_s, [data.roll, data.pitch, data.yaw]);
+            }
+            MavMessage::SYS_STATUS(data) if data.voltage_battery != u16::MAX => {
+                self.voltage_v
+                    .push(at_s, [f64::from(data.voltage_battery) / 1000.0]);
+            }
+            MavMessage::GPS_GLOBAL_ORIGIN(data) => {
+                let at = LatLon::from_e7(data.latitude, data.longitude);
+                self.origin
+                    .get_or_insert((at, f64::from(data.altitude) / 1000.0));
+            }
+            MavMessage::COMMAND_ACK(data) => {
+                let name = format!("{:?}", data.command);
+                let name = name.trim_start_matches("MAV_CMD_");
+                self.note_result(at_s, data.command as u16, data.result as u8, name);
+            }
+            MavMessage::MISSION_ACK(data) => {
+                let text = format!("{:?} {:?}", data.mission_type, data.mavtype);
+                let text = text.replace("MAV_MISSION_TYPE_", "plan ");
+                self.acks
+                    .push(Said::new(at_s, text.replace("MAV_MISSION_", "")));
+            }
+            MavMessage::MISSION_ITEM_REACHED(data) => {
+                self.reached.push(Said::new(at_s, data.seq.to_string()));
+            }
+            MavMessage::STATUSTEXT(data) => {
+                let text = String::from_utf8_lossy(&data.text[..]);
+                let text = text.trim_end_matches('\0');
+                self.texts.push(Said::text(at_s, data.severity as u8, text));
+            }
+            MavMessage::HEARTBEAT(data) => {
+                let armed = data
+                    .base_mode
+                    .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
+                self.note_heartbeat(at_s, data.custom_mode, armed);
+            }
+            _ => {}
+        }
+    }
+
+    fn note_attitude(&mut self, at_s: f64, angles_rad: [f32; 3]) {
+        let [roll, pitch, yaw] = angles_rad.map(|angle| f64::from(angle).to_degrees());
+        let yaw = match self.attitude_deg.last() {
+            Some((_, [_, _, last])) => last + wrap_180(yaw - last),
+            None => yaw,
+        };
+        self.attitude_deg.push(at_s, [roll, pitch, yaw]);
+    }
+
+    fn note_result(&mut self, at_s: f64, command: u16, result: u8, name: &str) {
+        const RESULTS: [&str; 5] = [
+            "ACCEPTED",
+            "TEMPORARILY_REJECTED",
+            "DENIED",
+            "UNSUPPORTED",
+            "FAILED",
+        ];
+        let word = RESULTS
+            .get(usize::from(result))
+            .unwrap_or(&"another result");
+        self.results.push((at_s, command, result));
+        self.acks.push(Said::new(at_s, format!("{name} {word}")));
+    }
+
+    fn note_heartbeat(&mut self, at_s: f64, mode: u32, armed: bool) {
+        if self.mode != Some(mode) {
+            self.mode = Some(mode);
+            self.modes
+                .push(Said::new(at_s, super::manoeuvre::mode_name(mode)));
+        }
+        if self.armed.last().is_none_or(|(_, last)| *last != armed) {
+            self.armed.push((at_s, armed));
+        }
+    }
+}

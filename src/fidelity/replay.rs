@@ -1,0 +1,109 @@
+//! The commands of a recording, given to the embedded simulator.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use mavlink::Message as _;
+
+use super::{Observed, Recording, Timed};
+use crate::geo::LatLon;
+use crate::sim::{STEP, Start, World, WorldConfig};
+use crate::wire::{AUTOPILOT_COMPONENT, Content, Decoder, Encoder, Outgoing, SystemId};
+
+/// The simulated vehicle's system id.
+const SYSTEM: u8 = 1;
+/// How long the simulated vehicle is listened to after the recording's end: it may say the same a little later.
+pub(super) const AFTERWARDS: Duration = Duration::from_secs(3);
+/// The longest payload of any message.
+const LONGEST: usize = 255;
+/// Where `COMMAND_LONG` (76) and `COMMAND_INT` (75) keep the system that they address: needed where a command has a
+/// number that the dialect lacks.
+const TARGET_OF_A_COMMAND: usize = 30;
+/// The field at Canberra where SITL starts unless told otherwise.
+const SITL_HOME: Start = Start {
+    at: LatLon::new(-35.363_262, 149.165_237),
+    altitude_amsl_m: 584.0,
+    heading_deg: 0.0,
+};
+
+/// Sends what the ground station of a recording sent, at the same times, and returns what the simulated vehicle said
+/// until the recording ends. It starts where the real vehicle started, ready to fly.
+pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
+    let start = real.start().unwrap_or(SITL_HOME);
+    let mut world = World::new(&WorldConfig::row(1, start));
+    let mut port = world.connect(0);
+    let mut decoder = Decoder::new();
+    let mut encoders = BTreeMap::new();
+    let recorded = system_of(recording);
+    let mut sent = recording.sent.iter().peekable();
+    let mut heard = Vec::new();
+    let mut bytes = Vec::new();
+    let end = recording
+        .heard
+        .last()
+        .map_or(Duration::ZERO, |last| last.at + AFTERWARDS);
+    while world.now() < end {
+        let now = world.now();
+        while let Some(Timed { frame, .. }) = sent.next_if(|next| next.at < now + STEP) {
+            if let Some(outgoing) = readdressed(&frame.content, recorded) {
+                let sender = (frame.system, frame.component);
+                let encoder = encoders
+                    .entry(sender)
+                    .or_insert_with(|| Encoder::new(sender.0, sender.1));
+                bytes.clear();
+                encoder.encode(&outgoing, &mut bytes);
+                world.receive(port, &bytes);
+            }
+        }
+        world.step();
+        bytes.clear();
+        world.take_output(port, &mut bytes);
+        decoder.push(&bytes);
+        while let Some(frame) = decoder.next_frame() {
+            heard.push(Timed {
+                at: world.now(),
+                frame,
+            });
+        }
+        if !world.is_open(port) {
+            world.disconnect(port);
+            port = world.connect(0);
+        }
+    }
+    heard
+}
+
+/// The recorded vehicle's system id.
+fn system_of(recording: &Recording) -> SystemId {
+    let own = |timed: &&Timed| timed.frame.component == AUTOPILOT_COMPONENT;
+    recording
+        .heard
+        .iter()
+        .find(own)
+        .map_or(SYSTEM, |timed| timed.frame.system)
+}
+
+/// The same message, to the simulated vehicle if it was to the recorded one; other addresses were meant to be wrong
+/// and stay wrong. `None` for what the dialect does not know.
+fn readdressed(content: &Content, recorded: SystemId) -> Option<Outgoing> {
+    match content {
+        Content::Message(message) => {
+            let mut message = message.clone();
+            if let Some(target) = message
+                .target_system_id_mut()
+                .filter(|target| **target == recorded)
+            {
+                *target = SYSTEM;
+            }
+            Some(message.into())
+        }
+        Content::Undecoded { id, payload } => {
+            let mut payload = payload[..LONGEST].to_vec();
+            if matches!(id, 75 | 76) && payload[TARGET_OF_A_COMMAND] == recorded {
+                payload[TARGET_OF_A_COMMAND] = SYSTEM;
+            }
+            Some(Outgoing::Raw { id: *id, payload })
+        }
+        Content::Unknown { .. } => None,
+    }
+}

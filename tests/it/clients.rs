@@ -1,0 +1,176 @@
+//! Other people's software against `sortie sim`: scripts as their users write them (tests/clients/README.md).
+//!
+//! `SORTIE_PYTHON` names the Python that has the clients' modules; without it, `python3` is tried. What is not
+//! installed is skipped, and the test says so.
+
+use std::io::{BufRead as _, BufReader};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// No script may take longer.
+const LIMIT: Duration = Duration::from_secs(180);
+
+/// A process that ends with the test.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // Errors mean that it has ended already.
+        drop(self.0.kill());
+        drop(self.0.wait());
+    }
+}
+
+/// The interpreter, if it has all the modules.
+fn python_with(modules: &[&str]) -> Option<String> {
+    let python = std::env::var("SORTIE_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let probe = "import sys, importlib.util as u; sys.exit(any(u.find_spec(m) is None for m in sys.argv[1:]))";
+    let found = Command::new(&python)
+        .args(["-c", probe])
+        .args(modules)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .is_ok_and(|status| status.success());
+    found.then_some(python)
+}
+
+/// One vehicle on a free port, and its address.
+fn simulator(speedup: u8) -> (Running, String) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_sortie"))
+        .args(["sim", "--tcp", "127.0.0.1:0", "--speedup"])
+        .arg(speedup.to_string())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("sortie starts");
+    let mut line = String::new();
+    let output = child.stdout.as_mut().expect("it is piped");
+    BufReader::new(output)
+        .read_line(&mut line)
+        .expect("it says where it serves");
+    let address = line.trim().strip_prefix("serving ");
+    let address = address.expect("`serving HOST:PORT`").to_owned();
+    (Running(child), address)
+}
+
+/// Runs a script against a vehicle of its own. `prefix` makes an address of HOST:PORT as the client spells it.
+fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
+    let Some(python) = python_with(modules) else {
+        println!(
+            "skipped {script}: {} not installed (see SORTIE_PYTHON)",
+            modules.join(", ")
+        );
+        return;
+    };
+    let (_simulator, address) = simulator(speedup);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let log = folder.path().join("output");
+    let output = std::fs::File::create(&log).expect("created");
+    let errors = output.try_clone().expect("cloned");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/clients")
+        .join(script);
+    let mut client = Running(
+        Command::new(python)
+            .arg("-u")
+            .arg(path)
+            .arg(format!("{prefix}{address}"))
+            .env("PYTHONDONTWRITEBYTECODE", "1")
+            .current_dir(folder.path())
+            .stdin(Stdio::null())
+            .stdout(output)
+            .stderr(errors)
+            .spawn()
+            .expect("the interpreter was found before"),
+    );
+    let started = Instant::now();
+    let status = loop {
+        if let Some(status) = client.0.try_wait().expect("waited for") {
+            break Some(status);
+        }
+        if started.elapsed() > LIMIT {
+            break None;
+        }
+        std::thread::sleep(Duration::from_millis(100));
+    };
+    let said = String::from_utf8_lossy(&std::fs::read(&log).expect("read")).into_owned();
+    assert!(
+        status.is_some_and(|status| status.success()),
+        "{script} ended with {status:?}, having said:\n{said}"
+    );
+    println!(
+        "{script} passed in {:.0} s",
+        started.elapsed().as_secs_f64()
+    );
+}
+
+#[test]
+fn pymavlink_flies() {
+    run("pymavlink_flight.py", &["pymavlink"], "tcp:", 5);
+}
+
+#[test]
+fn pymavlink_reads_and_sets_parameters() {
+    run("pymavlink_parameters.py", &["pymavlink"], "tcp:", 5);
+}
+
+#[test]
+fn pymavlink_flies_a_mission() {
+    run("pymavlink_mission.py", &["pymavlink"], "tcp:", 5);
+}
+
+#[test]
+fn pymavlink_is_held_by_a_fence() {
+    run("pymavlink_fence.py", &["pymavlink"], "tcp:", 5);
+}
+
+#[test]
+fn pymavlink_lists_logs() {
+    run("pymavlink_logs.py", &["pymavlink"], "tcp:", 5);
+}
+
+#[test]
+fn pymavlink_signs_its_link() {
+    run("pymavlink_signing.py", &["pymavlink"], "tcp:", 1);
+}
+
+#[test]
+fn mavproxy_flies_from_its_command_line() {
+    run("mavproxy_flight.py", &["MAVProxy"], "tcp:", 3);
+}
+
+#[test]
+fn dronekit_flies() {
+    // DroneKit needs `past`, of the package future, without saying so.
+    run("dronekit_flight.py", &["dronekit", "past"], "tcp:", 5);
+}
+
+#[test]
+fn mavsdk_flies() {
+    if python_with(&["mavsdk_grpc"]).is_some() {
+        run("mavsdk_flight.py", &["mavsdk_grpc"], "tcpout://", 3);
+    } else {
+        // Until its version 3, the package mavsdk was what mavsdk_grpc is now.
+        run(
+            "mavsdk_flight.py",
+            &["mavsdk", "mavsdk.action_pb2"],
+            "tcpout://",
+            3,
+        );
+    }
+}
+
+#[test]
+fn mavsdk_flies_a_mission() {
+    if python_with(&["mavsdk_grpc"]).is_some() {
+        run("mavsdk_mission.py", &["mavsdk_grpc"], "tcpout://", 3);
+    } else {
+        run(
+            "mavsdk_mission.py",
+            &["mavsdk", "mavsdk.action_pb2"],
+            "tcpout://",
+            3,
+        );
+    }
+}
