@@ -30,6 +30,7 @@ mod mode;
 mod parameters;
 mod plan;
 mod port;
+mod radio;
 mod rally;
 mod schedule;
 mod signing;
@@ -42,6 +43,7 @@ mod texts;
 mod transfer;
 mod upset;
 mod wind;
+mod workbench;
 mod yaw;
 
 #[cfg(test)]

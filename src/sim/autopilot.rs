@@ -19,11 +19,13 @@ use super::fence::{self, Geofence};
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
+use super::radio::Radio;
 use super::rally::Rally;
-use super::task::{Act, Cockpit, Sticks, Task};
+use super::task::{Act, Cockpit, Pilot, Sticks, Task};
 use super::transfer::Transfers;
 use super::upset::Drive;
 use super::wind::Wind;
+use super::workbench::Workbench;
 use super::yaw::{YawControl, YawDemand};
 use super::{STEP, Start, texts};
 use crate::geo::LatLon;
@@ -47,13 +49,6 @@ pub(super) struct Speeds {
     pub(super) ground_m_s: Option<f64>,
     pub(super) up_m_s: Option<f64>,
     pub(super) down_m_s: Option<f64>,
-}
-
-/// What a transmitter, or a ground station in its place, last said.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Radio {
-    pub(super) sticks: Sticks,
-    pub(super) until: Duration,
 }
 
 /// One vehicle.
@@ -83,6 +78,9 @@ pub(super) struct Autopilot {
     pub(super) fence: Geofence,
     pub(super) transfers: Transfers,
     pub(super) radio: Radio,
+    /// What the modes with a pilot remember.
+    pub(super) pilot: Pilot,
+    pub(super) workbench: Workbench,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
     pub(super) board_id: u64,
@@ -138,12 +136,11 @@ impl Autopilot {
             crash: CrashWatch::default(),
             home: None,
             plans: Plans::default(),
+            radio: Radio::default(),
+            pilot: Pilot::default(),
+            workbench: Workbench::default(),
             fence: Geofence::default(),
             transfers: Transfers::default(),
-            radio: Radio {
-                sticks: Sticks::RELEASED,
-                until: Duration::ZERO,
-            },
             servos_us: [0; 16],
             wind: own.0,
             board_id: own.1,
@@ -200,7 +197,12 @@ impl Autopilot {
         let transfers = std::mem::take(&mut self.transfers).rebooted();
         let boot = Boot::new(self.boot.realistic);
         let built = (start, Arc::clone(&self.airframe));
-        *self = Self::booted(system, built, self.parameters.clone(), own);
+        let parameters = if self.workbench.erased {
+            factory_parameters(self.system, &self.airframe)
+        } else {
+            self.parameters.clone()
+        };
+        *self = Self::booted(system, built, parameters, own);
         self.boot = boot;
         self.plans = plans;
         self.transfers = transfers;
@@ -226,6 +228,8 @@ impl Autopilot {
         self.report_obstacles(self.steps);
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
+            self.watch_workbench();
+            self.watch_sticks();
         }
         if self.steps.is_multiple_of(fence::EVERY_STEPS) {
             self.watch_fence();
@@ -271,11 +275,7 @@ impl Autopilot {
 
     /// The sticks as they are now: released when nobody has moved them lately.
     pub(super) fn sticks(&self) -> Sticks {
-        if self.uptime() < self.radio.until {
-            self.radio.sticks
-        } else {
-            Sticks::RELEASED
-        }
+        self.radio.sticks(self.uptime())
     }
 
     /// Reads the parameters again after a change.
@@ -296,11 +296,13 @@ impl Autopilot {
         let mut cockpit = Cockpit {
             limits: limits(&self.tuning, self.speeds),
             sticks: self.sticks(),
+            piloted: self.uptime() < self.radio.until,
             home_m: self.home_point(),
             now: self.uptime(),
             control: &mut self.control,
             body: self.estimator.belief(&self.body),
             has_position: self.estimator.has_position(),
+            pilot: &mut self.pilot,
             tuning: &self.tuning,
             fence: &mut self.fence,
             rally: Rally {
@@ -320,6 +322,7 @@ impl Autopilot {
         let demand = match act {
             Act::Idle => Demand::Off,
             Act::Throttle(throttle) => Demand::Throttle(throttle),
+            Act::Accelerate(wanted) => Demand::Acceleration(wanted),
             Act::Fly => {
                 let lean_max = self.tuning.lean_max_rad;
                 let body = self.estimator.belief(&self.body);
@@ -331,13 +334,13 @@ impl Autopilot {
             }
         };
         self.end_turn();
+        self.turn_by_stick();
         let conditions = self.conditions();
         if demand != Demand::Off || !self.body.on_ground {
             let moving = self.control.velocity_m_s.truncate();
             let here = self.body.position_m.truncate();
-            let rate = self
-                .yaw
-                .step(self.body.yaw_deg, moving, here, self.tuning.slew_yaw_deg_s);
+            let turning = (self.tuning.slew_yaw_deg_s, self.tuning.yaw_accel_deg_s2);
+            let rate = self.yaw.step(self.body.yaw_deg, moving, here, turning);
             self.body.turn(rate);
         }
         let drive = Drive {
@@ -399,10 +402,26 @@ impl Autopilot {
     fn end_turn(&mut self) {
         let until = match &self.task {
             Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
+            Task::Attitude(attitude) => attitude.until,
             _ => return,
         };
         if self.uptime() >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
             self.yaw.demand = YawDemand::Hold;
+        }
+    }
+
+    /// A yaw stick that is over turns the nose, also where the autopilot flies.
+    fn turn_by_stick(&mut self) {
+        let steered = matches!(self.task, Task::Piloted | Task::Manual);
+        let overridden = self.uptime() < self.radio.until;
+        if !self.safety.armed || !(steered || overridden) || self.mode.number == mode::BRAKE {
+            return;
+        }
+        let pilot = self.pilot.clone();
+        let rate = self.with_cockpit(|_, cockpit| pilot.turn_deg_s(cockpit));
+        let turning = matches!(self.yaw.demand, YawDemand::Stick(_));
+        if rate != 0.0 || turning {
+            self.yaw.demand = YawDemand::Stick(rate);
         }
     }
 

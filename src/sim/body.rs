@@ -149,7 +149,6 @@ impl Body {
     }
 
     /// A collision: the velocity changes by so much, the propellers break, and the vehicle tumbles.
-    #[cfg_attr(not(test), expect(dead_code, reason = "collisions come next"))]
     pub(super) fn hit(&mut self, change_m_s: DVec3) {
         self.velocity_m_s += change_m_s;
         self.wrecked = true;

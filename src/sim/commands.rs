@@ -1,14 +1,21 @@
-//! `MAV_CMD`: one table from command number to handler.
+//! `MAV_CMD`: one table from command number to handler, and one of those that are answered without further ado.
 
+mod auxiliary;
+mod calibration;
 mod fence;
 mod flight;
+mod motion;
+mod outputs;
 mod setup;
 mod streams;
 
-use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
+use mavlink::dialects::ardupilotmega::MavResult::{
+    self, MAV_RESULT_ACCEPTED as ACCEPTED, MAV_RESULT_DENIED as DENIED, MAV_RESULT_FAILED as FAILED,
+};
 
 use super::autopilot::Autopilot;
 use super::port::Link;
+use crate::geo::LatLon;
 
 /// A command as `COMMAND_LONG` or `COMMAND_INT` brought it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,80 +23,162 @@ pub(super) struct Command {
     pub(super) number: u16,
     /// The first four parameters.
     pub(super) p: [f32; 4],
-    /// Parameters 5 and 6; as degrees where they are a place.
-    pub(super) x: f64,
-    pub(super) y: f64,
+    /// Parameters 5 and 6: whole numbers, or a place in degrees times 1e7.
+    pub(super) x: i32,
+    pub(super) y: i32,
     /// Parameter 7.
     pub(super) z: f32,
     /// The frame of a `COMMAND_INT`; a `COMMAND_LONG` has none.
     pub(super) frame: Option<u8>,
 }
 
+impl Command {
+    /// A `COMMAND_LONG`: the vehicle turns its fifth and sixth parameter into whole numbers, in degrees times 1e7
+    /// where the command is about a place.
+    pub(super) fn from_long(number: u16, p: [f32; 4], [x, y, z]: [f32; 3]) -> Self {
+        let whole = |value: f32| {
+            if WITH_PLACE.contains(&number) {
+                (f64::from(value) * 1e7) as i32
+            } else {
+                value as i32
+            }
+        };
+        Self {
+            number,
+            p,
+            x: whole(x),
+            y: whole(y),
+            z,
+            frame: None,
+        }
+    }
+
+    /// Parameters 5 and 6 as a place.
+    fn at(&self) -> LatLon {
+        LatLon::from_e7(self.x, self.y)
+    }
+
+    /// A parameter without its fraction. Where it is not a number there is nothing to ask for: the real vehicle
+    /// dies of it, this one denies.
+    fn whole(&self, parameter: usize) -> Option<i32> {
+        let value = self.p.get(parameter).copied()?;
+        (!value.is_nan()).then_some(value as i32)
+    }
+
+    /// Whether a parameter is this very number.
+    fn is(&self, parameter: usize, number: f32) -> bool {
+        self.p
+            .get(parameter)
+            .is_some_and(|value| (value - number).abs() < f32::EPSILON * number.abs().max(1.0))
+    }
+}
+
+/// Home, region of interest, reposition, position estimate.
+const WITH_PLACE: &[u16] = &[179, 201, 195, 192, 43003];
+
 type Handler = fn(&mut Autopilot, &mut Link, &Command) -> MavResult;
 
-/// What the vehicle serves. Everything else is unsupported.
-#[expect(
-    deprecated,
-    reason = "ground stations in use still send what the dialect calls superseded"
-)]
-const TABLE: &[(MavCmd, Handler)] = &[
-    (MavCmd::MAV_CMD_NAV_LOITER_UNLIM, flight::loiter),
-    (
-        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH,
-        flight::return_to_launch,
-    ),
-    (MavCmd::MAV_CMD_NAV_LAND, flight::land),
-    (MavCmd::MAV_CMD_NAV_VTOL_LAND, flight::land),
-    (MavCmd::MAV_CMD_NAV_TAKEOFF, flight::takeoff),
-    (MavCmd::MAV_CMD_NAV_VTOL_TAKEOFF, flight::takeoff),
-    (MavCmd::MAV_CMD_CONDITION_YAW, flight::yaw),
-    (MavCmd::MAV_CMD_DO_SET_MODE, flight::set_mode),
-    (MavCmd::MAV_CMD_DO_CHANGE_SPEED, flight::change_speed),
-    (MavCmd::MAV_CMD_DO_SET_HOME, setup::set_home),
-    (MavCmd::MAV_CMD_DO_SET_RELAY, setup::set_relay),
-    (MavCmd::MAV_CMD_DO_SET_SERVO, setup::set_servo),
-    (MavCmd::MAV_CMD_DO_FENCE_ENABLE, fence::enable),
-    (MavCmd::MAV_CMD_DO_FLIGHTTERMINATION, flight::terminate),
-    (MavCmd::MAV_CMD_DO_REPOSITION, flight::reposition),
-    (MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, flight::pause_or_continue),
-    (
-        MavCmd::MAV_CMD_DO_LAND_START,
-        flight::start_landing_sequence,
-    ),
-    (MavCmd::MAV_CMD_DO_SET_ROI_LOCATION, flight::look_at),
-    (MavCmd::MAV_CMD_DO_SET_ROI_NONE, flight::look_ahead),
-    (MavCmd::MAV_CMD_DO_SET_ROI, flight::look_at),
-    (MavCmd::MAV_CMD_PREFLIGHT_CALIBRATION, setup::calibrate),
-    (MavCmd::MAV_CMD_PREFLIGHT_STORAGE, setup::storage),
-    (MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, setup::reboot),
-    (MavCmd::MAV_CMD_MISSION_START, flight::start_mission),
-    (MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, flight::arm_or_disarm),
-    (MavCmd::MAV_CMD_GET_HOME_POSITION, streams::home_position),
-    (MavCmd::MAV_CMD_GET_MESSAGE_INTERVAL, streams::get_interval),
-    (MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, streams::set_interval),
-    (MavCmd::MAV_CMD_REQUEST_MESSAGE, streams::request),
-    (
-        MavCmd::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES,
-        streams::capabilities,
-    ),
-    (MavCmd::MAV_CMD_DO_SEND_BANNER, setup::banner),
+/// What the vehicle carries out, by number of the `MAV_CMD`.
+const TABLE: &[(u16, Handler)] = &[
+    (17, flight::loiter),
+    (20, flight::return_to_launch),
+    (21, flight::land),
+    (85, flight::land),
+    (22, flight::takeoff),
+    (84, flight::takeoff),
+    (32, setup::follow),
+    (115, motion::yaw),
+    (176, flight::set_mode),
+    (178, motion::change_speed),
+    (179, setup::set_home),
+    (181, outputs::relay),
+    (182, outputs::relay),
+    (183, outputs::servo),
+    (184, outputs::servo),
+    (185, flight::terminate),
+    (188, flight::start_return_path),
+    (189, flight::start_landing_sequence),
+    (192, motion::reposition),
+    (193, motion::pause_or_continue),
+    (195, motion::look_at),
+    (197, motion::look_ahead),
+    (201, motion::look_at),
+    (207, fence::enable),
+    (208, outputs::parachute),
+    (209, outputs::motor_test),
+    (218, auxiliary::switch),
+    (241, calibration::preflight),
+    (245, setup::storage),
+    (246, setup::reboot),
+    (300, flight::start_mission),
+    (400, flight::arm_or_disarm),
+    (401, setup::run_checks),
+    (410, streams::home_position),
+    (510, streams::get_interval),
+    (511, streams::set_interval),
+    (512, streams::request),
+    (520, streams::capabilities),
+    (2600, setup::high_latency),
+    (5300, outputs::safety_switch),
+    (42001, flight::fly_button),
+    (42002, flight::fly_button_held),
+    (42003, flight::pause_button),
+    (42007, setup::estimator_source),
+    (42424, calibration::start_compass),
+    (42425, calibration::accept_compass),
+    (42426, calibration::cancel_compass),
+    (42428, setup::banner),
+    (42651, outputs::battery_reset),
+];
+
+/// Commands to devices that a plain SITL copter has, lacks, or has without using them: the answer to a sweep with
+/// every parameter zero (camera, gimbal, gripper, winch, sprayer, scripting and their like).
+const FIXED: &[(u16, MavResult)] = &[
+    (198, ACCEPTED),
+    (202, ACCEPTED),
+    (203, ACCEPTED),
+    (204, FAILED),
+    (205, FAILED),
+    (206, ACCEPTED),
+    (211, FAILED),
+    (216, ACCEPTED),
+    (500, FAILED),
+    (532, DENIED),
+    (534, DENIED),
+    (601, FAILED),
+    (1000, FAILED),
+    (1001, FAILED),
+    (2000, FAILED),
+    (2001, ACCEPTED),
+    (2500, FAILED),
+    (2501, FAILED),
+    (2520, ACCEPTED),
+    (10001, FAILED),
+    (32000, ACCEPTED),
+    (42006, ACCEPTED),
+    (42429, FAILED),
+    (42600, FAILED),
+    (42700, DENIED),
+    (42701, ACCEPTED),
 ];
 
 /// Carries out a command and says how it went.
 pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
-    TABLE
+    if let Some((_, handler)) = TABLE.iter().find(|(known, _)| *known == command.number) {
+        return handler(autopilot, link, command);
+    }
+    FIXED
         .iter()
-        .find(|(known, _)| *known as u32 == u32::from(command.number))
-        .map_or(MavResult::MAV_RESULT_UNSUPPORTED, |(_, handler)| {
-            handler(autopilot, link, command)
-        })
+        .find(|(known, _)| *known == command.number)
+        .map_or(MavResult::MAV_RESULT_UNSUPPORTED, |(_, result)| *result)
+}
+
+/// Whether the messages that a command asks for come before its acknowledgement.
+pub(super) fn answers_first(number: u16) -> bool {
+    matches!(number, 410 | 510)
 }
 
 /// ACCEPTED or FAILED.
 fn done(worked: bool) -> MavResult {
-    if worked {
-        MavResult::MAV_RESULT_ACCEPTED
-    } else {
-        MavResult::MAV_RESULT_FAILED
-    }
+    if worked { ACCEPTED } else { FAILED }
 }

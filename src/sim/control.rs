@@ -166,6 +166,30 @@ impl PositionControl {
         self.accel_m_s2 = accel.extend(self.accel_m_s2.z);
     }
 
+    /// Puts the horizontal path where a pilot steers it (place, velocity, acceleration) and brings the height to a
+    /// vertical speed, positive down.
+    pub(super) fn steered(
+        &mut self,
+        planned: (DVec2, DVec2, DVec2),
+        down_m_s: f64,
+        limits: &Limits,
+    ) {
+        self.velocity_m_s = DVec2::ZERO.extend(self.velocity_m_s.z);
+        self.accel_m_s2 = DVec2::ZERO.extend(self.accel_m_s2.z);
+        self.at_velocity(DVec3::new(0.0, 0.0, down_m_s), limits);
+        let (position, velocity, accel) = planned;
+        self.path_m = position.extend(self.path_m.z);
+        self.velocity_m_s = velocity.extend(self.velocity_m_s.z);
+        self.accel_m_s2 = accel.extend(self.accel_m_s2.z);
+    }
+
+    /// The downward acceleration that makes the body follow the path's height.
+    pub(super) fn lift(&self, body: &Body) -> f64 {
+        let off_m = self.path_m.z - body.position_m.z;
+        let climb = self.velocity_m_s.z + off_m * HEIGHT_P - body.velocity_m_s.z;
+        self.accel_m_s2.z + climb * CLIMB_P
+    }
+
     /// The acceleration that makes the body follow the path, within the lean that is allowed.
     pub(super) fn demand(&mut self, body: &Body, lean_max_rad: f64) -> DVec3 {
         let error_m = self.path_m - body.position_m;

@@ -9,20 +9,19 @@ use mavlink::dialects::ardupilotmega::{
 use mavlink::types::CharArray;
 
 use self::fields::{Addressed, Request};
-use super::autopilot::{Autopilot, Radio};
+use super::autopilot::{Autopilot, Place};
 use super::commands::{self, Command};
 use super::parameters::Parameter;
 use super::port::Link;
+use super::radio::CHANNELS;
 use super::{signing, telemetry, transfer};
+use crate::geo::LatLon;
 use crate::wire::{Content, Frame, Outgoing};
 
 /// `COMMAND_ACK`.
 const COMMAND_ACK: u32 = 77;
 /// The index in the answer to a parameter that was asked or set by name.
 const BY_NAME: u16 = u16::MAX;
-/// In `RC_CHANNELS_OVERRIDE`: leave the channel as it is, and give it back to the transmitter.
-const UNCHANGED: u16 = u16::MAX;
-const RELEASED: u16 = 0;
 
 /// Handles one frame.
 pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) {
@@ -48,10 +47,20 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
     match request {
         Request::Command(command) => {
             let result = commands::execute(autopilot, link, command);
+            let place = if commands::answers_first(command.number) {
+                link.replies.len()
+            } else {
+                0
+            };
             link.replies
-                .insert(0, acknowledgement(command, result, frame));
+                .insert(place, acknowledgement(command, result, frame));
         }
         Request::Setpoint(setpoint) => autopilot.take_setpoint(setpoint),
+        Request::SetMode { base, custom } if base & 1 == 1 => {
+            autopilot.set_mode(*custom as u8);
+        }
+        Request::SetMode { .. } => {}
+        Request::Attitude(asked) => autopilot.take_attitude(asked),
         Request::SetParameter { name, value } => {
             if let Some(parameter) = autopilot.parameters.set(name, *value) {
                 autopilot.retune();
@@ -86,12 +95,6 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         MavMessage::HEARTBEAT(_) if frame.system == autopilot.tuning.ground_station => {
             autopilot.failsafe.heard = Some(autopilot.uptime());
         }
-        MavMessage::SET_MODE(data) if own(data.target_system) => {
-            // No acknowledgement: the vehicle has none for this message.
-            if let Ok(number) = u8::try_from(data.custom_mode) {
-                autopilot.set_mode(number);
-            }
-        }
         MavMessage::REQUEST_DATA_STREAM(data) if own(data.target_system) => {
             let rate = if data.start_stop == 0 {
                 0
@@ -122,7 +125,24 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         MavMessage::RC_CHANNELS_OVERRIDE(data)
             if own(data.target_system) && frame.system == autopilot.tuning.ground_station =>
         {
-            override_sticks(autopilot, data);
+            autopilot.override_channels(channels(data));
+            autopilot.failsafe.heard = Some(autopilot.uptime());
+        }
+        MavMessage::MANUAL_CONTROL(data)
+            if data.target == autopilot.system
+                && frame.system == autopilot.tuning.ground_station =>
+        {
+            autopilot.control_manually([data.x, data.y, data.z, data.r]);
+            autopilot.failsafe.heard = Some(autopilot.uptime());
+        }
+        MavMessage::SET_HOME_POSITION(data) if own(data.target_system) => {
+            let place = Place {
+                at: LatLon::from_e7(data.latitude, data.longitude),
+                altitude_amsl_m: f64::from(data.altitude) / 1000.0,
+            };
+            if autopilot.is_ready() && autopilot.may_be_home(place) {
+                autopilot.set_home(place);
+            }
         }
         _ => {}
     }
@@ -138,8 +158,9 @@ fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
     })
 }
 
-fn override_sticks(autopilot: &mut Autopilot, data: &RC_CHANNELS_OVERRIDE_DATA) {
-    let asked = [
+/// The channels of an override, in order.
+fn channels(data: &RC_CHANNELS_OVERRIDE_DATA) -> [u16; CHANNELS] {
+    [
         data.chan1_raw,
         data.chan2_raw,
         data.chan3_raw,
@@ -148,20 +169,15 @@ fn override_sticks(autopilot: &mut Autopilot, data: &RC_CHANNELS_OVERRIDE_DATA) 
         data.chan6_raw,
         data.chan7_raw,
         data.chan8_raw,
-    ];
-    let mut sticks = autopilot.sticks();
-    let released = super::task::Sticks::RELEASED;
-    for (channel, value) in asked.into_iter().enumerate() {
-        match value {
-            UNCHANGED => {}
-            RELEASED => sticks.channels_us[channel] = released.channels_us[channel],
-            value => sticks.channels_us[channel] = value.clamp(800, 2200),
-        }
-    }
-    autopilot.radio = Radio {
-        sticks,
-        until: autopilot.uptime() + autopilot.tuning.override_timeout,
-    };
+        data.chan9_raw,
+        data.chan10_raw,
+        data.chan11_raw,
+        data.chan12_raw,
+        data.chan13_raw,
+        data.chan14_raw,
+        data.chan15_raw,
+        data.chan16_raw,
+    ]
 }
 
 fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_READ_DATA) {
@@ -183,6 +199,14 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
             param_id: data.param_id,
             ..value_of(autopilot, &parameter)
         }));
+    }
+}
+
+/// What `PARAM_VALUE` says of a parameter that was not asked for by its place.
+pub(super) fn unasked_parameter(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
+    PARAM_VALUE_DATA {
+        param_index: BY_NAME,
+        ..value_of(autopilot, parameter)
     }
 }
 

@@ -52,9 +52,11 @@ pub(super) const RTL: u8 = 6;
 pub(super) const CIRCLE: u8 = 7;
 pub(super) const LAND: u8 = 9;
 pub(super) const DRIFT: u8 = 11;
+pub(super) const POSHOLD: u8 = 16;
 pub(super) const BRAKE: u8 = 17;
 pub(super) const GUIDED_NOGPS: u8 = 20;
 pub(super) const SMART_RTL: u8 = 21;
+pub(super) const ZIGZAG: u8 = 24;
 pub(super) const AUTO_RTL: u8 = 27;
 
 /// Facts in the order: autonomous, controls the height, armable.
@@ -75,7 +77,7 @@ const MODES: &[Mode] = &[
         "AUTOTUNE",
         &["Mode change to AUTOTUNE failed: init failed"],
     ),
-    mode(16, "POSHOLD", Entry::Position, [true, true, true]),
+    mode(POSHOLD, "POSHOLD", Entry::Position, [true, true, true]),
     mode(BRAKE, "BRAKE", Entry::Position, [true, true, false]),
     refused(18, "THROW", &["Mode change to THROW failed: init failed"]),
     mode(
@@ -84,7 +86,7 @@ const MODES: &[Mode] = &[
         Entry::Free,
         [false, true, true],
     ),
-    mode(SMART_RTL, "SMART_RTL", Entry::Position, [true, true, false]),
+    mode(SMART_RTL, "SMARTRTL", Entry::Position, [true, true, false]),
     refused(
         22,
         "FLOWHOLD",
@@ -98,14 +100,32 @@ const MODES: &[Mode] = &[
             "Mode change to FOLLOW failed: init failed",
         ],
     ),
-    mode(24, "ZIGZAG", Entry::Position, [false, true, true]),
+    mode(ZIGZAG, "ZIGZAG", Entry::Position, [false, true, true]),
     refused(
         AUTO_RTL,
         "AUTO_RTL",
-        &["Mode change to AUTO RTL failed: No return path or landing sequence found"],
+        &[
+            "Unable to start landing sequence",
+            "Mode change to AUTO RTL failed: No return path or landing sequence found",
+        ],
     ),
     refused(28, "TURTLE", &["Mode change to TURTLE failed: init failed"]),
 ];
+
+/// Modes that take setpoints from a ground station.
+pub(super) fn is_guided(number: u8) -> bool {
+    matches!(number, GUIDED | GUIDED_NOGPS)
+}
+
+/// Modes in which a command changes the speed.
+pub(super) fn changes_speed(number: u8) -> bool {
+    matches!(number, AUTO | GUIDED | RTL | GUIDED_NOGPS | SMART_RTL)
+}
+
+/// Modes that take off by command; `ALT_HOLD` only where the vehicle need not hold its place.
+pub(super) fn takes_off(number: u8, navigates: bool) -> bool {
+    matches!(number, GUIDED | LOITER | POSHOLD | ZIGZAG) || (number == ALT_HOLD && !navigates)
+}
 
 impl Mode {
     /// The mode in which the vehicle boots.

@@ -31,10 +31,12 @@ impl Kind {
 
     /// The value as it is stored: integers are truncated and saturate.
     fn stored(self, value: f32) -> f32 {
+        // The vehicle adds a hundredth away from zero before it cuts the fraction off.
+        let whole = value + 0.01f32.copysign(value);
         match self {
-            Self::Int8 => f32::from(value as i8),
-            Self::Int16 => f32::from(value as i16),
-            Self::Int32 => value as i32 as f32,
+            Self::Int8 => f32::from(whole as i8),
+            Self::Int16 => f32::from(whole as i16),
+            Self::Int32 => whole as i32 as f32,
             Self::Real32 => value,
         }
     }

@@ -4,24 +4,30 @@ use std::time::Duration;
 
 use super::Serial;
 use super::parameters::Parameters;
+use super::telemetry::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
 /// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
 const SHORTEST_US: i64 = 3_000;
 /// What a new link gets unasked: HEARTBEAT once per second.
 const HEARTBEAT: u32 = 0;
 const HEARTBEAT_US: i64 = 1_000_000;
+const TERRAIN_US: i64 = 2_000_000;
 /// Messages that are this many intervals late are given up.
 const LATE_INTERVALS: u64 = 4;
 
 /// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
 const STREAMS: &[(u8, &str, &[u32])] = &[
-    (1, "RAW_SENS", &[27, 116, 29]),
+    (1, "RAW_SENS", &[27, 116, 129, 29, 137]),
     (2, "EXT_STAT", &[1, 125, 152, 42, 24, 62, 87, 162]),
     (3, "RC_CHAN", &[36, 65]),
     (6, "POSITION", &[32, 33]),
     (10, "EXTRA1", &[30, 164, 178]),
     (11, "EXTRA2", &[74]),
-    (12, "EXTRA3", &[2, 147, 163, 168, 193, 241]),
+    (
+        12,
+        "EXTRA3",
+        &[2, 147, 163, 168, 193, 241, TERRAIN_REQUEST, 11030],
+    ),
 ];
 /// The group that means all groups.
 const ALL_STREAMS: u8 = 0;
@@ -76,6 +82,17 @@ impl Schedule {
     /// Sets an interval in microseconds. 0 and -1 switch the message off; every other number that is too short
     /// (negative ones too) means the shortest.
     pub(super) fn set(&mut self, id: u32, interval_us: i64, now: Duration) {
+        if id == TERRAIN_REQUEST {
+            // The report comes with every turn, the request for data not more often than every 2 s.
+            self.set(TERRAIN_REPORT, interval_us, now);
+            let on = interval_us != 0 && interval_us != -1;
+            let rare_us = if on { interval_us.max(TERRAIN_US) } else { 0 };
+            return self.set_one(TERRAIN_REQUEST, rare_us, now);
+        }
+        self.set_one(id, interval_us, now);
+    }
+
+    fn set_one(&mut self, id: u32, interval_us: i64, now: Duration) {
         self.entries.retain(|entry| entry.id != id);
         if interval_us != 0 && interval_us != -1 {
             let now_us = now.as_micros() as u64;
@@ -90,6 +107,11 @@ impl Schedule {
 
     /// The interval of a message in microseconds, -1 when it is off.
     pub(super) fn interval_us(&self, id: u32) -> i64 {
+        let id = if id == TERRAIN_REQUEST {
+            TERRAIN_REPORT
+        } else {
+            id
+        };
         self.entries
             .iter()
             .find(|entry| entry.id == id)

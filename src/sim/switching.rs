@@ -1,10 +1,13 @@
 //! Changing the mode.
 
+use std::time::Duration;
+
+use glam::DVec2;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use super::autopilot::{Autopilot, Speeds};
 use super::mode::{self, Entry, Mode};
-use super::task::{Landing, Returning, Task};
+use super::task::{Attitude, Landing, Lift, Pilot, Returning, Task};
 use super::telemetry;
 use super::yaw::YawDemand;
 
@@ -52,6 +55,7 @@ impl Autopilot {
         self.paused = None;
         self.control.take_over(self.estimator.belief(&self.body));
         self.yaw.settle(self.body.yaw_deg);
+        self.pilot = Pilot::begin(mode.number, self.body.lean_m_s2);
         self.task = self.first_task();
         // The heartbeat overtakes the texts that wait to be sent.
         let before_texts = self
@@ -86,7 +90,13 @@ impl Autopilot {
             {
                 Task::Wait
             }
-            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO => Task::STOP,
+            mode::GUIDED | mode::AUTO => Task::STOP,
+            mode::GUIDED_NOGPS => Task::Attitude(Attitude {
+                lean_rad: DVec2::ZERO,
+                rates_rad_s: DVec2::ZERO,
+                lift: Lift::Climb(0.0),
+                until: Duration::ZERO,
+            }),
             mode::BRAKE => Task::Brake,
             mode::CIRCLE => {
                 let circle = Task::circle(self.believed(), &self.tuning);

@@ -1,10 +1,10 @@
-//! `SET_POSITION_TARGET_LOCAL_NED` and _`GLOBAL_INT` in GUIDED.
+//! `SET_POSITION_TARGET_LOCAL_NED` and _`GLOBAL_INT`, and `SET_ATTITUDE_TARGET`, in GUIDED.
 
-use glam::DVec3;
+use glam::{DQuat, DVec2, DVec3, EulerRot};
 
 use super::autopilot::{Autopilot, Place};
 use super::mode;
-use super::task::Task;
+use super::task::{Attitude, Lift, Task};
 use super::yaw::YawDemand;
 use crate::geo::LatLon;
 
@@ -12,8 +12,22 @@ use crate::geo::LatLon;
 const POSITION: u16 = 0x007;
 const VELOCITY: u16 = 0x038;
 const ACCELERATION: u16 = 0x1C0;
+/// Forces instead of accelerations: not supported.
+const FORCE: u16 = 0x200;
 const YAW: u16 = 0x400;
 const YAW_RATE: u16 = 0x800;
+/// Bits of an attitude's type mask.
+const NO_ROLL_RATE: u8 = 0x01;
+const NO_PITCH_RATE: u8 = 0x02;
+const NO_YAW_RATE: u8 = 0x04;
+const NO_THRUST: u8 = 0x40;
+const NO_ATTITUDE: u8 = 0x80;
+/// A quaternion may be off the unit length by this much.
+const UNIT_WITHIN: f64 = 1e-3;
+/// The bit of `GUID_OPTIONS` that makes the thrust of an attitude a thrust instead of a climb.
+const THRUST_AS_THRUST: i32 = 1 << 3;
+/// Velocities and accelerations beyond this stop the vehicle.
+const SANE_MAX: f64 = 1000.0;
 /// Altitudes, speeds and offsets beyond this are mistakes (10 times round the earth).
 const SENSIBLE_MAX: f64 = 1e8;
 
@@ -36,6 +50,15 @@ pub(super) struct Setpoint {
     pub(super) yaw_rate_rad_s: f64,
     pub(super) mask: u16,
     pub(super) frame: u8,
+}
+
+/// An attitude as it arrived: a quaternion, body rates, thrust.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct AttitudeTarget {
+    pub(super) q: [f32; 4],
+    pub(super) rates_rad_s: [f32; 3],
+    pub(super) thrust: f32,
+    pub(super) mask: u8,
 }
 
 /// The altitude above sea level that a height means in a global frame; `None` in a frame the vehicle lacks.
@@ -61,6 +84,10 @@ impl Autopilot {
         if self.mode.number != mode::GUIDED || !flying || lifting {
             return;
         }
+        let forced = setpoint.mask & FORCE != 0 && setpoint.mask & ACCELERATION == 0;
+        if forced {
+            return;
+        }
         let task = self.task_for(setpoint);
         if let Some(Task::Goto { goal_m, .. }) = &task
             && !self.may_fly_to(*goal_m)
@@ -75,6 +102,65 @@ impl Autopilot {
             }
             None => self.task = Task::STOP,
         }
+    }
+
+    /// Takes an attitude. Without a thrust, or with a quaternion that is none, it is ignored; on the ground a climb
+    /// takes off.
+    pub(super) fn take_attitude(&mut self, asked: &AttitudeTarget) {
+        let rates = asked.rates_rad_s.map(f64::from);
+        let finite = asked.thrust.is_finite() && rates.iter().all(|rate| rate.is_finite());
+        if !mode::is_guided(self.mode.number) || !self.safety.armed || !finite {
+            return;
+        }
+        let q = quaternion(asked.q);
+        let attitude = asked.mask & NO_ATTITUDE == 0;
+        let unit = (q.length() - 1.0).abs() < UNIT_WITHIN;
+        if asked.mask & NO_THRUST != 0 || (attitude && !unit) {
+            return;
+        }
+        self.paused = None;
+        let of = |bit: u8, rate: f64| if asked.mask & bit == 0 { rate } else { 0.0 };
+        let (yaw, pitch, roll) = q.normalize().to_euler(EulerRot::ZYX);
+        let lean_rad = if attitude {
+            DVec2::new(-pitch, roll)
+        } else {
+            self.leaning_rad()
+        };
+        let yaw_rate = of(NO_YAW_RATE, rates[2]);
+        if attitude {
+            self.yaw.turn_to(yaw.to_degrees(), 0.0, 0.0);
+        } else {
+            self.yaw.demand = YawDemand::Rate(yaw_rate.to_degrees());
+        }
+        self.task = Task::Attitude(Attitude {
+            lean_rad,
+            rates_rad_s: if attitude {
+                DVec2::ZERO
+            } else {
+                DVec2::new(-of(NO_PITCH_RATE, rates[1]), of(NO_ROLL_RATE, rates[0]))
+            },
+            lift: self.lift_of(f64::from(asked.thrust)),
+            until: self.uptime() + self.tuning.setpoint_timeout,
+        });
+    }
+
+    /// The present lean forward and to the right, in radians: rates start from it.
+    fn leaning_rad(&self) -> DVec2 {
+        let (roll, pitch) = self.body.roll_pitch_rad();
+        DVec2::new(-pitch, roll)
+    }
+
+    /// What a thrust means: half holds the height, more climbs, less sinks; or a thrust, if so set.
+    fn lift_of(&self, thrust: f64) -> Lift {
+        if self.tuning.guided_options & THRUST_AS_THRUST != 0 {
+            return Lift::Thrust(thrust.clamp(-1.0, 1.0));
+        }
+        let off = (thrust.clamp(0.0, 1.0) - 0.5) * 2.0;
+        Lift::Climb(if off > 0.0 {
+            off * self.tuning.speed_up_m_s
+        } else {
+            off * self.tuning.speed_down_m_s
+        })
     }
 
     /// Flies to a point that itself moves for a while.
@@ -93,6 +179,12 @@ impl Autopilot {
         let velocity = self.in_north_east(setpoint, setpoint.velocity_m_s);
         let usable = |v: DVec3| v.is_finite() && v.length() < SENSIBLE_MAX;
         if !is_frame_known(setpoint) {
+            return None;
+        }
+        if asked(POSITION) && !asked(VELOCITY) && asked(ACCELERATION) {
+            return None;
+        }
+        if asked(VELOCITY) && (velocity.is_nan() || velocity.abs().max_element() > SANE_MAX) {
             return None;
         }
         if asked(POSITION) {
@@ -176,4 +268,10 @@ fn is_frame_known(setpoint: &Setpoint) -> bool {
         Point::Local(_) => matches!(setpoint.frame, 1 | 7 | 8 | 9),
         Point::Global { .. } => matches!(setpoint.frame, 0 | 3 | 5 | 6 | 10 | 11),
     }
+}
+
+/// A quaternion in the order of `MAVLink`: the scalar first.
+fn quaternion(q: [f32; 4]) -> DQuat {
+    let [scalar, vector @ ..] = q.map(f64::from);
+    DQuat::from_vec4(DVec3::from_array(vector).extend(scalar))
 }

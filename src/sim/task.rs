@@ -1,5 +1,6 @@
 //! What the autopilot is doing inside its mode: one small controller per task.
 
+mod attitude;
 mod landing;
 mod piloted;
 mod returning;
@@ -9,8 +10,9 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
+pub(super) use attitude::{Attitude, Lift};
 pub(super) use landing::Landing;
-pub(super) use piloted::Sticks;
+pub(super) use piloted::{Pilot, PilotRules, Sticks};
 pub(super) use returning::Returning;
 pub(super) use takeoff::Takeoff;
 
@@ -20,17 +22,24 @@ use super::fence::Geofence;
 use super::parameters::Tuning;
 use super::rally::Rally;
 
+/// The widest and the fastest circle.
+const CIRCLE_MAX_M: f64 = 2000.0;
+const CIRCLE_MAX_DEG_S: f64 = 90.0;
 /// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`).
 const BRAKE_ACCEL_M_S2: f64 = 7.5;
 
 /// What a task works with.
 pub(super) struct Cockpit<'a> {
     pub(super) control: &'a mut PositionControl,
+    /// What the modes with a pilot remember.
+    pub(super) pilot: &'a mut Pilot,
     /// What the autopilot believes of the body.
     pub(super) body: &'a Body,
     pub(super) tuning: &'a Tuning,
     pub(super) limits: Limits,
     pub(super) sticks: Sticks,
+    /// A ground station speaks in the transmitter's place: the throttle is somebody's will.
+    pub(super) piloted: bool,
     /// Home, in metres north, east and down from the start.
     pub(super) home_m: DVec3,
     /// Whether the horizontal position and velocity of `body` can be trusted.
@@ -50,6 +59,8 @@ pub(super) enum Act {
     Level,
     /// Idle on the ground.
     Idle,
+    /// An acceleration (north, east, down) by lean and thrust; gravity is not part of it.
+    Accelerate(DVec3),
     /// A throttle from 0 to 1, level.
     Throttle(f64),
 }
@@ -71,6 +82,8 @@ pub(super) enum Task {
     Velocity { wanted_m_s: DVec3, until: Duration },
     /// Accelerates, then stops and holds.
     Accelerate { wanted_m_s2: DVec3, until: Duration },
+    /// Leans as a ground station says.
+    Attitude(Attitude),
     /// Brakes hard and holds.
     Brake,
     /// Flies home and lands.
@@ -92,6 +105,9 @@ pub(super) struct Circle {
     pub(super) angle_rad: f64,
     pub(super) rate_rad_s: f64,
     pub(super) down_m: f64,
+    /// The pilot's pitch stick changes the radius, the roll stick the rate.
+    pub(super) radius_m: f64,
+    pub(super) asked_deg_s: f64,
 }
 
 impl Task {
@@ -119,6 +135,8 @@ impl Task {
             angle_rad: body.yaw_deg.to_radians() + std::f64::consts::PI,
             rate_rad_s: 0.0,
             down_m: body.position_m.z,
+            radius_m: tuning.circle_radius_m,
+            asked_deg_s: tuning.circle_rate_deg_s,
         })
     }
 
@@ -130,7 +148,8 @@ impl Task {
             Self::Land(landing) => return landing.step(cockpit),
             Self::Return(returning) => return returning.step(cockpit),
             Self::Piloted => return piloted::step(cockpit),
-            Self::Manual => return Act::Throttle(cockpit.sticks.throttle()),
+            Self::Manual => return piloted::manual(cockpit),
+            Self::Attitude(attitude) => return attitude.step(cockpit),
             Self::Goto {
                 goal_m,
                 drift_m_s,
@@ -176,15 +195,35 @@ fn brake(cockpit: &mut Cockpit<'_>) {
 }
 
 impl Circle {
+    /// Pitch forward shrinks the circle at up to the cruise speed, roll turns it faster or slower by up to 1 degree
+    /// per second each second, throttle climbs.
+    fn obey_sticks(&mut self, cockpit: &Cockpit<'_>) {
+        let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
+        let channels = &cockpit.sticks.channels_us;
+        let (right, back) = (roll.off_centre(channels[0]), pitch.off_centre(channels[1]));
+        if back != 0.0 {
+            let grown_m = self.radius_m + back * cockpit.tuning.speed_m_s * STEP_S;
+            self.radius_m = grown_m.clamp(0.0, CIRCLE_MAX_M);
+        }
+        if right != 0.0 {
+            let faster = self.rate_rad_s.to_degrees() + right * STEP_S;
+            self.asked_deg_s = if self.asked_deg_s < 0.0 {
+                faster.clamp(-CIRCLE_MAX_DEG_S, 0.0)
+            } else {
+                faster.clamp(0.0, CIRCLE_MAX_DEG_S)
+            };
+        }
+        if cockpit.piloted {
+            self.down_m -= piloted::climb_m_s(cockpit) * STEP_S;
+        }
+    }
+
     fn step(&mut self, cockpit: &mut Cockpit<'_>) {
-        let radius_m = cockpit.tuning.circle_radius_m;
+        self.obey_sticks(cockpit);
+        let radius_m = self.radius_m;
         let most = (cockpit.limits.speed_m_s / radius_m.max(0.1))
             .min((0.5 * cockpit.limits.accel_m_s2 / radius_m.max(0.1)).sqrt());
-        let wanted = cockpit
-            .tuning
-            .circle_rate_deg_s
-            .to_radians()
-            .clamp(-most, most);
+        let wanted = self.asked_deg_s.to_radians().clamp(-most, most);
         let spin_up = 0.5 * cockpit.limits.accel_m_s2 / radius_m.max(1.0) * STEP_S;
         self.rate_rad_s += (wanted - self.rate_rad_s).clamp(-spin_up, spin_up);
         self.angle_rad += self.rate_rad_s * STEP_S;

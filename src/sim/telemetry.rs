@@ -1,5 +1,6 @@
 //! What the vehicle reports: one builder per message, picked by message id.
 
+mod extra;
 mod fence;
 mod health;
 mod motion;
@@ -13,7 +14,15 @@ pub(super) use self::health::EPOCH_US;
 use super::autopilot::Autopilot;
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
-const SILENT: &[u32] = &[22, 34, 35, 100, 124, 127, 128, 132, 143, 173, 180, 181, 226];
+const SILENT: &[u32] = &[
+    22, 34, 35, 100, 124, 127, 128, 132, 143, 173, 180, 181, 191, 192, 194, 195, 225, 226, 246,
+    259, 260, 262, 271, 280, 281, 285, 301, 373, 9005, 10008, 11020,
+];
+/// Sent with another message and not to be asked for by itself.
+const UNASKABLE: u32 = TERRAIN_REPORT;
+/// `TERRAIN_REQUEST` and `TERRAIN_REPORT` come together.
+pub(super) const TERRAIN_REQUEST: u32 = 133;
+pub(super) const TERRAIN_REPORT: u32 = 136;
 
 /// How a message is made: it can be made at any time, or not always.
 #[derive(Clone, Copy)]
@@ -37,34 +46,47 @@ const TABLE: &[(u32, Builder)] = &[
     (1, Always(health::sys_status)),
     (2, Always(health::system_time)),
     (24, Always(sensors::gps_raw_int)),
+    (26, Always(extra::scaled_imu)),
     (27, Always(sensors::raw_imu)),
     (29, Always(sensors::scaled_pressure)),
     (30, Always(motion::attitude)),
     (31, Always(motion::attitude_quaternion)),
     (32, Sometimes(motion::local_position_ned)),
     (33, Always(motion::global_position_int)),
-    (36, Always(sensors::servo_output_raw)),
+    (36, Always(extra::servo_output_raw)),
     (42, Always(navigation::mission_current)),
+    (46, Always(extra::mission_item_reached)),
     (49, Sometimes(navigation::gps_global_origin)),
     (62, Always(navigation::nav_controller_output)),
-    (65, Always(sensors::rc_channels)),
+    (65, Always(extra::rc_channels)),
     (74, Always(motion::vfr_hud)),
+    (83, Always(extra::attitude_target)),
     (85, Sometimes(navigation::position_target_local_ned)),
     (87, Sometimes(navigation::position_target_global_int)),
+    (108, Always(extra::sim_state)),
     (116, Always(sensors::scaled_imu2)),
     (125, Always(health::power_status)),
+    (129, Always(extra::scaled_imu3)),
+    (TERRAIN_REQUEST, Always(extra::terrain_request)),
+    (TERRAIN_REPORT, Always(extra::terrain_report)),
+    (137, Always(extra::scaled_pressure2)),
     (147, Always(health::battery_status)),
     (148, Always(health::autopilot_version)),
     (152, Always(health::meminfo)),
     (162, Sometimes(fence::fence_status)),
     (163, Always(motion::ahrs)),
     (164, Always(motion::simstate)),
+    (165, Always(extra::hwstatus)),
     (168, Sometimes(sensors::wind)),
     (178, Always(motion::ahrs2)),
     (193, Always(health::ekf_status_report)),
+    (235, Always(extra::high_latency2)),
     (241, Always(sensors::vibration)),
     (242, Sometimes(navigation::home_position)),
     (245, Always(health::extended_sys_state)),
+    (286, Always(extra::state_for_gimbal)),
+    (376, Always(extra::relay_status)),
+    (11030, Always(extra::esc_telemetry)),
 ];
 
 /// The message of an id as it reads now; `None` if the vehicle has nothing to say under that id.
@@ -74,7 +96,7 @@ pub(super) fn message(id: u32, autopilot: &Autopilot) -> Option<MavMessage> {
 
 /// Whether the firmware knows the message, so that it can be asked for.
 pub(super) fn is_known(id: u32) -> bool {
-    builder(id).is_some() || SILENT.contains(&id)
+    id != UNASKABLE && (builder(id).is_some() || SILENT.contains(&id))
 }
 
 fn builder(id: u32) -> Option<Builder> {

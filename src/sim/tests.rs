@@ -8,10 +8,13 @@ mod files;
 mod flight;
 mod ground;
 mod links;
+mod messages;
 mod numbers;
+mod piloted;
 mod protocol;
 mod serials;
 mod signing;
+mod sweep;
 mod timeline;
 mod transfers;
 

@@ -23,6 +23,8 @@ pub(super) enum YawDemand {
     Turn { left_deg: f64, rate_deg_s: f64 },
     /// Turns for ever, degrees per second, clockwise positive.
     Rate(f64),
+    /// Turns as a pilot's stick says, degrees per second; the limit of the autopilot's own turns does not count.
+    Stick(f64),
     /// Looks at a point (north, east).
     Towards(DVec2),
 }
@@ -32,6 +34,7 @@ pub(super) enum YawDemand {
 pub(super) struct YawControl {
     pub(super) demand: YawDemand,
     setpoint_deg: f64,
+    stick_deg_s: f64,
 }
 
 impl YawControl {
@@ -40,6 +43,7 @@ impl YawControl {
         Self {
             demand: YawDemand::Hold,
             setpoint_deg: yaw_deg,
+            stick_deg_s: 0.0,
         }
     }
 
@@ -75,8 +79,11 @@ impl YawControl {
         yaw_deg: f64,
         moving: DVec2,
         here: DVec2,
-        slew_deg_s: f64,
+        (slew_deg_s, accel_deg_s2): (f64, f64),
     ) -> f64 {
+        if let YawDemand::Stick(rate) = self.demand {
+            return self.by_stick(rate, yaw_deg, accel_deg_s2);
+        }
         let fastest = slew_deg_s * OVERSPEED;
         let change = self.change(moving, here, fastest);
         self.setpoint_deg = wrap_180(self.setpoint_deg + change);
@@ -84,11 +91,22 @@ impl YawControl {
         (behind / LAG_S).clamp(-fastest, fastest)
     }
 
+    /// Turns at a rate that changes as fast as the acceleration lets it; at rest the heading is held again.
+    fn by_stick(&mut self, rate_deg_s: f64, yaw_deg: f64, accel_deg_s2: f64) -> f64 {
+        let most = accel_deg_s2 * STEP_S;
+        self.stick_deg_s += (rate_deg_s - self.stick_deg_s).clamp(-most, most);
+        self.setpoint_deg = wrap_180(self.setpoint_deg + self.stick_deg_s * STEP_S);
+        if rate_deg_s == 0.0 && self.stick_deg_s == 0.0 {
+            self.demand = YawDemand::Hold;
+        }
+        self.stick_deg_s + wrap_180(self.setpoint_deg - yaw_deg) / LAG_S
+    }
+
     /// By how many degrees the setpoint moves in this step.
     fn change(&mut self, moving: DVec2, here: DVec2, fastest: f64) -> f64 {
         let most = fastest * STEP_S;
         match &mut self.demand {
-            YawDemand::Hold => 0.0,
+            YawDemand::Hold | YawDemand::Stick(_) => 0.0,
             YawDemand::Rate(rate) => rate.clamp(-fastest, fastest) * STEP_S,
             YawDemand::Turn {
                 left_deg,

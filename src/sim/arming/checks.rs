@@ -76,6 +76,7 @@ impl Autopilot {
         }
         self.sensor_obstacles(&mut reasons);
         self.power_obstacles(&mut reasons);
+        reasons.extend(self.workbench.obstacles());
         reasons.extend(self.fence_obstacle());
         reasons
     }

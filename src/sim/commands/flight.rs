@@ -1,16 +1,14 @@
-//! Commands that move the vehicle.
+//! Commands that arm, change the mode, take off and end the flight.
 
-use glam::DVec3;
+use std::time::Duration;
+
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
-use crate::geo::LatLon;
-use crate::sim::autopilot::{Autopilot, Place, Speeds};
+use crate::sim::autopilot::Autopilot;
 use crate::sim::mode;
 use crate::sim::port::Link;
-use crate::sim::targets::altitude_amsl_m;
 use crate::sim::task::{Takeoff, Task};
-use crate::sim::yaw::YawDemand;
 
 /// The second parameter that makes disarming work in the air.
 const FORCE: f32 = 21196.0;
@@ -18,26 +16,28 @@ const FORCE: f32 = 21196.0;
 const FORCE_ARMING: f32 = 2989.0;
 /// `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
 const RELATIVE_ALTITUDE: u8 = 3;
-/// What a takeoff in a mode with a pilot lifts before the pilot's throttle counts again.
+/// What a takeoff in a mode with a pilot lifts before a throttle that is all the way down counts again.
 const PILOTED_TAKEOFF_M: f64 = 1.0;
-/// A takeoff must go at least this far up.
-const LEAST_CLIMB_M: f64 = 0.1;
 /// The highest altitude a command may ask for.
-const ALTITUDE_MAX_M: f64 = 100_000.0;
+const ALTITUDE_MAX_M: f64 = 83_000.0;
+/// Bits of the base mode: the custom mode counts; the safety switch is meant.
+const CUSTOM_MODE: i32 = 1;
+const SAFETY_SWITCH: i32 = 128;
+/// BRAKE by the pause button turns into LOITER after this.
+const PAUSE_BUTTON_BRAKE: Duration = Duration::from_millis(2500);
 
 pub(super) fn arm_or_disarm(
     autopilot: &mut Autopilot,
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    let [arm, magic, ..] = command.p;
-    if (arm - 1.0).abs() < f32::EPSILON {
-        return done(autopilot.arm((magic - FORCE_ARMING).abs() < 0.5));
+    if command.is(0, 1.0) {
+        return done(autopilot.arm(command.is(1, FORCE_ARMING)));
     }
-    if arm != 0.0 {
+    if command.p[0] != 0.0 {
         return MavResult::MAV_RESULT_UNSUPPORTED;
     }
-    let forced = (magic - FORCE).abs() < 0.5;
+    let forced = (command.p[1] - FORCE).abs() < 0.5;
     let allowed = forced || autopilot.safety.landed || !autopilot.safety.armed;
     if allowed {
         autopilot.disarm();
@@ -55,11 +55,18 @@ pub(super) fn terminate(autopilot: &mut Autopilot, _: &mut Link, command: &Comma
 }
 
 pub(super) fn set_mode(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    // Only custom modes (bit 0) mean anything; fractions are cut off and -1 wraps to 255.
-    if (command.p[0] as i32) & 1 == 0 {
+    let (Some(base), Some(custom)) = (command.whole(0), command.whole(1)) else {
         return MavResult::MAV_RESULT_DENIED;
+    };
+    if base & CUSTOM_MODE != 0 {
+        // Fractions are cut off and -1 wraps to 255.
+        return done(autopilot.set_mode(custom as u8));
     }
-    done(autopilot.set_mode(command.p[1] as i32 as u8))
+    if base == SAFETY_SWITCH && (custom == 0 || custom == 1) {
+        autopilot.workbench.safety_on = custom == 1;
+        return MavResult::MAV_RESULT_ACCEPTED;
+    }
+    MavResult::MAV_RESULT_DENIED
 }
 
 pub(super) fn loiter(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
@@ -88,9 +95,20 @@ pub(super) fn start_landing_sequence(
     _: &mut Link,
     _: &Command,
 ) -> MavResult {
+    for text in [
+        "Unable to start landing sequence",
+        "Mode change to AUTO RTL failed: No landing sequence found",
+    ] {
+        autopilot.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+    }
+    MavResult::MAV_RESULT_FAILED
+}
+
+/// So is a return path.
+pub(super) fn start_return_path(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
     autopilot.say(
         MavSeverity::MAV_SEVERITY_WARNING,
-        "Unable to start landing sequence",
+        "Mode change to AUTO RTL failed: No return path found",
     );
     MavResult::MAV_RESULT_FAILED
 }
@@ -102,147 +120,81 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
     {
         return MavResult::MAV_RESULT_DENIED;
     }
-    let height_m = f64::from(command.z) - autopilot.home_point().z;
-    let climb_m = height_m - autopilot.believed().height_m();
-    let sensible = climb_m > LEAST_CLIMB_M && climb_m < ALTITUDE_MAX_M;
-    let ready = autopilot.safety.armed && autopilot.safety.landed && autopilot.mode.controls_height;
-    let flies_itself = autopilot.mode.number == mode::GUIDED;
-    let piloted = matches!(autopilot.task, Task::Piloted);
-    if !sensible || !ready || !(flies_itself || piloted) {
-        return MavResult::MAV_RESULT_FAILED;
-    }
-    if matches!(autopilot.task, Task::Takeoff(_)) {
-        return MavResult::MAV_RESULT_FAILED;
-    }
-    let height_m = if flies_itself {
-        height_m
-    } else {
-        autopilot.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
-    };
-    let now = autopilot.uptime();
-    autopilot.task = Task::Takeoff(Takeoff::new(autopilot.believed().position_m, height_m, now));
-    autopilot.yaw.settle(autopilot.body.yaw_deg);
-    MavResult::MAV_RESULT_ACCEPTED
+    // With a third parameter of zero the vehicle must hold its place by itself.
+    let navigates = command.p[2] == 0.0;
+    done(autopilot.take_off(f64::from(command.z), navigates))
 }
 
-pub(super) fn yaw(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    let [angle, rate, direction, relative] = command.p.map(f64::from);
-    let known =
-        (0.0..=360.0).contains(&angle) && (relative == 0.0 || (relative - 1.0).abs() < 1e-6);
-    if !known || !rate.is_finite() {
-        return MavResult::MAV_RESULT_FAILED;
-    }
-    if relative > 0.0 {
-        let signed = if direction < 0.0 { -angle } else { angle };
-        autopilot.yaw.turn_by(signed, rate);
-    } else {
-        autopilot.yaw.turn_to(angle, rate, direction);
+/// Solo's fly button: LOITER, or `ALT_HOLD` where that is impossible.
+pub(super) fn fly_button(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    if !autopilot.set_mode(mode::LOITER) {
+        autopilot.set_mode(mode::ALT_HOLD);
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-pub(super) fn change_speed(
+/// Held down: arms, takes off or lands.
+pub(super) fn fly_button_held(
     autopilot: &mut Autopilot,
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    let speed = f64::from(command.p[1]);
-    if !(speed > 0.0 && speed.is_finite()) {
-        return MavResult::MAV_RESULT_FAILED;
-    }
-    // The autopilot sets climb and descent together: asking for one resets the other.
-    let ground_m_s = autopilot.speeds.ground_m_s;
-    autopilot.speeds = match command.p[0] as i32 {
-        0 | 1 => Speeds {
-            ground_m_s: Some(speed),
-            ..autopilot.speeds
-        },
-        2 => Speeds {
-            ground_m_s,
-            up_m_s: Some(speed),
-            down_m_s: None,
-        },
-        3 => Speeds {
-            ground_m_s,
-            up_m_s: None,
-            down_m_s: Some(speed),
-        },
-        _ => return MavResult::MAV_RESULT_FAILED,
-    };
-    MavResult::MAV_RESULT_ACCEPTED
-}
-
-pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    let Some(frame) = command.frame else {
-        return MavResult::MAV_RESULT_UNSUPPORTED;
-    };
-    let may_change_mode = (command.p[1] as i32) & 1 == 1;
-    let at = LatLon::new(command.x, command.y);
-    if autopilot.mode.number != mode::GUIDED && !may_change_mode {
-        return MavResult::MAV_RESULT_DENIED;
-    }
-    if !at.is_valid() || (command.x == 0.0 && command.y == 0.0) || !command.z.is_finite() {
-        return MavResult::MAV_RESULT_DENIED;
-    }
-    let Some(altitude_amsl_m) = altitude_amsl_m(autopilot, frame, f64::from(command.z)) else {
-        return MavResult::MAV_RESULT_DENIED;
-    };
-    if !autopilot.set_mode(mode::GUIDED) {
-        return MavResult::MAV_RESULT_FAILED;
-    }
-    if !autopilot.safety.landed {
-        let goal = autopilot.point_of(Place {
-            at,
-            altitude_amsl_m,
-        });
-        if !autopilot.may_fly_to(goal) {
-            return MavResult::MAV_RESULT_FAILED;
+    if !autopilot.safety.armed {
+        autopilot.arm(false);
+    } else if autopilot.safety.landed {
+        if autopilot.set_mode(mode::LOITER) {
+            autopilot.take_off(f64::from(command.p[0]), true);
         }
-        autopilot.go_to(goal, DVec3::ZERO);
-        autopilot.yaw.demand = autopilot.default_yaw();
+    } else {
+        autopilot.set_mode(mode::LAND);
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-pub(super) fn pause_or_continue(
+/// Solo's pause button: disarms on the ground, brakes in the air.
+pub(super) fn pause_button(
     autopilot: &mut Autopilot,
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if autopilot.mode.number != mode::GUIDED || autopilot.safety.landed {
-        return MavResult::MAV_RESULT_FAILED;
+    if !autopilot.safety.armed {
+        return MavResult::MAV_RESULT_ACCEPTED;
     }
-    match command.p[0] as i32 {
-        0 => {
-            if autopilot.paused.is_none() {
-                let interrupted = std::mem::replace(&mut autopilot.task, Task::STOP);
-                autopilot.paused = Some(interrupted);
-            }
+    let takes_pictures = command.p[0] != 0.0 && mode::is_guided(autopilot.mode.number);
+    if autopilot.safety.landed {
+        autopilot.disarm();
+    } else if !takes_pictures {
+        if autopilot.set_mode(mode::BRAKE) {
+            autopilot.workbench.brake_until = Some(autopilot.uptime() + PAUSE_BUTTON_BRAKE);
+        } else {
+            autopilot.set_mode(mode::ALT_HOLD);
         }
-        1 => {
-            if let Some(task) = autopilot.paused.take() {
-                autopilot.task = task;
-            }
-        }
-        _ => return MavResult::MAV_RESULT_DENIED,
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-pub(super) fn look_at(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
-    let at = LatLon::new(command.x, command.y);
-    if !at.is_valid() {
-        return MavResult::MAV_RESULT_FAILED;
+impl Autopilot {
+    /// Takes off to a height above home in metres, if the mode and the moment allow it.
+    fn take_off(&mut self, above_home_m: f64, navigates: bool) -> bool {
+        let height_m = above_home_m - self.home_point().z;
+        let climb_m = height_m - self.body.height_m();
+        let sensible = climb_m > 0.0 && climb_m < ALTITUDE_MAX_M;
+        let able = mode::takes_off(self.mode.number, navigates);
+        if !self.safety.armed || !self.safety.landed || !able || !sensible {
+            return false;
+        }
+        let low = self.mode.number != mode::GUIDED && self.sticks().throttle_is_low();
+        let height_m = if low {
+            self.body.height_m() + climb_m.min(PILOTED_TAKEOFF_M)
+        } else {
+            height_m
+        };
+        if let Task::Takeoff(takeoff) = &mut self.task {
+            takeoff.goal_m.z = -height_m;
+            return true;
+        }
+        self.task = Task::Takeoff(Takeoff::new(self.body.position_m, height_m, self.uptime()));
+        self.yaw.settle(self.body.yaw_deg);
+        true
     }
-    if command.x == 0.0 && command.y == 0.0 {
-        return look_ahead(autopilot, link, command);
-    }
-    let (north, east) = autopilot.start.at.offset_to(at);
-    autopilot.yaw.demand = YawDemand::Towards(glam::DVec2::new(north, east));
-    MavResult::MAV_RESULT_ACCEPTED
-}
-
-pub(super) fn look_ahead(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    autopilot.yaw.demand = autopilot.default_yaw();
-    MavResult::MAV_RESULT_ACCEPTED
 }

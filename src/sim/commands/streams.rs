@@ -49,9 +49,16 @@ pub(super) fn get_interval(_: &mut Autopilot, link: &mut Link, command: &Command
 
 pub(super) fn request(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
     let id = id(command.p[0]);
-    link.replies
-        .extend(telemetry::message(id, autopilot).map(Into::into));
-    done(telemetry::is_known(id))
+    let known = telemetry::is_known(id);
+    if known {
+        link.replies
+            .extend(telemetry::message(id, autopilot).map(Into::into));
+    }
+    if id == telemetry::TERRAIN_REQUEST {
+        link.replies
+            .extend(telemetry::message(telemetry::TERRAIN_REPORT, autopilot).map(Into::into));
+    }
+    done(known)
 }
 
 pub(super) fn capabilities(
@@ -71,5 +78,7 @@ pub(super) fn home_position(autopilot: &mut Autopilot, link: &mut Link, _: &Comm
     let home = telemetry::message(242, autopilot);
     let known = home.is_some();
     link.replies.extend(home.map(Into::into));
+    link.replies
+        .extend(telemetry::message(49, autopilot).map(Into::into));
     done(known)
 }

@@ -3,13 +3,13 @@
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{
-    COMMAND_INT_DATA, COMMAND_LONG_DATA, MavMessage, PARAM_SET_DATA,
+    COMMAND_INT_DATA, COMMAND_LONG_DATA, MavMessage, PARAM_SET_DATA, SET_ATTITUDE_TARGET_DATA,
     SET_POSITION_TARGET_GLOBAL_INT_DATA, SET_POSITION_TARGET_LOCAL_NED_DATA,
 };
 
 use crate::geo::LatLon;
 use crate::sim::commands::Command;
-use crate::sim::targets::{Point, Setpoint};
+use crate::sim::targets::{AttitudeTarget, Point, Setpoint};
 use crate::wire::Content;
 
 /// A request together with the system it is meant for.
@@ -24,11 +24,24 @@ pub(super) struct Addressed {
 pub(super) enum Request {
     Command(Command),
     Setpoint(Setpoint),
-    SetParameter { name: String, value: f32 },
+    Attitude(AttitudeTarget),
+    /// Base mode and custom mode of `SET_MODE`, which is not acknowledged.
+    SetMode {
+        base: u8,
+        custom: u32,
+    },
+    SetParameter {
+        name: String,
+        value: f32,
+    },
 }
 
 impl Request {
     /// The request of a frame, if it carries one.
+    #[expect(
+        deprecated,
+        reason = "ground stations in use still send what the dialect calls superseded"
+    )]
     pub(super) fn read(content: &Content) -> Option<Addressed> {
         match content {
             Content::Message(MavMessage::COMMAND_LONG(data)) => Some(long(data)),
@@ -37,7 +50,15 @@ impl Request {
             Content::Message(MavMessage::SET_POSITION_TARGET_GLOBAL_INT(data)) => {
                 Some(global(data))
             }
+            Content::Message(MavMessage::SET_ATTITUDE_TARGET(data)) => Some(attitude(data)),
             Content::Message(MavMessage::PARAM_SET(data)) => Some(parameter(data)),
+            Content::Message(MavMessage::SET_MODE(data)) => Some(Addressed {
+                to: data.target_system,
+                request: Request::SetMode {
+                    base: data.base_mode.bits(),
+                    custom: data.custom_mode,
+                },
+            }),
             Content::Message(_) | Content::Unknown { .. } => None,
             Content::Undecoded { id, payload } => by_hand(*id, &Payload(payload)),
         }
@@ -47,26 +68,22 @@ impl Request {
 fn long(data: &COMMAND_LONG_DATA) -> Addressed {
     command(
         data.target_system,
-        Command {
-            number: data.command as u16,
-            p: [data.param1, data.param2, data.param3, data.param4],
-            x: f64::from(data.param5),
-            y: f64::from(data.param6),
-            z: data.param7,
-            frame: None,
-        },
+        Command::from_long(
+            data.command as u16,
+            [data.param1, data.param2, data.param3, data.param4],
+            [data.param5, data.param6, data.param7],
+        ),
     )
 }
 
 fn int(data: &COMMAND_INT_DATA) -> Addressed {
-    let at = LatLon::from_e7(data.x, data.y);
     command(
         data.target_system,
         Command {
             number: data.command as u16,
             p: [data.param1, data.param2, data.param3, data.param4],
-            x: at.lat_deg,
-            y: at.lon_deg,
+            x: data.x,
+            y: data.y,
             z: data.z,
             frame: Some(data.frame as u8),
         },
@@ -109,6 +126,22 @@ fn global(data: &SET_POSITION_TARGET_GLOBAL_INT_DATA) -> Addressed {
             yaw_rate_rad_s: f64::from(data.yaw_rate),
             mask: data.type_mask.bits(),
             frame: data.coordinate_frame as u8,
+        }),
+    }
+}
+
+fn attitude(data: &SET_ATTITUDE_TARGET_DATA) -> Addressed {
+    Addressed {
+        to: data.target_system,
+        request: Request::Attitude(AttitudeTarget {
+            q: data.q,
+            rates_rad_s: [
+                data.body_roll_rate,
+                data.body_pitch_rate,
+                data.body_yaw_rate,
+            ],
+            thrust: data.thrust,
+            mask: data.type_mask.bits(),
         }),
     }
 }
@@ -161,6 +194,17 @@ fn by_hand(id: u32, payload: &Payload<'_>) -> Option<Addressed> {
     let request = match id {
         23 => return Some(parameter_by_hand(payload)),
         75 | 76 => Request::Command(command_by_hand(id, payload)),
+        82 => {
+            return Some(Addressed {
+                to: payload.byte(36),
+                request: Request::Attitude(AttitudeTarget {
+                    q: [4, 8, 12, 16].map(|at| payload.float(at)),
+                    rates_rad_s: [20, 24, 28].map(|at| payload.float(at)),
+                    thrust: payload.float(32),
+                    mask: payload.byte(38),
+                }),
+            });
+        }
         84 | 86 => {
             let point = if id == 84 {
                 Point::Local(payload.vector(4))
@@ -193,22 +237,19 @@ fn by_hand(id: u32, payload: &Payload<'_>) -> Option<Addressed> {
 }
 
 fn command_by_hand(id: u32, payload: &Payload<'_>) -> Command {
-    let whole = id == 75;
-    let at = LatLon::from_e7(payload.integer(16), payload.integer(20));
-    let coordinate = |degrees: f64, at: usize| {
-        if whole {
-            degrees
-        } else {
-            f64::from(payload.float(at))
+    let number = payload.short(28);
+    let p = [0, 4, 8, 12].map(|at| payload.float(at));
+    if id == 75 {
+        Command {
+            number,
+            p,
+            x: payload.integer(16),
+            y: payload.integer(20),
+            z: payload.float(24),
+            frame: Some(payload.byte(32)),
         }
-    };
-    Command {
-        number: payload.short(28),
-        p: [0, 4, 8, 12].map(|at| payload.float(at)),
-        x: coordinate(at.lat_deg, 16),
-        y: coordinate(at.lon_deg, 20),
-        z: payload.float(24),
-        frame: whole.then(|| payload.byte(32)),
+    } else {
+        Command::from_long(number, p, [16, 20, 24].map(|at| payload.float(at)))
     }
 }
 

@@ -6,6 +6,8 @@ use super::Parameters;
 use crate::sim::arming::ArmingRules;
 use crate::sim::estimator::Faults;
 use crate::sim::failsafe::Rules;
+use crate::sim::radio::RadioRules;
+use crate::sim::task::PilotRules;
 use crate::sim::transfer::Recorder;
 use crate::sim::upset::MotorFault;
 use crate::sim::{fence, rally, wind};
@@ -23,7 +25,6 @@ pub(in crate::sim) struct Tuning {
     /// The jerk of planned legs (return, missions).
     pub(in crate::sim) leg_jerk_m_s3: f64,
     pub(in crate::sim) lean_max_rad: f64,
-    pub(in crate::sim) brake_accel_m_s2: f64,
     pub(in crate::sim) return_speed_m_s: f64,
     pub(in crate::sim) return_altitude_m: f64,
     pub(in crate::sim) return_climb_min_m: f64,
@@ -33,9 +34,12 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) land_speed_m_s: f64,
     pub(in crate::sim) land_speed_high_m_s: f64,
     pub(in crate::sim) land_altitude_low_m: f64,
-    pub(in crate::sim) pilot_up_m_s: f64,
-    pub(in crate::sim) pilot_down_m_s: f64,
-    pub(in crate::sim) pilot_accel_z_m_s2: f64,
+    pub(in crate::sim) pilot: PilotRules,
+    pub(in crate::sim) radio: RadioRules,
+    /// `GUID_OPTIONS`.
+    pub(in crate::sim) guided_options: i32,
+    /// `ATC_ACCEL_Y_MAX` in degrees per second squared.
+    pub(in crate::sim) yaw_accel_deg_s2: f64,
     pub(in crate::sim) circle_radius_m: f64,
     pub(in crate::sim) circle_rate_deg_s: f64,
     pub(in crate::sim) yaw_behaviour: i32,
@@ -43,7 +47,6 @@ pub(in crate::sim) struct Tuning {
     /// Zero: never.
     pub(in crate::sim) disarm_delay: Duration,
     pub(in crate::sim) setpoint_timeout: Duration,
-    pub(in crate::sim) override_timeout: Duration,
     pub(in crate::sim) ground_station: u8,
     pub(in crate::sim) only_ground_station: bool,
     pub(in crate::sim) wind: wind::Rules,
@@ -70,7 +73,6 @@ impl Tuning {
         let or = |value: f64, otherwise: f64| if value > 0.0 { value } else { otherwise };
         let speed_m_s = least(cm("WPNAV_SPEED"));
         let speed_down_m_s = least(cm("WPNAV_SPEED_DN"));
-        let pilot_up_m_s = least(cm("PILOT_SPEED_UP"));
         Self {
             speed_m_s,
             speed_up_m_s: least(cm("WPNAV_SPEED_UP")),
@@ -81,7 +83,6 @@ impl Tuning {
             jerk_z_m_s3: least(all.value("PSC_JERK_Z")),
             leg_jerk_m_s3: least(all.value("WPNAV_JERK")),
             lean_max_rad: cm("ANGLE_MAX").clamp(10.0, 80.0).to_radians(),
-            brake_accel_m_s2: least(cm("LOIT_BRK_ACCEL")),
             return_speed_m_s: or(cm("RTL_SPEED"), speed_m_s),
             return_altitude_m: cm("RTL_ALT"),
             return_climb_min_m: cm("RTL_CLIMB_MIN").max(0.0),
@@ -91,16 +92,16 @@ impl Tuning {
             land_speed_m_s: least(cm("LAND_SPEED")),
             land_speed_high_m_s: or(cm("LAND_SPEED_HIGH"), speed_down_m_s),
             land_altitude_low_m: cm("LAND_ALT_LOW"),
-            pilot_up_m_s,
-            pilot_down_m_s: or(cm("PILOT_SPEED_DN"), pilot_up_m_s),
-            pilot_accel_z_m_s2: least(cm("PILOT_ACCEL_Z")),
+            pilot: PilotRules::read(all),
+            radio: RadioRules::read(all),
+            guided_options: all.value("GUID_OPTIONS") as i32,
+            yaw_accel_deg_s2: cm("ATC_ACCEL_Y_MAX").clamp(10.0, 7200.0),
             circle_radius_m: cm("CIRCLE_RADIUS").clamp(0.0, 2000.0),
             circle_rate_deg_s: all.value("CIRCLE_RATE").clamp(-90.0, 90.0),
             yaw_behaviour: all.value("WP_YAW_BEHAVIOR") as i32,
             slew_yaw_deg_s: cm("ATC_SLEW_YAW").clamp(1.0, 360.0),
             disarm_delay: seconds(all.value("DISARM_DELAY")),
             setpoint_timeout: seconds(all.value("GUID_TIMEOUT").max(0.1)),
-            override_timeout: seconds(all.value("RC_OVERRIDE_TIME")),
             ground_station: all.value("SYSID_MYGCS") as u8,
             only_ground_station: all.value("SYSID_ENFORCE") > 0.0,
             wind: wind::Rules::read(all),

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Act, Cockpit};
+use super::{Act, Cockpit, piloted};
 use crate::sim::control::square_root;
 
 /// The motors stop this long after the touch.
@@ -34,7 +34,8 @@ impl Landing {
             tuning.land_speed_m_s,
             tuning.land_speed_high_m_s.max(tuning.land_speed_m_s),
         );
-        let mut wanted = glam::DVec3::new(0.0, 0.0, sink);
+        let moved = piloted::moved_landing(cockpit, 0.5 * cockpit.limits.accel_m_s2);
+        let mut wanted = moved.extend(sink);
         if cockpit.body.on_ground || self.waits_until.is_some_and(|until| cockpit.now < until) {
             wanted.z = 0.0;
         }

@@ -28,6 +28,9 @@ const POSITION_CONTROL: u32 = 0x4000;
 const AHRS: u32 = 0x0020_0000;
 const FENCE: u32 = 0x0010_0000;
 const PREARM_CHECK: u32 = 0x1000_0000;
+/// Missions, fences and rally points, parameters, `COMMAND_INT`, FTP, setpoints of attitude and position, terrain,
+/// flight termination, compass calibration, `MAVLink` 2.
+const CAPABILITIES: u64 = 0xFBEF;
 /// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
 pub(in crate::sim) const EPOCH_US: u64 = 1_767_225_600_000_000;
 
@@ -155,7 +158,7 @@ pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-fn remaining(autopilot: &Autopilot) -> i8 {
+pub(super) fn remaining(autopilot: &Autopilot) -> i8 {
     autopilot
         .battery
         .remaining_percent(autopilot.tuning.battery_capacity_mah)
@@ -212,27 +215,12 @@ pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Only what is served: no terrain, no attitude targets, no compass calibration.
-#[expect(
-    deprecated,
-    reason = "the bit that ArduCopter sets; its successor has the same meaning"
-)]
 pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     let mut uid2 = [0; 18];
     uid2[..8].copy_from_slice(&autopilot.board_id.to_le_bytes());
     uid2[8] = autopilot.system;
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
-        capabilities: MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_INT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FTP
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_COMMAND_INT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MAVLINK2
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE
-            | MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY,
+        capabilities: MavProtocolCapability::from_bits_truncate(CAPABILITIES),
         uid: autopilot.board_id,
         flight_sw_version: 0x0406_0000,
         flight_custom_version: *b"sortie\0\0",

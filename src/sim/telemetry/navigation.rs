@@ -8,14 +8,15 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use super::{boot_ms, boot_us};
-use crate::geo::wrap_180;
+use crate::geo::{wrap_180, wrap_360};
 use crate::sim::autopilot::Autopilot;
 use crate::sim::mode;
 use crate::sim::task::Task;
 
 /// Only the position is meant, and only the velocity is meant.
 const POSITION_ONLY: u16 = 0x0DF8;
-const VELOCITY_ONLY: u16 = 0x0DC7;
+/// Velocity with acceleration.
+const VELOCITY_ONLY: u16 = 0x0C07;
 
 pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {
     let home = autopilot.home?;
@@ -95,7 +96,7 @@ pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMes
             lat_int,
             lon_int,
             alt: place.altitude_amsl_m as f32,
-            type_mask: PositionTargetTypemask::from_bits_truncate(POSITION_ONLY),
+            type_mask: PositionTargetTypemask::from_bits_retain(0xF000 | POSITION_ONLY),
             coordinate_frame: MavFrame::MAV_FRAME_GLOBAL,
             ..Default::default()
         },
@@ -103,7 +104,7 @@ pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMes
 }
 
 /// The point the vehicle flies to, if there is one.
-fn goal(autopilot: &Autopilot) -> Option<DVec3> {
+pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     match &autopilot.task {
         Task::Goto { goal_m, .. } => Some(*goal_m),
         Task::Return(_) => Some(autopilot.home_point()),
@@ -120,12 +121,17 @@ pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
     } else {
         wrap_180(way.y.atan2(way.x).to_degrees())
     };
+    let alt_error = if autopilot.body.on_ground {
+        0.0
+    } else {
+        body.position_m.z - autopilot.control.path_m.z
+    };
     MavMessage::NAV_CONTROLLER_OUTPUT(NAV_CONTROLLER_OUTPUT_DATA {
         nav_roll: roll.to_degrees() as f32,
         nav_pitch: pitch.to_degrees() as f32,
-        alt_error: -way.z as f32,
+        alt_error: alt_error as f32,
         nav_bearing: bearing as i16,
-        target_bearing: bearing as i16,
+        target_bearing: wrap_360(bearing) as i16,
         wp_dist: way.truncate().length() as u16,
         ..Default::default()
     })

@@ -1,8 +1,8 @@
 //! GPS, inertial sensors, pressure, outputs and inputs.
 
 use mavlink::dialects::ardupilotmega::{
-    GPS_RAW_INT_DATA, GpsFixType, MavMessage, RAW_IMU_DATA, RC_CHANNELS_DATA, SCALED_IMU2_DATA,
-    SCALED_PRESSURE_DATA, SERVO_OUTPUT_RAW_DATA, VIBRATION_DATA, WIND_DATA,
+    GPS_RAW_INT_DATA, GpsFixType, MavMessage, RAW_IMU_DATA, SCALED_IMU2_DATA, SCALED_PRESSURE_DATA,
+    VIBRATION_DATA, WIND_DATA,
 };
 
 use glam::DVec3;
@@ -124,56 +124,6 @@ pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
         time_boot_ms: boot_ms(autopilot),
         press_abs: pressure as f32,
         temperature: 2500,
-        ..Default::default()
-    })
-}
-
-pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
-    let mut servos = autopilot.servos_us;
-    for (motor, servo) in servos
-        .iter_mut()
-        .enumerate()
-        .take(autopilot.airframe.motors())
-    {
-        *servo = autopilot.motor_pulse_us(motor);
-    }
-    MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
-        time_usec: autopilot.uptime().as_micros() as u32,
-        servo1_raw: servos[0],
-        servo2_raw: servos[1],
-        servo3_raw: servos[2],
-        servo4_raw: servos[3],
-        servo5_raw: servos[4],
-        servo6_raw: servos[5],
-        servo7_raw: servos[6],
-        servo8_raw: servos[7],
-        servo9_raw: servos[8],
-        servo10_raw: servos[9],
-        servo11_raw: servos[10],
-        servo12_raw: servos[11],
-        servo13_raw: servos[12],
-        servo14_raw: servos[13],
-        servo15_raw: servos[14],
-        servo16_raw: servos[15],
-        ..Default::default()
-    })
-}
-
-pub(super) fn rc_channels(autopilot: &Autopilot) -> MavMessage {
-    let mut channels = autopilot.sticks().channels_us;
-    channels[2] = autopilot.radio_throttle_us() as u16;
-    MavMessage::RC_CHANNELS(RC_CHANNELS_DATA {
-        time_boot_ms: boot_ms(autopilot),
-        chan1_raw: channels[0],
-        chan2_raw: channels[1],
-        chan3_raw: channels[2],
-        chan4_raw: channels[3],
-        chan5_raw: channels[4],
-        chan6_raw: channels[5],
-        chan7_raw: channels[6],
-        chan8_raw: channels[7],
-        chancount: 16,
-        rssi: 255,
         ..Default::default()
     })
 }

@@ -112,7 +112,7 @@ fn refusals_are_those_of_the_real_vehicle_on_the_ground() {
         (
             MavCmd::MAV_CMD_DO_SET_MODE,
             [1.0, f32::NAN, 0.0, 0.0],
-            ACCEPTED,
+            DENIED,
         ),
         (MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 9.0, 0.0, 0.0], ACCEPTED),
         (
@@ -139,7 +139,7 @@ fn refusals_are_those_of_the_real_vehicle_on_the_ground() {
         (
             MavCmd::MAV_CMD_DO_CHANGE_SPEED,
             [0.0, 5.0, 0.0, 0.0],
-            ACCEPTED,
+            FAILED,
         ),
         (
             MavCmd::MAV_CMD_DO_REPOSITION,

@@ -1,0 +1,282 @@
+//! The transmitter's channels, and ground stations that speak in its place (`RC_CHANNELS_OVERRIDE`,
+//! `MANUAL_CONTROL`).
+
+use std::time::Duration;
+
+use super::autopilot::Autopilot;
+use super::parameters::Parameters;
+use super::task::Sticks;
+
+/// Channels that can be overridden.
+pub(super) const CHANNELS: usize = 16;
+/// In an override: leave the channel as it is; give it back (in the channels from the ninth on).
+const UNCHANGED: u16 = u16::MAX;
+const GIVEN_BACK: u16 = u16::MAX - 1;
+/// A pulse that a receiver can send, in microseconds.
+const PULSE_MAX_US: u16 = 2500;
+/// An override without end lasts this long.
+const FOR_EVER: Duration = Duration::from_secs(1 << 40);
+/// Upper limits of the pulse width for the first five positions of the mode switch.
+const SWITCH_US: [u16; 5] = [1230, 1360, 1490, 1620, 1749];
+/// The switch must stand still for this many looks, ten a second.
+const STEADY_LOOKS: u8 = 2;
+/// A stick in a lower corner arms or disarms after this many looks.
+const CORNER_LOOKS: u8 = 20;
+/// How far the yaw stick must be over for that (-1 to 1).
+const CORNER: f64 = 4000.0 / 4500.0;
+
+/// How the first four channels are read, from `RCn_*` and `RC_OVERRIDE_TIME`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct RadioRules {
+    /// Roll, pitch, throttle, yaw.
+    pub(super) sticks: [StickRange; 4],
+    /// `None`: overrides are refused.
+    override_time: Option<Duration>,
+    mode_channel: usize,
+    rudder_arms: bool,
+}
+
+/// The pulse widths of one stick, in microseconds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StickRange {
+    min: f64,
+    trim: f64,
+    max: f64,
+    dead: f64,
+    sign: f64,
+}
+
+impl RadioRules {
+    /// Reads the parameters.
+    pub(super) fn read(all: &Parameters) -> Self {
+        let stick = |n: usize| {
+            let of = |what: &str| all.value(&format!("RC{n}_{what}"));
+            StickRange {
+                min: of("MIN"),
+                trim: of("TRIM"),
+                max: of("MAX"),
+                dead: of("DZ").max(0.0),
+                sign: if of("REVERSED") > 0.0 { -1.0 } else { 1.0 },
+            }
+        };
+        let channel = |name| (all.value(name) as usize).clamp(1, CHANNELS);
+        let lasts_s = all.value("RC_OVERRIDE_TIME");
+        Self {
+            sticks: ["RCMAP_ROLL", "RCMAP_PITCH", "RCMAP_THROTTLE", "RCMAP_YAW"]
+                .map(|name| stick(channel(name))),
+            override_time: if lasts_s == 0.0 {
+                None
+            } else if lasts_s < 0.0 {
+                Some(FOR_EVER)
+            } else {
+                Some(Duration::from_secs_f64(lasts_s.min(1e6)))
+            },
+            mode_channel: all.value("FLTMODE_CH") as usize,
+            rudder_arms: all.value("ARMING_RUDDER") > 0.0,
+        }
+    }
+}
+
+impl StickRange {
+    /// How far a stick is from its middle, -1 to 1; zero within the dead zone.
+    pub(super) fn off_centre(&self, pulse_us: u16) -> f64 {
+        let off = f64::from(pulse_us) - self.trim;
+        let (beyond, travel) = if off > 0.0 {
+            (off - self.dead, self.max - self.trim - self.dead)
+        } else {
+            (off + self.dead, self.trim - self.min - self.dead)
+        };
+        if beyond * off <= 0.0 || travel <= 0.0 {
+            return 0.0;
+        }
+        (beyond / travel).clamp(-1.0, 1.0) * self.sign
+    }
+
+    /// How far a stick is from its end, 0 to 1; zero within the dead zone.
+    pub(super) fn pushed(&self, pulse_us: u16) -> f64 {
+        let from = self.min + self.dead;
+        let travel = (self.max - from).max(1.0);
+        let share = ((f64::from(pulse_us) - from) / travel).clamp(0.0, 1.0);
+        if self.sign < 0.0 { 1.0 - share } else { share }
+    }
+
+    /// Where the middle of the stick is by [`pushed`](Self::pushed).
+    pub(super) fn middle(&self) -> f64 {
+        let from = self.min + self.dead;
+        let travel = (self.max - from).max(1.0);
+        ((f64::midpoint(self.min, self.max) - from) / travel).clamp(0.05, 0.95)
+    }
+
+    /// The pulse of a share of the whole travel.
+    fn pulse(&self, share: f64) -> u16 {
+        (self.min + (self.max - self.min) * share).clamp(0.0, f64::from(PULSE_MAX_US)) as u16
+    }
+}
+
+/// What a transmitter, or ground stations in its place, last said.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Radio {
+    overrides: [(u16, Duration); CHANNELS],
+    /// Overrides last until then at most.
+    pub(super) until: Duration,
+    switch: (usize, u8),
+    obeyed: usize,
+    corner: u8,
+}
+
+impl Default for Radio {
+    fn default() -> Self {
+        let rest = switch_position(Sticks::RELEASED.channels_us[4]);
+        Self {
+            overrides: [(0, Duration::ZERO); CHANNELS],
+            until: Duration::ZERO,
+            switch: (rest, 0),
+            obeyed: rest,
+            corner: 0,
+        }
+    }
+}
+
+impl Radio {
+    /// The channels as they are now: those of the transmitter where no override lasts.
+    pub(super) fn sticks(&self, now: Duration) -> Sticks {
+        let mut sticks = Sticks::RELEASED;
+        if now < self.until {
+            for (channel, (pulse_us, until)) in sticks.channels_us.iter_mut().zip(&self.overrides) {
+                if now < *until && *pulse_us != 0 {
+                    *channel = *pulse_us;
+                }
+            }
+        }
+        sticks
+    }
+
+    fn set(&mut self, channel: usize, pulse_us: u16, until: Duration) {
+        if let Some(slot) = self.overrides.get_mut(channel) {
+            *slot = (pulse_us, until);
+            self.until = self.until.max(until);
+        }
+    }
+}
+
+/// The position of the mode switch, from 0.
+fn switch_position(pulse_us: u16) -> usize {
+    SWITCH_US
+        .iter()
+        .take_while(|limit| pulse_us > **limit)
+        .count()
+}
+
+impl Autopilot {
+    /// Takes over `RC_CHANNELS_OVERRIDE`: 65535 leaves a channel as it is, 0 gives one of the first eight back,
+    /// 65534 one of the others.
+    pub(super) fn override_channels(&mut self, asked: [u16; CHANNELS]) {
+        let Some(lasts) = self.tuning.radio.override_time else {
+            return;
+        };
+        let until = self.uptime().saturating_add(lasts);
+        for (channel, pulse_us) in asked.into_iter().enumerate() {
+            let front = channel < 8;
+            match pulse_us {
+                UNCHANGED => {}
+                0 if !front => {}
+                GIVEN_BACK if !front => self.radio.set(channel, 0, until),
+                pulse_us => self.radio.set(channel, pulse_us.min(PULSE_MAX_US), until),
+            }
+        }
+    }
+
+    /// Takes over `MANUAL_CONTROL`: pitch, roll, throttle and yaw in thousandths; 32767 leaves an axis alone. A
+    /// negative throttle makes the whole message void.
+    pub(super) fn control_manually(&mut self, [x, y, z, r]: [i16; 4]) {
+        let Some(lasts) = self.tuning.radio.override_time else {
+            return;
+        };
+        if z < 0 {
+            return;
+        }
+        let until = self.uptime().saturating_add(lasts);
+        let centred = |value: i16| (f64::from(value) + 1000.0) / 2000.0;
+        let shares = [
+            (y, centred(y)),
+            (x, centred(x.saturating_neg())),
+            (z, f64::from(z) / 1000.0),
+            (r, centred(r)),
+        ];
+        for (channel, (value, share)) in shares.into_iter().enumerate() {
+            let pulse_us = if value == i16::MAX {
+                0
+            } else {
+                self.tuning.radio.sticks[channel].pulse(share)
+            };
+            self.radio.set(channel, pulse_us, until);
+        }
+    }
+
+    /// Looks at the mode switch and at the corner of the sticks that arms; ten times a second.
+    pub(super) fn watch_sticks(&mut self) {
+        let sticks = self.sticks();
+        let channel = self.tuning.radio.mode_channel.wrapping_sub(1);
+        if let Some(pulse_us) = sticks.channels_us.get(channel) {
+            let position = switch_position(*pulse_us);
+            self.radio.switch = if position == self.radio.switch.0 {
+                (position, self.radio.switch.1.saturating_add(1))
+            } else {
+                (position, 0)
+            };
+            if position != self.radio.obeyed && self.radio.switch.1 >= STEADY_LOOKS {
+                self.radio.obeyed = position;
+                self.obey_mode_switch();
+            }
+        }
+        let [.., throttle, yaw] = self.tuning.radio.sticks;
+        let low = throttle.pushed(sticks.channels_us[2]) <= 0.0;
+        let cornered = low && yaw.off_centre(sticks.channels_us[3]) > CORNER;
+        if !cornered || self.safety.armed || !self.tuning.radio.rudder_arms {
+            self.radio.corner = 0;
+            return;
+        }
+        self.radio.corner = self.radio.corner.saturating_add(1);
+        if self.radio.corner == CORNER_LOOKS {
+            self.arm(false);
+        }
+    }
+
+    /// Enters the mode of the switch's position (`FLTMODE1` to 6).
+    pub(super) fn obey_mode_switch(&mut self) {
+        let name = format!("FLTMODE{}", self.radio.obeyed + 1);
+        let number = self.parameters.value(&name) as i32;
+        self.set_mode(number as u8);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sticks_are_read_with_their_dead_zones() {
+        let rules = RadioRules::read(&Parameters::new(1));
+        let [roll, _, throttle, _] = rules.sticks;
+        // A stick at 1300 leans by 0.375 of the most: 11.25 of 30 degrees.
+        assert!((roll.off_centre(1300) + 0.375).abs() < 1e-9);
+        assert!(roll.off_centre(1515) == 0.0 && roll.off_centre(1485) == 0.0);
+        assert!((throttle.pushed(1700) - 670.0 / 970.0).abs() < 1e-9);
+        assert!(throttle.pushed(1020) == 0.0);
+        assert!((throttle.middle() - 470.0 / 970.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_mode_switch_has_six_positions() {
+        for (pulse_us, position) in [
+            (1000, 0),
+            (1231, 1),
+            (1490, 2),
+            (1500, 3),
+            (1749, 4),
+            (1800, 5),
+        ] {
+            assert_eq!(switch_position(pulse_us), position);
+        }
+    }
+}
