@@ -1,5 +1,6 @@
 //! What the autopilot is doing inside its mode: one small controller per task.
 
+mod auto;
 mod landing;
 mod piloted;
 mod returning;
