@@ -18,6 +18,7 @@ mod control;
 mod failsafe;
 mod inbound;
 mod leg;
+mod mission;
 mod mode;
 mod parameters;
 #[expect(dead_code, reason = "the lists are filled and flown next")]
@@ -298,7 +299,7 @@ fn truth_of(autopilot: &Autopilot) -> Truth {
         heading_deg: wrap_360(body.yaw_deg),
         armed: autopilot.safety.armed,
         on_ground: body.on_ground,
-        mode: autopilot.mode.number,
+        mode: autopilot.reported_mode(),
         battery_voltage_v: autopilot.tuning.battery_voltage_v,
         battery_current_a: autopilot.battery.current_a,
         battery_consumed_mah: autopilot.battery.consumed_mah,

@@ -62,7 +62,8 @@ impl Autopilot {
         if self.safety.armed {
             return true;
         }
-        if !self.mode.armable {
+        let may_arm = self.mode.number == mode::AUTO && self.tuning.auto.may_arm;
+        if !self.mode.armable && !may_arm {
             let text = format!("Arm: {} mode not armable", self.mode.name);
             self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
             return false;
@@ -100,11 +101,18 @@ impl Autopilot {
         }
         self.safety.armed = false;
         self.say(MavSeverity::MAV_SEVERITY_INFO, "Disarming motors");
+        self.mission.reset();
         if self.body.on_ground {
             self.safety.landed = true;
             self.body.throttle = 0.0;
             self.wait_on_ground();
         }
+    }
+
+    /// Whether a landing has come to the point where the motors are disarmed.
+    pub(super) fn landing_is_over(&self) -> bool {
+        self.touched_in_landing()
+            .is_some_and(|touched| self.uptime() >= touched + DISARMED_AFTER_TOUCH)
     }
 
     /// Makes a place home and tells everybody.
@@ -170,7 +178,7 @@ impl Autopilot {
 
     fn is_resting(&self) -> bool {
         match &self.task {
-            Task::Wait => true,
+            Task::Wait | Task::Route(_) => true,
             Task::Manual | Task::Piloted => self.sticks().throttle_is_low(),
             _ => false,
         }

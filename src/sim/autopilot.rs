@@ -10,6 +10,7 @@ use super::battery::Battery;
 use super::body::{Body, Demand};
 use super::control::{Limits, PositionControl};
 use super::failsafe::{self, Failsafe};
+use super::mission::Mission;
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
@@ -69,6 +70,7 @@ pub(super) struct Autopilot {
     pub(super) battery: Battery,
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
+    pub(super) mission: Mission,
     pub(super) radio: Radio,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
@@ -105,6 +107,7 @@ impl Autopilot {
             battery: Battery::default(),
             home: None,
             plans: Plans::default(),
+            mission: Mission::default(),
             radio: Radio {
                 sticks: Sticks::RELEASED,
                 until: Duration::ZERO,
@@ -162,6 +165,9 @@ impl Autopilot {
     pub(super) fn step(&mut self) {
         self.steps += 1;
         self.boot();
+        if self.mode.number == mode::AUTO {
+            self.fly_mission();
+        }
         let asleep = self.body.on_ground && !self.safety.armed;
         if !asleep {
             self.fly();
@@ -294,6 +300,8 @@ impl Autopilot {
     fn end_takeoff(&mut self, goal_m: DVec3) {
         self.task = match self.mode.number {
             mode::GUIDED => Task::goto(goal_m),
+            // The mission goes on by itself.
+            mode::AUTO => return,
             _ => Task::Piloted,
         };
     }
@@ -329,6 +337,15 @@ impl Autopilot {
             YawDemand::Hold
         } else {
             YawDemand::Course
+        }
+    }
+
+    /// The same on the way home, where `WP_YAW_BEHAVIOR` 2 keeps the heading.
+    pub(super) fn default_yaw_home(&self) -> YawDemand {
+        if self.tuning.yaw_behaviour == 2 {
+            YawDemand::Hold
+        } else {
+            self.default_yaw()
         }
     }
 }

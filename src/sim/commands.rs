@@ -1,6 +1,7 @@
 //! `MAV_CMD`: one table from command number to handler.
 
 mod flight;
+mod plan;
 mod setup;
 mod streams;
 
@@ -50,17 +51,16 @@ const TABLE: &[(MavCmd, Handler)] = &[
     (MavCmd::MAV_CMD_DO_FLIGHTTERMINATION, flight::terminate),
     (MavCmd::MAV_CMD_DO_REPOSITION, flight::reposition),
     (MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, flight::pause_or_continue),
-    (
-        MavCmd::MAV_CMD_DO_LAND_START,
-        flight::start_landing_sequence,
-    ),
+    (MavCmd::MAV_CMD_DO_LAND_START, plan::start_landing_sequence),
     (MavCmd::MAV_CMD_DO_SET_ROI_LOCATION, flight::look_at),
     (MavCmd::MAV_CMD_DO_SET_ROI_NONE, flight::look_ahead),
     (MavCmd::MAV_CMD_DO_SET_ROI, flight::look_at),
     (MavCmd::MAV_CMD_PREFLIGHT_CALIBRATION, setup::calibrate),
     (MavCmd::MAV_CMD_PREFLIGHT_STORAGE, setup::storage),
     (MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, setup::reboot),
-    (MavCmd::MAV_CMD_MISSION_START, flight::start_mission),
+    (MavCmd::MAV_CMD_MISSION_START, plan::start),
+    (MavCmd::MAV_CMD_DO_SET_MISSION_CURRENT, plan::set_current),
+    (MavCmd::MAV_CMD_DO_JUMP_TAG, plan::jump_to_tag),
     (MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, flight::arm_or_disarm),
     (MavCmd::MAV_CMD_GET_HOME_POSITION, streams::home_position),
     (MavCmd::MAV_CMD_GET_MESSAGE_INTERVAL, streams::get_interval),

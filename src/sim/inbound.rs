@@ -4,8 +4,8 @@ mod fields;
 mod plans;
 
 use mavlink::dialects::ardupilotmega::{
-    MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA, PARAM_VALUE_DATA,
-    RC_CHANNELS_OVERRIDE_DATA, TIMESYNC_DATA,
+    MISSION_CURRENT_DATA, MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA,
+    PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, TIMESYNC_DATA,
 };
 use mavlink::types::CharArray;
 
@@ -118,6 +118,17 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
             if own(data.target_system) && frame.system == autopilot.tuning.ground_station =>
         {
             override_sticks(autopilot, data);
+        }
+        MavMessage::MISSION_SET_CURRENT(data) if own(data.target_system) => {
+            // The answer shows the item that was asked, as ground stations take it for an acknowledgement.
+            if autopilot.set_mission_item(data.seq)
+                && let Some(MavMessage::MISSION_CURRENT(now)) = telemetry::message(42, autopilot)
+            {
+                link.reply(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
+                    seq: data.seq,
+                    ..now
+                }));
+            }
         }
         other => {
             let answer = plans::answer(autopilot.system, other, frame);

@@ -7,7 +7,7 @@ pub(super) enum Entry {
     Free,
     /// Refused in the air without a position.
     Position,
-    /// Refused once armed: there is no plan to fly.
+    /// Refused once armed, if there is no plan to fly.
     Plan,
     /// Always refused, with these texts.
     Refused(&'static [&'static str]),
@@ -54,6 +54,7 @@ pub(super) const DRIFT: u8 = 11;
 pub(super) const BRAKE: u8 = 17;
 pub(super) const GUIDED_NOGPS: u8 = 20;
 pub(super) const SMART_RTL: u8 = 21;
+pub(super) const AUTO_RTL: u8 = 27;
 
 /// Facts in the order: autonomous, controls the height, armable.
 const MODES: &[Mode] = &[
@@ -98,7 +99,7 @@ const MODES: &[Mode] = &[
     ),
     mode(24, "ZIGZAG", Entry::Position, [false, true, true]),
     refused(
-        27,
+        AUTO_RTL,
         "AUTO_RTL",
         &["Mode change to AUTO RTL failed: No return path or landing sequence found"],
     ),

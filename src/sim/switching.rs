@@ -18,12 +18,23 @@ impl Autopilot {
             );
             return false;
         };
+        if number == mode::AUTO_RTL && self.landing_start().is_some() {
+            return self.fly_landing_sequence();
+        }
         if mode == self.mode {
             return true;
         }
         let texts: &[&str] = match mode.entry {
             Entry::Refused(texts) => texts,
-            Entry::Plan if self.safety.armed => &["Mode change to AUTO failed: init failed"],
+            Entry::Plan => {
+                if let Some(texts) = self.mission_obstacle() {
+                    for (severity, text) in texts {
+                        self.say(*severity, text);
+                    }
+                    return false;
+                }
+                &[]
+            }
             Entry::Position if self.safety.armed && !self.is_ready() => {
                 self.say(
                     MavSeverity::MAV_SEVERITY_WARNING,
@@ -31,7 +42,7 @@ impl Autopilot {
                 );
                 return false;
             }
-            Entry::Free | Entry::Position | Entry::Plan => &[],
+            Entry::Free | Entry::Position => &[],
         };
         if !texts.is_empty() {
             for text in texts {
@@ -44,12 +55,20 @@ impl Autopilot {
     }
 
     fn enter(&mut self, mode: Mode) {
+        if self.mode.number == mode::AUTO {
+            self.leave_mission();
+        }
         self.mode = mode;
         self.speeds = Speeds::default();
         self.paused = None;
         self.control.take_over(&self.body);
         self.yaw.settle(self.body.yaw_deg);
         self.task = self.first_task();
+        match mode.number {
+            mode::AUTO => self.enter_mission(),
+            mode::RTL => self.yaw.demand = self.default_yaw_home(),
+            _ => {}
+        }
         self.outbox.extend(telemetry::message(0, self));
     }
 

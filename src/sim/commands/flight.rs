@@ -1,7 +1,7 @@
 //! Commands that move the vehicle.
 
 use glam::DVec3;
-use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+use mavlink::dialects::ardupilotmega::MavResult;
 
 use super::{Command, done};
 use crate::geo::LatLon;
@@ -70,27 +70,6 @@ pub(super) fn return_to_launch(autopilot: &mut Autopilot, _: &mut Link, _: &Comm
 
 pub(super) fn land(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
     done(autopilot.set_mode(mode::LAND))
-}
-
-/// There is never a plan: a vehicle on the ground passes through AUTO into LAND, one in the air stays as it is.
-pub(super) fn start_mission(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    if autopilot.set_mode(mode::AUTO) {
-        autopilot.set_mode(mode::LAND);
-    }
-    MavResult::MAV_RESULT_ACCEPTED
-}
-
-/// A landing sequence is part of a plan.
-pub(super) fn start_landing_sequence(
-    autopilot: &mut Autopilot,
-    _: &mut Link,
-    _: &Command,
-) -> MavResult {
-    autopilot.say(
-        MavSeverity::MAV_SEVERITY_WARNING,
-        "Unable to start landing sequence",
-    );
-    MavResult::MAV_RESULT_FAILED
 }
 
 pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
@@ -204,6 +183,9 @@ pub(super) fn pause_or_continue(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
+    if autopilot.mode.number == mode::AUTO {
+        return super::plan::pause_or_continue(autopilot, command);
+    }
     if autopilot.mode.number != mode::GUIDED || autopilot.safety.landed {
         return MavResult::MAV_RESULT_FAILED;
     }

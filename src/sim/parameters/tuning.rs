@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::Parameters;
 use crate::sim::failsafe::Rules;
+use crate::sim::task::AutoRules;
 
 /// Limits and settings in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +52,7 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) battery_capacity_mah: f64,
     pub(in crate::sim) satellites: u8,
     pub(in crate::sim) failsafes: Rules,
+    pub(in crate::sim) auto: AutoRules,
 }
 
 impl Tuning {
@@ -104,6 +106,7 @@ impl Tuning {
             battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
             satellites: all.value("SIM_GPS_NUMSATS").clamp(0.0, 255.0) as u8,
             failsafes: Rules::read(all),
+            auto: AutoRules::read(all),
         }
     }
 }

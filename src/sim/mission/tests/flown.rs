@@ -1,0 +1,176 @@
+//! Order and times of real flights.
+
+use super::*;
+
+/// Flies and compares: after how many seconds something was said, and what.
+fn follow(ground: &mut Ground, real: &[(f64, &[&str])], share: f64) {
+    for (measured_s, words) in real {
+        let mut said = Vec::new();
+        let mut elapsed = 0.0;
+        let mut first = None;
+        // What belongs to one moment may come over a few steps.
+        while said.len() < words.len() {
+            let (after_s, news) = ground.next_news(measured_s * 2.0 + 5.0);
+            elapsed += after_s;
+            first.get_or_insert(elapsed);
+            said.extend(news);
+        }
+        let first = first.unwrap_or(0.0);
+        println!(
+            "{first:7.2} s, real {measured_s:7.2} s ({:+5.1} %) {said:?}",
+            (first / measured_s - 1.0) * 100.0
+        );
+        assert_eq!(said, *words);
+        assert!(
+            (first - measured_s).abs() <= measured_s * share + 0.15,
+            "{words:?} after {first:.2} s, real {measured_s:.2} s"
+        );
+    }
+}
+
+/// The mission of the recording of 20 November 2026, with its interventions.
+fn recorded() -> Vec<Item> {
+    vec![
+        act(22, [0.0; 4], 20.0),
+        at(16, 60.0, 0.0, 25.0),
+        with(at(16, 60.0, 60.0, 25.0), [3.0, 0.0, 0.0, 0.0]),
+        at(201, 30.0, 30.0, 5.0),
+        act(178, [1.0, 4.0, -1.0, 0.0], 0.0),
+        at(16, 0.0, 60.0, 30.0),
+        act(183, [9.0, 1700.0, 0.0, 0.0], 0.0),
+        act(93, [5.0, -1.0, -1.0, -1.0], 0.0),
+        at(16, -30.0, 0.0, 20.0),
+        act(20, [0.0; 4], 0.0),
+    ]
+}
+
+/// Recording `d_mission` (`ArduCopter` 4.6.0-dev SITL): start at 69.33 s, seconds between the messages.
+#[test]
+fn the_recorded_mission_is_flown_in_the_same_order_and_time() {
+    let mut ground = ready_with(&recorded());
+    assert_eq!(ground.current(), (0, 10, 2, 0));
+    assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_ACCEPTED);
+    ground.step();
+    assert_eq!(ground.news(), ["Mission: 1 Takeoff", "Mission: 1 Takeoff"]);
+    assert_eq!(ground.current(), (1, 10, 3, 1));
+    follow(
+        &mut ground,
+        &[
+            (12.82, &["R 1", "Mission: 2 WP"]),
+            (11.48, &["R 2", "Reached command #2", "Mission: 3 WP"]),
+        ],
+        0.05,
+    );
+    let pause = MavCmd::MAV_CMD_DO_PAUSE_CONTINUE;
+    assert_eq!(ground.long(pause, [0.0]), MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.current(), (3, 10, 4, 1));
+    ground.run(5.0);
+    assert_eq!(ground.long(pause, [1.0]), MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.current(), (3, 10, 3, 1));
+    ground.run(0.07);
+    ground.news();
+    ground.vehicle().mission_changed();
+    ground.step();
+    assert_eq!(
+        ground.news(),
+        ["Mission: 3 WP", "Auto mission changed, restarted command"]
+    );
+    follow(
+        &mut ground,
+        &[(
+            15.67,
+            &[
+                "R 4",
+                "Reached command #3",
+                "Mission: 4 SetROI",
+                "Mission: 6 WP",
+                "Mission: 5 ChangeSpeed",
+                "R 5",
+            ],
+        )],
+        0.05,
+    );
+    ground.run(3.0);
+    ground.mode(GUIDED);
+    assert_eq!(ground.current(), (6, 10, 2, 0));
+    ground.run(4.0);
+    ground.mode(AUTO);
+    ground.step();
+    assert_eq!(ground.news(), ["Mission: 6 WP"]);
+    follow(
+        &mut ground,
+        &[
+            (
+                13.31,
+                &[
+                    "R 6",
+                    "Reached command #6",
+                    "Mission: 7 SetServo",
+                    "Mission: 8 Delay",
+                    "Delaying 5 sec",
+                ],
+            ),
+            (5.0, &["R 8", "Mission: 9 WP"]),
+            (14.06, &["R 9", "Reached command #9", "Mission: 10 RTL"]),
+            (46.53, &["R 10", "Disarming motors"]),
+        ],
+        0.05,
+    );
+    assert_eq!(ground.current(), (0, 10, 5, 1));
+    assert!(!ground.truth().armed);
+}
+
+/// The second mission of the same recording: armed on the ground AUTO waits, a jump, and the end in the air.
+#[test]
+fn a_mission_with_a_jump_waits_for_its_start_and_ends_hovering() {
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 15.0),
+        at(16, 30.0, 0.0, 15.0),
+        at(16, 30.0, 30.0, 15.0),
+        act(177, [2.0, 1.0, 0.0, 0.0], 0.0),
+        at(16, 0.0, 30.0, 15.0),
+    ]);
+    ground.mode(AUTO);
+    ground.step();
+    assert_eq!(ground.news(), ["Mission: 1 Takeoff"]);
+    ground.run(8.0);
+    assert!(ground.truth().on_ground && ground.truth().armed);
+    assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_ACCEPTED);
+    follow(
+        &mut ground,
+        &[
+            (9.99, &["R 1", "Mission: 2 WP"]),
+            (8.65, &["R 2", "Reached command #2", "Mission: 3 WP"]),
+            (
+                6.25,
+                &[
+                    "R 3",
+                    "Reached command #3",
+                    "Mission: 4 Jump 1/1",
+                    "Mission: 2 WP",
+                ],
+            ),
+            (7.02, &["R 2", "Reached command #2", "Mission: 3 WP"]),
+            (6.81, &["R 3", "Reached command #3", "Mission: 5 WP"]),
+            (8.14, &["R 5", "Reached command #5"]),
+        ],
+        0.05,
+    );
+    assert_eq!(ground.current(), (5, 5, 5, 1));
+    ground.run(8.0);
+    let before = ground.truth();
+    assert!(before.velocity_ned_m_s.iter().all(|v| v.abs() < 0.05));
+    ground.say(MavMessage::MISSION_SET_CURRENT(
+        mavlink::dialects::ardupilotmega::MISSION_SET_CURRENT_DATA {
+            seq: 2,
+            target_system: 1,
+            target_component: 1,
+        },
+    ));
+    assert_eq!(ground.current(), (2, 5, 2, 1));
+    ground.run(6.0);
+    assert!(ground.truth().at.distance_m(before.at) < 0.1);
+    ground.mode(LAND);
+    ground.run(40.0);
+    assert_eq!(ground.current(), (0, 5, 2, 0));
+}
