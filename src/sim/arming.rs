@@ -84,6 +84,7 @@ impl Autopilot {
             idle_since: None,
             resting_since: None,
         };
+        self.mission.note_arming(self.uptime());
         self.set_home(self.here());
         self.say(MavSeverity::MAV_SEVERITY_INFO, "Arming motors");
         self.control.take_over(&self.body);

@@ -1,6 +1,7 @@
 //! Missions against what a real vehicle did with the same ones.
 
 mod flown;
+mod rules;
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 

@@ -48,6 +48,7 @@ fn recorded() -> Vec<Item> {
 #[test]
 fn the_recorded_mission_is_flown_in_the_same_order_and_time() {
     let mut ground = ready_with(&recorded());
+    ground.run(1.5);
     assert_eq!(ground.current(), (0, 10, 2, 0));
     assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_ACCEPTED);
     ground.step();
@@ -173,4 +174,107 @@ fn a_mission_with_a_jump_waits_for_its_start_and_ends_hovering() {
     ground.mode(LAND);
     ground.run(40.0);
     assert_eq!(ground.current(), (0, 5, 2, 0));
+}
+
+/// Flown by the same firmware on 21 November 2026: 60 m legs with corners, climbs and descents between them, and a
+/// landing at a place. After it the vehicle stands before its first item again, still in AUTO.
+#[test]
+fn corners_are_cut_as_by_the_real_vehicle_and_a_landing_begins_the_mission_anew() {
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 15.0),
+        at(16, 60.0, 0.0, 15.0),
+        at(16, 60.0, 60.0, 15.0),
+        at(16, 0.0, 60.0, 25.0),
+        at(16, 0.0, 0.0, 15.0),
+        at(16, 30.0, -30.0, 15.0),
+        at(21, 0.0, -20.0, 0.0),
+    ]);
+    ground.run(1.5);
+    ground.start_mission();
+    ground.step();
+    ground.news();
+    follow(
+        &mut ground,
+        &[
+            (10.8, &["R 1", "Mission: 2 WP"]),
+            (11.4, &["R 2", "Reached command #2", "Mission: 3 WP"]),
+            (8.85, &["R 3", "Reached command #3", "Mission: 4 WP"]),
+            (8.8, &["R 4", "Reached command #4", "Mission: 5 WP"]),
+            (8.5, &["R 5", "Reached command #5", "Mission: 6 WP"]),
+            (8.8, &["R 6", "Reached command #6", "Mission: 7 Land"]),
+            (38.75, &["Disarming motors", "Mission: 1 Takeoff"]),
+        ],
+        0.05,
+    );
+    assert_eq!(ground.current(), (1, 7, 3, 1));
+    assert!(!ground.truth().armed);
+}
+
+/// Flown by the same firmware on 21 November 2026. Splines are flown straight here, so their times are not compared.
+#[test]
+fn conditions_circles_and_stays_take_as_long_as_the_real_ones() {
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 10.0),
+        act(112, [3.0, 0.0, 0.0, 0.0], 0.0),
+        act(183, [9.0, 1700.0, 0.0, 0.0], 0.0),
+        at(16, 50.0, 0.0, 10.0),
+        act(114, [20.0, 0.0, 0.0, 0.0], 0.0),
+        act(178, [1.0, 3.0, -1.0, 0.0], 0.0),
+        act(115, [90.0, 0.0, 1.0, 0.0], 0.0),
+        at(16, 0.0, 0.0, 10.0),
+        act(600, [7.0, 0.0, 0.0, 0.0], 0.0),
+        with(at(18, 0.0, 30.0, 10.0), [1.0, 0.0, -10.0, 0.0]),
+        with(at(19, 0.0, 0.0, 12.0), [4.0, 0.0, 0.0, 0.0]),
+        at(31, 0.0, 0.0, 16.0),
+        at(82, 20.0, 0.0, 12.0),
+        act(93, [2.0, -1.0, -1.0, -1.0], 0.0),
+        at(201, 50.0, 50.0, 5.0),
+        at(16, 10.0, 10.0, 12.0),
+        act(201, [0.0; 4], 0.0),
+        act(205, [1.0, 2.0, 3.0, 0.0], 0.0),
+        act(92, [0.0; 4], 0.0),
+        at(17, 5.0, 5.0, 12.0),
+    ]);
+    ground.run(1.5);
+    ground.start_mission();
+    ground.step();
+    ground.news();
+    follow(
+        &mut ground,
+        &[
+            (8.8, &["R 1", "Mission: 2 CondDelay", "Mission: 4 WP"]),
+            (3.0, &["R 2", "Mission: 3 SetServo"]),
+            (
+                8.05,
+                &[
+                    "R 4",
+                    "Reached command #4",
+                    "Mission: 5 CondDist",
+                    "Mission: 8 WP",
+                ],
+            ),
+            (
+                5.3,
+                &["R 5", "Mission: 6 ChangeSpeed", "R 6", "Mission: 7 CondYaw"],
+            ),
+            (4.7, &["R 7"]),
+            (
+                0.8,
+                &[
+                    "R 8",
+                    "Reached command #8",
+                    "Mission: 9 Tag 0",
+                    "Mission: 10 LoitTurns",
+                ],
+            ),
+            (32.4, &["R 10", "Mission: 11 LoitTime"]),
+            (
+                14.6,
+                &["R 11", "Reached command #11", "Mission: 12 LoitAltitude"],
+            ),
+            (3.8, &["Mission: 13 SplineWP"]),
+        ],
+        // The last leg but one began 3 s before its time is taken.
+        0.06,
+    );
 }

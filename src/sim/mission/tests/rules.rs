@@ -1,0 +1,372 @@
+//! What holds for starting, stopping, setting and refusing. Facts without a source are those of a flight of the same
+//! firmware on 21 November 2026.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::geo::LatLon;
+
+const SET_CURRENT: MavCmd = MavCmd::MAV_CMD_DO_SET_MISSION_CURRENT;
+
+/// Takeoff to 8 m and two waypoints.
+fn short() -> Vec<Item> {
+    vec![
+        act(22, [0.0; 4], 8.0),
+        at(16, 40.0, 0.0, 8.0),
+        at(16, 40.0, 40.0, 8.0),
+    ]
+}
+
+/// In the air on the way to the first waypoint.
+fn under_way(items: &[Item]) -> Ground {
+    let mut ground = ready_with(items);
+    ground.start_mission();
+    ground.run(16.0);
+    assert_eq!(ground.current().0, 2);
+    ground.news();
+    ground
+}
+
+#[test]
+fn without_a_mission_auto_is_refused_armed_and_ends_in_land_disarmed() {
+    let mut ground = Ground::new();
+    ground.run(2.0);
+    assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.truth().mode, 9);
+    assert_eq!(ground.mode(AUTO), MavResult::MAV_RESULT_ACCEPTED);
+    ground.run(1.0);
+    assert_eq!((ground.truth().mode, ground.current()), (3, (0, 0, 1, 1)));
+
+    let mut ground = Ground::hovering(10.0);
+    ground.news();
+    assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_FAILED);
+    assert_eq!(ground.mode(AUTO), MavResult::MAV_RESULT_FAILED);
+    let refusal = "Mode change to AUTO failed: init failed";
+    assert_eq!(ground.news(), [refusal, refusal]);
+    assert_eq!(ground.truth().mode, 4);
+}
+
+#[test]
+fn a_mission_that_does_not_take_off_first_is_refused_on_the_ground_but_flown_in_the_air() {
+    let list = &short()[1..];
+    let mut ground = ready_with(list);
+    assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_FAILED);
+    assert_eq!(
+        ground.news(),
+        [
+            "Auto: Missing Takeoff Cmd",
+            "Mode change to AUTO failed: init failed"
+        ]
+    );
+    let mut ground = Ground::hovering(8.0);
+    ground.load(list);
+    ground.news();
+    assert_eq!(ground.mode(AUTO), MavResult::MAV_RESULT_ACCEPTED);
+    ground.run(20.0);
+    assert_eq!(
+        ground.news()[..3],
+        ["Mission: 1 WP", "R 1", "Reached command #1"]
+    );
+}
+
+#[test]
+fn a_start_while_disarmed_is_accepted_and_moves_nothing() {
+    let mut ground = Ground::new();
+    ground.run(2.0);
+    ground.load(&short());
+    assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_ACCEPTED);
+    ground.run(5.0);
+    assert_eq!(ground.current(), (1, 3, 3, 1));
+    assert!(ground.truth().on_ground && !ground.truth().armed);
+    let refused = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0]);
+    assert_eq!(refused, MavResult::MAV_RESULT_FAILED);
+    assert!(
+        ground
+            .texts()
+            .iter()
+            .any(|text| text == "Arm: AUTO mode not armable")
+    );
+}
+
+#[test]
+fn with_auto_options_3_a_vehicle_armed_in_auto_takes_off_at_once() {
+    let mut ground = Ground::new();
+    ground.run(2.0);
+    ground.load(&short());
+    ground.set("AUTO_OPTIONS", 3.0);
+    ground.mode(AUTO);
+    let armed = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0]);
+    assert_eq!(armed, MavResult::MAV_RESULT_ACCEPTED);
+    ground.until(15.0, |truth| truth.position_ned_m[2] < -7.0);
+}
+
+#[test]
+fn in_auto_on_the_ground_the_throttle_starts_the_mission() {
+    let mut ground = ready_with(&short());
+    ground.mode(AUTO);
+    ground.run(5.0);
+    assert!(ground.truth().on_ground);
+    ground.sticks(1500);
+    ground.until(15.0, |truth| truth.position_ned_m[2] < -7.0);
+}
+
+#[test]
+fn the_current_item_can_be_set_on_the_ground_and_in_the_air() {
+    let mut ground = ready_with(&short());
+    for (first, reset, result, current) in [
+        (3.0, 0.0, MavResult::MAV_RESULT_ACCEPTED, 3),
+        (99.0, 0.0, MavResult::MAV_RESULT_DENIED, 3),
+        (-1.0, 1.0, MavResult::MAV_RESULT_DENIED, 3),
+        (f32::NAN, 0.0, MavResult::MAV_RESULT_DENIED, 3),
+        (0.0, 0.0, MavResult::MAV_RESULT_ACCEPTED, 1),
+    ] {
+        assert_eq!(ground.long(SET_CURRENT, [first, reset]), result, "{first}");
+        assert_eq!(ground.current(), (current, 3, 2, 0), "{first}");
+    }
+    ground.start_mission();
+    ground.run(16.0);
+    ground.news();
+    assert_eq!(
+        ground.long(SET_CURRENT, [3.0]),
+        MavResult::MAV_RESULT_ACCEPTED
+    );
+    assert_eq!(ground.news(), ["Mission: 3 WP"]);
+    assert_eq!(ground.current(), (3, 3, 3, 1));
+    assert_eq!(
+        ground.long(SET_CURRENT, [2.0, 1.0]),
+        MavResult::MAV_RESULT_ACCEPTED
+    );
+    assert_eq!(ground.news(), ["Mission: 2 WP", "Mission: 2 WP"]);
+}
+
+#[test]
+fn only_a_way_to_a_place_can_be_paused() {
+    let pause = MavCmd::MAV_CMD_DO_PAUSE_CONTINUE;
+    let mut ground = ready_with(&short());
+    ground.start_mission();
+    ground.run(4.0);
+    ground.news();
+    assert_eq!(ground.long(pause, [0.0]), MavResult::MAV_RESULT_FAILED);
+    assert_eq!(ground.news(), ["Failed to pause"]);
+    assert_eq!(ground.long(pause, [1.0]), MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.long(pause, [7.0]), MavResult::MAV_RESULT_DENIED);
+    ground.run(14.0);
+    assert_eq!(ground.long(pause, [0.0]), MavResult::MAV_RESULT_ACCEPTED);
+    ground.run(6.0);
+    let held = ground.truth();
+    ground.run(10.0);
+    assert!(held.at.distance_m(ground.truth().at) < 0.5);
+    ground.long(pause, [1.0]);
+    ground.run(12.0);
+    assert_eq!(ground.current().0, 3);
+}
+
+#[test]
+fn a_jump_to_itself_ends_the_mission_after_64_rounds() {
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 8.0),
+        act(177, [2.0, -1.0, 0.0, 0.0], 0.0),
+        at(16, 0.0, 10.0, 8.0),
+    ]);
+    ground.start_mission();
+    ground.run(15.0);
+    let news = ground.news();
+    assert_eq!(
+        news.last().map(String::as_str),
+        Some("Mission: 2 Jump 64/unlimited")
+    );
+    assert_eq!(ground.current(), (1, 3, 5, 1));
+}
+
+#[test]
+fn a_landing_sequence_is_flown_in_a_mode_of_its_own() {
+    let start_landing = MavCmd::MAV_CMD_DO_LAND_START;
+    let mut ground = under_way(&short());
+    assert_eq!(ground.long(start_landing, []), MavResult::MAV_RESULT_FAILED);
+    assert_eq!(ground.news()[0], "Unable to start landing sequence");
+    let mut list = short();
+    list.extend([
+        act(189, [0.0; 4], 0.0),
+        at(16, 0.0, 10.0, 8.0),
+        act(20, [0.0; 4], 0.0),
+    ]);
+    let mut ground = under_way(&list);
+    assert_eq!(
+        ground.long(start_landing, []),
+        MavResult::MAV_RESULT_ACCEPTED
+    );
+    assert_eq!(
+        ground.news(),
+        [
+            "Mission: 4 LandStart",
+            "Mission: 5 WP",
+            "Landing sequence start"
+        ]
+    );
+    assert_eq!(ground.truth().mode, 27);
+    ground.run(80.0);
+    assert_eq!(ground.current(), (0, 6, 5, 1));
+    assert!(!ground.truth().armed);
+}
+
+#[test]
+fn tags_are_jumped_to_from_the_list_and_by_command() {
+    let mut list = short();
+    list.insert(1, act(600, [7.0, 0.0, 0.0, 0.0], 0.0));
+    list.push(act(601, [7.0, 1.0, 0.0, 0.0], 0.0));
+    let mut ground = ready_with(&list);
+    ground.start_mission();
+    ground.run(40.0);
+    let news = ground.news();
+    assert!(
+        news.iter().any(|text| text == "Mission: 5 Jump 1/1"),
+        "{news:?}"
+    );
+    let jump = MavCmd::MAV_CMD_DO_JUMP_TAG;
+    assert_eq!(ground.long(jump, [8.0]), MavResult::MAV_RESULT_FAILED);
+    assert_eq!(ground.long(jump, [7.0]), MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.news(), ["Mission: 2 Tag 0", "Mission: 3 WP"]);
+}
+
+#[test]
+fn the_nose_follows_wp_yaw_behavior_and_a_place_of_interest_outdoes_it() {
+    for (behaviour, heading_deg) in [(0.0, 0.0), (1.0, 90.0), (2.0, 90.0), (3.0, 90.0)] {
+        let mut ground = ready_with(&[act(22, [0.0; 4], 8.0), at(16, 0.0, 80.0, 8.0)]);
+        ground.set("WP_YAW_BEHAVIOR", behaviour);
+        ground.start_mission();
+        ground.run(17.0);
+        let off = crate::geo::wrap_180(ground.truth().heading_deg - heading_deg);
+        assert!(off.abs() < 3.0, "{behaviour}: {off}");
+    }
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 8.0),
+        at(201, 500.0, 0.0, 0.0),
+        at(16, 0.0, 60.0, 8.0),
+        at(16, 0.0, 0.0, 8.0),
+        act(201, [0.0; 4], 0.0),
+        at(16, 0.0, 60.0, 8.0),
+    ]);
+    ground.start_mission();
+    ground.run(16.0);
+    let off = crate::geo::wrap_180(ground.truth().heading_deg);
+    assert!(off.abs() < 10.0, "{off}");
+}
+
+#[test]
+fn a_place_left_out_is_the_one_before_and_frames_mean_their_heights() {
+    let home_m = 584.0;
+    for (frame, z) in [
+        (0, home_m + 20.0),
+        (5, home_m + 20.0),
+        (3, 20.0),
+        (6, 20.0),
+        (10, 20.0),
+        (11, 20.0),
+    ] {
+        let there = Item {
+            frame,
+            ..at(16, 30.0, 0.0, z)
+        };
+        let mut ground = ready_with(&[act(22, [0.0; 4], 15.0), there, act(16, [0.0; 4], 12.0)]);
+        ground.start_mission();
+        while ground.current().0 < 3 {
+            ground.step();
+        }
+        let height_m = -ground.truth().position_ned_m[2];
+        assert!((height_m - 20.0).abs() < 1.5, "{frame}: {height_m}");
+        ground.run(15.0);
+        let end = ground.truth().position_ned_m;
+        assert!(
+            (end[0] - 30.0).abs() < 1.0 && (end[2] + 12.0).abs() < 0.5,
+            "{end:?}"
+        );
+    }
+}
+
+#[test]
+fn a_landing_may_be_followed_by_a_takeoff_when_mis_options_say_so() {
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 5.0),
+        act(21, [0.0; 4], 0.0),
+        act(22, [0.0; 4], 6.0),
+        at(16, 10.0, 0.0, 6.0),
+    ]);
+    ground.set("MIS_OPTIONS", 4.0);
+    ground.start_mission();
+    ground.run(60.0);
+    assert_eq!(ground.current(), (4, 4, 5, 1));
+    assert!(ground.truth().armed && !ground.truth().on_ground);
+}
+
+fn any_item() -> impl Strategy<Value = Item> {
+    let commands = prop_oneof![
+        Just(16u16),
+        Just(17),
+        Just(18),
+        Just(19),
+        Just(20),
+        Just(21),
+        Just(22),
+        Just(30),
+        Just(31),
+        Just(82),
+        Just(92),
+        Just(93),
+        Just(112),
+        Just(114),
+        Just(115),
+        Just(177),
+        Just(178),
+        Just(179),
+        Just(183),
+        Just(189),
+        Just(201),
+        Just(205),
+        Just(600),
+        Just(601),
+        any::<u16>(),
+    ];
+    let number = || prop_oneof![Just(0.0f32), -5.0..20.0f32, any::<f32>()];
+    let place = prop_oneof![
+        Just(LatLon::new(0.0, 0.0).to_e7()),
+        (-80.0..80.0f64, -80.0..80.0f64).prop_map(|(n, e)| start().at.moved(n, e).to_e7()),
+        any::<(i32, i32)>(),
+    ];
+    let p = [number(), number(), number(), number()];
+    (commands, 0u8..12, p, place, number()).prop_map(|(command, frame, p, (x, y), z)| Item {
+        command,
+        frame,
+        auto_continue: true,
+        p,
+        x,
+        y,
+        z,
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+    #[test]
+    fn no_list_of_items_breaks_the_vehicle(items in proptest::collection::vec(any_item(), 1..12), set in 0u16..15, speed in prop_oneof![Just(1000.0f32), -10.0..99999.0f32], jerk in -1.0..20.0f32) {
+        let mut list = vec![act(22, [0.0; 4], 8.0)];
+        list.extend(items);
+        let mut ground = ready_with(&list);
+        ground.set("WPNAV_SPEED", speed);
+        ground.set("WPNAV_JERK", jerk);
+        ground.start_mission();
+        for round in 0..12 {
+            ground.run(4.0);
+            let truth = ground.truth();
+            prop_assert!(truth.position_ned_m.iter().chain(&truth.velocity_ned_m_s).all(|v| v.is_finite()), "{truth:?}");
+            prop_assert!(truth.position_ned_m[2] <= 1e-9, "under ground");
+            match round {
+                4 => ground.vehicle().mission_changed(),
+                6 => { ground.vehicle().set_mission_item(set); }
+                8 => { ground.vehicle().pause_mission(true); }
+                9 => { ground.vehicle().pause_mission(false); }
+                _ => {}
+            }
+            ground.heard.clear();
+        }
+    }
+}
