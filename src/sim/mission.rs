@@ -22,7 +22,7 @@ use mavlink::dialects::ardupilotmega::{
 use self::sequence::Jumps;
 use super::autopilot::Autopilot;
 use super::mode;
-use super::plan::Item;
+use super::plan::{Item, ListKind};
 use super::task::{Orbit, Route, Task};
 
 /// The first command; item 0 is home.
@@ -220,10 +220,21 @@ impl Autopilot {
         }
     }
 
-    /// The list was written to: called for every item that was stored, and when its length changes.
-    pub(super) fn mission_changed(&mut self) {
-        let flying = self.mode.number == mode::AUTO && self.mission.state == State::Running;
-        if !flying || !matches!(self.task, Task::Route(_)) {
+    /// A list was written to: called for every item that was stored, and whenever its length changes. On the way to a
+    /// place the command begins again with what the list says now; an emptied mission is forgotten.
+    #[cfg_attr(not(test), expect(dead_code, reason = "uploads call it"))]
+    pub(super) fn plans_changed(&mut self, kind: ListKind) {
+        if kind != ListKind::Mission {
+            return;
+        }
+        let runs = self.mission.state == State::Running;
+        if self.plans.mission.is_empty() && !(runs && self.safety.armed) {
+            self.mission.nav = None;
+            self.mission.nav_loaded = false;
+            self.mission.action = Action::default();
+            self.mission.state = State::Stopped;
+        }
+        if !runs || self.mode.number != mode::AUTO || !matches!(self.task, Task::Route(_)) {
             return;
         }
         let at = self.mission.nav.filter(|&at| self.item(at).is_some());
@@ -236,19 +247,6 @@ impl Autopilot {
                 "Auto mission changed but failed to restart command"
             },
         );
-    }
-
-    /// The list was cleared (`MISSION_CLEAR_ALL`): refused while it is flown.
-    pub(super) fn mission_cleared(&mut self) -> bool {
-        if self.safety.armed && self.mission.state == State::Running {
-            return false;
-        }
-        self.plans.mission.clear();
-        self.mission.nav = None;
-        self.mission.nav_loaded = false;
-        self.mission.action = Action::default();
-        self.mission.state = State::Stopped;
-        true
     }
 
     /// Makes an item the current one; `false` if that is not possible. A mission that does not run goes on from there

@@ -6,7 +6,7 @@ mod rules;
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 
 use crate::sim::autopilot::Autopilot;
-use crate::sim::plan::Item;
+use crate::sim::plan::{Item, ListKind};
 use crate::sim::tests::{Ground, start};
 
 const AUTO: f32 = 3.0;
@@ -53,6 +53,17 @@ impl Ground {
 
     fn mode(&mut self, mode: f32) -> MavResult {
         self.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, mode])
+    }
+
+    #[expect(deprecated, reason = "ground stations in use still send it")]
+    fn set_current(&mut self, seq: u16) {
+        self.say(MavMessage::MISSION_SET_CURRENT(
+            mavlink::dialects::ardupilotmega::MISSION_SET_CURRENT_DATA {
+                seq,
+                target_system: 1,
+                target_component: 1,
+            },
+        ));
     }
 
     fn start_mission(&mut self) -> MavResult {

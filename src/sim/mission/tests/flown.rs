@@ -70,7 +70,7 @@ fn the_recorded_mission_is_flown_in_the_same_order_and_time() {
     assert_eq!(ground.current(), (3, 10, 3, 1));
     ground.run(0.07);
     ground.news();
-    ground.vehicle().mission_changed();
+    ground.vehicle().plans_changed(ListKind::Mission);
     ground.step();
     assert_eq!(
         ground.news(),
@@ -161,13 +161,7 @@ fn a_mission_with_a_jump_waits_for_its_start_and_ends_hovering() {
     ground.run(8.0);
     let before = ground.truth();
     assert!(before.velocity_ned_m_s.iter().all(|v| v.abs() < 0.05));
-    ground.say(MavMessage::MISSION_SET_CURRENT(
-        mavlink::dialects::ardupilotmega::MISSION_SET_CURRENT_DATA {
-            seq: 2,
-            target_system: 1,
-            target_component: 1,
-        },
-    ));
+    ground.set_current(2);
     assert_eq!(ground.current(), (2, 5, 2, 1));
     ground.run(6.0);
     assert!(ground.truth().at.distance_m(before.at) < 0.1);

@@ -19,12 +19,24 @@ fn short() -> Vec<Item> {
 
 /// In the air on the way to the first waypoint.
 fn under_way(items: &[Item]) -> Ground {
-    let mut ground = ready_with(items);
-    ground.start_mission();
-    ground.run(16.0);
+    let mut ground = under_way_from(items, 2);
+    ground.run(6.0);
     assert_eq!(ground.current().0, 2);
     ground.news();
     ground
+}
+
+/// Just past the takeoff, when an item has become the current one.
+fn under_way_from(items: &[Item], current: u16) -> Ground {
+    let mut ground = ready_with(items);
+    ground.start_mission();
+    for _ in 0..2000 {
+        ground.step();
+        if ground.current().0 == current {
+            return ground;
+        }
+    }
+    panic!("never came to item {current}: {:?}", ground.current());
 }
 
 #[test]
@@ -298,6 +310,89 @@ fn a_landing_may_be_followed_by_a_takeoff_when_mis_options_say_so() {
     assert!(ground.truth().armed && !ground.truth().on_ground);
 }
 
+#[test]
+fn the_message_that_sets_an_item_is_answered_with_the_item_that_was_asked() {
+    let mut ground = ready_with(&short());
+    ground.set_current(99);
+    assert!(ground.messages_since(0).is_empty());
+    ground.set_current(0);
+    let answers = ground.messages_since(0);
+    assert!(
+        matches!(&answers[..], [MavMessage::MISSION_CURRENT(data)] if data.seq == 0 && data.total == 3),
+        "{answers:?}"
+    );
+    assert_eq!(ground.current(), (1, 3, 2, 0));
+}
+
+#[test]
+fn an_emptied_mission_is_forgotten_and_a_shortened_one_cannot_be_restarted() {
+    let mut ground = under_way(&short());
+    ground.vehicle().plans.mission.truncate(2);
+    ground.vehicle().plans_changed(ListKind::Mission);
+    ground.step();
+    assert_eq!(
+        ground.news(),
+        ["Auto mission changed but failed to restart command"]
+    );
+    let mut ground = ready_with(&short());
+    ground.set_current(2);
+    ground.vehicle().plans.mission.clear();
+    ground.vehicle().plans_changed(ListKind::Mission);
+    assert_eq!(ground.current(), (0, 0, 1, 0));
+}
+
+#[test]
+fn with_mis_restart_auto_begins_at_the_first_item() {
+    for (restart, first) in [(0.0, "Mission: 3 WP"), (1.0, "Mission: 1 Takeoff")] {
+        let mut ground = under_way(&short());
+        ground.set("MIS_RESTART", restart);
+        ground.long(SET_CURRENT, [3.0]);
+        ground.mode(GUIDED);
+        ground.news();
+        ground.mode(AUTO);
+        ground.run(0.1);
+        assert_eq!(ground.news()[0], first);
+    }
+}
+
+#[test]
+fn guided_enable_hands_the_vehicle_to_targets_until_the_item_is_left() {
+    let mut list = short();
+    list[1] = act(92, [1.0, 0.0, 0.0, 0.0], 0.0);
+    let mut ground = under_way(&list);
+    ground.goto([-20.0, 0.0, -10.0]);
+    ground.run(15.0);
+    assert!((ground.truth().position_ned_m[0] + 20.0).abs() < 0.5);
+    assert_eq!(ground.truth().mode, 3);
+    ground.long(SET_CURRENT, [3.0]);
+    ground.goto([-20.0, 0.0, -10.0]);
+    ground.run(20.0);
+    assert!((ground.truth().position_ned_m[0] - 40.0).abs() < 0.5);
+}
+
+#[test]
+fn actions_set_home_and_servos_and_the_unknown_is_skipped_with_a_text() {
+    let mut list = vec![
+        act(22, [0.0; 4], 8.0),
+        act(183, [9.0, 1700.0, 0.0, 0.0], 0.0),
+        at(179, 5.0, 5.0, 0.0),
+        act(210, [1.0, 0.0, 0.0, 0.0], 0.0),
+        act(30, [0.0; 4], 20.0),
+    ];
+    list.push(at(16, 30.0, 0.0, 8.0));
+    let mut ground = under_way_from(&list, 6);
+    ground.run(1.0);
+    let vehicle = ground.vehicle();
+    assert_eq!(vehicle.servos_us[8], 1700);
+    let home = vehicle.home_point();
+    assert!((home.x - 5.0).abs() < 0.1 && (home.y - 5.0).abs() < 0.1);
+    let news = ground.news();
+    assert!(
+        news.iter().any(|text| text == "Skipping invalid cmd #210"),
+        "{news:?}"
+    );
+}
+
 fn any_item() -> impl Strategy<Value = Item> {
     let commands = prop_oneof![
         Just(16u16),
@@ -360,7 +455,7 @@ proptest! {
             prop_assert!(truth.position_ned_m.iter().chain(&truth.velocity_ned_m_s).all(|v| v.is_finite()), "{truth:?}");
             prop_assert!(truth.position_ned_m[2] <= 1e-9, "under ground");
             match round {
-                4 => ground.vehicle().mission_changed(),
+                4 => ground.vehicle().plans_changed(ListKind::Mission),
                 6 => { ground.vehicle().set_mission_item(set); }
                 8 => { ground.vehicle().pause_mission(true); }
                 9 => { ground.vehicle().pause_mission(false); }
