@@ -4,6 +4,7 @@
 //! The list itself lies in the vehicle's plans; this knows where in it the vehicle is. A navigation command becomes
 //! the vehicle's task, so that takeoffs, returns and landings are the same as in the other modes.
 
+mod advance;
 mod command;
 mod place;
 mod sequence;
@@ -23,12 +24,10 @@ use self::sequence::Jumps;
 use super::autopilot::Autopilot;
 use super::mode;
 use super::plan::{Item, ListKind};
-use super::task::{Orbit, Route, Task};
+use super::task::{Orbit, Task};
 
 /// The first command; item 0 is home.
 const FIRST: u16 = 1;
-/// How many items a navigation command may be searched over in one step.
-const ITEMS_PER_STEP: usize = 255;
 
 /// Whether a mission runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -73,6 +72,10 @@ enum Wait {
 
 /// Where in the mission the vehicle is.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of its own, and any may hold beside any other"
+)]
 pub(super) struct Mission {
     state: State,
     /// The navigation command, and whether it is under way.
@@ -331,171 +334,5 @@ impl Autopilot {
 
     fn item(&self, at: u16) -> Option<Item> {
         self.plans.mission.get(usize::from(at)).copied()
-    }
-
-    fn start_or_resume(&mut self) {
-        let resumes = std::mem::take(&mut self.mission.resumes);
-        if self.tuning.auto.restarts && !resumes {
-            self.start_from_first();
-        } else {
-            self.resume_mission();
-        }
-    }
-
-    fn start_from_first(&mut self) {
-        let may_lift = self.mission.may_lift;
-        self.mission.reset();
-        self.mission.may_lift = may_lift;
-        self.mission.state = State::Running;
-        if !self.advance_to(FIRST) {
-            self.complete_mission();
-        }
-    }
-
-    fn resume_mission(&mut self) {
-        let at = self.mission.nav.filter(|&at| self.item(at).is_some());
-        let Some(at) = at.filter(|_| self.mission.state != State::Complete) else {
-            self.start_from_first();
-            return;
-        };
-        self.mission.state = State::Running;
-        let action = self.mission.action;
-        match action.at {
-            Some(action) if self.mission.action.loaded => self.set_mission_item(action),
-            _ => self.mission.nav_loaded && self.set_mission_item(at),
-        };
-    }
-
-    /// Finds the navigation command of a mission that does not run, and the action before it.
-    fn prepare(&mut self, from: u16) -> bool {
-        let mut at = from;
-        for _ in 0..ITEMS_PER_STEP {
-            let Some(found) = self.next_counted(at) else {
-                break;
-            };
-            let navigates = self
-                .item(found)
-                .is_some_and(|item| sequence::is_navigation(item.command));
-            if navigates {
-                self.mission.nav = Some(found);
-                self.mission.nav_loaded = true;
-                self.mission.action.all_done = !self.mission.action.loaded;
-                self.mission.state = State::Stopped;
-                return true;
-            }
-            if !self.mission.action.loaded {
-                self.mission.action.at = Some(found);
-                self.mission.action.loaded = true;
-            }
-            at = found + 1;
-        }
-        self.mission.nav = None;
-        false
-    }
-
-    fn update_mission(&mut self) {
-        match self.mission.nav.filter(|_| self.mission.nav_loaded) {
-            None => {
-                let next = self.mission.nav.map_or(FIRST, |at| at.saturating_add(1));
-                if !self.advance_to(next) {
-                    self.complete_mission();
-                    return;
-                }
-            }
-            Some(at) if self.navigation_is_over(at) => {
-                self.mission.nav_loaded = false;
-                if !self.advance_to(at.saturating_add(1)) {
-                    self.complete_mission();
-                    return;
-                }
-            }
-            Some(_) => {}
-        }
-        match self
-            .mission
-            .action
-            .at
-            .filter(|_| self.mission.action.loaded)
-        {
-            None => self.advance_action(),
-            Some(at) => {
-                if self.action_is_over(at) {
-                    self.mission.action.loaded = false;
-                }
-            }
-        }
-    }
-
-    /// Starts the first navigation command at or after an item, and the first action on the way there.
-    fn advance_to(&mut self, from: u16) -> bool {
-        self.mission.action = Action::default();
-        let mut at = from;
-        for _ in 0..ITEMS_PER_STEP {
-            let Some(found) = self.next_counted(at) else {
-                return false;
-            };
-            let navigates = self
-                .item(found)
-                .is_some_and(|item| sequence::is_navigation(item.command));
-            if navigates {
-                self.mission.nav = Some(found);
-                if self.start_navigation(found) {
-                    self.mission.nav_loaded = true;
-                    self.mission.action.all_done = !self.mission.action.loaded;
-                    return true;
-                }
-            } else if !self.mission.action.loaded {
-                self.load_action(found);
-            }
-            at = found + 1;
-        }
-        false
-    }
-
-    fn advance_action(&mut self) {
-        if self.mission.action.all_done {
-            return;
-        }
-        let from = self.mission.action.at.map_or(FIRST, |at| at + 1);
-        let items = &self.plans.mission;
-        let next = sequence::next_ahead(items, from, &self.mission.jumps).filter(|&at| {
-            items
-                .get(usize::from(at))
-                .is_some_and(|item| !sequence::is_navigation(item.command))
-        });
-        match next {
-            Some(at) => self.load_action(at),
-            None => self.mission.action.all_done = true,
-        }
-    }
-
-    fn load_action(&mut self, at: u16) {
-        self.mission.action.at = Some(at);
-        self.mission.action.loaded = true;
-        self.mission.action.since = self.uptime();
-        self.start_action(at);
-    }
-
-    fn next_counted(&mut self, from: u16) -> Option<u16> {
-        let mut texts = Vec::new();
-        let items = &self.plans.mission;
-        let found = sequence::next_counting(items, from, &mut self.mission.jumps, &mut texts);
-        for text in texts {
-            self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
-        }
-        found
-    }
-
-    /// The end of the mission: hover in the air, disarm on the ground.
-    fn complete_mission(&mut self) {
-        self.mission.state = State::Complete;
-        self.mission.wait = Wait::Nothing;
-        if self.safety.landed || self.landing_is_over() {
-            self.disarm();
-        } else {
-            let route = self.with_cockpit(|_, cockpit| Route::standing(cockpit));
-            self.task = Task::Route(Box::new(route));
-            self.yaw.settle(self.body.yaw_deg);
-        }
     }
 }

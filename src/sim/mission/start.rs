@@ -1,5 +1,7 @@
 //! Starting the commands of a mission.
 
+use std::time::Duration;
+
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
@@ -9,8 +11,6 @@ use crate::sim::autopilot::{Autopilot, Place};
 use crate::sim::plan::Item;
 use crate::sim::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::sim::yaw::YawDemand;
-use std::time::Duration;
-
 /// A takeoff begins this long after arming at the earliest (`ARMING_DELAY_SEC` and the spooling up to idle): measured
 /// as 0.8 s more for a start 1.5 s after arming than for one 8 s after.
 const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2300);
@@ -272,15 +272,8 @@ impl Autopilot {
     }
 
     fn look_at_item(&mut self, item: &Item) {
-        match self.item_place(item) {
-            Some(place) => {
-                self.yaw.demand = YawDemand::Towards(place);
-                self.mission.looks_at_place = true;
-            }
-            None => {
-                self.yaw.demand = self.default_yaw();
-                self.mission.looks_at_place = false;
-            }
-        }
+        let place = self.item_place(item);
+        self.mission.looks_at_place = place.is_some();
+        self.yaw.demand = place.map_or_else(|| self.default_yaw(), YawDemand::Towards);
     }
 }

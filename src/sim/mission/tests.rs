@@ -1,5 +1,6 @@
 //! Missions against what a real vehicle did with the same ones.
 
+mod any;
 mod flown;
 mod rules;
 

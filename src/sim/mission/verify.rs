@@ -86,7 +86,7 @@ impl Autopilot {
             return false;
         };
         let since = *since.get_or_insert(now);
-        let over = (now - since).as_secs() >= u64::from(item.p[0] as u16);
+        let over = now.saturating_sub(since).as_secs() >= u64::from(item.p[0] as u16);
         if over {
             let text = format!("Reached command #{at}");
             self.say(MavSeverity::MAV_SEVERITY_INFO, &text);

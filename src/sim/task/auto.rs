@@ -20,6 +20,10 @@ const CORNER_FROM_SHARE: f64 = 0.5;
 
 /// The parameters of AUTO.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "parameters are switched one by one"
+)]
 pub(in crate::sim) struct Rules {
     radius_m: f64,
     corner_accel_m_s2: f64,

@@ -105,7 +105,7 @@ impl Ramp {
     }
 
     fn length_m(&self) -> f64 {
-        (self.from_m_s + self.to_m_s) / 2.0 * self.duration_s()
+        f64::midpoint(self.from_m_s, self.to_m_s) * self.duration_s()
     }
 
     fn steps(&self, at_s: f64) -> impl Iterator<Item = Step> {
