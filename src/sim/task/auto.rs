@@ -234,7 +234,7 @@ impl Route {
             velocity += v;
             accel += a;
         }
-        if let Some(after) = &self.after {
+        if let Some(after) = self.after.as_ref().filter(|after| after.time_s > 0.0) {
             let [offset, v, a] = after.at(after.time_s);
             way += offset;
             velocity += v;
