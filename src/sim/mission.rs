@@ -81,7 +81,8 @@ pub(super) struct Mission {
     /// The navigation command, and whether it is under way.
     nav: Option<u16>,
     nav_loaded: bool,
-    nav_since: Duration,
+    /// The command as it was when it began, whatever the list says since.
+    nav_item: Item,
     wait: Wait,
     action: Action,
     jumps: Jumps,
@@ -192,7 +193,7 @@ impl Autopilot {
             return false;
         }
         self.mission.may_lift = true;
-        if self.plans.mission.len() < 2 {
+        if self.plans.mission.len() < 2 && self.safety.landed {
             return self.set_mode(mode::LAND);
         }
         if self.mission.state != State::Running {

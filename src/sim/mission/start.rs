@@ -27,7 +27,7 @@ impl Autopilot {
         let Some(item) = self.announce(at) else {
             return false;
         };
-        self.mission.nav_since = self.uptime();
+        self.mission.nav_item = item;
         match item.command {
             command::NAV_TAKEOFF | command::NAV_VTOL_TAKEOFF => self.begin_takeoff(&item),
             command::NAV_WAYPOINT | command::NAV_SPLINE_WAYPOINT => self.begin_waypoint(at, &item),
@@ -200,9 +200,20 @@ impl Autopilot {
         let mut otherwise = self.body.position_m;
         if self.item_place(item).is_none() {
             let stop_m = self.with_cockpit(|_, cockpit| crate::sim::task::stopping_point(cockpit));
-            otherwise = stop_m.truncate().extend(otherwise.z);
+            otherwise = self.stored(stop_m.truncate().extend(otherwise.z));
         }
         self.fly_to(self.item_point(item, otherwise), wait);
+    }
+
+    /// A point as the vehicle stores places: in 1e-7 degrees and centimetres. That is why even a stay on the spot
+    /// begins with a way, of a few millimetres and about a second.
+    fn stored(&self, point_m: DVec3) -> DVec3 {
+        let place = self.place_of(point_m);
+        let (lat, lon) = place.at.to_e7();
+        self.point_of(Place {
+            at: LatLon::from_e7(lat, lon),
+            altitude_amsl_m: (place.altitude_amsl_m * 100.0).trunc() / 100.0,
+        })
     }
 
     fn begin_circle(&mut self, item: &Item) {
@@ -231,7 +242,7 @@ impl Autopilot {
     pub(super) fn begin_turning(&mut self, mut orbit: Orbit) {
         orbit.begin(self.body.position_m);
         if !self.mission.looks_at_place {
-            self.yaw.demand = YawDemand::Towards(orbit.centre_m.truncate());
+            self.yaw.demand = orbit.yaw();
         }
         self.task = Task::Orbit(orbit);
         self.mission.wait = Wait::Nothing;

@@ -19,9 +19,7 @@ const HEIGHT_REACHED_M: f64 = 0.05;
 impl Autopilot {
     /// Whether the navigation command is over; that it is goes into the slot of reached items.
     pub(super) fn navigation_is_over(&mut self, at: u16) -> bool {
-        let Some(item) = self.item(at) else {
-            return true;
-        };
+        let item = self.mission.nav_item;
         let over = match item.command {
             command::NAV_TAKEOFF | command::NAV_VTOL_TAKEOFF => {
                 matches!(&self.task, Task::Takeoff(takeoff) if takeoff.reached)

@@ -272,3 +272,81 @@ fn conditions_circles_and_stays_take_as_long_as_the_real_ones() {
         0.06,
     );
 }
+
+/// Flown by the same firmware on 21 November 2026: speeds changed by command on the way, a circle of the usual size,
+/// items the vehicle skips, a takeoff in the air, and the end, from which a start begins anew.
+#[test]
+fn speeds_change_on_the_way_and_what_cannot_be_flown_is_skipped() {
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 10.0),
+        at(16, 150.0, 0.0, 10.0),
+        at(16, 150.0, 20.0, 10.0),
+        with(at(18, 120.0, 20.0, 10.0), [1.0, 0.0, 0.0, 0.0]),
+        act(30, [0.0; 4], 20.0),
+        act(210, [1.0, 0.0, 0.0, 0.0], 0.0),
+        act(19, [2.0, 0.0, 0.0, 0.0], 0.0),
+        act(22, [0.0; 4], 25.0),
+        at(16, 100.0, 0.0, 25.0),
+    ]);
+    ground.run(1.5);
+    ground.start_mission();
+    ground.step();
+    ground.news();
+    follow(&mut ground, &[(8.85, &["R 1", "Mission: 2 WP"])], 0.05);
+    let speed = MavCmd::MAV_CMD_DO_CHANGE_SPEED;
+    ground.run(4.1);
+    ground.long(speed, [1.0, 4.0, -1.0]);
+    ground.run(10.05);
+    ground.long(speed, [1.0, 8.0, -1.0]);
+    follow(
+        &mut ground,
+        &[
+            (11.75, &["R 2", "Reached command #2", "Mission: 3 WP"]),
+            (6.75, &["R 3", "Reached command #3", "Mission: 4 LoitTurns"]),
+            (
+                29.4,
+                &[
+                    "R 6",
+                    "Mission: 5 ContinueAndChangeAlt",
+                    "Mission: 6 InvertedFlight",
+                    "Mission: 7 LoitTime",
+                    "Skipping invalid cmd #210",
+                ],
+            ),
+        ],
+        0.05,
+    );
+    // How long the way of some millimetres takes that comes first depends on where exactly the vehicle stands.
+    follow(
+        &mut ground,
+        &[(3.2, &["R 7", "Reached command #7", "Mission: 8 Takeoff"])],
+        0.35,
+    );
+    follow(
+        &mut ground,
+        &[
+            (9.15, &["R 8", "Mission: 9 WP"]),
+            (10.4, &["R 9", "Reached command #9"]),
+        ],
+        0.05,
+    );
+    assert_eq!(ground.current(), (9, 9, 5, 1));
+    ground.run(3.0);
+    ground.start_mission();
+    ground.run(0.1);
+    assert_eq!(
+        ground.news(),
+        ["Mission: 1 Takeoff", "R 1", "Mission: 2 WP"]
+    );
+    ground.run(4.0);
+    ground.vehicle().plans.mission.clear();
+    ground.vehicle().plans_changed(ListKind::Mission);
+    ground.step();
+    assert_eq!(
+        ground.news(),
+        ["Auto mission changed but failed to restart command"]
+    );
+    assert_eq!(ground.current(), (2, 0, 1, 1));
+    assert_eq!(ground.start_mission(), MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.truth().mode, 3);
+}

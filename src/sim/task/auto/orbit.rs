@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use super::super::{Act, Cockpit};
 use crate::sim::body::STEP_S;
 use crate::sim::parameters::Parameters;
+use crate::sim::yaw::YawDemand;
 
 /// A circle turns up within a second, but at least at this rate (degrees per second squared).
 const LEAST_SPIN_UP_DEG_S2: f64 = 2.0;
@@ -12,7 +13,7 @@ const LEAST_SPIN_UP_DEG_S2: f64 = 2.0;
 /// A circle under way.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::sim) struct Orbit {
-    pub(in crate::sim) centre_m: DVec3,
+    centre_m: DVec3,
     radius_m: f64,
     /// Clockwise positive.
     wanted_rad_s: f64,
@@ -22,18 +23,18 @@ pub(in crate::sim) struct Orbit {
 }
 
 impl Orbit {
-    /// A circle that has not begun: radius 0 means `CIRCLE_RADIUS`, the rate is `CIRCLE_RATE`.
+    /// A circle that has not begun, at `CIRCLE_RATE`. With a radius of 0 the vehicle turns on the spot, whatever
+    /// `CIRCLE_RADIUS` says, as a real one did.
     pub(in crate::sim) fn around(
         centre_m: DVec3,
         radius_m: f64,
         anticlockwise: bool,
         all: &Parameters,
     ) -> Self {
-        let usual_m = (all.value("CIRCLE_RADIUS") * 0.01).clamp(0.0, 2000.0);
         let rate = all.value("CIRCLE_RATE").clamp(-90.0, 90.0).abs();
         Self {
             centre_m,
-            radius_m: if radius_m > 0.0 { radius_m } else { usual_m },
+            radius_m,
             wanted_rad_s: if anticlockwise { -rate } else { rate }.to_radians(),
             rate_rad_s: 0.0,
             angle_rad: 0.0,
@@ -58,6 +59,15 @@ impl Orbit {
         self.angle_rad = outwards.y.atan2(outwards.x);
     }
 
+    /// What the nose does: it looks at the centre, and on the spot it turns.
+    pub(in crate::sim) fn yaw(&self) -> YawDemand {
+        if self.radius_m > 0.0 {
+            YawDemand::Towards(self.centre_m.truncate())
+        } else {
+            YawDemand::Rate(self.wanted_rad_s.to_degrees())
+        }
+    }
+
     /// How many turns have been flown.
     pub(in crate::sim) fn turns(&self) -> f64 {
         self.turned_rad.abs() / std::f64::consts::TAU
@@ -76,7 +86,11 @@ impl Orbit {
         let most_m_s = limits
             .speed_m_s
             .min((0.5 * limits.accel_m_s2 * self.radius_m).sqrt());
-        let most = most_m_s / self.radius_m.max(0.1);
+        let most = if self.radius_m > 0.0 {
+            most_m_s / self.radius_m
+        } else {
+            f64::INFINITY
+        };
         let wanted = self.wanted_rad_s.clamp(-most, most);
         let spin_up = wanted.abs().max(LEAST_SPIN_UP_DEG_S2.to_radians()) * STEP_S;
         self.rate_rad_s += (wanted - self.rate_rad_s).clamp(-spin_up, spin_up);
