@@ -142,32 +142,30 @@ impl Mission {
 }
 
 impl Autopilot {
-    /// Why AUTO cannot be entered now, as a text; `None` if it can. Disarmed it always can.
-    pub(super) fn mission_obstacle(&self) -> Option<&'static [(MavSeverity, &'static str)]> {
-        const FAILED: (MavSeverity, &str) = (
-            MavSeverity::MAV_SEVERITY_WARNING,
-            "Mode change to AUTO failed: init failed",
-        );
-        const NO_TAKEOFF: (MavSeverity, &str) = (
-            MavSeverity::MAV_SEVERITY_CRITICAL,
-            "Auto: Missing Takeoff Cmd",
-        );
-        let items = &self.plans.mission;
-        let from = if self.tuning.auto.restarts {
-            FIRST
-        } else {
-            self.mission.nav.unwrap_or(FIRST)
-        };
+    /// Whether AUTO cannot be entered now; then it says why. Disarmed it always can.
+    pub(super) fn mission_refuses(&mut self) -> bool {
         if !self.safety.armed {
-            None
-        } else if items.len() < 2 {
-            Some(&[FAILED])
-        } else if self.safety.landed && !sequence::takes_off_first(items, from, &self.mission.jumps)
-        {
-            Some(&[NO_TAKEOFF, FAILED])
-        } else {
-            None
+            return false;
         }
+        let items = &self.plans.mission;
+        let stands = self.mission.nav.filter(|_| !self.tuning.auto.restarts);
+        let from = stands.unwrap_or(FIRST);
+        let lifts = sequence::takes_off_first(items, from, &self.mission.jumps);
+        let empty = items.len() < 2;
+        let missing = !empty && self.safety.landed && !lifts;
+        if missing {
+            self.say(
+                MavSeverity::MAV_SEVERITY_CRITICAL,
+                "Auto: Missing Takeoff Cmd",
+            );
+        }
+        if empty || missing {
+            self.say(
+                MavSeverity::MAV_SEVERITY_WARNING,
+                "Mode change to AUTO failed: init failed",
+            );
+        }
+        empty || missing
     }
 
     /// AUTO has been entered: the mission starts with the next step.

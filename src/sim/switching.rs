@@ -26,15 +26,7 @@ impl Autopilot {
         }
         let texts: &[&str] = match mode.entry {
             Entry::Refused(texts) => texts,
-            Entry::Plan => {
-                if let Some(texts) = self.mission_obstacle() {
-                    for (severity, text) in texts {
-                        self.say(*severity, text);
-                    }
-                    return false;
-                }
-                &[]
-            }
+            Entry::Plan if self.mission_refuses() => return false,
             Entry::Position if self.safety.armed && !self.is_ready() => {
                 self.say(
                     MavSeverity::MAV_SEVERITY_WARNING,
@@ -42,7 +34,7 @@ impl Autopilot {
                 );
                 return false;
             }
-            Entry::Free | Entry::Position => &[],
+            Entry::Free | Entry::Position | Entry::Plan => &[],
         };
         if !texts.is_empty() {
             for text in texts {
