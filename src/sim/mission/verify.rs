@@ -115,7 +115,8 @@ impl Autopilot {
                 let climb = square_root(down_m - here_m.z, HEIGHT_GAIN_PER_S, limits.accel_z_m_s2);
                 *task = Task::Velocity {
                     wanted_m_s: DVec3::Z * climb.clamp(-limits.speed_up_m_s, limits.speed_down_m_s),
-                    until: Duration::MAX,
+                    // Renewed with every step.
+                    until: cockpit.now + Duration::from_secs(1),
                 };
                 true
             }
