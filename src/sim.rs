@@ -25,6 +25,7 @@ mod failsafe;
 mod fence;
 mod inbound;
 mod leg;
+mod mission;
 mod mixer;
 mod mode;
 mod parameters;
@@ -369,7 +370,7 @@ fn truth_of(autopilot: &Autopilot) -> Truth {
         heading_deg: wrap_360(body.yaw_deg),
         armed: autopilot.safety.armed,
         on_ground: body.on_ground,
-        mode: autopilot.mode.number,
+        mode: autopilot.reported_mode(),
         battery_voltage_v: autopilot.battery.voltage_v,
         battery_current_a: autopilot.battery.current_a,
         battery_consumed_mah: autopilot.battery.consumed_mah,

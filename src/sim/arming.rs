@@ -64,7 +64,8 @@ impl Autopilot {
                 self.refuse("Arm", &reasons);
                 return false;
             }
-            if !self.mode.armable {
+            let may_arm = self.mode.number == mode::AUTO && self.tuning.auto.may_arm;
+            if !self.mode.armable && !may_arm {
                 let text = format!("Arm: {} mode not armable", self.mode.name);
                 self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
                 return false;
@@ -80,6 +81,7 @@ impl Autopilot {
             landed: self.body.on_ground,
             ..Safety::default()
         };
+        self.mission.note_arming(self.uptime());
         if self.home.is_some() {
             self.set_home(self.here());
         }
@@ -106,11 +108,18 @@ impl Autopilot {
         // What now speaks against arming is told with the next look.
         self.safety.reports_at = Duration::ZERO;
         self.say(MavSeverity::MAV_SEVERITY_INFO, "Disarming motors");
+        self.mission.reset();
         if self.body.on_ground {
             self.safety.landed = true;
             self.body.throttle = 0.0;
             self.wait_on_ground();
         }
+    }
+
+    /// Whether a landing has come to the point where the motors are disarmed.
+    pub(super) fn landing_is_over(&self) -> bool {
+        self.touched_in_landing()
+            .is_some_and(|touched| self.uptime() >= touched + DISARMED_AFTER_TOUCH)
     }
 
     /// Makes a place home and tells everybody.
@@ -176,7 +185,7 @@ impl Autopilot {
 
     fn is_resting(&self) -> bool {
         match &self.task {
-            Task::Wait => true,
+            Task::Wait | Task::Route(_) => true,
             Task::Manual | Task::Piloted => self.sticks().throttle_is_low(),
             _ => false,
         }

@@ -16,6 +16,7 @@ use super::crash::CrashWatch;
 use super::estimator::{Estimator, Surroundings};
 use super::failsafe::{self, Failsafe};
 use super::fence::{self, Geofence};
+use super::mission::Mission;
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::plan::Plans;
@@ -75,6 +76,7 @@ pub(super) struct Autopilot {
     pub(super) battery: Battery,
     pub(super) home: Option<Place>,
     pub(super) plans: Plans,
+    pub(super) mission: Mission,
     pub(super) fence: Geofence,
     pub(super) transfers: Transfers,
     pub(super) radio: Radio,
@@ -136,6 +138,7 @@ impl Autopilot {
             crash: CrashWatch::default(),
             home: None,
             plans: Plans::default(),
+            mission: Mission::default(),
             radio: Radio::default(),
             pilot: Pilot::default(),
             workbench: Workbench::default(),
@@ -214,6 +217,9 @@ impl Autopilot {
     pub(super) fn step(&mut self) {
         self.steps += 1;
         self.step_boot();
+        if self.mode.number == mode::AUTO {
+            self.fly_mission();
+        }
         let asleep = self.body.on_ground && !self.safety.armed;
         if !asleep {
             self.fly();
@@ -429,6 +435,8 @@ impl Autopilot {
         self.takeoff_m = Some(goal_m);
         self.task = match self.mode.number {
             mode::GUIDED => Task::goto(goal_m),
+            // The mission goes on by itself.
+            mode::AUTO => return,
             _ => Task::Piloted,
         };
     }
@@ -459,6 +467,15 @@ impl Autopilot {
             YawDemand::Hold
         } else {
             YawDemand::Course
+        }
+    }
+
+    /// The same on the way home, where `WP_YAW_BEHAVIOR` 2 keeps the heading.
+    pub(super) fn default_yaw_home(&self) -> YawDemand {
+        if self.tuning.yaw_behaviour == 2 {
+            YawDemand::Hold
+        } else {
+            self.default_yaw()
         }
     }
 }

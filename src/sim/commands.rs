@@ -6,6 +6,7 @@ mod fence;
 mod flight;
 mod motion;
 mod outputs;
+mod plan;
 mod setup;
 mod streams;
 
@@ -97,7 +98,7 @@ const TABLE: &[(u16, Handler)] = &[
     (184, outputs::servo),
     (185, flight::terminate),
     (188, flight::start_return_path),
-    (189, flight::start_landing_sequence),
+    (189, plan::start_landing_sequence),
     (192, motion::reposition),
     (193, motion::pause_or_continue),
     (195, motion::look_at),
@@ -107,10 +108,11 @@ const TABLE: &[(u16, Handler)] = &[
     (208, outputs::parachute),
     (209, outputs::motor_test),
     (218, auxiliary::switch),
+    (224, plan::set_current),
     (241, calibration::preflight),
     (245, setup::storage),
     (246, setup::reboot),
-    (300, flight::start_mission),
+    (300, plan::start),
     (400, flight::arm_or_disarm),
     (401, setup::run_checks),
     (410, streams::home_position),
@@ -118,6 +120,7 @@ const TABLE: &[(u16, Handler)] = &[
     (511, streams::set_interval),
     (512, streams::request),
     (520, streams::capabilities),
+    (601, plan::jump_to_tag),
     (2600, setup::high_latency),
     (5300, outputs::safety_switch),
     (42001, flight::fly_button),
@@ -145,7 +148,6 @@ const FIXED: &[(u16, MavResult)] = &[
     (500, FAILED),
     (532, DENIED),
     (534, DENIED),
-    (601, FAILED),
     (1000, FAILED),
     (1001, FAILED),
     (2000, FAILED),

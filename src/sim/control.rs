@@ -190,6 +190,13 @@ impl PositionControl {
         self.accel_m_s2.z + climb * CLIMB_P
     }
 
+    /// Puts the path, with its motion, onto a planned one.
+    pub(super) fn follow(&mut self, at_m: DVec3, velocity_m_s: DVec3, accel_m_s2: DVec3) {
+        self.path_m = at_m;
+        self.velocity_m_s = velocity_m_s;
+        self.accel_m_s2 = accel_m_s2;
+    }
+
     /// The acceleration that makes the body follow the path, within the lean that is allowed.
     pub(super) fn demand(&mut self, body: &Body, lean_max_rad: f64) -> DVec3 {
         let error_m = self.path_m - body.position_m;

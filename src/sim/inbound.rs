@@ -3,8 +3,8 @@
 mod fields;
 
 use mavlink::dialects::ardupilotmega::{
-    MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA, PARAM_VALUE_DATA,
-    RC_CHANNELS_OVERRIDE_DATA, TIMESYNC_DATA,
+    MISSION_CURRENT_DATA, MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA,
+    PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, TIMESYNC_DATA,
 };
 use mavlink::types::CharArray;
 
@@ -134,6 +134,17 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         {
             autopilot.control_manually([data.x, data.y, data.z, data.r]);
             autopilot.failsafe.heard = Some(autopilot.uptime());
+        }
+        MavMessage::MISSION_SET_CURRENT(data) if own(data.target_system) => {
+            // The answer shows the item that was asked, as ground stations take it for an acknowledgement.
+            if autopilot.set_mission_item(data.seq)
+                && let Some(MavMessage::MISSION_CURRENT(now)) = telemetry::message(42, autopilot)
+            {
+                link.reply(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
+                    seq: data.seq,
+                    ..now
+                }));
+            }
         }
         MavMessage::SET_HOME_POSITION(data) if own(data.target_system) => {
             let place = Place {

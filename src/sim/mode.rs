@@ -7,7 +7,7 @@ pub(super) enum Entry {
     Free,
     /// Refused in the air without a position.
     Position,
-    /// Refused once armed: there is no plan to fly.
+    /// Refused once armed, if there is no plan to fly.
     Plan,
     /// Always refused, with these texts.
     Refused(&'static [&'static str]),

@@ -21,12 +21,15 @@ impl Autopilot {
             );
             return false;
         };
+        if number == mode::AUTO_RTL && self.landing_start().is_some() {
+            return self.fly_landing_sequence();
+        }
         if mode == self.mode {
             return true;
         }
         let texts: &[&str] = match mode.entry {
             Entry::Refused(texts) => texts,
-            Entry::Plan if self.safety.armed => &["Mode change to AUTO failed: init failed"],
+            Entry::Plan if self.mission_refuses() => return false,
             Entry::Position if self.safety.armed && !self.is_ready() => {
                 self.say(
                     MavSeverity::MAV_SEVERITY_WARNING,
@@ -50,6 +53,9 @@ impl Autopilot {
     }
 
     fn enter(&mut self, mode: Mode) {
+        if self.mode.number == mode::AUTO {
+            self.leave_mission();
+        }
         self.mode = mode;
         self.speeds = Speeds::default();
         self.paused = None;
@@ -57,6 +63,11 @@ impl Autopilot {
         self.yaw.settle(self.body.yaw_deg);
         self.pilot = Pilot::begin(mode.number, self.body.lean_m_s2);
         self.task = self.first_task();
+        match mode.number {
+            mode::AUTO => self.enter_mission(),
+            mode::RTL => self.yaw.demand = self.default_yaw_home(),
+            _ => {}
+        }
         // The heartbeat overtakes the texts that wait to be sent.
         let before_texts = self
             .outbox

@@ -81,7 +81,8 @@ impl Autopilot {
     pub(super) fn take_setpoint(&mut self, setpoint: &Setpoint) {
         let flying = self.safety.armed && !self.safety.landed;
         let lifting = matches!(self.task, Task::Takeoff(_)) && self.body.on_ground;
-        if self.mode.number != mode::GUIDED || !flying || lifting {
+        let guided = self.mode.number == mode::GUIDED || self.mission.is_guided();
+        if !guided || !flying || lifting {
             return;
         }
         let forced = setpoint.mask & FORCE != 0 && setpoint.mask & ACCELERATION == 0;

@@ -1,6 +1,7 @@
 //! What the autopilot is doing inside its mode: one small controller per task.
 
 mod attitude;
+mod auto;
 mod landing;
 mod piloted;
 mod returning;
@@ -11,6 +12,7 @@ use std::time::Duration;
 use glam::{DVec2, DVec3};
 
 pub(super) use attitude::{Attitude, Lift};
+pub(super) use auto::{Orbit, Route, Rules as AutoRules, stopping_point};
 pub(super) use landing::Landing;
 pub(super) use piloted::{Pilot, PilotRules, Sticks};
 pub(super) use returning::Returning;
@@ -92,6 +94,10 @@ pub(super) enum Task {
     Land(Landing),
     /// Circles around a point.
     Circle(Circle),
+    /// Flies along the legs of a mission.
+    Route(Box<Route>),
+    /// Turns around a place of a mission.
+    Orbit(Orbit),
     /// A pilot's sticks set climb and movement; the autopilot holds the rest.
     Piloted,
     /// A pilot's throttle drives the motors directly.
@@ -147,6 +153,8 @@ impl Task {
             Self::Takeoff(takeoff) => return takeoff.step(cockpit),
             Self::Land(landing) => return landing.step(cockpit),
             Self::Return(returning) => return returning.step(cockpit),
+            Self::Route(route) => return route.step(cockpit),
+            Self::Orbit(orbit) => return orbit.step(cockpit),
             Self::Piloted => return piloted::step(cockpit),
             Self::Manual => return piloted::manual(cockpit),
             Self::Attitude(attitude) => return attitude.step(cockpit),

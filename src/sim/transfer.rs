@@ -153,7 +153,7 @@ impl Autopilot {
     /// Something in a list is no longer what it was.
     pub(super) fn plans_changed(&mut self, kind: ListKind) {
         match kind {
-            ListKind::Mission => {}
+            ListKind::Mission => self.mission_changed(),
             ListKind::Fence => self.fence_changed(),
             ListKind::Rally => {}
         }

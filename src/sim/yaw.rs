@@ -139,6 +139,15 @@ impl YawControl {
         }
     }
 
+    /// Whether a turn has come to its end, within 2 degrees.
+    pub(super) fn has_turned(&self, yaw_deg: f64) -> bool {
+        let left = match self.demand {
+            YawDemand::Turn { left_deg, .. } => left_deg,
+            _ => 0.0,
+        };
+        left == 0.0 && wrap_180(self.setpoint_deg - yaw_deg).abs() <= 2.0
+    }
+
     /// Forgets where the setpoint was: the nose stays where it is.
     pub(super) fn settle(&mut self, yaw_deg: f64) {
         *self = Self::holding(wrap_180(yaw_deg));

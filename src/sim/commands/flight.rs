@@ -81,30 +81,7 @@ pub(super) fn land(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavR
     done(autopilot.set_mode(mode::LAND))
 }
 
-/// There is never a plan: a vehicle on the ground passes through AUTO into LAND, one in the air stays as it is.
-pub(super) fn start_mission(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    if autopilot.set_mode(mode::AUTO) {
-        autopilot.set_mode(mode::LAND);
-    }
-    MavResult::MAV_RESULT_ACCEPTED
-}
-
-/// A landing sequence is part of a plan.
-pub(super) fn start_landing_sequence(
-    autopilot: &mut Autopilot,
-    _: &mut Link,
-    _: &Command,
-) -> MavResult {
-    for text in [
-        "Unable to start landing sequence",
-        "Mode change to AUTO RTL failed: No landing sequence found",
-    ] {
-        autopilot.say(MavSeverity::MAV_SEVERITY_WARNING, text);
-    }
-    MavResult::MAV_RESULT_FAILED
-}
-
-/// So is a return path.
+/// A return path is part of a plan.
 pub(super) fn start_return_path(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
     autopilot.say(
         MavSeverity::MAV_SEVERITY_WARNING,

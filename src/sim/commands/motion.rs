@@ -114,6 +114,9 @@ pub(super) fn pause_or_continue(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
+    if autopilot.mode.number == mode::AUTO {
+        return super::plan::pause_or_continue(autopilot, command);
+    }
     let pause = match command.whole(0) {
         Some(0) => true,
         Some(1) => false,

@@ -7,7 +7,7 @@ use crate::sim::arming::ArmingRules;
 use crate::sim::estimator::Faults;
 use crate::sim::failsafe::Rules;
 use crate::sim::radio::RadioRules;
-use crate::sim::task::PilotRules;
+use crate::sim::task::{AutoRules, PilotRules};
 use crate::sim::transfer::Recorder;
 use crate::sim::upset::MotorFault;
 use crate::sim::{fence, rally, wind};
@@ -61,6 +61,7 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) recorder: Recorder,
     pub(in crate::sim) faults: Faults,
     pub(in crate::sim) arming: ArmingRules,
+    pub(in crate::sim) auto: AutoRules,
 }
 
 impl Tuning {
@@ -115,6 +116,7 @@ impl Tuning {
             recorder: Recorder::read(all),
             faults: Faults::read(all),
             arming: ArmingRules::read(all),
+            auto: AutoRules::read(all),
         }
     }
 }

@@ -36,6 +36,15 @@ impl Takeoff {
         }
     }
 
+    /// The same for a vehicle that flies already.
+    pub(in crate::sim) fn in_flight(from_m: DVec3, height_m: f64, now: Duration) -> Self {
+        Self {
+            since: now.saturating_sub(LIFTS),
+            lifted: true,
+            ..Self::new(from_m, height_m, now)
+        }
+    }
+
     /// Whether the motors have spooled up.
     pub(in crate::sim) fn is_spooled(&self, now: Duration) -> bool {
         now >= self.since + SPOOLED

@@ -45,7 +45,7 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
         base_mode |= MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED;
     }
     MavMessage::HEARTBEAT(HEARTBEAT_DATA {
-        custom_mode: u32::from(autopilot.mode.number),
+        custom_mode: u32::from(autopilot.reported_mode()),
         mavtype: autopilot.airframe.vehicle_type(),
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         base_mode,

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{
     GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, MISSION_CURRENT_DATA, MavFrame, MavMessage,
-    MissionState, NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA,
-    POSITION_TARGET_LOCAL_NED_DATA, PositionTargetTypemask,
+    NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA,
+    PositionTargetTypemask,
 };
 
 use super::{boot_ms, boot_us};
@@ -47,8 +47,11 @@ pub(super) fn gps_global_origin(autopilot: &Autopilot) -> Option<MavMessage> {
 }
 
 pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
+    let items = autopilot.plans.mission.len();
     MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
-        mission_state: MissionState::MISSION_STATE_NO_MISSION,
+        seq: autopilot.mission.current(),
+        total: items.saturating_sub(1) as u16,
+        mission_state: autopilot.mission.reported_state(items),
         mission_mode: u8::from(autopilot.mode.number == mode::AUTO),
         ..Default::default()
     })
@@ -108,6 +111,7 @@ pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     match &autopilot.task {
         Task::Goto { goal_m, .. } => Some(*goal_m),
         Task::Return(_) => Some(autopilot.home_point()),
+        Task::Route(route) => Some(route.goal_m()),
         _ => None,
     }
 }

@@ -1,0 +1,333 @@
+//! AUTO: carrying out the mission, one navigation command and one action beside it at a time (`AP_Mission` with
+//! `ArduCopter`'s `mode_auto`).
+//!
+//! The list itself lies in the vehicle's plans; this knows where in it the vehicle is. A navigation command becomes
+//! the vehicle's task, so that takeoffs, returns and landings are the same as in the other modes.
+
+mod advance;
+mod command;
+mod place;
+mod sequence;
+mod start;
+mod verify;
+
+#[cfg(test)]
+mod tests;
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{
+    MISSION_ITEM_REACHED_DATA, MavMessage, MavSeverity, MissionState,
+};
+
+use self::sequence::Jumps;
+use super::autopilot::Autopilot;
+use super::mode;
+use super::plan::Item;
+use super::task::{Orbit, Task};
+
+/// The first command; item 0 is home.
+const FIRST: u16 = 1;
+
+/// Whether a mission runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum State {
+    #[default]
+    Stopped,
+    Running,
+    Complete,
+}
+
+/// The action beside the navigation command.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Action {
+    at: Option<u16>,
+    /// Whether it is still under way.
+    loaded: bool,
+    /// Whether there is none left before the navigation command is over.
+    all_done: bool,
+    since: Duration,
+}
+
+/// What the current navigation command waits for.
+#[derive(Debug, Clone, PartialEq, Default)]
+enum Wait {
+    #[default]
+    Nothing,
+    /// A takeoff to a height (metres above the start) that waits for the motors and the throttle.
+    Throttle(f64),
+    /// A stay at the goal, since the vehicle got there.
+    Stay(Option<Duration>),
+    /// A circle that begins when its edge is reached.
+    Edge(Orbit),
+    /// A landing that begins when its place is reached.
+    LandingPlace,
+    /// A height (metres down from the start), once the place is reached; then with the way that was left.
+    Height { down_m: f64, left_m: Option<f64> },
+    /// A time.
+    Until(Duration),
+    /// Setpoints from outside, for ever.
+    Guided,
+}
+
+/// Where in the mission the vehicle is.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of its own, and any may hold beside any other"
+)]
+pub(super) struct Mission {
+    state: State,
+    /// The navigation command, and whether it is under way.
+    nav: Option<u16>,
+    nav_loaded: bool,
+    /// The command as it was when it began, whatever the list says since.
+    nav_item: Item,
+    wait: Wait,
+    action: Action,
+    jumps: Jumps,
+    /// AUTO has been entered, but the mission has not been started since.
+    starting: bool,
+    /// The throttle was raised, or a mission started, since arming.
+    may_lift: bool,
+    /// When the motors were armed.
+    armed_at: Duration,
+    /// The nose looks at a place of interest.
+    looks_at_place: bool,
+    paused: bool,
+    /// The next start goes on where the mission stands, whatever `MIS_RESTART` says.
+    resumes: bool,
+    /// A landing sequence is flown on request.
+    returns: bool,
+    /// The last item that was reached in this step: one slot, as in the vehicle.
+    reached: Option<u16>,
+}
+
+impl Mission {
+    /// The item that `MISSION_CURRENT` shows.
+    pub(super) fn current(&self) -> u16 {
+        self.nav.unwrap_or(0)
+    }
+
+    /// The state that `MISSION_CURRENT` shows for a list of `items`, home included.
+    pub(super) fn reported_state(&self, items: usize) -> MissionState {
+        match self.state {
+            _ if self.paused => MissionState::MISSION_STATE_PAUSED,
+            _ if items < 2 => MissionState::MISSION_STATE_NO_MISSION,
+            State::Stopped => MissionState::MISSION_STATE_NOT_STARTED,
+            State::Running => MissionState::MISSION_STATE_ACTIVE,
+            State::Complete => MissionState::MISSION_STATE_COMPLETE,
+        }
+    }
+
+    /// Whether the mission hands the vehicle to setpoints from outside.
+    pub(super) fn is_guided(&self) -> bool {
+        self.wait == Wait::Guided
+    }
+
+    /// The motors have been armed; they take their time before they lift.
+    pub(super) fn note_arming(&mut self, now: Duration) {
+        self.armed_at = now;
+    }
+
+    /// Back before the first item, as after every disarming. A running mission goes on running.
+    pub(super) fn reset(&mut self) {
+        self.nav = None;
+        self.nav_loaded = false;
+        self.wait = Wait::Nothing;
+        self.action = Action::default();
+        self.jumps.clear();
+        self.may_lift = false;
+    }
+}
+
+impl Autopilot {
+    /// Whether AUTO cannot be entered now; then it says why. Disarmed it always can.
+    pub(super) fn mission_refuses(&mut self) -> bool {
+        if !self.safety.armed {
+            return false;
+        }
+        let items = &self.plans.mission;
+        let stands = self.mission.nav.filter(|_| !self.tuning.auto.restarts);
+        let from = stands.unwrap_or(FIRST);
+        let lifts = sequence::takes_off_first(items, from, &self.mission.jumps);
+        let empty = items.len() < 2;
+        let missing = !empty && self.safety.landed && !lifts;
+        if missing {
+            self.say(
+                MavSeverity::MAV_SEVERITY_CRITICAL,
+                "Auto: Missing Takeoff Cmd",
+            );
+        }
+        if empty || missing {
+            self.say(
+                MavSeverity::MAV_SEVERITY_WARNING,
+                "Mode change to AUTO failed: init failed",
+            );
+        }
+        empty || missing
+    }
+
+    /// AUTO has been entered: the mission starts with the next step.
+    pub(super) fn enter_mission(&mut self) {
+        self.mission.starting = true;
+        self.mission.paused = false;
+        self.mission.looks_at_place = false;
+    }
+
+    /// AUTO has been left.
+    pub(super) fn leave_mission(&mut self) {
+        if self.mission.state == State::Running {
+            self.mission.state = State::Stopped;
+        }
+        self.mission.starting = false;
+        self.mission.returns = false;
+        self.mission.wait = Wait::Nothing;
+    }
+
+    /// `MISSION_START`: enters AUTO and allows the takeoff. A vehicle without a mission lands.
+    pub(super) fn start_mission(&mut self) -> bool {
+        if !self.set_mode(mode::AUTO) {
+            return false;
+        }
+        self.mission.may_lift = true;
+        if self.plans.mission.len() < 2 && self.safety.landed {
+            return self.set_mode(mode::LAND);
+        }
+        if self.mission.state != State::Running {
+            self.start_or_resume();
+        }
+        true
+    }
+
+    /// One step in AUTO, before the step of the task.
+    pub(super) fn fly_mission(&mut self) {
+        let said_before = self.outbox.len();
+        if self.mission.starting {
+            if self.home.is_some() {
+                self.start_or_resume();
+                self.mission.starting = false;
+            }
+        } else if self.mission.state == State::Running && self.plans.mission.len() > 1 {
+            self.update_mission();
+        }
+        if self.safety.armed {
+            self.lift_if_allowed();
+        }
+        if let Some(seq) = self.mission.reached.take() {
+            let reached = MavMessage::MISSION_ITEM_REACHED(MISSION_ITEM_REACHED_DATA { seq });
+            // The message overtakes the texts of its step.
+            self.outbox
+                .insert(said_before.min(self.outbox.len()), reached);
+        }
+    }
+
+    /// The mission was written to: called for every item that was stored, and whenever its length changes. On the way to a
+    /// place the command begins again with what the list says now; an emptied mission is forgotten.
+    pub(super) fn mission_changed(&mut self) {
+        let runs = self.mission.state == State::Running;
+        if self.plans.mission.is_empty() && !(runs && self.safety.armed) {
+            self.mission.nav = None;
+            self.mission.nav_loaded = false;
+            self.mission.action = Action::default();
+            self.mission.state = State::Stopped;
+        }
+        if !runs || self.mode.number != mode::AUTO || !matches!(self.task, Task::Route(_)) {
+            return;
+        }
+        let at = self.mission.nav.filter(|&at| self.item(at).is_some());
+        let restarted = at.is_some_and(|at| at != 0 && self.set_mission_item(at));
+        self.say(
+            MavSeverity::MAV_SEVERITY_CRITICAL,
+            if restarted {
+                "Auto mission changed, restarted command"
+            } else {
+                "Auto mission changed but failed to restart command"
+            },
+        );
+    }
+
+    /// Makes an item the current one; `false` if that is not possible. A mission that does not run goes on from there
+    /// when it is started.
+    pub(super) fn set_mission_item(&mut self, at: u16) -> bool {
+        if usize::from(at) >= self.plans.mission.len() || self.plans.mission.len() == 1 {
+            return false;
+        }
+        self.mission.action = Action::default();
+        self.mission.nav_loaded = false;
+        self.mission.returns = false;
+        if at == 0 || self.mission.state == State::Complete {
+            self.mission.jumps.clear();
+        }
+        let at = at.max(FIRST);
+        if self.mission.state != State::Running {
+            return self.prepare(at);
+        }
+        let worked = self.advance_to(at);
+        if !worked {
+            self.complete_mission();
+        }
+        worked
+    }
+
+    /// The same, with the jumps forgotten and the mission running again.
+    pub(super) fn reset_to_mission_item(&mut self, at: u16) -> bool {
+        let may_lift = self.mission.may_lift;
+        self.mission.reset();
+        self.mission.may_lift = may_lift;
+        let worked = self.set_mission_item(at);
+        if worked {
+            self.resume_mission();
+        }
+        worked
+    }
+
+    /// Goes on from the first item with a tag.
+    pub(super) fn jump_to_tag(&mut self, tag: u16) -> bool {
+        sequence::tagged(&self.plans.mission, tag).is_some_and(|at| self.set_mission_item(at))
+    }
+
+    /// Goes on from the nearest `DO_LAND_START`, in a mode that ground stations see as AUTO RTL.
+    pub(super) fn fly_landing_sequence(&mut self) -> bool {
+        let worked = self
+            .landing_start()
+            .is_some_and(|at| self.set_mission_item(at));
+        if !worked {
+            return false;
+        }
+        self.say(MavSeverity::MAV_SEVERITY_INFO, "Landing sequence start");
+        if self.mode.number != mode::AUTO {
+            self.mission.resumes = true;
+        } else if self.mission.state == State::Stopped {
+            self.resume_mission();
+        }
+        self.mission.returns = self.set_mode(mode::AUTO);
+        self.mission.returns
+    }
+
+    /// The mode that ground stations see: AUTO on the way to a landing has a number of its own.
+    pub(super) fn reported_mode(&self) -> u8 {
+        if self.mode.number == mode::AUTO && self.mission.returns {
+            mode::AUTO_RTL
+        } else {
+            self.mode.number
+        }
+    }
+
+    /// Stops on the way, or goes on. Only a way to a place can be interrupted.
+    pub(super) fn pause_mission(&mut self, pause: bool) -> bool {
+        let Task::Route(route) = &mut self.task else {
+            return !pause;
+        };
+        if pause && route.reached {
+            return false;
+        }
+        route.paused = pause;
+        self.mission.paused = pause;
+        true
+    }
+
+    fn item(&self, at: u16) -> Option<Item> {
+        self.plans.mission.get(usize::from(at)).copied()
+    }
+}
