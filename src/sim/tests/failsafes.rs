@@ -103,6 +103,7 @@ fn a_critical_battery_lands_after_a_pause_and_forbids_arming_until_a_reboot() {
             .all(|text| seen.lines.iter().any(|(_, line)| line == text))
     );
     seen.ground.set("SIM_BATT_VOLTAGE", 12.6);
+    seen.run(0.1);
     seen.ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0]);
     seen.mark();
     let refused = seen
