@@ -4,11 +4,8 @@ use glam::DVec3;
 
 use super::Start;
 use super::parameters::Parameters;
-use super::plan::Item;
+use super::plan::{Item, RALLY_POINT};
 use crate::geo::LatLon;
-
-/// `MAV_CMD_NAV_RALLY_POINT`.
-const RALLY_POINT: u16 = 5100;
 
 /// What the `RALLY_*` parameters say.
 #[derive(Debug, Clone, PartialEq)]
