@@ -142,7 +142,7 @@ pub(super) fn pause_button(
         autopilot.disarm();
     } else if !takes_pictures {
         if autopilot.set_mode(mode::BRAKE) {
-            autopilot.workbench.brake_until = Some(autopilot.uptime() + PAUSE_BUTTON_BRAKE);
+            autopilot.brake_until = Some(autopilot.uptime() + PAUSE_BUTTON_BRAKE);
         } else {
             autopilot.set_mode(mode::ALT_HOLD);
         }

@@ -7,7 +7,8 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Wait, command, sequence};
 use crate::geo::LatLon;
-use crate::sim::autopilot::{Autopilot, Place};
+use crate::sim::autopilot::Autopilot;
+use crate::sim::place::Place;
 use crate::sim::plan::Item;
 use crate::sim::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::sim::yaw::YawDemand;

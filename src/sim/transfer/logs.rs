@@ -5,12 +5,12 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_ERROR, MAV_SEVERITY_INFO};
 
 use super::flash::{Groups, Log, Sample};
-use super::payload::{Payload, Writer};
 use super::tree::Entry;
 use super::{Peer, Talk};
 use crate::geo::wrap_360;
 use crate::sim::autopilot::Autopilot;
 use crate::sim::parameters::Parameters;
+use crate::sim::payload::{Payload, Writer};
 use crate::sim::telemetry::EPOCH_US;
 
 /// The folder in which ground stations find the logs by FTP.

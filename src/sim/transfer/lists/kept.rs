@@ -6,7 +6,7 @@ use crate::sim::autopilot::Autopilot;
 use crate::sim::fence::Fence;
 use crate::sim::mission::command;
 use crate::sim::plan::{Item, ListKind};
-use crate::sim::transfer::{self, fence};
+use crate::sim::transfer::fence;
 
 /// The items of a list in a download's form, `MISSION_ITEM_INT` without its sender and receiver.
 pub(in crate::sim::transfer) fn as_sent(
@@ -64,7 +64,7 @@ pub(in crate::sim::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKi
         ListKind::Fence => ("FENCE_TOTAL", fence::total(&autopilot.plans.fence)),
         ListKind::Rally => ("RALLY_TOTAL", length),
     };
-    transfer::publish(autopilot, name, total);
+    autopilot.store_parameter(name, total);
 }
 
 /// Item 0 of a mission is wherever home is now.
