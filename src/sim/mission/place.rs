@@ -50,7 +50,7 @@ impl Autopilot {
     pub(super) fn reference_point(&self) -> DVec3 {
         match &self.task {
             Task::Route(route) if route.reached => route.goal_m(),
-            _ => self.body.position_m,
+            _ => self.believed().position_m,
         }
     }
 
@@ -65,7 +65,7 @@ impl Autopilot {
             } else {
                 item
             };
-            let way = self.item_point(placed, self.home_point()) - self.body.position_m;
+            let way = self.item_point(placed, self.home_point()) - self.believed().position_m;
             Some((at, way.length()))
         };
         (FIRST..items.len() as u16)
