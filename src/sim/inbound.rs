@@ -121,11 +121,8 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
             set_current(autopilot, link, data.seq);
         }
         MavMessage::SET_HOME_POSITION(data) if own(data.target_system) => {
-            let home = Place {
-                at: LatLon::from_e7(data.latitude, data.longitude),
-                altitude_amsl_m: f64::from(data.altitude) / 1000.0,
-            };
-            take_home(autopilot, home);
+            let at = LatLon::from_e7(data.latitude, data.longitude);
+            take_home(autopilot, at, f64::from(data.altitude) / 1000.0);
         }
         _ => {}
     }
@@ -148,7 +145,11 @@ fn hear_pilot(autopilot: &mut Autopilot, message: &MavMessage) {
     autopilot.failsafe.heard = Some(autopilot.uptime());
 }
 
-fn take_home(autopilot: &mut Autopilot, home: Place) {
+fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
+    let home = Place {
+        at,
+        altitude_amsl_m,
+    };
     if autopilot.is_ready() && autopilot.may_be_home(home) {
         autopilot.set_home(home);
     }
