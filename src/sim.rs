@@ -41,6 +41,7 @@ mod targets;
 mod task;
 mod telemetry;
 mod texts;
+mod trail;
 mod transfer;
 mod upset;
 mod wind;
