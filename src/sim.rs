@@ -54,6 +54,7 @@ mod targets;
 mod task;
 mod telemetry;
 mod texts;
+mod trail;
 mod transfer;
 mod upset;
 mod wind;

@@ -28,6 +28,7 @@ use super::plan::Plans;
 use super::radio::Radio;
 use super::rally::Rally;
 use super::task::{Cockpit, Pilot, Sticks, Task};
+use super::trail::{self, Trail};
 use super::transfer::Transfers;
 use super::wind::Wind;
 use super::workbench::Workbench;
@@ -66,6 +67,8 @@ pub(super) struct Autopilot {
     /// The task that `DO_PAUSE_CONTINUE` interrupted.
     pub(super) paused: Option<Task>,
     pub(super) speeds: Speeds,
+    /// The way back of `SMART_RTL`.
+    pub(super) trail: Trail,
     pub(super) safety: Safety,
     pub(super) failsafe: Failsafe,
     pub(super) crash: CrashWatch,
@@ -132,6 +135,7 @@ impl Autopilot {
             task: Task::Manual,
             paused: None,
             speeds: Speeds::default(),
+            trail: Trail::default(),
             safety: Safety::default(),
             failsafe: Failsafe::default(),
             crash: CrashWatch::default(),
@@ -243,6 +247,9 @@ impl Autopilot {
         if self.steps.is_multiple_of(fence::EVERY_STEPS) {
             self.watch_fence();
         }
+        if self.steps.is_multiple_of(trail::EVERY_STEPS) {
+            self.watch_trail();
+        }
         self.record(self.steps);
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
@@ -281,6 +288,7 @@ impl Autopilot {
             pilot: &mut self.pilot,
             tuning: &self.tuning,
             fence: &mut self.fence,
+            trail: &mut self.trail,
             rally: Rally {
                 items: &self.plans.rally,
                 start: &self.start,

@@ -37,7 +37,7 @@ impl Autopilot {
                 );
                 return false;
             }
-            Entry::Position if mode.number == mode::SMART_RTL && self.failsafe.path_is_lost() => {
+            Entry::Position if mode.number == mode::SMART_RTL && !self.trail.is_active() => {
                 &["Mode change to SMARTRTL failed: init failed"]
             }
             Entry::Free | Entry::Position | Entry::Plan => &[],
@@ -104,8 +104,9 @@ impl Autopilot {
         match self.mode.number {
             mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
             mode::LAND => Task::Land(Landing::default()),
-            mode::RTL | mode::SMART_RTL => {
-                Task::Return(self.with_cockpit(|_, cockpit| Returning::new(cockpit)))
+            mode::RTL => Task::Return(self.with_cockpit(|_, cockpit| Returning::new(cockpit))),
+            mode::SMART_RTL => {
+                Task::Return(self.with_cockpit(|_, cockpit| Returning::retracing(cockpit)))
             }
             mode::GUIDED | mode::GUIDED_NOGPS | mode::BRAKE | mode::CIRCLE | mode::AUTO
                 if !flying =>

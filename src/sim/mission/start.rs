@@ -271,7 +271,7 @@ impl Autopilot {
     fn set_mission_home(&mut self, item: &Item) {
         let unset = item.x == 0 && item.y == 0 && item.z == 0.0;
         if item.p[0] as u16 == 1 || unset {
-            self.set_home(self.here());
+            self.set_home_here();
             return;
         }
         let at = LatLon::from_e7(item.x, item.y);
