@@ -389,3 +389,15 @@ fn actions_set_home_and_servos_and_the_unknown_is_skipped_with_a_text() {
         "{news:?}"
     );
 }
+
+/// As a ground station's pilot may type it: the takeoff is accepted, and AUTO entered before the motors lift.
+#[test]
+fn auto_entered_after_a_commanded_takeoff_lifts_without_throttle() {
+    let mut ground = ready_with(&short());
+    let takeoff = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 10.0];
+    let answer = ground.long(MavCmd::MAV_CMD_NAV_TAKEOFF, takeoff);
+    assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.mode(AUTO), MavResult::MAV_RESULT_ACCEPTED);
+    ground.run(15.0);
+    assert_eq!(ground.current().0, 2, "on the way to the first waypoint");
+}
