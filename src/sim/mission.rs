@@ -88,7 +88,7 @@ pub(super) struct Mission {
     jumps: Jumps,
     /// AUTO has been entered, but the mission has not been started since.
     starting: bool,
-    /// The throttle was raised, or a mission started, since arming.
+    /// The throttle was raised, a takeoff commanded or a mission started since arming.
     may_lift: bool,
     /// When the motors were armed.
     armed_at: Duration,
@@ -128,6 +128,11 @@ impl Mission {
     /// The motors have been armed; they take their time before they lift.
     pub(super) fn note_arming(&mut self, now: Duration) {
         self.armed_at = now;
+    }
+
+    /// A takeoff was commanded: one of the mission waits for no throttle any more.
+    pub(super) fn allow_lifting(&mut self) {
+        self.may_lift = true;
     }
 
     /// Back before the first item, as after every disarming. A running mission goes on running.

@@ -49,8 +49,9 @@ fn simulator(speedup: u8) -> (Running, String) {
     BufReader::new(output)
         .read_line(&mut line)
         .expect("it says where it serves");
-    let address = line.trim().strip_prefix("serving ");
-    let address = address.expect("`serving HOST:PORT`").to_owned();
+    let mut words = line.split_whitespace();
+    assert_eq!(words.next(), Some("serving"), "`serving HOST:PORT (...)`");
+    let address = words.next().expect("`serving HOST:PORT (...)`").to_owned();
     (Running(child), address)
 }
 

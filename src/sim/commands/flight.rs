@@ -160,6 +160,8 @@ impl Autopilot {
         if !self.safety.armed || !self.safety.landed || !able || !sensible {
             return false;
         }
+        // AUTO entered from here on needs no raised throttle.
+        self.mission.allow_lifting();
         let low = self.mode.number != mode::GUIDED && self.sticks().throttle_is_low();
         let height_m = if low {
             self.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)

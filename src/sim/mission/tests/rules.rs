@@ -414,3 +414,15 @@ fn a_height_is_met_where_the_estimator_believes_it_to_be() {
     );
     assert!((highest_m - 17.0).abs() < 1.5, "{highest_m}");
 }
+
+/// As a ground station's pilot may type it: the takeoff is accepted, and AUTO entered before the motors lift.
+#[test]
+fn auto_entered_after_a_commanded_takeoff_lifts_without_throttle() {
+    let mut ground = ready_with(&short());
+    let takeoff = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 10.0];
+    let answer = ground.long(MavCmd::MAV_CMD_NAV_TAKEOFF, takeoff);
+    assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(ground.mode(AUTO), MavResult::MAV_RESULT_ACCEPTED);
+    ground.run(15.0);
+    assert_eq!(ground.current().0, 2, "on the way to the first waypoint");
+}
