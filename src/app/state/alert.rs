@@ -211,7 +211,8 @@ fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
     if !matches!(status, SystemStatus::Critical | SystemStatus::Emergency) {
         return None;
     }
-    let reason = recent_text(vehicle, now, &["ailsafe"]);
+    // A heartbeat can still tell of a failsafe that a text has just declared over, or of another one.
+    let reason = recent_text(vehicle, now, &["ailsafe"]).filter(|text| !text.ends_with("Cleared"));
     let text = reason.map_or_else(|| text!("alert-failsafe"), Text::from);
     Some(condition(AlertKind::Failsafe, Severity::Critical, text))
 }
