@@ -98,6 +98,28 @@ fn a_crash_is_shown_until_the_vehicle_is_armed_again() {
 }
 
 #[test]
+fn a_vehicle_that_came_down_hard_and_stays_armed_has_crashed() {
+    let mut vehicle = vehicle();
+    vehicle.heartbeat = Some(Heartbeat {
+        armed: true,
+        ..heartbeat(SystemStatus::Active)
+    });
+    for (text, expected) in [
+        ("SIM Hit ground at 13.6 m/s", None),
+        ("Arming motors", None),
+        ("SIM Hit ground at 12.662 m/s", Some("CRASHED 13 m/s")),
+        ("Arming motors", None),
+    ] {
+        vehicle.texts.push(StatusText {
+            severity: Severity::Info,
+            text: text.to_owned(),
+            at: Duration::ZERO,
+        });
+        assert_eq!(text_of(&vehicle).as_deref(), expected, "after {text}");
+    }
+}
+
+#[test]
 fn a_vehicle_that_falls_says_so() {
     let mut vehicle = vehicle();
     vehicle.landed = LandedState::InAir;
