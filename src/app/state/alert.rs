@@ -176,10 +176,9 @@ fn crashed(vehicle: &Vehicle) -> Option<Alert> {
         // What is known may be about an earlier flight.
         return None;
     }
-    let since_armed = vehicle.texts.iter().skip(begin.unwrap_or(0)).rev();
+    let mut since_armed = vehicle.texts.iter().skip(begin.unwrap_or(0)).rev();
     since_armed
-        .filter_map(|line| crash(&line.text))
-        .next()
+        .find_map(|line| crash(&line.text))
         .and_then(says)
 }
 
