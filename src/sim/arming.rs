@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::autopilot::{Autopilot, Place};
+use super::autopilot::Autopilot;
 use super::mode;
+use super::place::Place;
 use super::task::Task;
 use super::telemetry;
 
@@ -82,6 +83,7 @@ impl Autopilot {
             ..Safety::default()
         };
         self.mission.note_arming(self.uptime());
+        self.begin_trail(self.is_ready());
         if self.home.is_some() {
             self.set_home(self.here());
         }
@@ -127,6 +129,12 @@ impl Autopilot {
         self.home = Some(home);
         self.outbox.extend(telemetry::message(49, self));
         self.outbox.extend(telemetry::message(242, self));
+    }
+
+    /// Makes the present place home: what `SMART_RTL` goes back to as well.
+    pub(super) fn set_home_here(&mut self) {
+        self.set_home(self.here());
+        self.begin_trail(true);
     }
 
     /// Notices landings and vehicles that stand about armed.

@@ -295,7 +295,7 @@ impl Autopilot {
                 let heartbeat: Option<MavMessage> = telemetry::message(0, self);
                 self.outbox.extend(heartbeat);
             }
-            Origin => self.set_home(self.here()),
+            Origin => self.set_home_here(),
             Elevation => {
                 let elevation_m = self.start.altitude_amsl_m;
                 let text = format!("Field Elevation Set: {elevation_m:.0}m");

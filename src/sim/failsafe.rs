@@ -111,11 +111,6 @@ impl Failsafe {
     pub(super) fn radio_is_lost(&self) -> bool {
         self.links.radio_is_lost()
     }
-
-    /// Whether the path back has been given up because the position was bad for too long.
-    pub(super) fn path_is_lost(&self) -> bool {
-        self.ekf.path_is_lost()
-    }
 }
 
 impl Autopilot {

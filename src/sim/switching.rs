@@ -37,7 +37,7 @@ impl Autopilot {
                 );
                 return false;
             }
-            Entry::Position if mode.number == mode::SMART_RTL && self.failsafe.path_is_lost() => {
+            Entry::Position if mode.number == mode::SMART_RTL && !self.trail.is_active() => {
                 &["Mode change to SMARTRTL failed: init failed"]
             }
             Entry::Free | Entry::Position | Entry::Plan => &[],
@@ -50,6 +50,17 @@ impl Autopilot {
         }
         self.enter(mode);
         true
+    }
+
+    /// Ends the BRAKE of the pause button.
+    pub(super) fn watch_brake(&mut self) {
+        let now = self.uptime();
+        if self.brake_until.is_some_and(|until| now >= until) {
+            self.brake_until = None;
+            if self.mode.number == mode::BRAKE && !self.set_mode(mode::LOITER) {
+                self.set_mode(mode::ALT_HOLD);
+            }
+        }
     }
 
     fn enter(&mut self, mode: Mode) {
@@ -93,8 +104,9 @@ impl Autopilot {
         match self.mode.number {
             mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
             mode::LAND => Task::Land(Landing::default()),
-            mode::RTL | mode::SMART_RTL => {
-                Task::Return(self.with_cockpit(|_, cockpit| Returning::new(cockpit)))
+            mode::RTL => Task::Return(self.with_cockpit(|_, cockpit| Returning::new(cockpit))),
+            mode::SMART_RTL => {
+                Task::Return(self.with_cockpit(|_, cockpit| Returning::retracing(cockpit)))
             }
             mode::GUIDED | mode::GUIDED_NOGPS | mode::BRAKE | mode::CIRCLE | mode::AUTO
                 if !flying =>

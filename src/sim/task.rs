@@ -23,6 +23,7 @@ use super::control::{Limits, PositionControl};
 use super::fence::Geofence;
 use super::parameters::Tuning;
 use super::rally::Rally;
+use super::trail::Trail;
 
 /// The widest and the fastest circle.
 const CIRCLE_MAX_M: f64 = 2000.0;
@@ -49,6 +50,7 @@ pub(super) struct Cockpit<'a> {
     /// Since boot.
     pub(super) now: Duration,
     pub(super) fence: &'a mut Geofence,
+    pub(super) trail: &'a mut Trail,
     pub(super) rally: Rally<'a>,
 }
 

@@ -12,6 +12,7 @@ mod messages;
 mod numbers;
 mod piloted;
 mod protocol;
+mod retracing;
 mod serials;
 mod signing;
 mod sweep;

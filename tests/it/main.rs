@@ -4,6 +4,7 @@ mod arducopter;
 mod clients;
 mod command_line;
 mod console;
+mod determinism;
 mod doctor;
 mod fidelity;
 mod fixtures;

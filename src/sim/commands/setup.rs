@@ -14,8 +14,7 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
         return MavResult::MAV_RESULT_FAILED;
     }
     if command.is(0, 1.0) || (command.x, command.y) == (0, 0) {
-        let here = autopilot.here();
-        autopilot.set_home(here);
+        autopilot.set_home_here();
         return MavResult::MAV_RESULT_ACCEPTED;
     }
     if command.p[0] != 0.0 {

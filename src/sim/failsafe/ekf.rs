@@ -11,8 +11,6 @@ use crate::sim::mode;
 const LOOKS: u8 = 10;
 /// `EKF variance` is said this often at most.
 const WARNED_EVERY: Duration = Duration::from_secs(30);
-/// The path of `SMART_RTL` is given up after this long without a position.
-const PATH_PATIENCE: Duration = Duration::from_secs(15);
 
 /// What was seen of the estimate.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -23,9 +21,6 @@ pub(super) struct EkfWatch {
     acted: bool,
     warned: Option<Duration>,
     glitching: bool,
-    /// Since when an armed vehicle has had no position.
-    no_position_since: Option<Duration>,
-    path_lost_at: Option<Duration>,
 }
 
 impl EkfWatch {
@@ -33,13 +28,9 @@ impl EkfWatch {
         self.bad
     }
 
-    pub(super) fn path_is_lost(&self) -> bool {
-        self.path_lost_at.is_some()
-    }
-
     /// Whether there is nothing to look after.
     fn is_idle(&self) -> bool {
-        self.failures == 0 && !self.bad && !self.glitching && self.no_position_since.is_none()
+        self.failures == 0 && !self.bad && !self.glitching
     }
 }
 
@@ -50,7 +41,6 @@ impl Autopilot {
             return;
         }
         self.watch_glitches();
-        self.watch_path();
         let threshold = self.tuning.failsafes.ekf_threshold;
         if threshold <= 0.0 {
             self.failsafe.ekf.failures = 0;
@@ -130,21 +120,5 @@ impl Autopilot {
             "Glitch cleared"
         };
         self.say(MavSeverity::MAV_SEVERITY_CRITICAL, text);
-    }
-
-    fn watch_path(&mut self) {
-        let now = self.uptime();
-        if self.estimator.has_position() || !self.safety.armed {
-            self.failsafe.ekf.no_position_since = None;
-            return;
-        }
-        let since = *self.failsafe.ekf.no_position_since.get_or_insert(now);
-        if now >= since + PATH_PATIENCE && self.failsafe.ekf.path_lost_at.is_none() {
-            self.failsafe.ekf.path_lost_at = Some(now);
-            self.say(
-                MavSeverity::MAV_SEVERITY_WARNING,
-                "SmartRTL deactivated: bad position",
-            );
-        }
     }
 }

@@ -10,7 +10,7 @@ use crate::sim::radio::RadioRules;
 use crate::sim::task::{AutoRules, PilotRules};
 use crate::sim::transfer::Recorder;
 use crate::sim::upset::MotorFault;
-use crate::sim::{fence, rally, wind};
+use crate::sim::{fence, rally, trail, wind};
 
 /// Limits and settings in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +58,7 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) failsafes: Rules,
     pub(in crate::sim) fence: fence::Rules,
     pub(in crate::sim) rally: rally::Rules,
+    pub(in crate::sim) trail: trail::Rules,
     pub(in crate::sim) recorder: Recorder,
     pub(in crate::sim) faults: Faults,
     pub(in crate::sim) arming: ArmingRules,
@@ -113,6 +114,7 @@ impl Tuning {
             failsafes: Rules::read(all),
             fence: fence::Rules::read(all),
             rally: rally::Rules::read(all),
+            trail: trail::Rules::read(all),
             recorder: Recorder::read(all),
             faults: Faults::read(all),
             arming: ArmingRules::read(all),

@@ -1,10 +1,11 @@
-//! Return to launch: stop and climb, fly home or to a rally point, wait, come down.
+//! Return to launch: stop and climb, fly home or to a rally point, wait, come down. Or back the way that the vehicle
+//! came, and down.
 
 use std::time::Duration;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
-use super::{Act, Cockpit, Landing};
+use super::{Act, Cockpit, Landing, Route};
 use crate::sim::leg::Leg;
 
 /// A planned leg starts this long after the vehicle stands (smoothing of the jerk itself).
@@ -19,14 +20,27 @@ const HOME_REACHED_M: f64 = 2.0;
 const LEAST_HEIGHT_M: f64 = 2.0;
 /// A cone that is flatter than this does not count (`RTL_MIN_CONE_SLOPE`).
 const CONE_SLOPE_MIN: f64 = 0.5;
+/// The way back ends this far above where it began.
+const ABOVE_FIRST_M: f64 = 2.0;
 
 #[derive(Debug, Clone, PartialEq)]
 enum Stage {
-    Climb { standing_since: Option<Duration> },
-    Fly { leg: Leg, since: Duration },
-    Wait { until: Duration },
-    Hold { down_m: f64 },
+    Climb {
+        standing_since: Option<Duration>,
+    },
+    Fly {
+        leg: Leg,
+        since: Duration,
+    },
+    Wait {
+        until: Duration,
+    },
+    Hold {
+        down_m: f64,
+    },
     Land(Landing),
+    /// Back along the breadcrumbs.
+    Retrace(Box<Route>),
 }
 
 /// A return under way.
@@ -72,6 +86,18 @@ impl Returning {
         }
     }
 
+    /// Stops, and goes back along the breadcrumbs to where the motors were armed.
+    pub(in crate::sim) fn retracing(cockpit: &mut Cockpit<'_>) -> Self {
+        cockpit.trail.tidy(&cockpit.tuning.trail);
+        let route = Route::standing(cockpit);
+        Self {
+            goal_m: route.goal_m().truncate(),
+            down_m: route.goal_m().z,
+            over_m: None,
+            stage: Stage::Retrace(Box::new(route)),
+        }
+    }
+
     /// The landing, once it has come to that.
     pub(in crate::sim) fn landing(&self) -> Option<&Landing> {
         match &self.stage {
@@ -106,8 +132,33 @@ impl Returning {
                 cockpit.control.towards(over, &limits);
             }
             Stage::Land(landing) => return landing.step(cockpit),
+            Stage::Retrace(_) => return self.retrace(cockpit),
         }
         Act::Fly
+    }
+
+    /// Flies to one breadcrumb after the other, and comes down over the first.
+    fn retrace(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
+        let Stage::Retrace(route) = &mut self.stage else {
+            return Act::Fly;
+        };
+        if cockpit.body.on_ground {
+            self.stage = Stage::Land(Landing::default());
+            return Act::Fly;
+        }
+        if route.reached {
+            let Some(point) = cockpit.trail.pop() else {
+                self.stage = Self::end(cockpit);
+                return Act::Fly;
+            };
+            let goal_m = above_first(point);
+            self.goal_m = goal_m.truncate();
+            route.go_to(goal_m, cockpit);
+            if let Some(next) = cockpit.trail.peek() {
+                route.then_to(above_first(next), cockpit);
+            }
+        }
+        route.step(cockpit)
     }
 
     /// Stops and climbs over the place where it stops, and plans the leg to the goal.
@@ -157,5 +208,14 @@ impl Returning {
             ),
             since: cockpit.now,
         }
+    }
+}
+
+/// Where to fly for a breadcrumb: a little higher for the first of the flight, which lies on the ground.
+fn above_first((point_m, first): (DVec3, bool)) -> DVec3 {
+    if first {
+        point_m - DVec3::Z * ABOVE_FIRST_M
+    } else {
+        point_m
     }
 }

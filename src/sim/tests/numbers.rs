@@ -1,9 +1,14 @@
-//! No parameter and no airframe makes a vehicle lose its numbers or sink into the ground.
+//! No parameter, no airframe and no mode makes a vehicle lose its numbers, sink into the ground, fly by energy that
+//! its motors did not give, or charge its battery.
 
 use proptest::prelude::*;
 
+use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, RC_CHANNELS_OVERRIDE_DATA};
+
+use super::transfers::{flight, upload};
 use super::*;
 use crate::sim::airframe::tests::any_frame;
+use crate::sim::body::{Body, GRAVITY_M_S2, STEP_S};
 use crate::sim::parameters::Parameters;
 
 /// Any parameter with a value of any size; half of the draws concern the simulation itself.
@@ -95,6 +100,86 @@ proptest! {
             check(&truth);
             prop_assert!(truth.battery_consumed_mah >= drawn);
             drawn = truth.battery_consumed_mah;
+        }
+    }
+}
+
+/// Every mode that can be entered, AUTO and those with a pilot among them.
+const MODES: [f32; 15] = [
+    0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 9.0, 11.0, 16.0, 17.0, 20.0, 21.0, 24.0,
+];
+/// Centre of a tumbling vehicle to its motors, metres, with something to spare.
+const ARM_M: f64 = 0.35;
+
+/// Per mass, counted from the ground.
+fn energy(body: &Body) -> f64 {
+    0.5 * body.velocity_m_s.length_squared() + GRAVITY_M_S2 * body.height_m()
+}
+
+/// The most work that the motors can have done in a step, per mass, on the way from one state to the next.
+fn most_work(before: &Body, after: &Body) -> f64 {
+    let tumbling = after
+        .upset
+        .as_ref()
+        .map_or(0.0, |upset| upset.rates_rad_s.length());
+    let speed = before
+        .velocity_m_s
+        .length()
+        .max(after.velocity_m_s.length());
+    after.thrust_m_s2 * (speed + ARM_M * tumbling) * STEP_S
+}
+
+fn steer(ground: &mut Ground, [roll, pitch, throttle, yaw]: [u16; 4]) {
+    ground.say(MavMessage::RC_CHANNELS_OVERRIDE(
+        RC_CHANNELS_OVERRIDE_DATA {
+            chan1_raw: roll,
+            chan2_raw: pitch,
+            chan3_raw: throttle,
+            chan4_raw: yaw,
+            target_system: 1,
+            target_component: 1,
+            ..Default::default()
+        },
+    ));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn in_calm_air_no_mode_makes_energy_or_charge(
+        legs in proptest::collection::vec(
+            (proptest::sample::select(&MODES[..]), proptest::array::uniform4(1000..=2000_u16), any_setting()),
+            2..10,
+        ),
+    ) {
+        let mut ground = Ground::new();
+        ground.run(2.0);
+        upload(&mut ground, mavlink::dialects::ardupilotmega::MavMissionType::MAV_MISSION_TYPE_MISSION, &flight());
+        ground.arm();
+        ground.takeoff(8.0);
+        ground.run(8.0);
+        for (mode, sticks, (name, value)) in legs {
+            // The wind may carry a vehicle: its energy is then not the motors' alone.
+            if !name.starts_with("SIM_WIND") {
+                ground.set(name, value);
+            }
+            ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, mode]);
+            for step in 0..300 {
+                if step % 50 == 0 {
+                    steer(&mut ground, sticks);
+                }
+                let before = ground.world.slots[0].autopilot.body.clone();
+                let drawn = ground.truth().battery_consumed_mah;
+                ground.step();
+                let truth = ground.truth();
+                check(&truth);
+                prop_assert!(truth.battery_consumed_mah >= drawn, "{mode} {truth:?}");
+                let after = &ground.world.slots[0].autopilot.body;
+                let gained = energy(after) - energy(&before);
+                prop_assert!(gained <= most_work(&before, after) + 1e-6, "{mode} {gained} {before:?} {after:?}");
+            }
+            ground.heard.clear();
         }
     }
 }
