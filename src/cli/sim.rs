@@ -105,8 +105,15 @@ impl FromStr for Home {
             .and_then(|numbers| <[f64; 4]>::try_from(numbers).ok())
             .ok_or("expected LAT,LON,ALT,HDG, such as 50.45,30.52,180,90")?;
         let at = LatLon::new(lat, lon);
-        if !at.is_valid() || !altitude_amsl_m.is_finite() || !heading_deg.is_finite() {
+        if !at.is_valid() {
             return Err("latitude is -90 to 90 and longitude -180 to 180".to_owned());
+        }
+        // Wider than the earth's surface, and far within what messages can carry.
+        if !(-1000.0..=20_000.0).contains(&altitude_amsl_m) || !heading_deg.is_finite() {
+            return Err(
+                "the height above sea level is -1000 to 20000 m, the heading a number of degrees"
+                    .to_owned(),
+            );
         }
         Ok(Self(Start {
             at,

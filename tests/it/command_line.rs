@@ -236,6 +236,7 @@ fn faults_say_what_and_what_to_do() {
         (&["fly"], 1, &["needs a terminal"]),
         (&["sim", "--vehicles", "0"], 2, &["0"]),
         (&["sim", "--home", "91,0,0,0"], 2, &["latitude"]),
+        (&["sim", "--home", "50,30,1e9,0"], 2, &["-1000 to 20000 m"]),
         (&["sim", "--udp", "127.0.0.1:0"], 2, &["port 0", "14550"]),
         (
             &["sim", "--tcp", "127.0.0.1:60000", "--vehicles", "600"],

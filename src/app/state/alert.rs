@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::text;
 use crate::text::{Text, figure};
-use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, SystemStatus, Vehicle};
+use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, StatusText, SystemStatus, Vehicle};
 
 /// How long a text about a failsafe counts as the present state.
 const TEXT_LIFE: Duration = Duration::from_secs(60);
@@ -162,27 +162,24 @@ fn recent_text<'a>(vehicle: &'a Vehicle, now: Duration, words: &[&str]) -> Optio
     found.map(|line| line.text.as_str())
 }
 
-/// That a disarmed vehicle has come down hard, or is coming down, until it is armed again.
+/// That a vehicle has come down hard, or is coming down disarmed, until it is armed again. One that falls with a dead
+/// motor often stays armed on the ground.
 fn crashed(vehicle: &Vehicle) -> Option<Alert> {
-    if vehicle.armed() {
+    let says = |text| Some(condition(AlertKind::Crash, Severity::Emergency, text));
+    let armed = vehicle.armed();
+    if !armed && vehicle.heartbeat.is_some() && vehicle.landed == LandedState::InAir {
+        return says(text!("alert-motors-stopped"));
+    }
+    let arming = |line: &StatusText| line.text.contains("Arming motors");
+    let begin = vehicle.texts.iter().rposition(arming);
+    if armed && begin.is_none() {
+        // What is known may be about an earlier flight.
         return None;
     }
-    if vehicle.heartbeat.is_some() && vehicle.landed == LandedState::InAir {
-        return Some(condition(
-            AlertKind::Crash,
-            Severity::Emergency,
-            text!("alert-motors-stopped"),
-        ));
-    }
-    let since_armed = vehicle
-        .texts
-        .iter()
-        .rev()
-        .take_while(|line| !line.text.contains("Arming motors"));
-    let mut found = since_armed.filter_map(|line| crash(&line.text));
-    found
-        .next()
-        .map(|text| condition(AlertKind::Crash, Severity::Emergency, text))
+    let mut since_armed = vehicle.texts.iter().skip(begin.unwrap_or(0)).rev();
+    since_armed
+        .find_map(|line| crash(&line.text))
+        .and_then(says)
 }
 
 /// What a status text says about a crash: ArduPilot's crash check, or the simulator about the ground.
@@ -211,7 +208,8 @@ fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
     if !matches!(status, SystemStatus::Critical | SystemStatus::Emergency) {
         return None;
     }
-    let reason = recent_text(vehicle, now, &["ailsafe"]);
+    // A heartbeat can still tell of a failsafe that a text has just declared over, or of another one.
+    let reason = recent_text(vehicle, now, &["ailsafe"]).filter(|text| !text.ends_with("Cleared"));
     let text = reason.map_or_else(|| text!("alert-failsafe"), Text::from);
     Some(condition(AlertKind::Failsafe, Severity::Critical, text))
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::vehicle::{Battery, Fence, Health, StatusText};
+use crate::vehicle::{Battery, Fence, Health, Heartbeat, StatusText, VehicleClass};
 
 fn vehicle() -> Vehicle {
     let mut vehicle = Vehicle::new(1, 1);
@@ -11,6 +11,18 @@ fn vehicle() -> Vehicle {
         at: Duration::ZERO,
     });
     vehicle
+}
+
+fn heartbeat(status: SystemStatus) -> Heartbeat {
+    Heartbeat {
+        mav_type: 2,
+        autopilot: 3,
+        class: VehicleClass::Copter,
+        mode: VehicleClass::Copter.mode("GUIDED").expect("a mode"),
+        armed: false,
+        status,
+        at: Duration::ZERO,
+    }
 }
 
 fn text_of(vehicle: &Vehicle) -> Option<String> {
@@ -86,23 +98,55 @@ fn a_crash_is_shown_until_the_vehicle_is_armed_again() {
 }
 
 #[test]
+fn a_vehicle_that_came_down_hard_and_stays_armed_has_crashed() {
+    let mut vehicle = vehicle();
+    vehicle.heartbeat = Some(Heartbeat {
+        armed: true,
+        ..heartbeat(SystemStatus::Active)
+    });
+    for (text, expected) in [
+        ("SIM Hit ground at 13.6 m/s", None),
+        ("Arming motors", None),
+        ("SIM Hit ground at 12.662 m/s", Some("CRASHED 13 m/s")),
+        ("Arming motors", None),
+    ] {
+        vehicle.texts.push(StatusText {
+            severity: Severity::Info,
+            text: text.to_owned(),
+            at: Duration::ZERO,
+        });
+        assert_eq!(text_of(&vehicle).as_deref(), expected, "after {text}");
+    }
+}
+
+#[test]
 fn a_vehicle_that_falls_says_so() {
     let mut vehicle = vehicle();
     vehicle.landed = LandedState::InAir;
     assert_eq!(text_of(&vehicle), None, "whether it is armed is not known");
-    vehicle.heartbeat = Some(crate::vehicle::Heartbeat {
-        mav_type: 2,
-        autopilot: 3,
-        class: crate::vehicle::VehicleClass::Copter,
-        mode: crate::vehicle::VehicleClass::Copter
-            .mode("GUIDED")
-            .expect("a mode"),
-        armed: false,
-        status: SystemStatus::Active,
-        at: Duration::ZERO,
-    });
+    vehicle.heartbeat = Some(heartbeat(SystemStatus::Active));
     assert_eq!(
         text_of(&vehicle).as_deref(),
         Some("MOTORS STOPPED in the air")
     );
+}
+
+#[test]
+fn a_failsafe_that_is_declared_over_is_no_reason_for_the_alert() {
+    let mut vehicle = vehicle();
+    vehicle.heartbeat = Some(heartbeat(SystemStatus::Critical));
+    for (text, alert) in [
+        (
+            "EKF Failsafe: changed to LAND Mode",
+            "EKF Failsafe: changed to LAND Mode",
+        ),
+        ("EKF Failsafe Cleared", "FAILSAFE active"),
+    ] {
+        vehicle.texts.push(StatusText {
+            severity: Severity::Critical,
+            text: text.to_owned(),
+            at: Duration::from_secs(9),
+        });
+        assert_eq!(text_of(&vehicle).as_deref(), Some(alert));
+    }
 }
