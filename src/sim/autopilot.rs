@@ -332,7 +332,8 @@ impl Autopilot {
             Act::Fly => {
                 let lean_max = self.tuning.lean_max_rad;
                 let body = self.estimator.belief(&self.body);
-                Demand::Acceleration(self.control.demand(body, lean_max))
+                let correction = self.tuning.accel_m_s2;
+                Demand::Acceleration(self.control.demand(body, lean_max, correction))
             }
             Act::Level => {
                 let down = self.control.demand_level(self.estimator.belief(&self.body));

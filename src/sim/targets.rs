@@ -98,10 +98,13 @@ impl Autopilot {
         self.paused = None;
         match task {
             Some(task) => {
-                self.task = task;
+                self.change_task(task);
                 self.aim_nose(setpoint);
             }
-            None => self.task = Task::STOP,
+            None => {
+                self.control.take_over(self.estimator.belief(&self.body));
+                self.task = Task::STOP;
+            }
         }
     }
 
@@ -167,11 +170,19 @@ impl Autopilot {
     /// Flies to a point that itself moves for a while.
     pub(super) fn go_to(&mut self, goal_m: DVec3, drift_m_s: DVec3) {
         self.paused = None;
-        self.task = Task::Goto {
+        self.change_task(Task::Goto {
             goal_m,
             drift_m_s,
             drift_until: self.uptime() + self.tuning.setpoint_timeout,
-        };
+        });
+    }
+
+    /// A target of another kind than the last starts the position control again.
+    fn change_task(&mut self, task: Task) {
+        if self.task.kind() != task.kind() {
+            self.control.take_over(self.estimator.belief(&self.body));
+        }
+        self.task = task;
     }
 
     fn task_for(&self, setpoint: &Setpoint) -> Option<Task> {

@@ -286,12 +286,13 @@ impl Route {
         if error == 0.0 && self.pace_per_s == 0.0 {
             return;
         }
+        // The pace of a pause fades away: as long as anything is left of it, a vehicle that is behind holds it up.
         let most = limits.accel_m_s2 / limits.speed_m_s;
         let jerk = limits.jerk_m_s3 / limits.speed_m_s;
         let wanted = square_root(error, jerk / most, jerk).clamp(-most, most);
         self.pace_per_s += (wanted - self.pace_per_s).clamp(-jerk * STEP_S, jerk * STEP_S);
         self.pace = (self.pace + self.pace_per_s * STEP_S).clamp(0.0, 1.0);
-        if error.abs() < 1e-3 {
+        if error.abs() < 1e-3 && !self.paused {
             self.pace = asked;
             self.pace_per_s = 0.0;
         }

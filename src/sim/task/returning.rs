@@ -7,13 +7,11 @@ use glam::DVec2;
 use super::{Act, Cockpit, Landing};
 use crate::sim::leg::Leg;
 
-/// A planned leg starts this long after the vehicle stands (smoothing of the jerk itself).
+/// A planned leg starts this long after the vehicle is near enough to where it stops (smoothing of the jerk itself).
 const PLAN_TIME: Duration = Duration::from_millis(900);
-/// A vehicle whose path is slower than this has stopped.
-const STANDING_M_S: f64 = 0.1;
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
-/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown.
+/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and so is the stopping point.
 const HOME_REACHED_M: f64 = 2.0;
 /// A return is never lower than this (`RTL_ALT_MIN`).
 const LEAST_HEIGHT_M: f64 = 2.0;
@@ -120,12 +118,14 @@ impl Returning {
         let over = *self
             .over_m
             .get_or_insert_with(|| cockpit.control.stopping_point(&limits));
-        cockpit.control.brake_to(over, self.down_m, &limits);
+        // The path waits at the stopping point: the error of the place alone brings the vehicle there.
+        let still = (over, DVec2::ZERO, DVec2::ZERO);
+        cockpit.control.along(still, self.down_m, &limits);
         let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
-        let stands = cockpit.control.velocity_m_s.truncate().length() < STANDING_M_S;
+        let near = cockpit.body.position_m.truncate().distance(over) < HOME_REACHED_M;
         if let Stage::Climb { standing_since } = &mut self.stage
             && high
-            && stands
+            && near
         {
             let since = *standing_since.get_or_insert(cockpit.now);
             if cockpit.now >= since + PLAN_TIME {
