@@ -65,6 +65,7 @@ pub(super) struct PositionControl {
     accel_m_s2: DVec3,
     integral_m_s2: DVec2,
     last_error_m: DVec2,
+    last_moving_m_s: DVec2,
     last_error_m_s: DVec2,
     slope_m_s2: DVec2,
     /// The acceleration that was asked for when the lean was used up; otherwise nothing.
@@ -80,6 +81,7 @@ impl PositionControl {
             accel_m_s2: DVec3::ZERO,
             integral_m_s2: DVec2::ZERO,
             last_error_m: DVec2::ZERO,
+            last_moving_m_s: DVec2::ZERO,
             last_error_m_s: DVec2::ZERO,
             slope_m_s2: DVec2::ZERO,
             saturated: DVec2::ZERO,
@@ -219,6 +221,7 @@ impl PositionControl {
         let error_m = self.path_m - body.position_m;
         let off_m = error_m.truncate();
         self.last_error_m = off_m;
+        self.last_moving_m_s = body.velocity_m_s.truncate();
         let back = square_root(off_m.length(), POSITION_P, correction_m_s2);
         let wanted = self.velocity_m_s.truncate() + off_m.normalize_or_zero() * back;
         let error = wanted - body.velocity_m_s.truncate();
@@ -270,7 +273,9 @@ impl PositionControl {
         let mut delta_m = self.velocity_m_s * STEP_S + self.accel_m_s2 * (0.5 * STEP_S * STEP_S);
         let along = |v: DVec2| v.dot(self.saturated);
         if along(delta_m.truncate()) > 0.0 && along(self.last_error_m) > 0.0 {
-            delta_m = DVec2::ZERO.extend(delta_m.z);
+            // ArduPilot stops and goes with every step, so that the path keeps its distance from the body.
+            let most_m = (self.last_moving_m_s.length() * STEP_S).min(delta_m.truncate().length());
+            delta_m = (delta_m.truncate().normalize_or_zero() * most_m).extend(delta_m.z);
         }
         let faster = along(delta_m_s.truncate()) > 0.0;
         let forward = along(self.velocity_m_s.truncate()) >= 0.0;
