@@ -212,12 +212,7 @@ impl PositionControl {
 
     /// The acceleration that makes the body follow the path, within the lean that is allowed.
     /// A large error of the place is made good at no more than an acceleration (`correction_m_s2`).
-    pub(super) fn demand(
-        &mut self,
-        body: &Body,
-        lean_max_rad: f64,
-        correction_m_s2: f64,
-    ) -> DVec3 {
+    pub(super) fn demand(&mut self, body: &Body, lean_max_rad: f64, correction_m_s2: f64) -> DVec3 {
         let error_m = self.path_m - body.position_m;
         let off_m = error_m.truncate();
         self.last_error_m = off_m;

@@ -62,15 +62,14 @@ pub(super) struct AttitudeTarget {
 }
 
 /// The altitude above sea level that a height means in a global frame; `None` in a frame the vehicle lacks.
-/// Without terrain data the ground counts as level with the start.
+/// Without terrain data the ground counts as level with the sea.
 pub(super) fn altitude_amsl_m(autopilot: &Autopilot, frame: u8, height_m: f64) -> Option<f64> {
     match frame {
-        0 | 5 => Some(height_m),
         3 | 6 => {
             let home = autopilot.home_point();
             Some(autopilot.start.altitude_amsl_m - home.z + height_m)
         }
-        10 | 11 => Some(autopilot.start.altitude_amsl_m + height_m),
+        0 | 5 | 10 | 11 => Some(height_m),
         _ => None,
     }
 }

@@ -162,6 +162,11 @@ impl Route {
     /// Stops at once and holds the place where the vehicle comes to rest.
     pub(in crate::sim) fn standing(cockpit: &mut Cockpit<'_>) -> Self {
         let from_m = stopping_point(cockpit);
+        Self::waiting_at(from_m, cockpit)
+    }
+
+    /// Holds a place, and goes on from there.
+    pub(in crate::sim) fn waiting_at(from_m: DVec3, cockpit: &mut Cockpit<'_>) -> Self {
         cockpit.control.follow(from_m, DVec3::ZERO, DVec3::ZERO);
         Self {
             from_m,

@@ -4,11 +4,11 @@ use std::time::Duration;
 
 use glam::DVec2;
 
-use super::{Act, Cockpit, Landing};
-use crate::sim::leg::Leg;
+use super::{Act, Cockpit, Landing, Route};
 
-/// A planned leg starts this long after the vehicle is near enough to where it stops (smoothing of the jerk itself).
-const PLAN_TIME: Duration = Duration::from_millis(900);
+/// The way home begins this long after the vehicle is near enough to where it stops: a climb of next to nothing still
+/// is a leg of its own.
+const PLAN_TIME: Duration = Duration::from_millis(700);
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
 /// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and so is the stopping point.
@@ -21,7 +21,7 @@ const CONE_SLOPE_MIN: f64 = 0.5;
 #[derive(Debug, Clone, PartialEq)]
 enum Stage {
     Climb { standing_since: Option<Duration> },
-    Fly { leg: Leg, since: Duration },
+    Fly(Box<Route>),
     Wait { until: Duration },
     Hold { down_m: f64 },
     Land(Landing),
@@ -82,15 +82,15 @@ impl Returning {
         let limits = cockpit.limits;
         match &mut self.stage {
             Stage::Climb { .. } => self.climb(cockpit),
-            Stage::Fly { leg, since } => {
-                let elapsed = cockpit.now.saturating_sub(*since).as_secs_f64();
-                cockpit.control.along(leg.at(elapsed), self.down_m, &limits);
-                let way_m = cockpit.body.position_m.truncate().distance(self.goal_m);
-                if elapsed >= leg.duration_s() && way_m < HOME_REACHED_M {
-                    self.stage = Stage::Wait {
-                        until: cockpit.now + cockpit.tuning.return_loiter,
-                    };
+            Stage::Fly(route) => {
+                cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
+                let act = route.step(cockpit);
+                if !route.reached {
+                    return act;
                 }
+                self.stage = Stage::Wait {
+                    until: cockpit.now + cockpit.tuning.return_loiter,
+                };
             }
             Stage::Wait { until } => {
                 let over = self.goal_m.extend(self.down_m);
@@ -129,7 +129,7 @@ impl Returning {
         {
             let since = *standing_since.get_or_insert(cockpit.now);
             if cockpit.now >= since + PLAN_TIME {
-                self.stage = Self::leg_to(self.goal_m, cockpit);
+                self.stage = self.leg_home(over, cockpit);
             }
         }
     }
@@ -146,16 +146,10 @@ impl Returning {
         }
     }
 
-    fn leg_to(goal_m: DVec2, cockpit: &Cockpit<'_>) -> Stage {
-        Stage::Fly {
-            leg: Leg::plan(
-                cockpit.control.path_m.truncate(),
-                goal_m,
-                cockpit.tuning.return_speed_m_s,
-                cockpit.tuning.accel_m_s2,
-                cockpit.tuning.leg_jerk_m_s3,
-            ),
-            since: cockpit.now,
-        }
+    fn leg_home(&self, from_m: DVec2, cockpit: &mut Cockpit<'_>) -> Stage {
+        cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
+        let mut route = Route::waiting_at(from_m.extend(self.down_m), cockpit);
+        route.go_to(self.goal_m.extend(self.down_m), cockpit);
+        Stage::Fly(Box::new(route))
     }
 }
