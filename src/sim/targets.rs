@@ -95,15 +95,12 @@ impl Autopilot {
             return;
         }
         self.paused = None;
-        match task {
-            Some(task) => {
-                self.change_task(task);
-                self.aim_nose(setpoint);
-            }
-            None => {
-                self.control.take_over(self.estimator.belief(&self.body));
-                self.task = Task::STOP;
-            }
+        if let Some(task) = task {
+            self.change_task(task);
+            self.aim_nose(setpoint);
+        } else {
+            self.control.take_over(self.estimator.belief(&self.body));
+            self.task = Task::STOP;
         }
     }
 

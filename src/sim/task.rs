@@ -174,14 +174,11 @@ impl Task {
                 drift_m_s,
                 drift_until,
             } => {
+                let fresh = cockpit.now < *drift_until;
                 if *drift_m_s == DVec3::ZERO {
                     cockpit.control.towards(*goal_m, &cockpit.limits);
                 } else {
-                    let moving = if cockpit.now < *drift_until {
-                        *drift_m_s
-                    } else {
-                        DVec3::ZERO
-                    };
+                    let moving = if fresh { *drift_m_s } else { DVec3::ZERO };
                     cockpit.control.chase(*goal_m, moving, &cockpit.limits);
                     *goal_m += moving * STEP_S;
                 }
