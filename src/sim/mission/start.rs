@@ -7,7 +7,8 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Wait, command, sequence};
 use crate::geo::LatLon;
-use crate::sim::autopilot::{Autopilot, Place};
+use crate::sim::autopilot::Autopilot;
+use crate::sim::place::Place;
 use crate::sim::plan::Item;
 use crate::sim::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::sim::yaw::YawDemand;
@@ -102,7 +103,7 @@ impl Autopilot {
             let begins = self
                 .uptime()
                 .max(self.mission.armed_at + LIFTS_AFTER_ARMING);
-            let takeoff = Takeoff::new(self.body.position_m, height_m, begins);
+            let takeoff = Takeoff::new(self.believed().position_m, height_m, begins);
             self.fly_task(Task::Takeoff(takeoff), Wait::Nothing);
         }
     }
@@ -148,13 +149,13 @@ impl Autopilot {
     fn begin_takeoff(&mut self, item: &Item) {
         self.mission.returns = false;
         let landed = self.safety.landed;
-        let here_m = self.body.height_m();
+        let here_m = self.believed().height_m();
         let least_m = here_m + if landed { LEAST_CLIMB_M } else { 0.0 };
         let height_m = (-self.item_down_m(item)).max(least_m);
         if landed {
             self.fly_task(Task::Wait, Wait::Throttle(height_m));
         } else {
-            let takeoff = Takeoff::in_flight(self.body.position_m, height_m, self.uptime());
+            let takeoff = Takeoff::in_flight(self.believed().position_m, height_m, self.uptime());
             self.fly_task(Task::Takeoff(takeoff), Wait::Nothing);
         }
     }
@@ -189,7 +190,7 @@ impl Autopilot {
     fn begin_landing(&mut self, item: &Item) {
         match self.item_place(item) {
             Some(flat) => {
-                let goal_m = flat.extend(self.body.position_m.z);
+                let goal_m = flat.extend(self.believed().position_m.z);
                 self.fly_to(goal_m, Wait::LandingPlace);
             }
             None => self.fly_task(Task::Land(Landing::default()), Wait::Nothing),
@@ -197,7 +198,7 @@ impl Autopilot {
     }
 
     fn begin_loiter(&mut self, item: &Item, wait: Wait) {
-        let mut otherwise = self.body.position_m;
+        let mut otherwise = self.believed().position_m;
         if self.item_place(item).is_none() {
             let stop_m = self.with_cockpit(|_, cockpit| crate::sim::task::stopping_point(cockpit));
             otherwise = self.stored(stop_m.truncate().extend(otherwise.z));
@@ -217,7 +218,7 @@ impl Autopilot {
     }
 
     fn begin_circle(&mut self, item: &Item) {
-        let centre_m = self.item_point(item, self.body.position_m);
+        let centre_m = self.item_point(item, self.believed().position_m);
         let asked_m = f64::from(item.p[2]).abs().min(2550.0);
         let radius_m = if asked_m > COARSE_RADIUS_M {
             (asked_m / 10.0).floor() * 10.0
@@ -225,7 +226,7 @@ impl Autopilot {
             asked_m.floor()
         };
         let orbit = Orbit::around(centre_m, radius_m, item.p[2] < 0.0, &self.parameters);
-        let here_m = self.body.position_m;
+        let here_m = self.believed().position_m;
         let edge_m = orbit.nearest_m(here_m);
         if edge_m.distance(here_m) <= AT_EDGE_M {
             self.begin_turning(orbit);
@@ -240,7 +241,7 @@ impl Autopilot {
 
     /// The edge is reached: the circle begins.
     pub(super) fn begin_turning(&mut self, mut orbit: Orbit) {
-        orbit.begin(self.body.position_m);
+        orbit.begin(self.believed().position_m);
         if !self.mission.looks_at_place {
             self.yaw.demand = orbit.yaw();
         }
