@@ -35,7 +35,6 @@ mod estimator;
 mod failsafe;
 mod fence;
 mod inbound;
-mod leg;
 mod mission;
 mod mixer;
 mod mode;

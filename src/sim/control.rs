@@ -19,6 +19,9 @@ const INTEGRAL_MAX_M_S2: f64 = 10.0;
 /// How much faster a vertical speed beyond its limit may change, per share of the limit.
 const OVERSPEED_GAIN_Z: f64 = 2.0;
 
+/// No path accelerates downwards faster than this, whatever the limits say.
+const FALL_MAX_M_S2: f64 = 7.5;
+
 /// What the path must keep to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Limits {
@@ -61,9 +64,11 @@ pub(super) struct PositionControl {
     pub(super) velocity_m_s: DVec3,
     accel_m_s2: DVec3,
     integral_m_s2: DVec2,
+    last_error_m: DVec2,
+    last_moving_m_s: DVec2,
     last_error_m_s: DVec2,
     slope_m_s2: DVec2,
-    /// The direction in which the lean is used up.
+    /// The acceleration that was asked for when the lean was used up; otherwise nothing.
     saturated: DVec2,
 }
 
@@ -75,6 +80,8 @@ impl PositionControl {
             velocity_m_s: body.velocity_m_s,
             accel_m_s2: DVec3::ZERO,
             integral_m_s2: DVec2::ZERO,
+            last_error_m: DVec2::ZERO,
+            last_moving_m_s: DVec2::ZERO,
             last_error_m_s: DVec2::ZERO,
             slope_m_s2: DVec2::ZERO,
             saturated: DVec2::ZERO,
@@ -83,12 +90,14 @@ impl PositionControl {
         control
     }
 
-    /// Starts again from the body's present state, without a jolt in the lean.
+    /// Starts again from the body's present state, without a jolt in the lean: the integrator holds all of it, and the
+    /// path starts without acceleration (`init_xy_controller`).
     pub(super) fn take_over(&mut self, body: &Body) {
         self.path_m = body.position_m;
         self.velocity_m_s = body.velocity_m_s;
-        self.accel_m_s2 = DVec3::new(body.accel_m_s2.x, body.accel_m_s2.y, 0.0);
-        self.integral_m_s2 = body.lean_m_s2 - self.accel_m_s2.truncate();
+        self.accel_m_s2 = DVec3::ZERO;
+        self.integral_m_s2 = body.lean_m_s2;
+        self.last_error_m = DVec2::ZERO;
         self.last_error_m_s = DVec2::ZERO;
         self.slope_m_s2 = DVec2::ZERO;
         self.saturated = DVec2::ZERO;
@@ -108,6 +117,20 @@ impl PositionControl {
         self.at_velocity(wanted.extend(climb), limits);
     }
 
+    /// Moves the path towards a point that itself moves: its velocity is added to the one that leads there, and the
+    /// way need not be straight (`input_pos_vel_accel_xy`, `_z`).
+    pub(super) fn chase(&mut self, goal_m: DVec3, moving_m_s: DVec3, limits: &Limits) {
+        let way = goal_m - self.path_m;
+        let kv = 0.5 * limits.jerk_m_s3 / limits.accel_m_s2;
+        let flat = way.truncate();
+        let pace = square_root(flat.length(), kv, 0.5 * limits.accel_m_s2).min(limits.speed_m_s);
+        let kv_z = 0.5 * limits.jerk_z_m_s3 / limits.accel_z_m_s2;
+        let climb = square_root(way.z, kv_z, 0.5 * limits.accel_z_m_s2)
+            .clamp(-limits.speed_up_m_s, limits.speed_down_m_s);
+        let wanted = (flat.normalize_or_zero() * pace).extend(climb);
+        self.at_velocity(wanted + moving_m_s, limits);
+    }
+
     /// Where the path comes to rest if it brakes at the acceleration that is allowed, and gently at the end.
     pub(super) fn stopping_point(&self, limits: &Limits) -> DVec2 {
         let velocity = self.velocity_m_s.truncate();
@@ -121,16 +144,6 @@ impl PositionControl {
         self.path_m.truncate() + velocity.normalize_or_zero() * way_m
     }
 
-    /// Slows the path down so that it ends at its stopping point, without the limit of the jerk.
-    pub(super) fn brake_to(&mut self, end_m: DVec2, down_m: f64, limits: &Limits) {
-        let (here, before) = (self.path_m.truncate(), self.velocity_m_s.truncate());
-        let way = end_m - here;
-        let speed = square_root(way.length(), POSITION_P, limits.accel_m_s2);
-        let velocity = way.normalize_or_zero() * speed;
-        let accel = ((velocity - before) / STEP_S).clamp_length_max(limits.accel_m_s2);
-        self.along((here + velocity * STEP_S, velocity, accel), down_m, limits);
-    }
-
     /// Brings the path to a velocity; vertical speed limits do not apply, as in `ArduPilot`.
     pub(super) fn at_velocity(&mut self, wanted_m_s: DVec3, limits: &Limits) {
         let error = wanted_m_s - self.velocity_m_s;
@@ -139,7 +152,7 @@ impl PositionControl {
         let push = square_root(flat.length(), ka, limits.jerk_m_s3).min(limits.accel_m_s2);
         let ka_z = limits.jerk_z_m_s3 / limits.accel_z_m_s2;
         let lift = square_root(error.z, ka_z, limits.jerk_z_m_s3)
-            .clamp(-limits.accel_z_m_s2, limits.accel_z_m_s2);
+            .clamp(-limits.accel_z_m_s2, limits.accel_z_m_s2.min(FALL_MAX_M_S2));
         self.at_acceleration((flat.normalize_or_zero() * push).extend(lift), limits);
     }
 
@@ -198,29 +211,38 @@ impl PositionControl {
     }
 
     /// The acceleration that makes the body follow the path, within the lean that is allowed.
-    pub(super) fn demand(&mut self, body: &Body, lean_max_rad: f64) -> DVec3 {
+    /// A large error of the place is made good at no more than an acceleration (`correction_m_s2`).
+    pub(super) fn demand(&mut self, body: &Body, lean_max_rad: f64, correction_m_s2: f64) -> DVec3 {
         let error_m = self.path_m - body.position_m;
-        let wanted = self.velocity_m_s.truncate() + error_m.truncate() * POSITION_P;
+        let off_m = error_m.truncate();
+        self.last_error_m = off_m;
+        self.last_moving_m_s = body.velocity_m_s.truncate();
+        let back = square_root(off_m.length(), POSITION_P, correction_m_s2);
+        let wanted = self.velocity_m_s.truncate() + off_m.normalize_or_zero() * back;
         let error = wanted - body.velocity_m_s.truncate();
         let blend = 1.0 - (-std::f64::consts::TAU * VELOCITY_D_FILTER_HZ * STEP_S).exp();
         let slope = (error - self.last_error_m_s) / STEP_S;
         self.slope_m_s2 += (slope - self.slope_m_s2) * blend;
         self.last_error_m_s = error;
-        let growing = self.saturated.dot(error) > 0.0;
-        if !growing {
-            self.integral_m_s2 = (self.integral_m_s2 + error * (VELOCITY_I * STEP_S))
-                .clamp_length_max(INTEGRAL_MAX_M_S2);
-        }
+        // Where the lean is used up the integrator may turn, but not grow.
+        let most = if self.saturated.dot(error) > 0.0 {
+            self.integral_m_s2.length().min(INTEGRAL_MAX_M_S2)
+        } else {
+            INTEGRAL_MAX_M_S2
+        };
+        self.integral_m_s2 =
+            (self.integral_m_s2 + error * (VELOCITY_I * STEP_S)).clamp_length_max(most);
         let raw = self.accel_m_s2.truncate()
             + error * VELOCITY_P
             + self.integral_m_s2
             + self.slope_m_s2 * VELOCITY_D;
         let most = GRAVITY_M_S2 * lean_max_rad.tan();
-        let flat = raw.clamp_length_max(most);
-        self.saturated = if raw.length_squared() > most * most {
-            raw.normalize_or_zero()
+        let flat = if raw.length_squared() > most * most {
+            self.saturated = raw;
+            within(raw, self.velocity_m_s.truncate(), most)
         } else {
-            DVec2::ZERO
+            self.saturated = DVec2::ZERO;
+            raw
         };
         let climb = self.velocity_m_s.z + error_m.z * HEIGHT_P - body.velocity_m_s.z;
         flat.extend(self.accel_m_s2.z + climb * CLIMB_P)
@@ -239,22 +261,37 @@ impl PositionControl {
         lift_m_s2 + climb * CLIMB_P
     }
 
-    /// Moves the path on. Where the lean is used up the path waits for the body instead of running away.
+    /// Moves the path on. Where the lean is used up the path waits for the body instead of running away
+    /// (`update_pos_vel_accel_xy`).
     fn advance(&mut self) {
         let mut delta_m_s = self.accel_m_s2 * STEP_S;
-        if self.saturated.dot(self.last_error_m_s) > 0.0 {
-            delta_m_s = without(delta_m_s, self.saturated);
+        let mut delta_m = self.velocity_m_s * STEP_S + self.accel_m_s2 * (0.5 * STEP_S * STEP_S);
+        let along = |v: DVec2| v.dot(self.saturated);
+        if along(delta_m.truncate()) > 0.0 && along(self.last_error_m) > 0.0 {
+            // ArduPilot stops and goes with every step, so that the path keeps its distance from the body.
+            let most_m = (self.last_moving_m_s.length() * STEP_S).min(delta_m.truncate().length());
+            delta_m = (delta_m.truncate().normalize_or_zero() * most_m).extend(delta_m.z);
         }
-        let delta_m = self.velocity_m_s * STEP_S + self.accel_m_s2 * (0.5 * STEP_S * STEP_S);
+        let faster = along(delta_m_s.truncate()) > 0.0;
+        let forward = along(self.velocity_m_s.truncate()) >= 0.0;
+        if faster && forward && along(self.last_error_m_s) > 0.0 {
+            delta_m_s = DVec2::ZERO.extend(delta_m_s.z);
+        }
         self.path_m += delta_m;
         self.velocity_m_s += delta_m_s;
     }
 }
 
-/// `v` without its horizontal part along `direction`, if that part is positive.
-fn without(v: DVec3, direction: DVec2) -> DVec3 {
-    let part = v.truncate().dot(direction).max(0.0);
-    v - (direction * part).extend(0.0)
+/// An acceleration no longer than `most`: what is across the way that is flown goes before what is along it
+/// (`limit_accel_xy`).
+fn within(accel: DVec2, moving: DVec2, most: f64) -> DVec2 {
+    let Some(way) = moving.try_normalize() else {
+        return accel.clamp_length_max(most);
+    };
+    let along = accel.dot(way);
+    let across = (accel - way * along).clamp_length_max(most);
+    let left = (most * most - across.length_squared()).max(0.0).sqrt();
+    across + way * along.clamp(-left, left)
 }
 
 /// The square-root controller: proportional near the target, on a parabola of constant deceleration further out;

@@ -83,12 +83,12 @@ impl Autopilot {
             return;
         }
         self.paused = None;
-        match task {
-            Some(task) => {
-                self.task = task;
-                self.aim_nose(setpoint);
-            }
-            None => self.task = Task::STOP,
+        if let Some(task) = task {
+            self.change_task(task);
+            self.aim_nose(setpoint);
+        } else {
+            self.control.take_over(self.estimator.belief(&self.body));
+            self.task = Task::STOP;
         }
     }
 
@@ -154,11 +154,19 @@ impl Autopilot {
     /// Flies to a point that itself moves for a while.
     pub(super) fn go_to(&mut self, goal_m: DVec3, drift_m_s: DVec3) {
         self.paused = None;
-        self.task = Task::Goto {
+        self.change_task(Task::Goto {
             goal_m,
             drift_m_s,
             drift_until: self.uptime() + self.tuning.setpoint_timeout,
-        };
+        });
+    }
+
+    /// A target of another kind than the last starts the position control again.
+    fn change_task(&mut self, task: Task) {
+        if self.task.kind() != task.kind() {
+            self.control.take_over(self.estimator.belief(&self.body));
+        }
+        self.task = task;
     }
 
     fn task_for(&self, setpoint: &Setpoint) -> Option<Task> {
@@ -209,7 +217,13 @@ impl Autopilot {
                 _ => offset,
             }),
             Point::Global { at, height_m } => {
-                let altitude_amsl_m = self.altitude_amsl_m(setpoint.frame, height_m)?;
+                // Without terrain data the ground counts as level with the sea, as in ArduCopter.
+                let frame = if matches!(setpoint.frame, 10 | 11) {
+                    0
+                } else {
+                    setpoint.frame
+                };
+                let altitude_amsl_m = self.altitude_amsl_m(frame, height_m)?;
                 at.is_valid().then(|| {
                     self.point_of(Place {
                         at,

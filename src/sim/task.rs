@@ -134,6 +134,17 @@ impl Task {
         }
     }
 
+    /// What kind of target it follows in GUIDED: a place, a place that moves, a velocity, an acceleration, or none.
+    pub(super) fn kind(&self) -> u8 {
+        match self {
+            Self::Goto { drift_m_s, .. } if *drift_m_s == DVec3::ZERO => 1,
+            Self::Goto { .. } => 2,
+            Self::Velocity { .. } => 3,
+            Self::Accelerate { .. } => 4,
+            _ => 0,
+        }
+    }
+
     /// A circle whose centre lies ahead of the nose.
     pub(super) fn circle(body: &Body, tuning: &Tuning) -> Self {
         let (sin, cos) = body.yaw_deg.to_radians().sin_cos();
@@ -165,10 +176,14 @@ impl Task {
                 drift_m_s,
                 drift_until,
             } => {
-                if cockpit.now < *drift_until {
-                    *goal_m += *drift_m_s * STEP_S;
+                let fresh = cockpit.now < *drift_until;
+                if *drift_m_s == DVec3::ZERO {
+                    cockpit.control.towards(*goal_m, &cockpit.limits);
+                } else {
+                    let moving = if fresh { *drift_m_s } else { DVec3::ZERO };
+                    cockpit.control.chase(*goal_m, moving, &cockpit.limits);
+                    *goal_m += moving * STEP_S;
                 }
-                cockpit.control.towards(*goal_m, &cockpit.limits);
             }
             Self::Velocity { wanted_m_s, until } => {
                 let fresh = cockpit.now < *until && *until != Duration::MAX;

@@ -55,7 +55,8 @@ impl Autopilot {
             Act::Accelerate(wanted) => Demand::Acceleration(wanted),
             Act::Fly => {
                 let lean_max = self.tuning.lean_max_rad;
-                Demand::Acceleration(self.control.demand(believed, lean_max))
+                let correction = self.tuning.accel_m_s2;
+                Demand::Acceleration(self.control.demand(believed, lean_max, correction))
             }
             Act::Level => {
                 let down = self.control.demand_level(believed);

@@ -22,8 +22,6 @@ pub(in crate::sim) struct Tuning {
     pub(in crate::sim) accel_z_m_s2: f64,
     pub(in crate::sim) jerk_m_s3: f64,
     pub(in crate::sim) jerk_z_m_s3: f64,
-    /// The jerk of planned legs (return, missions).
-    pub(in crate::sim) leg_jerk_m_s3: f64,
     pub(in crate::sim) lean_max_rad: f64,
     pub(in crate::sim) return_speed_m_s: f64,
     pub(in crate::sim) return_altitude_m: f64,
@@ -83,7 +81,6 @@ impl Tuning {
             accel_z_m_s2: least(cm("WPNAV_ACCEL_Z")),
             jerk_m_s3: least(all.value("PSC_JERK_XY")),
             jerk_z_m_s3: least(all.value("PSC_JERK_Z")),
-            leg_jerk_m_s3: least(all.value("WPNAV_JERK")),
             lean_max_rad: cm("ANGLE_MAX").clamp(10.0, 80.0).to_radians(),
             return_speed_m_s: or(cm("RTL_SPEED"), speed_m_s),
             return_altitude_m: cm("RTL_ALT"),

@@ -162,6 +162,11 @@ impl Route {
     /// Stops at once and holds the place where the vehicle comes to rest.
     pub(in crate::sim) fn standing(cockpit: &mut Cockpit<'_>) -> Self {
         let from_m = stopping_point(cockpit);
+        Self::waiting_at(from_m, cockpit)
+    }
+
+    /// Holds a place, and goes on from there.
+    pub(in crate::sim) fn waiting_at(from_m: DVec3, cockpit: &mut Cockpit<'_>) -> Self {
         cockpit.control.follow(from_m, DVec3::ZERO, DVec3::ZERO);
         Self {
             from_m,
@@ -286,12 +291,13 @@ impl Route {
         if error == 0.0 && self.pace_per_s == 0.0 {
             return;
         }
+        // The pace of a pause fades away: as long as anything is left of it, a vehicle that is behind holds it up.
         let most = limits.accel_m_s2 / limits.speed_m_s;
         let jerk = limits.jerk_m_s3 / limits.speed_m_s;
         let wanted = square_root(error, jerk / most, jerk).clamp(-most, most);
         self.pace_per_s += (wanted - self.pace_per_s).clamp(-jerk * STEP_S, jerk * STEP_S);
         self.pace = (self.pace + self.pace_per_s * STEP_S).clamp(0.0, 1.0);
-        if error.abs() < 1e-3 {
+        if error.abs() < 1e-3 && !self.paused {
             self.pace = asked;
             self.pace_per_s = 0.0;
         }

@@ -6,15 +6,13 @@ use std::time::Duration;
 use glam::{DVec2, DVec3};
 
 use super::{Act, Cockpit, Landing, Route};
-use crate::sim::leg::Leg;
 
-/// A planned leg starts this long after the vehicle stands (smoothing of the jerk itself).
-const PLAN_TIME: Duration = Duration::from_millis(900);
-/// A vehicle whose path is slower than this has stopped.
-const STANDING_M_S: f64 = 0.1;
+/// The way home begins this long after the vehicle is near enough to where it stops: a climb of next to nothing still
+/// is a leg of its own.
+const PLAN_TIME: Duration = Duration::from_millis(700);
 /// The climb is over within this distance.
 const HEIGHT_REACHED_M: f64 = 0.2;
-/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown.
+/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and so is the stopping point.
 const HOME_REACHED_M: f64 = 2.0;
 /// A return is never lower than this (`RTL_ALT_MIN`).
 const LEAST_HEIGHT_M: f64 = 2.0;
@@ -28,10 +26,7 @@ enum Stage {
     Climb {
         standing_since: Option<Duration>,
     },
-    Fly {
-        leg: Leg,
-        since: Duration,
-    },
+    Fly(Box<Route>),
     Wait {
         until: Duration,
     },
@@ -110,15 +105,15 @@ impl Returning {
         let limits = cockpit.limits;
         match &mut self.stage {
             Stage::Climb { .. } => self.climb(cockpit),
-            Stage::Fly { leg, since } => {
-                let elapsed = cockpit.now.saturating_sub(*since).as_secs_f64();
-                cockpit.control.along(leg.at(elapsed), self.down_m, &limits);
-                let way_m = cockpit.body.position_m.truncate().distance(self.goal_m);
-                if elapsed >= leg.duration_s() && way_m < HOME_REACHED_M {
-                    self.stage = Stage::Wait {
-                        until: cockpit.now + cockpit.tuning.return_loiter,
-                    };
+            Stage::Fly(route) => {
+                cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
+                let act = route.step(cockpit);
+                if !route.reached {
+                    return act;
                 }
+                self.stage = Stage::Wait {
+                    until: cockpit.now + cockpit.tuning.return_loiter,
+                };
             }
             Stage::Wait { until } => {
                 let over = self.goal_m.extend(self.down_m);
@@ -171,16 +166,18 @@ impl Returning {
         let over = *self
             .over_m
             .get_or_insert_with(|| cockpit.control.stopping_point(&limits));
-        cockpit.control.brake_to(over, self.down_m, &limits);
+        // The path waits at the stopping point: the error of the place alone brings the vehicle there.
+        let still = (over, DVec2::ZERO, DVec2::ZERO);
+        cockpit.control.along(still, self.down_m, &limits);
         let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
-        let stands = cockpit.control.velocity_m_s.truncate().length() < STANDING_M_S;
+        let near = cockpit.body.position_m.truncate().distance(over) < HOME_REACHED_M;
         if let Stage::Climb { standing_since } = &mut self.stage
             && high
-            && stands
+            && near
         {
             let since = *standing_since.get_or_insert(cockpit.now);
             if cockpit.now >= since + PLAN_TIME {
-                self.stage = Self::leg_to(self.goal_m, cockpit);
+                self.stage = self.leg_home(over, cockpit);
             }
         }
     }
@@ -197,17 +194,11 @@ impl Returning {
         }
     }
 
-    fn leg_to(goal_m: DVec2, cockpit: &Cockpit<'_>) -> Stage {
-        Stage::Fly {
-            leg: Leg::plan(
-                cockpit.control.path_m.truncate(),
-                goal_m,
-                cockpit.tuning.return_speed_m_s,
-                cockpit.tuning.accel_m_s2,
-                cockpit.tuning.leg_jerk_m_s3,
-            ),
-            since: cockpit.now,
-        }
+    fn leg_home(&self, from_m: DVec2, cockpit: &mut Cockpit<'_>) -> Stage {
+        cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
+        let mut route = Route::waiting_at(from_m.extend(self.down_m), cockpit);
+        route.go_to(self.goal_m.extend(self.down_m), cockpit);
+        Stage::Fly(Box::new(route))
     }
 }
 
