@@ -34,6 +34,8 @@ pub(super) struct Safety {
     pub(super) aligns_above_m: Option<f64>,
     /// When the reasons against arming are told next without being asked.
     pub(super) reports_at: Duration,
+    /// Whether nothing spoke against arming at the last look.
+    pub(super) may_arm: bool,
     /// Since when the vehicle has stood on the ground with nothing to do.
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
@@ -47,6 +49,7 @@ impl Default for Safety {
             armed_at: Duration::ZERO,
             aligns_above_m: None,
             reports_at: checks::REPORT_EVERY,
+            may_arm: false,
             idle_since: None,
             resting_since: None,
         }

@@ -17,7 +17,7 @@ const ACCEL_MAX_M_S2: f64 = 1.0;
 /// Backing away uses this share of it.
 const BACKING_SHARE: f64 = 0.4;
 /// A height that is estimated wanders by this much: it crosses a ceiling that it only comes near by itself.
-const WANDERS_M: f64 = 0.01;
+const WANDERS_M: f64 = 0.02;
 /// The gain of the position control (`PSC_POSXY_P`, `PSC_POSZ_P`).
 const POSITION_P: f64 = 1.0;
 /// Beyond the margin the vehicle looks this much further ahead when it is to stop instead of to slide.
@@ -70,8 +70,8 @@ pub(super) struct Edges<'a> {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Limiter {
     last: Option<(Duration, DVec3)>,
-    /// Whether the next pause that is exactly as long as the memory counts as longer.
-    is_late: bool,
+    /// Whether the last pause that was exactly as long as the memory was not too long.
+    was_in_time: bool,
 }
 
 impl Limiter {
@@ -85,8 +85,8 @@ impl Limiter {
     fn remembers(&mut self, at: Duration, now: Duration) -> bool {
         let pause = now.saturating_sub(at);
         if pause == MEMORY {
-            self.is_late = !self.is_late;
-            return self.is_late;
+            self.was_in_time = !self.was_in_time;
+            return self.was_in_time;
         }
         pause < MEMORY
     }
