@@ -27,7 +27,7 @@ use super::transfer::Transfers;
 use super::upset::Drive;
 use super::wind::Wind;
 use super::workbench::Workbench;
-use super::yaw::{YawControl, YawDemand};
+use super::yaw::{Turning, YawControl, YawDemand};
 use super::{STEP, Start, texts};
 use crate::geo::LatLon;
 
@@ -346,7 +346,11 @@ impl Autopilot {
         if demand != Demand::Off || !self.body.on_ground {
             let moving = self.control.velocity_m_s.truncate();
             let here = self.body.position_m.truncate();
-            let turning = (self.tuning.slew_yaw_deg_s, self.tuning.yaw_accel_deg_s2);
+            let turning = Turning {
+                fastest_deg_s: self.tuning.slew_yaw_deg_s,
+                accel_deg_s2: self.tuning.yaw_accel_deg_s2,
+                is_upset: self.body.upset.is_some(),
+            };
             let rate = self.yaw.step(self.body.yaw_deg, moving, here, turning);
             self.body.turn(rate);
         }

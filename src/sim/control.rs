@@ -83,12 +83,12 @@ impl PositionControl {
         control
     }
 
-    /// Starts again from the body's present state, without a jolt in the lean.
+    /// Starts again from the body's present velocity. The lean stays for a moment, but no acceleration is wanted any more.
     pub(super) fn take_over(&mut self, body: &Body) {
         self.path_m = body.position_m;
         self.velocity_m_s = body.velocity_m_s;
-        self.accel_m_s2 = DVec3::new(body.accel_m_s2.x, body.accel_m_s2.y, 0.0);
-        self.integral_m_s2 = body.lean_m_s2 - self.accel_m_s2.truncate();
+        self.accel_m_s2 = DVec3::ZERO;
+        self.integral_m_s2 = body.lean_m_s2;
         self.last_error_m_s = DVec2::ZERO;
         self.slope_m_s2 = DVec2::ZERO;
         self.saturated = DVec2::ZERO;

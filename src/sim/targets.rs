@@ -101,7 +101,11 @@ impl Autopilot {
                 self.task = task;
                 self.aim_nose(setpoint);
             }
-            None => self.task = Task::STOP,
+            None => {
+                // As if the mode were entered anew.
+                self.control.take_over(self.estimator.belief(&self.body));
+                self.task = Task::STOP;
+            }
         }
     }
 
