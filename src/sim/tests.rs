@@ -15,6 +15,7 @@ mod protocol;
 mod serials;
 mod signing;
 mod sweep;
+mod takeoff;
 mod timeline;
 mod transfers;
 
