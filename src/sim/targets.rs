@@ -96,16 +96,13 @@ impl Autopilot {
             return;
         }
         self.paused = None;
-        match task {
-            Some(task) => {
-                self.task = task;
-                self.aim_nose(setpoint);
-            }
-            None => {
-                // As if the mode were entered anew.
-                self.control.take_over(self.estimator.belief(&self.body));
-                self.task = Task::STOP;
-            }
+        if let Some(task) = task {
+            self.task = task;
+            self.aim_nose(setpoint);
+        } else {
+            // As if the mode were entered anew.
+            self.control.take_over(self.estimator.belief(&self.body));
+            self.task = Task::STOP;
         }
     }
 
