@@ -4,10 +4,20 @@
 //! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. The
 //! world is a function of its configuration, the bytes it received and the steps between them.
 //!
-//! How the parts fit: `port` frames and paces, `inbound` understands, `commands` and `targets` act on the
-//! `autopilot`, whose current `task` steers the path of `control` that the `body` follows; `telemetry` reports;
-//! `transfer` carries missions, fences, rally points, files and logs. The autopilot knows the body only through its
-//! `estimator`, which errs as the sensors do; `failsafe` and `arming` judge.
+//! How the parts fit, from the socket to the ground and back:
+//!
+//! - `slot` is a vehicle with its connections: `port` frames, paces (`schedule`) and signs (`signing`).
+//! - `inbound` understands what came. `commands` and `targets` are orders; `transfer` carries missions, fences,
+//!   rally points (together the `plan`), files and logs, read and written as a `payload`.
+//! - `autopilot` is the vehicle's whole state and its step; what a subsystem does stands beside its own state. A
+//!   `mode` is entered by `switching`, and gives the autopilot a `task` that steers the path of `control`, along
+//!   `leg`s, and the nose (`yaw`). `mission` gives one task after the other; a pilot's sticks come by `radio`.
+//! - `arming`, `failsafe`, `fence`, `rally` and `crash` judge and step in; `boot`, `workbench` (what is done by hand)
+//!   and `counters` are the rest of a vehicle's life.
+//! - `body` is what really moves: `airframe`, `battery` and `wind` drive it, and with a motor lost `upset` and `mixer`.
+//!   The autopilot knows it only through its `estimator`, which errs as the sensors do. `collision` is between bodies.
+//! - `telemetry` and `texts` report. `parameters` rule everything; `place` says where on the earth a point is.
+//!
 //! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
 
 mod airframe;
@@ -19,6 +29,7 @@ mod boot;
 mod collision;
 mod commands;
 mod control;
+mod counters;
 mod crash;
 mod estimator;
 mod failsafe;
@@ -29,6 +40,8 @@ mod mission;
 mod mixer;
 mod mode;
 mod parameters;
+mod payload;
+mod place;
 mod plan;
 mod port;
 mod radio;

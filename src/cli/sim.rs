@@ -146,17 +146,7 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
         realistic_boot: options.realistic_boot,
         ..WorldConfig::row(usize::from(options.vehicles), options.home.0)
     };
-    let mut endpoints = Vec::new();
-    if let Some(HostPort { host, port }) = options.udp.clone() {
-        endpoints.push(Endpoint::Udp { host, port });
-    }
-    if options.tcp.is_some() || endpoints.is_empty() {
-        let HostPort { host, port } = options.tcp.clone().unwrap_or(HostPort {
-            host: "127.0.0.1".to_owned(),
-            port: 5760,
-        });
-        endpoints.push(Endpoint::Tcp { host, port });
-    }
+    let endpoints = endpoints(options);
     let mut world = World::new(&config);
     if options.strict_signing {
         world.require_signatures();
@@ -177,6 +167,22 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
         cancel.cancel();
         Ok(ExitCode::SUCCESS)
     })
+}
+
+/// Where ground stations are served: over TCP on loopback unless something else is asked for.
+fn endpoints(options: &SimArguments) -> Vec<Endpoint> {
+    let mut endpoints = Vec::new();
+    if let Some(HostPort { host, port }) = options.udp.clone() {
+        endpoints.push(Endpoint::Udp { host, port });
+    }
+    if options.tcp.is_some() || endpoints.is_empty() {
+        let HostPort { host, port } = options.tcp.clone().unwrap_or(HostPort {
+            host: "127.0.0.1".to_owned(),
+            port: 5760,
+        });
+        endpoints.push(Endpoint::Tcp { host, port });
+    }
+    endpoints
 }
 
 /// Every TCP server is an open file, and the usual limit of 1024 may be raised by anybody. What then still cannot

@@ -42,10 +42,8 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     let mut sent = recording.sent.iter().peekable();
     let mut heard = Vec::new();
     let mut bytes = Vec::new();
-    let end = recording
-        .heard
-        .last()
-        .map_or(Duration::ZERO, |last| last.at + AFTERWARDS);
+    let last = recording.heard.last();
+    let end = last.map_or(Duration::ZERO, |last| last.at + AFTERWARDS);
     while world.now() < end {
         let now = world.now();
         while let Some(Timed { frame, .. }) = sent.next_if(|next| next.at < now + STEP) {
@@ -58,10 +56,8 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
         world.take_output(port, &mut bytes);
         decoder.push(&bytes);
         while let Some(frame) = decoder.next_frame() {
-            heard.push(Timed {
-                at: world.now(),
-                frame,
-            });
+            let at = world.now();
+            heard.push(Timed { at, frame });
         }
         if !world.is_open(port) {
             // The vehicle reboots. A recording that goes on has a ground station that connects again.

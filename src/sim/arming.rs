@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::autopilot::{Autopilot, Place};
+use super::autopilot::Autopilot;
 use super::mode;
+use super::place::Place;
 use super::task::Task;
 use super::telemetry;
 

@@ -1,4 +1,7 @@
-//! One vehicle: airframe, autopilot state, and its step.
+//! One vehicle: what its subsystems remember, and the order in which they work in a step. What a subsystem does stands
+//! beside its state, in a module of its own, as methods of [`Autopilot`].
+
+mod fly;
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -6,42 +9,35 @@ use std::time::Duration;
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
-use super::airframe::{Airframe, Conditions, air_density};
+use super::airframe::{Airframe, air_density};
 use super::arming::Safety;
 use super::battery::Battery;
-use super::body::{Body, Demand};
+use super::body::Body;
 use super::boot::Boot;
 use super::control::{Limits, PositionControl};
+use super::counters::Counters;
 use super::crash::CrashWatch;
-use super::estimator::{Estimator, Surroundings};
+use super::estimator::Estimator;
 use super::failsafe::{self, Failsafe};
 use super::fence::{self, Geofence};
 use super::mission::Mission;
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
+use super::place::Place;
 use super::plan::Plans;
 use super::radio::Radio;
 use super::rally::Rally;
-use super::task::{Act, Cockpit, Pilot, Sticks, Task};
+use super::task::{Cockpit, Pilot, Sticks, Task};
 use super::transfer::Transfers;
-use super::upset::Drive;
 use super::wind::Wind;
 use super::workbench::Workbench;
-use super::yaw::{Turning, YawControl, YawDemand};
+use super::yaw::{YawControl, YawDemand};
 use super::{STEP, Start, texts};
-use crate::geo::LatLon;
 
 /// A vehicle that reboots drops its links this long after the acknowledgement.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
 /// The autopilot asks for the time this often.
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
-
-/// A place with its altitude.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
-    pub(super) at: LatLon,
-    pub(super) altitude_amsl_m: f64,
-}
 
 /// Speeds asked by commands; they last until the mode changes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -82,7 +78,10 @@ pub(super) struct Autopilot {
     pub(super) radio: Radio,
     /// What the modes with a pilot remember.
     pub(super) pilot: Pilot,
+    /// When BRAKE, entered by the pause button, turns into LOITER.
+    pub(super) brake_until: Option<Duration>,
     pub(super) workbench: Workbench,
+    pub(super) counters: Counters,
     pub(super) servos_us: [u16; 16],
     pub(super) wind: Wind,
     pub(super) board_id: u64,
@@ -141,7 +140,9 @@ impl Autopilot {
             mission: Mission::default(),
             radio: Radio::default(),
             pilot: Pilot::default(),
+            brake_until: None,
             workbench: Workbench::default(),
+            counters: Counters::default(),
             fence: Geofence::default(),
             transfers: Transfers::default(),
             servos_us: [0; 16],
@@ -236,6 +237,8 @@ impl Autopilot {
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
             self.watch_workbench();
+            self.watch_brake();
+            self.count();
             self.watch_sticks();
         }
         if self.steps.is_multiple_of(fence::EVERY_STEPS) {
@@ -245,39 +248,6 @@ impl Autopilot {
         if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
         }
-    }
-
-    /// Where the vehicle believes to be.
-    pub(super) fn here(&self) -> Place {
-        self.place_of(self.believed().position_m)
-    }
-
-    /// Where the vehicle really is.
-    pub(super) fn truly_here(&self) -> Place {
-        self.place_of(self.body.position_m)
-    }
-
-    /// The place of a point in metres north, east and down from the start.
-    pub(super) fn place_of(&self, point_m: DVec3) -> Place {
-        Place {
-            at: self.start.at.moved(point_m.x, point_m.y),
-            altitude_amsl_m: self.start.altitude_amsl_m - point_m.z,
-        }
-    }
-
-    /// The point of a place in metres north, east and down from the start.
-    pub(super) fn point_of(&self, place: Place) -> DVec3 {
-        let (north, east) = self.start.at.offset_to(place.at);
-        DVec3::new(
-            north,
-            east,
-            self.start.altitude_amsl_m - place.altitude_amsl_m,
-        )
-    }
-
-    /// Home as a point; the start until home is set.
-    pub(super) fn home_point(&self) -> DVec3 {
-        self.home.map_or(DVec3::ZERO, |home| self.point_of(home))
     }
 
     /// The sticks as they are now: released when nobody has moved them lately.
@@ -320,132 +290,6 @@ impl Autopilot {
         work(&mut self.task, &mut cockpit)
     }
 
-    fn fly(&mut self) {
-        let act = if self.safety.armed {
-            self.with_cockpit(super::task::Task::step)
-        } else {
-            Act::Idle
-        };
-        let demand = match act {
-            Act::Idle => Demand::Off,
-            Act::Throttle(throttle) => Demand::Throttle(throttle),
-            Act::Accelerate(wanted) => Demand::Acceleration(wanted),
-            Act::Fly => {
-                let lean_max = self.tuning.lean_max_rad;
-                let body = self.estimator.belief(&self.body);
-                Demand::Acceleration(self.control.demand(body, lean_max))
-            }
-            Act::Level => {
-                let down = self.control.demand_level(self.estimator.belief(&self.body));
-                Demand::Acceleration(self.estimator.level_error_m_s2().extend(down))
-            }
-        };
-        self.end_turn();
-        self.turn_by_stick();
-        let conditions = self.conditions();
-        if demand != Demand::Off || !self.body.on_ground {
-            let moving = self.control.velocity_m_s.truncate();
-            let here = self.body.position_m.truncate();
-            let turning = Turning {
-                fastest_deg_s: self.tuning.slew_yaw_deg_s,
-                accel_deg_s2: self.tuning.yaw_accel_deg_s2,
-                is_upset: self.body.upset.is_some(),
-            };
-            let rate = self.yaw.step(self.body.yaw_deg, moving, here, turning);
-            self.body.turn(rate);
-        }
-        let drive = Drive {
-            airframe: &self.airframe,
-            conditions: &conditions,
-            fault: self.tuning.motor_fault,
-            wrecked: self.body.wrecked,
-        };
-        if let Some(impact_m_s) = self.body.step(demand, &drive) {
-            self.report_impact(impact_m_s);
-        }
-        if let Task::Takeoff(takeoff) = &self.task {
-            if takeoff.is_spooled(self.uptime()) {
-                self.safety.landed = false;
-            }
-            if takeoff.reached {
-                let goal_m = takeoff.goal_m;
-                self.end_takeoff(goal_m);
-            }
-        }
-    }
-
-    /// Air and battery now.
-    fn conditions(&mut self) -> Conditions {
-        let height_m = self.body.height_m();
-        // A tenth of a percent for 10 m, as in the standard atmosphere.
-        let thinner = (1.0 - 1e-4 * height_m).clamp(0.1, 1.5);
-        Conditions {
-            wind_m_s: self.wind.step(height_m, &self.tuning.wind),
-            air_density: self.start_density * thinner,
-            voltage_share: self.battery.voltage_share(&self.airframe),
-        }
-    }
-
-    /// Lets the estimator follow what has happened, and the path what it has jumped.
-    fn estimate(&mut self) {
-        if !self.boot.is_over() || !self.estimator.has_work(&self.tuning.faults) {
-            return;
-        }
-        let around = Surroundings {
-            now: STEP * u32::try_from(self.steps).unwrap_or(u32::MAX),
-            truth: &self.body,
-            faults: &self.tuning.faults,
-            latitude_deg: self.start.at.lat_deg,
-        };
-        if let Some(jump_m) = self.estimator.step(&around, &mut self.outbox) {
-            self.control.path_m += jump_m;
-            // The height of a takeoff is held where the vehicle is, wherever that is said to be.
-            if let (Task::Goto { goal_m, .. }, Some(hold_m)) = (&mut self.task, &mut self.takeoff_m)
-                && *goal_m == *hold_m
-            {
-                *goal_m += jump_m;
-                *hold_m = *goal_m;
-            }
-        }
-    }
-
-    /// A turning rate lasts as long as the setpoint that asked for it.
-    fn end_turn(&mut self) {
-        let until = match &self.task {
-            Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
-            Task::Attitude(attitude) => attitude.until,
-            _ => return,
-        };
-        if self.uptime() >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
-            self.yaw.demand = YawDemand::Hold;
-        }
-    }
-
-    /// A yaw stick that is over turns the nose, also where the autopilot flies.
-    fn turn_by_stick(&mut self) {
-        let steered = matches!(self.task, Task::Piloted | Task::Manual);
-        let overridden = self.uptime() < self.radio.until;
-        if !self.safety.armed || !(steered || overridden) || self.mode.number == mode::BRAKE {
-            return;
-        }
-        let pilot = self.pilot.clone();
-        let rate = self.with_cockpit(|_, cockpit| pilot.turn_deg_s(cockpit));
-        let turning = matches!(self.yaw.demand, YawDemand::Stick(_));
-        if rate != 0.0 || turning {
-            self.yaw.demand = YawDemand::Stick(rate);
-        }
-    }
-
-    fn end_takeoff(&mut self, goal_m: DVec3) {
-        self.takeoff_m = Some(goal_m);
-        self.task = match self.mode.number {
-            mode::GUIDED => Task::goto(goal_m),
-            // The mission goes on by itself.
-            mode::AUTO => return,
-            _ => Task::Piloted,
-        };
-    }
-
     fn ask_time(&mut self) {
         let ns = self.uptime().as_nanos() as i64;
         self.outbox.push(MavMessage::TIMESYNC(
@@ -455,15 +299,6 @@ impl Autopilot {
                 ..Default::default()
             },
         ));
-    }
-
-    /// The pulse that a motor gets, in microseconds: the least while the motors stand still.
-    pub(super) fn motor_pulse_us(&self, motor: usize) -> u16 {
-        if self.body.throttle <= 0.0 {
-            return 1000;
-        }
-        let share = self.body.motor_share(motor, &self.airframe);
-        self.airframe.pulse_us(share) as u16
     }
 
     /// How the nose behaves when a mode or a target leaves it to the autopilot.

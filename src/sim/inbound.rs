@@ -9,9 +9,10 @@ use mavlink::dialects::ardupilotmega::{
 use mavlink::types::CharArray;
 
 use self::fields::{Addressed, Request};
-use super::autopilot::{Autopilot, Place};
+use super::autopilot::Autopilot;
 use super::commands::{self, Command};
 use super::parameters::Parameter;
+use super::place::Place;
 use super::port::Link;
 use super::radio::CHANNELS;
 use super::{signing, telemetry, transfer};
@@ -57,16 +58,14 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
         }
         Request::Setpoint(setpoint) => autopilot.take_setpoint(setpoint),
         Request::SetMode { base, custom } if base & 1 == 1 => {
+            // Only the lowest byte counts, as in the real vehicle.
             autopilot.set_mode(*custom as u8);
         }
         Request::SetMode { .. } => {}
         Request::Attitude(asked) => autopilot.take_attitude(asked),
         Request::SetParameter { name, value } => {
-            if let Some(parameter) = autopilot.parameters.set(name, *value) {
+            if autopilot.store_parameter(name, *value) {
                 autopilot.retune();
-                // Every link hears of the change.
-                let echo = unasked_value(autopilot, &parameter);
-                autopilot.outbox.push(echo);
             }
         }
     }
@@ -90,17 +89,13 @@ fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgo
     reason = "ground stations in use still send what the dialect calls superseded"
 )]
 fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
+    if frame.system == autopilot.tuning.ground_station {
+        hear_pilot(autopilot, message);
+    }
     let own = |target: u8| target == 0 || target == autopilot.system;
     match message {
-        MavMessage::HEARTBEAT(_) if frame.system == autopilot.tuning.ground_station => {
-            autopilot.failsafe.heard = Some(autopilot.uptime());
-        }
         MavMessage::REQUEST_DATA_STREAM(data) if own(data.target_system) => {
-            let rate = if data.start_stop == 0 {
-                0
-            } else {
-                data.req_message_rate
-            };
+            let rate = data.req_message_rate * u16::from(data.start_stop.min(1));
             link.schedule
                 .set_stream(data.req_stream_id as u8, rate, autopilot.uptime());
         }
@@ -122,40 +117,54 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         MavMessage::SETUP_SIGNING(data) if own(data.target_system) => {
             signing::set_up(autopilot, link, data);
         }
-        MavMessage::RC_CHANNELS_OVERRIDE(data)
-            if own(data.target_system) && frame.system == autopilot.tuning.ground_station =>
-        {
-            autopilot.override_channels(channels(data));
-            autopilot.failsafe.heard = Some(autopilot.uptime());
-        }
-        MavMessage::MANUAL_CONTROL(data)
-            if data.target == autopilot.system
-                && frame.system == autopilot.tuning.ground_station =>
-        {
-            autopilot.control_manually([data.x, data.y, data.z, data.r]);
-            autopilot.failsafe.heard = Some(autopilot.uptime());
-        }
         MavMessage::MISSION_SET_CURRENT(data) if own(data.target_system) => {
-            // The answer shows the item that was asked, as ground stations take it for an acknowledgement.
-            if autopilot.set_mission_item(data.seq)
-                && let Some(MavMessage::MISSION_CURRENT(now)) = telemetry::message(42, autopilot)
-            {
-                link.reply(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
-                    seq: data.seq,
-                    ..now
-                }));
-            }
+            set_current(autopilot, link, data.seq);
         }
         MavMessage::SET_HOME_POSITION(data) if own(data.target_system) => {
-            let place = Place {
-                at: LatLon::from_e7(data.latitude, data.longitude),
-                altitude_amsl_m: f64::from(data.altitude) / 1000.0,
-            };
-            if autopilot.is_ready() && autopilot.may_be_home(place) {
-                autopilot.set_home(place);
-            }
+            let at = LatLon::from_e7(data.latitude, data.longitude);
+            take_home(autopilot, at, f64::from(data.altitude) / 1000.0);
         }
         _ => {}
+    }
+}
+
+/// What only the vehicle's own ground station may say: that it is still there, and where the sticks are.
+fn hear_pilot(autopilot: &mut Autopilot, message: &MavMessage) {
+    match message {
+        MavMessage::HEARTBEAT(_) => {}
+        MavMessage::RC_CHANNELS_OVERRIDE(data)
+            if data.target_system == 0 || data.target_system == autopilot.system =>
+        {
+            autopilot.override_channels(channels(data));
+        }
+        MavMessage::MANUAL_CONTROL(data) if data.target == autopilot.system => {
+            autopilot.control_manually([data.x, data.y, data.z, data.r]);
+        }
+        _ => return,
+    }
+    autopilot.failsafe.heard = Some(autopilot.uptime());
+}
+
+fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
+    let home = Place {
+        at,
+        altitude_amsl_m,
+    };
+    if autopilot.is_ready() && autopilot.may_be_home(home) {
+        autopilot.set_home(home);
+    }
+}
+
+/// Jumps to an item of the mission. The answer shows the item that was asked, as ground stations take it for an
+/// acknowledgement.
+fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
+    if autopilot.set_mission_item(seq)
+        && let Some(MavMessage::MISSION_CURRENT(now)) = telemetry::message(42, autopilot)
+    {
+        link.reply(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
+            seq,
+            ..now
+        }));
     }
 }
 
@@ -213,25 +222,9 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
     }
 }
 
-/// What `PARAM_VALUE` says of a parameter that was not asked for by its place.
-pub(super) fn unasked_parameter(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
-    PARAM_VALUE_DATA {
-        param_index: BY_NAME,
-        ..value_of(autopilot, parameter)
-    }
-}
-
 /// `PARAM_VALUE` with the place in the list.
 pub(super) fn parameter_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
     MavMessage::PARAM_VALUE(value_of(autopilot, parameter))
-}
-
-/// `PARAM_VALUE` without the place in the list, as it comes after a change.
-pub(super) fn unasked_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
-    MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
-        param_index: BY_NAME,
-        ..value_of(autopilot, parameter)
-    })
 }
 
 fn value_of(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
@@ -248,6 +241,20 @@ fn value_of(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
 }
 
 impl Autopilot {
+    /// Sets a parameter, and tells every link that it has changed; `false` if there is no such parameter.
+    pub(super) fn store_parameter(&mut self, name: &str, value: f32) -> bool {
+        let Some(parameter) = self.parameters.set(name, value) else {
+            return false;
+        };
+        // Without its place in the list, as it was not asked for by that.
+        let told = PARAM_VALUE_DATA {
+            param_index: BY_NAME,
+            ..value_of(self, &parameter)
+        };
+        self.outbox.push(MavMessage::PARAM_VALUE(told));
+        true
+    }
+
     /// Version, board and frame, as three texts.
     pub(super) fn say_banner(&mut self) {
         let board = format!("{:016x}{:016x}", self.board_id, u64::from(self.system));

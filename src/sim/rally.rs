@@ -4,11 +4,9 @@ use glam::DVec3;
 
 use super::Start;
 use super::parameters::Parameters;
-use super::plan::Item;
+use super::place::altitude_amsl_m;
+use super::plan::{Item, RALLY_POINT};
 use crate::geo::LatLon;
-
-/// `MAV_CMD_NAV_RALLY_POINT`.
-const RALLY_POINT: u16 = 5100;
 
 /// What the `RALLY_*` parameters say.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,7 +58,7 @@ impl Rally<'_> {
             .unwrap_or(home_m)
     }
 
-    /// A rally point in metres from the start. Without terrain data the ground counts as level with the start.
+    /// A rally point in metres from the start.
     fn point(&self, item: &Item, home_m: DVec3) -> Option<DVec3> {
         let at = LatLon::from_e7(item.x, item.y);
         let set = (item.x, item.y) != (0, 0) && at.is_valid() && item.z.is_finite();
@@ -70,12 +68,8 @@ impl Rally<'_> {
         // The vehicle stores whole metres.
         let altitude_m = f64::from(item.z as i16);
         let (north, east) = self.start.at.offset_to(at);
-        let down = match item.frame {
-            0 | 5 => self.start.altitude_amsl_m - altitude_m,
-            10 | 11 => -altitude_m,
-            _ => home_m.z - altitude_m,
-        };
-        Some(DVec3::new(north, east, down))
+        let amsl_m = altitude_amsl_m(item.frame, altitude_m, self.start, home_m)?;
+        Some(DVec3::new(north, east, self.start.altitude_amsl_m - amsl_m))
     }
 }
 

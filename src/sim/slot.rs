@@ -1,4 +1,5 @@
-//! One vehicle with its serial ports and the ground stations on them.
+//! A place in the world, filled by one vehicle with its serial ports and the ground stations on them. The connections
+//! are kept here, as they outlast what a reboot makes of the [`Autopilot`].
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 

@@ -52,6 +52,17 @@ impl Autopilot {
         true
     }
 
+    /// Ends the BRAKE of the pause button.
+    pub(super) fn watch_brake(&mut self) {
+        let now = self.uptime();
+        if self.brake_until.is_some_and(|until| now >= until) {
+            self.brake_until = None;
+            if self.mode.number == mode::BRAKE && !self.set_mode(mode::LOITER) {
+                self.set_mode(mode::ALT_HOLD);
+            }
+        }
+    }
+
     fn enter(&mut self, mode: Mode) {
         if self.mode.number == mode::AUTO {
             self.leave_mission();

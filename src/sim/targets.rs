@@ -2,8 +2,9 @@
 
 use glam::{DQuat, DVec2, DVec3, EulerRot};
 
-use super::autopilot::{Autopilot, Place};
+use super::autopilot::Autopilot;
 use super::mode;
+use super::place::Place;
 use super::task::{Attitude, Lift, Task};
 use super::yaw::YawDemand;
 use crate::geo::LatLon;
@@ -59,20 +60,6 @@ pub(super) struct AttitudeTarget {
     pub(super) rates_rad_s: [f32; 3],
     pub(super) thrust: f32,
     pub(super) mask: u8,
-}
-
-/// The altitude above sea level that a height means in a global frame; `None` in a frame the vehicle lacks.
-/// Without terrain data the ground counts as level with the start.
-pub(super) fn altitude_amsl_m(autopilot: &Autopilot, frame: u8, height_m: f64) -> Option<f64> {
-    match frame {
-        0 | 5 => Some(height_m),
-        3 | 6 => {
-            let home = autopilot.home_point();
-            Some(autopilot.start.altitude_amsl_m - home.z + height_m)
-        }
-        10 | 11 => Some(autopilot.start.altitude_amsl_m + height_m),
-        _ => None,
-    }
 }
 
 impl Autopilot {
@@ -223,7 +210,7 @@ impl Autopilot {
                 _ => offset,
             }),
             Point::Global { at, height_m } => {
-                let altitude_amsl_m = altitude_amsl_m(self, setpoint.frame, height_m)?;
+                let altitude_amsl_m = self.altitude_amsl_m(setpoint.frame, height_m)?;
                 at.is_valid().then(|| {
                     self.point_of(Place {
                         at,

@@ -11,7 +11,6 @@ mod items;
 mod lists;
 mod logs;
 mod packed;
-mod payload;
 mod plan_file;
 mod tree;
 
@@ -20,9 +19,8 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 use self::files::Files;
 use self::lists::Lists;
 use self::logs::Logs;
-use self::payload::Payload;
 use super::autopilot::Autopilot;
-use super::inbound;
+use super::payload::Payload;
 use super::plan::ListKind;
 use super::port::Link;
 use super::texts;
@@ -139,14 +137,6 @@ pub(super) fn step(autopilot: &mut Autopilot, link: &mut Link) {
     lists::step(&mut talk);
     files::step(&mut talk);
     logs::step(&mut talk);
-}
-
-/// Sets a parameter that counts something, and tells every ground station.
-fn publish(autopilot: &mut Autopilot, name: &str, value: f32) {
-    if let Some(parameter) = autopilot.parameters.set(name, value) {
-        let said = inbound::unasked_value(autopilot, &parameter);
-        autopilot.outbox.push(said);
-    }
 }
 
 impl Autopilot {

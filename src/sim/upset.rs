@@ -1,5 +1,6 @@
 //! Rotation as a rigid body, for a vehicle that has lost the full use of its motors: what each motor gives, and the
-//! attitude control that tries to keep the vehicle upright with them. A healthy vehicle does without.
+//! attitude control that tries to keep the vehicle upright with them. A healthy vehicle does without. An upset is what
+//! aviation calls an attitude that nobody has asked for.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -46,7 +47,7 @@ pub(super) struct MotorFault {
     pub(super) multiplier: f64,
 }
 
-/// Attitude, rotation, and the controllers' memory.
+/// A vehicle that may have lost its attitude: attitude, rotation, and the controllers' memory.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Upset {
     attitude: DQuat,

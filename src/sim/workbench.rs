@@ -1,28 +1,16 @@
-//! What is done to the vehicle on the ground: motor tests, compass calibration, safety switch, and the counters it
-//! keeps of itself.
+//! What is done by hand to a vehicle that stands on the ground, as on a workbench: motor tests, compass calibration,
+//! and the switches of the hardware.
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::autopilot::{Autopilot, Place};
-use super::{inbound, mode};
+use super::autopilot::Autopilot;
 
 /// A motor test lasts at most this long, in seconds.
 const TEST_MAX_S: f32 = 600.0;
 /// The vehicle has three compasses.
 const COMPASSES: u8 = 0b111;
-/// The counters are stored, and told, this often.
-const COUNTED_EVERY: Duration = Duration::from_secs(30);
-/// Home lies at most this far above or below the origin.
-const HOME_HEIGHT_MAX_M: f64 = 50_000.0;
-/// How often the workbench is looked after.
-const LOOK: Duration = Duration::from_millis(100);
-/// Slower than this, up or down, the vehicle hovers; how fast the throttle of that is learnt.
-const HOVER_CLIMB_M_S: f64 = 0.6;
-const HOVER_LEARNT_S: f64 = 10.0;
-/// The hover throttle is told if it moved by more than this in a flight.
-const HOVER_MOVED: f32 = 0.001;
 
 /// Everything that is under way or set up by hand. It does not survive a reboot.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -37,15 +25,6 @@ pub(super) struct Workbench {
     pub(super) relay_on: bool,
     /// The stored parameters were erased: the next boot begins with the defaults.
     pub(super) erased: bool,
-    /// When BRAKE, entered by the pause button, turns into LOITER.
-    pub(super) brake_until: Option<Duration>,
-    /// Time in the air since the motors were armed, and the throttle that held the vehicle there.
-    flown: Duration,
-    hover: f64,
-    counted: Duration,
-    /// Seconds in the air that are not yet stored.
-    flight_s: f64,
-    was_armed: bool,
 }
 
 /// A motor that is driven by hand.
@@ -173,86 +152,6 @@ impl Autopilot {
             self.workbench.motor_test = None;
             self.say(MavSeverity::MAV_SEVERITY_INFO, "finished motor test");
         }
-        if self.workbench.brake_until.is_some_and(|until| now >= until) {
-            self.workbench.brake_until = None;
-            if self.mode.number == mode::BRAKE && !self.set_mode(mode::LOITER) {
-                self.set_mode(mode::ALT_HOLD);
-            }
-        }
-        self.count(now);
-    }
-
-    /// Counts time in the air and since boot, and tells the counters when they are stored: every 30 s and after a
-    /// flight.
-    fn count(&mut self, now: Duration) {
-        let armed = self.safety.armed;
-        let landed_again = self.workbench.was_armed && !armed;
-        self.workbench.was_armed = armed;
-        self.watch_hover();
-        if !self.safety.landed {
-            self.workbench.flight_s += LOOK.as_secs_f64();
-        }
-        let due = now >= self.workbench.counted + COUNTED_EVERY;
-        if due || (landed_again && self.workbench.flight_s >= 1.0) {
-            let passed = now
-                .as_secs()
-                .saturating_sub(self.workbench.counted.as_secs()) as f64;
-            let flown = self.workbench.flight_s.floor();
-            self.workbench.counted = now;
-            self.workbench.flight_s -= flown;
-            self.add("STAT_FLTTIME", flown);
-            self.add("STAT_RUNTIME", passed);
-        }
-        if landed_again {
-            self.learn_hover();
-        }
-    }
-
-    fn add(&mut self, name: &str, seconds: f64) {
-        if seconds > 0.0 {
-            let sum = self.parameters.value(name) + seconds;
-            self.store(name, sum as f32);
-        }
-    }
-
-    /// Averages the throttle while the vehicle hovers, as `MOT_HOVER_LEARN` does.
-    fn watch_hover(&mut self) {
-        let still = self.body.velocity_m_s.z.abs() < HOVER_CLIMB_M_S;
-        if self.safety.landed || !still {
-            return;
-        }
-        let bench = &mut self.workbench;
-        if bench.flown.is_zero() {
-            bench.hover = self.tuning.pilot.hover();
-        }
-        bench.flown += LOOK;
-        bench.hover += (self.body.throttle - bench.hover) * LOOK.as_secs_f64() / HOVER_LEARNT_S;
-    }
-
-    /// After a flight the throttle that held the vehicle is the new hover throttle.
-    fn learn_hover(&mut self) {
-        let learned = self.workbench.hover as f32;
-        let known = self.parameters.value("MOT_THST_HOVER") as f32;
-        let long_enough = self.workbench.flown > LOOK * 10;
-        self.workbench.flown = Duration::ZERO;
-        if long_enough && (learned - known).abs() > HOVER_MOVED {
-            self.store("MOT_THST_HOVER", learned.clamp(0.125, 0.6875));
-            self.retune();
-        }
-    }
-
-    /// Sets a parameter of the vehicle's own and tells everybody.
-    fn store(&mut self, name: &str, value: f32) {
-        if let Some(parameter) = self.parameters.set(name, value) {
-            let told = inbound::unasked_parameter(self, &parameter);
-            self.outbox.push(MavMessage::PARAM_VALUE(told));
-        }
-    }
-
-    /// Whether a place may be home.
-    pub(super) fn may_be_home(&self, place: Place) -> bool {
-        let above_m = place.altitude_amsl_m - self.start.altitude_amsl_m;
-        place.at.is_valid() && above_m.abs() <= HOME_HEIGHT_MAX_M
     }
 }
 

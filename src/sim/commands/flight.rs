@@ -142,7 +142,7 @@ pub(super) fn pause_button(
         autopilot.disarm();
     } else if !takes_pictures {
         if autopilot.set_mode(mode::BRAKE) {
-            autopilot.workbench.brake_until = Some(autopilot.uptime() + PAUSE_BUTTON_BRAKE);
+            autopilot.brake_until = Some(autopilot.uptime() + PAUSE_BUTTON_BRAKE);
         } else {
             autopilot.set_mode(mode::ALT_HOLD);
         }
@@ -154,7 +154,7 @@ impl Autopilot {
     /// Takes off to a height above home in metres, if the mode and the moment allow it.
     fn take_off(&mut self, above_home_m: f64, navigates: bool) -> bool {
         let height_m = above_home_m - self.home_point().z;
-        let climb_m = height_m - self.body.height_m();
+        let climb_m = height_m - self.believed().height_m();
         let sensible = climb_m > 0.0 && climb_m < ALTITUDE_MAX_M;
         let able = mode::takes_off(self.mode.number, navigates);
         if !self.safety.armed || !self.safety.landed || !able || !sensible {
@@ -162,7 +162,7 @@ impl Autopilot {
         }
         let low = self.mode.number != mode::GUIDED && self.sticks().throttle_is_low();
         let height_m = if low {
-            self.body.height_m() + climb_m.min(PILOTED_TAKEOFF_M)
+            self.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
         } else {
             height_m
         };
@@ -171,7 +171,7 @@ impl Autopilot {
             return true;
         }
         let begins = self.safety.takeoff_begins(self.uptime());
-        self.task = Task::Takeoff(Takeoff::new(self.body.position_m, height_m, begins));
+        self.task = Task::Takeoff(Takeoff::new(self.believed().position_m, height_m, begins));
         self.yaw.settle(self.body.yaw_deg);
         true
     }

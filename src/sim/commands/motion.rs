@@ -4,10 +4,10 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
-use crate::sim::autopilot::{Autopilot, Place, Speeds};
+use crate::sim::autopilot::{Autopilot, Speeds};
 use crate::sim::mode;
+use crate::sim::place::Place;
 use crate::sim::port::Link;
-use crate::sim::targets::altitude_amsl_m;
 use crate::sim::task::Task;
 use crate::sim::yaw::YawDemand;
 
@@ -71,7 +71,7 @@ pub(super) fn place(autopilot: &mut Autopilot, command: &Command, frame: u8) -> 
     if height_m.is_nan() || height_m.abs() > HEIGHT_MAX_M {
         return None;
     }
-    let Some(altitude_amsl_m) = altitude_amsl_m(autopilot, frame, height_m) else {
+    let Some(altitude_amsl_m) = autopilot.altitude_amsl_m(frame, height_m) else {
         let text = format!("Unknown mavlink coordinate frame {frame}");
         autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         return None;

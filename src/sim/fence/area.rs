@@ -4,14 +4,10 @@ use glam::DVec2;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use crate::geo::LatLon;
-use crate::sim::plan::Item;
-
-/// `MAV_CMD_NAV_FENCE_*`.
-const RETURN_POINT: u16 = 5000;
-const POLYGON_INCLUSION: u16 = 5001;
-const POLYGON_EXCLUSION: u16 = 5002;
-const CIRCLE_INCLUSION: u16 = 5003;
-const CIRCLE_EXCLUSION: u16 = 5004;
+use crate::sim::plan::{
+    CIRCLE_EXCLUSION, CIRCLE_INCLUSION, FENCE_RETURN_POINT, Item, POLYGON_EXCLUSION,
+    POLYGON_INCLUSION,
+};
 
 /// One area, with points on the earth or in metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,10 +39,10 @@ pub(in crate::sim) struct Fence {
 pub(in crate::sim) enum FenceError {
     /// A polygon that claims fewer than three corners.
     #[error("Invalid vertex count ({0})")]
-    VertexCount(u16),
+    VertexCount(u8),
     /// Two corners of one polygon that claim different counts.
     #[error("Unexpected vertex count want={wanted} got={got}\n")]
-    OtherCount { wanted: u16, got: u16 },
+    OtherCount { wanted: u8, got: u8 },
     /// An item of another kind inside a polygon; the numbers are those of the vehicle's own item types.
     #[error("Received incorrect vertex type (want={wanted} got={got})")]
     OtherVertex { wanted: u8, got: u8 },
@@ -77,7 +73,7 @@ impl FenceError {
 /// A polygon of which corners are still to come.
 struct Unfinished {
     command: u16,
-    count: u16,
+    count: u8,
     corners: Vec<LatLon>,
 }
 
@@ -106,7 +102,7 @@ impl Fence {
                 let wanted = own_type(*command).unwrap_or_default();
                 return Err(FenceError::OtherType { wanted, got: kind });
             }
-            if item.command == RETURN_POINT {
+            if item.command == FENCE_RETURN_POINT {
                 returns += 1;
                 if returns > 1 {
                     return Err(FenceError::ReturnPoints);
@@ -128,7 +124,7 @@ impl Fence {
         unfinished: Option<Unfinished>,
         item: &Item,
     ) -> Result<Option<Unfinished>, FenceError> {
-        let count = item.p[0].clamp(0.0, 65535.0) as u16;
+        let count = item.p[0] as u8;
         if count < 3 {
             return Err(FenceError::VertexCount(count));
         }
@@ -224,7 +220,7 @@ fn own_type(command: u16) -> Option<u8> {
     match command {
         POLYGON_INCLUSION => Some(98),
         POLYGON_EXCLUSION => Some(97),
-        RETURN_POINT => Some(95),
+        FENCE_RETURN_POINT => Some(95),
         CIRCLE_EXCLUSION => Some(93),
         CIRCLE_INCLUSION => Some(92),
         _ => None,

@@ -9,6 +9,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use crate::geo::LatLon;
 use crate::sim::commands::Command;
+use crate::sim::payload::Payload;
 use crate::sim::targets::{AttitudeTarget, Point, Setpoint};
 use crate::wire::Content;
 
@@ -60,7 +61,7 @@ impl Request {
                 },
             }),
             Content::Message(_) | Content::Unknown { .. } => None,
-            Content::Undecoded { id, payload } => by_hand(*id, &Payload(payload)),
+            Content::Undecoded { id, payload } => by_hand(*id, &Payload::new(&payload[..])),
         }
     }
 }
@@ -160,83 +161,60 @@ fn vector(x: f32, y: f32, z: f32) -> DVec3 {
     DVec3::new(f64::from(x), f64::from(y), f64::from(z))
 }
 
-/// A payload in wire order.
-struct Payload<'a>(&'a [u8; 255]);
-
-impl Payload<'_> {
-    fn byte(&self, at: usize) -> u8 {
-        self.0.get(at).copied().unwrap_or(0)
-    }
-
-    fn word(&self, at: usize) -> [u8; 4] {
-        [at, at + 1, at + 2, at + 3].map(|i| self.byte(i))
-    }
-
-    fn short(&self, at: usize) -> u16 {
-        u16::from_le_bytes([self.byte(at), self.byte(at + 1)])
-    }
-
-    fn float(&self, at: usize) -> f32 {
-        f32::from_le_bytes(self.word(at))
-    }
-
-    fn integer(&self, at: usize) -> i32 {
-        i32::from_le_bytes(self.word(at))
-    }
-
-    fn vector(&self, at: usize) -> DVec3 {
-        vector(self.float(at), self.float(at + 4), self.float(at + 8))
-    }
+/// Three floats in a row.
+fn vector_at(payload: &Payload, at: usize) -> DVec3 {
+    vector(
+        payload.float(at),
+        payload.float(at + 4),
+        payload.float(at + 8),
+    )
 }
 
 /// The offsets are those of the `MAVLink` definitions after sorting by field size.
-fn by_hand(id: u32, payload: &Payload<'_>) -> Option<Addressed> {
-    let request = match id {
-        23 => return Some(parameter_by_hand(payload)),
-        75 | 76 => Request::Command(command_by_hand(id, payload)),
-        82 => {
-            return Some(Addressed {
-                to: payload.byte(36),
-                request: Request::Attitude(AttitudeTarget {
-                    q: [4, 8, 12, 16].map(|at| payload.float(at)),
-                    rates_rad_s: [20, 24, 28].map(|at| payload.float(at)),
-                    thrust: payload.float(32),
-                    mask: payload.byte(38),
-                }),
-            });
-        }
-        84 | 86 => {
-            let point = if id == 84 {
-                Point::Local(payload.vector(4))
-            } else {
-                Point::Global {
-                    at: LatLon::from_e7(payload.integer(4), payload.integer(8)),
-                    height_m: f64::from(payload.float(12)),
-                }
-            };
-            let setpoint = Setpoint {
-                point,
-                velocity_m_s: payload.vector(16),
-                accel_m_s2: payload.vector(28),
-                yaw_rad: f64::from(payload.float(40)),
-                yaw_rate_rad_s: f64::from(payload.float(44)),
-                mask: payload.short(48),
-                frame: payload.byte(52),
-            };
-            return Some(Addressed {
-                to: payload.byte(50),
-                request: Request::Setpoint(setpoint),
-            });
-        }
+fn by_hand(id: u32, payload: &Payload) -> Option<Addressed> {
+    let (target_at, request) = match id {
+        23 => (4, parameter_by_hand(payload)),
+        75 | 76 => (30, Request::Command(command_by_hand(id, payload))),
+        82 => (36, Request::Attitude(attitude_by_hand(payload))),
+        84 | 86 => (50, Request::Setpoint(setpoint_by_hand(id, payload))),
         _ => return None,
     };
     Some(Addressed {
-        to: payload.byte(30),
+        to: payload.byte(target_at),
         request,
     })
 }
 
-fn command_by_hand(id: u32, payload: &Payload<'_>) -> Command {
+fn attitude_by_hand(payload: &Payload) -> AttitudeTarget {
+    AttitudeTarget {
+        q: [4, 8, 12, 16].map(|at| payload.float(at)),
+        rates_rad_s: [20, 24, 28].map(|at| payload.float(at)),
+        thrust: payload.float(32),
+        mask: payload.byte(38),
+    }
+}
+
+fn setpoint_by_hand(id: u32, payload: &Payload) -> Setpoint {
+    let point = if id == 84 {
+        Point::Local(vector_at(payload, 4))
+    } else {
+        Point::Global {
+            at: LatLon::from_e7(payload.integer(4), payload.integer(8)),
+            height_m: f64::from(payload.float(12)),
+        }
+    };
+    Setpoint {
+        point,
+        velocity_m_s: vector_at(payload, 16),
+        accel_m_s2: vector_at(payload, 28),
+        yaw_rad: f64::from(payload.float(40)),
+        yaw_rate_rad_s: f64::from(payload.float(44)),
+        mask: payload.short(48),
+        frame: payload.byte(52),
+    }
+}
+
+fn command_by_hand(id: u32, payload: &Payload) -> Command {
     let number = payload.short(28);
     let p = [0, 4, 8, 12].map(|at| payload.float(at));
     if id == 75 {
@@ -253,16 +231,13 @@ fn command_by_hand(id: u32, payload: &Payload<'_>) -> Command {
     }
 }
 
-fn parameter_by_hand(payload: &Payload<'_>) -> Addressed {
+fn parameter_by_hand(payload: &Payload) -> Request {
     let name: Vec<u8> = (6..22)
         .map(|at| payload.byte(at))
         .take_while(|byte| *byte != 0)
         .collect();
-    Addressed {
-        to: payload.byte(4),
-        request: Request::SetParameter {
-            name: String::from_utf8_lossy(&name).into_owned(),
-            value: payload.float(0),
-        },
+    Request::SetParameter {
+        name: String::from_utf8_lossy(&name).into_owned(),
+        value: payload.float(0),
     }
 }

@@ -1,6 +1,6 @@
 //! The commands of a mission by number (`MAV_CMD`), and what the vehicle calls them.
 
-pub(super) const NAV_WAYPOINT: u16 = 16;
+pub(in crate::sim) const NAV_WAYPOINT: u16 = 16;
 pub(super) const NAV_LOITER_UNLIM: u16 = 17;
 pub(super) const NAV_LOITER_TURNS: u16 = 18;
 pub(super) const NAV_LOITER_TIME: u16 = 19;
@@ -19,7 +19,7 @@ pub(super) const NAV_LAST: u16 = 95;
 pub(super) const CONDITION_DELAY: u16 = 112;
 pub(super) const CONDITION_DISTANCE: u16 = 114;
 pub(super) const CONDITION_YAW: u16 = 115;
-pub(super) const DO_JUMP: u16 = 177;
+pub(in crate::sim) const DO_JUMP: u16 = 177;
 pub(super) const DO_CHANGE_SPEED: u16 = 178;
 pub(super) const DO_SET_HOME: u16 = 179;
 pub(super) const DO_SET_SERVO: u16 = 183;

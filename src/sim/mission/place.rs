@@ -36,13 +36,13 @@ impl Autopilot {
         Some(glam::DVec2::new(north, east))
     }
 
-    /// The height of an item as metres down from the start. Terrain counts as level with home.
+    /// The height of an item as metres down from the start; in a frame the vehicle lacks it counts from home.
     pub(super) fn item_down_m(&self, item: &Item) -> f64 {
         let height = if item.z.is_finite() { item.z } else { 0.0 };
         let height_m = f64::from(height.clamp(-HEIGHT_MAX_M, HEIGHT_MAX_M));
-        match item.frame {
-            0 | 5 => self.start.altitude_amsl_m - height_m,
-            _ => self.home_point().z - height_m,
+        match self.altitude_amsl_m(item.frame, height_m) {
+            Some(amsl_m) => self.start.altitude_amsl_m - amsl_m,
+            None => self.home_point().z - height_m,
         }
     }
 
@@ -50,7 +50,7 @@ impl Autopilot {
     pub(super) fn reference_point(&self) -> DVec3 {
         match &self.task {
             Task::Route(route) if route.reached => route.goal_m(),
-            _ => self.body.position_m,
+            _ => self.believed().position_m,
         }
     }
 
@@ -65,7 +65,7 @@ impl Autopilot {
             } else {
                 item
             };
-            let way = self.item_point(placed, self.home_point()) - self.body.position_m;
+            let way = self.item_point(placed, self.home_point()) - self.believed().position_m;
             Some((at, way.length()))
         };
         (FIRST..items.len() as u16)

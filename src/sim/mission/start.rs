@@ -7,7 +7,8 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Wait, command, sequence};
 use crate::geo::LatLon;
-use crate::sim::autopilot::{Autopilot, Place};
+use crate::sim::autopilot::Autopilot;
+use crate::sim::place::Place;
 use crate::sim::plan::Item;
 use crate::sim::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::sim::yaw::YawDemand;
@@ -97,7 +98,7 @@ impl Autopilot {
             && self.mission.may_lift
         {
             let begins = self.safety.takeoff_begins(self.uptime());
-            let takeoff = Takeoff::new(self.body.position_m, height_m, begins);
+            let takeoff = Takeoff::new(self.believed().position_m, height_m, begins);
             self.fly_task(Task::Takeoff(takeoff), Wait::Nothing);
         }
     }
@@ -143,13 +144,13 @@ impl Autopilot {
     fn begin_takeoff(&mut self, item: &Item) {
         self.mission.returns = false;
         let landed = self.safety.landed;
-        let here_m = self.body.height_m();
+        let here_m = self.believed().height_m();
         let least_m = here_m + if landed { LEAST_CLIMB_M } else { 0.0 };
         let height_m = (-self.item_down_m(item)).max(least_m);
         if landed {
             self.fly_task(Task::Wait, Wait::Throttle(height_m));
         } else {
-            let takeoff = Takeoff::in_flight(self.body.position_m, height_m, self.uptime());
+            let takeoff = Takeoff::in_flight(self.believed().position_m, height_m, self.uptime());
             self.fly_task(Task::Takeoff(takeoff), Wait::Nothing);
         }
     }
@@ -184,7 +185,7 @@ impl Autopilot {
     fn begin_landing(&mut self, item: &Item) {
         match self.item_place(item) {
             Some(flat) => {
-                let goal_m = flat.extend(self.body.position_m.z);
+                let goal_m = flat.extend(self.believed().position_m.z);
                 self.fly_to(goal_m, Wait::LandingPlace);
             }
             None => self.fly_task(Task::Land(Landing::default()), Wait::Nothing),
@@ -192,7 +193,7 @@ impl Autopilot {
     }
 
     fn begin_loiter(&mut self, item: &Item, wait: Wait) {
-        let mut otherwise = self.body.position_m;
+        let mut otherwise = self.believed().position_m;
         if self.item_place(item).is_none() {
             let stop_m = self.with_cockpit(|_, cockpit| crate::sim::task::stopping_point(cockpit));
             otherwise = self.stored(stop_m.truncate().extend(otherwise.z));
@@ -212,7 +213,7 @@ impl Autopilot {
     }
 
     fn begin_circle(&mut self, item: &Item) {
-        let centre_m = self.item_point(item, self.body.position_m);
+        let centre_m = self.item_point(item, self.believed().position_m);
         let asked_m = f64::from(item.p[2]).abs().min(2550.0);
         let radius_m = if asked_m > COARSE_RADIUS_M {
             (asked_m / 10.0).floor() * 10.0
@@ -220,7 +221,7 @@ impl Autopilot {
             asked_m.floor()
         };
         let orbit = Orbit::around(centre_m, radius_m, item.p[2] < 0.0, &self.parameters);
-        let here_m = self.body.position_m;
+        let here_m = self.believed().position_m;
         let edge_m = orbit.nearest_m(here_m);
         if edge_m.distance(here_m) <= AT_EDGE_M {
             self.begin_turning(orbit);
@@ -235,7 +236,7 @@ impl Autopilot {
 
     /// The edge is reached: the circle begins.
     pub(super) fn begin_turning(&mut self, mut orbit: Orbit) {
-        orbit.begin(self.body.position_m);
+        orbit.begin(self.believed().position_m);
         if !self.mission.looks_at_place {
             self.yaw.demand = orbit.yaw();
         }

@@ -107,7 +107,7 @@ impl Autopilot {
         let Wait::Height { down_m, left_m } = self.mission.wait.clone() else {
             return false;
         };
-        let here_m = self.body.position_m;
+        let here_m = self.believed().position_m;
         let there = self.with_cockpit(|task, cockpit| match task {
             Task::Route(route) if !route.is_over_goal(cockpit) => false,
             _ => {
@@ -159,7 +159,7 @@ impl Autopilot {
     }
 
     fn distance_to_goal_m(&self) -> f64 {
-        let here_m = self.body.position_m;
+        let here_m = self.believed().position_m;
         let goal_m = match &self.task {
             Task::Route(route) => route.goal_m(),
             Task::Takeoff(takeoff) => takeoff.goal_m,

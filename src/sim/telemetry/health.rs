@@ -14,7 +14,7 @@ use crate::sim::mode;
 use crate::sim::task::Task;
 
 /// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery,
-/// pre-arm check, propulsion. Terrain and log are not simulated and not claimed.
+/// pre-arm check, propulsion. There is no terrain data, and the log is not claimed.
 const SENSORS: u32 = 0x5221_9C2F;
 const GYRO: u32 = 0x01;
 const ACCELEROMETER: u32 = 0x02;

@@ -7,8 +7,9 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::boot_ms;
 use crate::geo::{wrap_180, wrap_360};
-use crate::sim::autopilot::{Autopilot, Place};
+use crate::sim::autopilot::Autopilot;
 use crate::sim::body::GRAVITY_M_S2;
+use crate::sim::place::Place;
 
 pub(super) fn attitude(autopilot: &Autopilot) -> MavMessage {
     let body = autopilot.believed();

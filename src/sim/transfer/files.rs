@@ -13,10 +13,10 @@ use self::wire::{
 };
 use super::content::{self, Content, Place};
 use super::packed;
-use super::payload::Payload;
 use super::tree::{self, Disk, NO_SPACE, NO_SUCH_FILE};
 use super::{Talk, plan_file};
 use crate::sim::autopilot::Autopilot;
+use crate::sim::payload::Payload;
 use crate::sim::plan::ListKind;
 
 /// `FILE_TRANSFER_PROTOCOL`.

@@ -8,17 +8,12 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
     MAV_MISSION_UNSUPPORTED_FRAME,
 };
 
-use crate::sim::plan::Item;
+use crate::geo::LatLon;
+use crate::sim::plan::{
+    CIRCLE_EXCLUSION, CIRCLE_INCLUSION, FENCE_RETURN_POINT, Item, POLYGON_EXCLUSION,
+    POLYGON_INCLUSION, RALLY_POINT,
+};
 
-/// `MAV_CMD` numbers that this module treats by name.
-pub(super) const NAV_WAYPOINT: u16 = 16;
-pub(super) const DO_JUMP: u16 = 177;
-pub(super) const FENCE_RETURN_POINT: u16 = 5000;
-pub(super) const POLYGON_INCLUSION: u16 = 5001;
-pub(super) const POLYGON_EXCLUSION: u16 = 5002;
-pub(super) const CIRCLE_INCLUSION: u16 = 5003;
-pub(super) const CIRCLE_EXCLUSION: u16 = 5004;
-const RALLY_POINT: u16 = 5100;
 /// Altitudes in metres from here on do not fit.
 const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 
@@ -178,16 +173,11 @@ pub(super) fn fence_item(item: &Item) -> Result<Item, MavMissionResult> {
     })
 }
 
-/// Whether a latitude and a longitude, both in 1e-7 degrees, are on the earth.
-pub(super) fn is_on_earth(x: i32, y: i32) -> bool {
-    x.unsigned_abs() <= 900_000_000 && y.unsigned_abs() <= 1_800_000_000
-}
-
 fn check_place(item: &Item) -> Result<(), MavMissionResult> {
-    if !is_on_earth(item.x, 0) {
+    if !LatLon::from_e7(item.x, 0).is_valid() {
         return Err(MAV_MISSION_INVALID_PARAM5_X);
     }
-    if !is_on_earth(0, item.y) {
+    if !LatLon::from_e7(0, item.y).is_valid() {
         return Err(MAV_MISSION_INVALID_PARAM6_Y);
     }
     Ok(())

@@ -17,9 +17,9 @@ use self::kept::announce;
 pub(super) use self::kept::{as_sent, leads_somewhere, replace, take_fence};
 use self::layout::{Travelling, float_place, read_floats};
 pub(super) use self::layout::{item_at, laid_out, whole_place};
-use super::payload::{Payload, Writer};
 use super::{Peer, Talk, items};
 use crate::sim::mode;
+use crate::sim::payload::{Payload, Writer};
 use crate::sim::plan::{Item, ListKind};
 
 /// An item that does not come is asked for again after this long.

@@ -5,12 +5,12 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_ERROR, MAV_SEVERITY_INFO};
 
 use super::flash::{Groups, Log, Sample};
-use super::payload::{Payload, Writer};
 use super::tree::Entry;
 use super::{Peer, Talk};
 use crate::geo::wrap_360;
 use crate::sim::autopilot::Autopilot;
 use crate::sim::parameters::Parameters;
+use crate::sim::payload::{Payload, Writer};
 use crate::sim::telemetry::EPOCH_US;
 
 /// The folder in which ground stations find the logs by FTP.
@@ -171,13 +171,15 @@ impl Autopilot {
     }
 
     fn sample(&self) -> Sample {
+        // A log tells what the autopilot believed.
+        let body = self.believed();
         let here = self.here();
         let (lat_e7, lon_e7) = here.at.to_e7();
         let home_m = self
             .home
             .map_or(here.altitude_amsl_m, |home| home.altitude_amsl_m);
-        let (roll, pitch) = self.body.roll_pitch_rad();
-        let velocity = self.body.velocity_m_s;
+        let (roll, pitch) = body.roll_pitch_rad();
+        let velocity = body.velocity_m_s;
         let centi = |value: f64| value * 100.0;
         let degrees = |rad: f64| centi(rad.to_degrees());
         Sample {
@@ -186,13 +188,13 @@ impl Autopilot {
             lon_e7,
             altitude_amsl_cm: centi(here.altitude_amsl_m) as i32,
             above_home_cm: centi(here.altitude_amsl_m - home_m) as i32,
-            above_origin_cm: centi(-self.body.position_m.z) as i32,
+            above_origin_cm: centi(-body.position_m.z) as i32,
             speed_cm_s: centi(velocity.truncate().length()) as u16,
             course_cd: degrees(velocity.y.atan2(velocity.x)).rem_euclid(36_000.0) as u16,
             down_cm_s: centi(velocity.z) as i16,
             roll_cd: degrees(roll) as i16,
             pitch_cd: degrees(pitch) as i16,
-            yaw_cd: centi(wrap_360(self.body.yaw_deg)) as u16,
+            yaw_cd: centi(wrap_360(body.yaw_deg)) as u16,
             voltage_cv: centi(self.battery.voltage_v) as u16,
             current_ca: centi(self.battery.current_a) as u16,
             consumed_mah: self.battery.consumed_mah as u16,

@@ -5,8 +5,8 @@
 
 use super::items;
 use super::lists::{self, item_at, laid_out, leads_somewhere, whole_place};
-use super::payload::{Payload, Writer};
 use crate::sim::autopilot::Autopilot;
+use crate::sim::payload::{Payload, Writer};
 use crate::sim::plan::{Item, ListKind};
 
 const MAGIC: u16 = 0x763D;

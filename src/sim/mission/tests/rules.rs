@@ -389,3 +389,28 @@ fn actions_set_home_and_servos_and_the_unknown_is_skipped_with_a_text() {
         "{news:?}"
     );
 }
+
+#[test]
+fn a_height_is_met_where_the_estimator_believes_it_to_be() {
+    let mut ground = ready_with(&[
+        act(22, [0.0; 4], 10.0),
+        act(93, [15.0, -1.0, -1.0, -1.0], 0.0),
+        at(31, 0.0, 0.0, 25.0),
+        act(17, [0.0; 4], 25.0),
+    ]);
+    ground.run(1.5);
+    ground.start_mission();
+    ground.run(10.0);
+    ground.set("SIM_BARO_GLITCH", 8.0);
+    let mut highest_m: f64 = 0.0;
+    for _ in 0..4000 {
+        ground.step();
+        highest_m = highest_m.max(-ground.truth().position_ned_m[2]);
+    }
+    let news = ground.news();
+    assert!(
+        news.iter().any(|text| text == "Mission: 4 LoitUnlim"),
+        "{news:?}"
+    );
+    assert!((highest_m - 17.0).abs() < 1.5, "{highest_m}");
+}

@@ -1,7 +1,7 @@
 //! The messages of `MAVLink` FTP.
 
+use crate::sim::payload::{Payload, Writer};
 use crate::sim::transfer::Peer;
-use crate::sim::transfer::payload::{Payload, Writer};
 use crate::sim::transfer::tree::{self, Entry, NO_SUCH_FILE};
 
 /// Where the protocol's own header begins in `FILE_TRANSFER_PROTOCOL`.

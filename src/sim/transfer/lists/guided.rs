@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 
 use crate::geo::LatLon;
 use crate::sim::autopilot::Autopilot;
+use crate::sim::mission::command;
 use crate::sim::mode;
 use crate::sim::plan::Item;
 use crate::sim::targets::{Point, Setpoint};
@@ -32,7 +33,7 @@ pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMiss
     if current == CHANGE_HEIGHT {
         return MAV_MISSION_ACCEPTED;
     }
-    if autopilot.mode.number != mode::GUIDED || item.command != items::NAV_WAYPOINT {
+    if autopilot.mode.number != mode::GUIDED || item.command != command::NAV_WAYPOINT {
         return MAV_MISSION_ERROR;
     }
     autopilot.take_setpoint(&Setpoint {

@@ -3,8 +3,10 @@
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_DEBUG, MAV_SEVERITY_WARNING};
 
 use crate::sim::autopilot::Autopilot;
+use crate::sim::fence::Fence;
+use crate::sim::mission::command;
 use crate::sim::plan::{Item, ListKind};
-use crate::sim::transfer::{self, fence, items};
+use crate::sim::transfer::fence;
 
 /// The items of a list in a download's form, `MISSION_ITEM_INT` without its sender and receiver.
 pub(in crate::sim::transfer) fn as_sent(
@@ -35,8 +37,8 @@ pub(in crate::sim::transfer) fn replace(
 
 /// Takes a complete fence, or says why not.
 pub(in crate::sim::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item>) -> bool {
-    if let Err((severity, text)) = fence::check(&items) {
-        autopilot.say(severity, &text);
+    if let Err(error) = Fence::check(&items) {
+        autopilot.say(error.severity(), &error.to_string());
         autopilot.say(MAV_SEVERITY_WARNING, "Fence validation failed");
         return false;
     }
@@ -51,7 +53,7 @@ pub(in crate::sim::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec
 /// Whether an item may stand in a mission of that many items: jumps lead to an item that there is.
 pub(in crate::sim::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
     let target = item.p[0] as usize;
-    item.command != items::DO_JUMP || (target != 0 && target < items)
+    item.command != command::DO_JUMP || (target != 0 && target < items)
 }
 
 /// The lengths of the lists are parameters too.
@@ -62,13 +64,13 @@ pub(in crate::sim::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKi
         ListKind::Fence => ("FENCE_TOTAL", fence::total(&autopilot.plans.fence)),
         ListKind::Rally => ("RALLY_TOTAL", length),
     };
-    transfer::publish(autopilot, name, total);
+    autopilot.store_parameter(name, total);
 }
 
 /// Item 0 of a mission is wherever home is now.
 fn home(autopilot: &Autopilot) -> Item {
     let mut item = Item {
-        command: items::NAV_WAYPOINT,
+        command: command::NAV_WAYPOINT,
         auto_continue: true,
         ..Item::default()
     };

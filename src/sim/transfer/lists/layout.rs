@@ -2,9 +2,9 @@
 
 use mavlink::dialects::ardupilotmega::MavMissionResult;
 
+use crate::sim::payload::{Payload, Writer};
 use crate::sim::plan::{Item, ListKind};
 use crate::sim::transfer::items;
-use crate::sim::transfer::payload::{Payload, Writer};
 
 /// An item as it travels.
 pub(super) struct Travelling {

@@ -1,4 +1,5 @@
-//! Payloads by offset, in wire order: what a message holds also where a number in it has no name in the dialect.
+//! Payloads read by offset and written in wire order: what a message holds also where a number in it has no name in
+//! the dialect.
 
 use mavlink::{MavlinkVersion, Message as _};
 
@@ -43,6 +44,10 @@ impl Payload {
 
     pub(super) fn word(&self, at: usize) -> u32 {
         u32::from_le_bytes([at, at + 1, at + 2, at + 3].map(|i| self.byte(i)))
+    }
+
+    pub(super) fn integer(&self, at: usize) -> i32 {
+        self.word(at).cast_signed()
     }
 
     pub(super) fn float(&self, at: usize) -> f32 {
