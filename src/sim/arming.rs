@@ -14,6 +14,10 @@ use super::telemetry;
 
 pub(super) use checks::ArmingRules;
 
+/// A takeoff does not begin sooner after arming (ArduCopter's 2 s of delay, and until the loops have noticed).
+const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
+/// Away from the ground's magnetism each core of the EKF aligns its yaw once more, once after each arming.
+const ALIGNS_ABOVE_GROUND_M: f64 = 2.5;
 /// A vehicle that rests this long with its motors idle has landed.
 const LANDED_AFTER: Duration = Duration::from_secs(1);
 /// In a landing the motors are disarmed this long after the touch.
@@ -25,8 +29,14 @@ pub(super) struct Safety {
     pub(super) armed: bool,
     /// The autopilot's belief; the body knows the truth.
     pub(super) landed: bool,
+    /// When the motors were armed last; they take their time before they lift.
+    pub(super) armed_at: Duration,
+    /// Above this height (metres up from the start) the yaw is aligned in flight; `None` once that is done.
+    pub(super) aligns_above_m: Option<f64>,
     /// When the reasons against arming are told next without being asked.
     pub(super) reports_at: Duration,
+    /// Whether nothing spoke against arming at the last look.
+    pub(super) may_arm: bool,
     /// Since when the vehicle has stood on the ground with nothing to do.
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
@@ -37,10 +47,20 @@ impl Default for Safety {
         Self {
             armed: false,
             landed: true,
+            armed_at: Duration::ZERO,
+            aligns_above_m: None,
             reports_at: checks::REPORT_EVERY,
+            may_arm: false,
             idle_since: None,
             resting_since: None,
         }
+    }
+}
+
+impl Safety {
+    /// When a takeoff that is commanded now begins.
+    pub(super) fn takeoff_begins(&self, now: Duration) -> Duration {
+        now.max(self.armed_at + LIFTS_AFTER_ARMING)
     }
 }
 
@@ -80,9 +100,10 @@ impl Autopilot {
         self.safety = Safety {
             armed: true,
             landed: self.body.on_ground,
+            armed_at: self.uptime(),
+            aligns_above_m: Some(self.believed().height_m() + ALIGNS_ABOVE_GROUND_M),
             ..Safety::default()
         };
-        self.mission.note_arming(self.uptime());
         self.begin_trail(self.is_ready());
         if self.home.is_some() {
             self.set_home(self.here());
@@ -107,6 +128,7 @@ impl Autopilot {
             return;
         }
         self.safety.armed = false;
+        self.safety.aligns_above_m = None;
         // What now speaks against arming is told with the next look.
         self.safety.reports_at = Duration::ZERO;
         self.say(MavSeverity::MAV_SEVERITY_INFO, "Disarming motors");
@@ -168,6 +190,23 @@ impl Autopilot {
         let delay = self.tuning.disarm_delay;
         if !delay.is_zero() && now >= idle_since + delay {
             self.disarm();
+        }
+    }
+
+    /// Tells of the alignment of the yaw in the air.
+    pub(super) fn watch_alignment(&mut self) {
+        let height_m = self.believed().height_m();
+        let due = self
+            .safety
+            .aligns_above_m
+            .is_some_and(|above_m| height_m > above_m);
+        let Some(compass) = self.estimator.compass_in_use().filter(|_| due) else {
+            return;
+        };
+        self.safety.aligns_above_m = None;
+        for core in 0..2 {
+            let text = format!("EKF3 IMU{core} MAG{compass} in-flight yaw alignment complete");
+            self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         }
     }
 

@@ -235,6 +235,7 @@ impl Autopilot {
             .step(power_w, self.tuning.battery_set_v, &self.airframe);
         self.watch_crash();
         self.watch_ground();
+        self.watch_alignment();
         self.watch_radio();
         self.report_obstacles(self.steps);
         if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {

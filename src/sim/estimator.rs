@@ -205,6 +205,11 @@ impl Estimator {
         self.compass.healthy.unwrap_or(true)
     }
 
+    /// The number of the compass in use, counted from 0; `None` if all have failed.
+    pub(super) fn compass_in_use(&self) -> Option<usize> {
+        self.compass.in_use()
+    }
+
     /// The horizontal acceleration that a vehicle has which believes that it is level.
     pub(super) fn level_error_m_s2(&self) -> DVec2 {
         self.bias * LEVEL_ERROR_M_S2

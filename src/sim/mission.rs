@@ -90,8 +90,6 @@ pub(super) struct Mission {
     starting: bool,
     /// The throttle was raised, a takeoff commanded or a mission started since arming.
     may_lift: bool,
-    /// When the motors were armed.
-    armed_at: Duration,
     /// The nose looks at a place of interest.
     looks_at_place: bool,
     paused: bool,
@@ -123,11 +121,6 @@ impl Mission {
     /// Whether the mission hands the vehicle to setpoints from outside.
     pub(super) fn is_guided(&self) -> bool {
         self.wait == Wait::Guided
-    }
-
-    /// The motors have been armed; they take their time before they lift.
-    pub(super) fn note_arming(&mut self, now: Duration) {
-        self.armed_at = now;
     }
 
     /// A takeoff was commanded: one of the mission waits for no throttle any more.

@@ -87,6 +87,7 @@ impl Autopilot {
             self.change_task(task);
             self.aim_nose(setpoint);
         } else {
+            // As if the mode were entered anew.
             self.control.take_over(self.estimator.belief(&self.body));
             self.task = Task::STOP;
         }

@@ -16,6 +16,7 @@ mod retracing;
 mod serials;
 mod signing;
 mod sweep;
+mod takeoff;
 mod timeline;
 mod transfers;
 

@@ -5,10 +5,12 @@ use glam::DVec2;
 use super::body::STEP_S;
 use crate::geo::wrap_180;
 
-/// The nose follows its setpoint with this lag.
+/// A nose that a pilot turns, or that does not do what it should, is made to follow its setpoint with this lag.
 const LAG_S: f64 = 0.3;
-/// Measured top rate per degree per second of `ATC_SLEW_YAW` (67 of 60).
-const OVERSPEED: f64 = 67.0 / 60.0;
+/// The autopilot's own turns swing: the natural frequency in radians per second and the damping, from a turn at 60
+/// degrees per second that comes to 68 after 0.75 s, trails by 12 degrees and overshoots by 5.
+const SWING_RAD_S: f64 = 4.6;
+const SWING_DAMPING: f64 = 0.5;
 /// The path must move faster than this before the nose follows it.
 const COURSE_MIN_M_S: f64 = 0.5;
 
@@ -29,12 +31,25 @@ pub(super) enum YawDemand {
     Towards(DVec2),
 }
 
+/// What a nose can do now.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Turning {
+    /// The autopilot turns no faster (`ATC_SLEW_YAW`).
+    pub(super) fastest_deg_s: f64,
+    /// How fast a pilot's turn begins and ends.
+    pub(super) accel_deg_s2: f64,
+    /// The vehicle tumbles: the nose does not turn as it is told.
+    pub(super) is_upset: bool,
+}
+
 /// The demand and the heading it has brought the setpoint to.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct YawControl {
     pub(super) demand: YawDemand,
     setpoint_deg: f64,
     stick_deg_s: f64,
+    /// How fast the nose turns now.
+    rate_deg_s: f64,
 }
 
 impl YawControl {
@@ -44,6 +59,7 @@ impl YawControl {
             demand: YawDemand::Hold,
             setpoint_deg: yaw_deg,
             stick_deg_s: 0.0,
+            rate_deg_s: 0.0,
         }
     }
 
@@ -79,16 +95,24 @@ impl YawControl {
         yaw_deg: f64,
         moving: DVec2,
         here: DVec2,
-        (slew_deg_s, accel_deg_s2): (f64, f64),
+        turning: Turning,
     ) -> f64 {
-        if let YawDemand::Stick(rate) = self.demand {
-            return self.by_stick(rate, yaw_deg, accel_deg_s2);
-        }
-        let fastest = slew_deg_s * OVERSPEED;
-        let change = self.change(moving, here, fastest);
-        self.setpoint_deg = wrap_180(self.setpoint_deg + change);
-        let behind = wrap_180(self.setpoint_deg - yaw_deg);
-        (behind / LAG_S).clamp(-fastest, fastest)
+        let fastest_deg_s = turning.fastest_deg_s;
+        self.rate_deg_s = if let YawDemand::Stick(rate) = self.demand {
+            self.by_stick(rate, yaw_deg, turning.accel_deg_s2)
+        } else {
+            let change = self.change(moving, here, fastest_deg_s);
+            self.setpoint_deg = wrap_180(self.setpoint_deg + change);
+            let behind_deg = wrap_180(self.setpoint_deg - yaw_deg);
+            if turning.is_upset {
+                self.rate_deg_s = 0.0;
+                return (behind_deg / LAG_S).clamp(-fastest_deg_s, fastest_deg_s);
+            }
+            let pull = SWING_RAD_S * SWING_RAD_S * behind_deg;
+            let drag = 2.0 * SWING_DAMPING * SWING_RAD_S * self.rate_deg_s;
+            self.rate_deg_s + (pull - drag) * STEP_S
+        };
+        self.rate_deg_s
     }
 
     /// Turns at a rate that changes as fast as the acceleration lets it; at rest the heading is held again.

@@ -10,6 +10,8 @@ use crate::sim::parameters::Parameters;
 
 /// Unasked, the reasons against arming are told this often.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
+/// What newly speaks against arming is told this long after the last report.
+const REPORT_SOON: Duration = Duration::from_secs(4);
 /// The checks are made this often.
 const LOOK_STEPS: u64 = 100;
 /// The lowest throttle of a calibrated remote control, with the margin that is required to `FS_THR_VALUE`.
@@ -119,11 +121,15 @@ impl Autopilot {
             return;
         }
         let now = self.uptime();
+        let reasons = self.arming_obstacles();
+        let could_arm = std::mem::replace(&mut self.safety.may_arm, reasons.is_empty());
+        if could_arm && !self.safety.may_arm && self.safety.reports_at > now + REPORT_SOON {
+            self.safety.reports_at -= REPORT_EVERY.saturating_sub(REPORT_SOON);
+        }
         if now < self.safety.reports_at {
             return;
         }
         self.safety.reports_at = now + REPORT_EVERY;
-        let reasons = self.arming_obstacles();
         self.refuse("PreArm", &reasons);
     }
 

@@ -9,7 +9,7 @@ use crate::sim::estimator::Surroundings;
 use crate::sim::mode;
 use crate::sim::task::{Act, Task};
 use crate::sim::upset::Drive;
-use crate::sim::yaw::YawDemand;
+use crate::sim::yaw::{Turning, YawDemand};
 
 impl Autopilot {
     /// Lets the task steer the body for one step.
@@ -68,7 +68,11 @@ impl Autopilot {
     fn turn_nose(&mut self) {
         let moving = self.control.velocity_m_s.truncate();
         let here = self.body.position_m.truncate();
-        let turning = (self.tuning.slew_yaw_deg_s, self.tuning.yaw_accel_deg_s2);
+        let turning = Turning {
+            fastest_deg_s: self.tuning.slew_yaw_deg_s,
+            accel_deg_s2: self.tuning.yaw_accel_deg_s2,
+            is_upset: self.body.upset.is_some(),
+        };
         let rate = self.yaw.step(self.body.yaw_deg, moving, here, turning);
         self.body.turn(rate);
     }

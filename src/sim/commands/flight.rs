@@ -172,11 +172,8 @@ impl Autopilot {
             takeoff.goal_m.z = -height_m;
             return true;
         }
-        self.task = Task::Takeoff(Takeoff::new(
-            self.believed().position_m,
-            height_m,
-            self.uptime(),
-        ));
+        let begins = self.safety.takeoff_begins(self.uptime());
+        self.task = Task::Takeoff(Takeoff::new(self.believed().position_m, height_m, begins));
         self.yaw.settle(self.body.yaw_deg);
         true
     }

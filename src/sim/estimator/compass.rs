@@ -63,6 +63,11 @@ impl Compass {
         GOOD + off.abs() / GATE_MGAUSS
     }
 
+    /// The one in use, counted from 0; `None` if all have failed.
+    pub(super) fn in_use(&self) -> Option<usize> {
+        (!self.all_failed).then_some(self.used)
+    }
+
     /// Whether nothing is out of the ordinary.
     pub(super) fn is_settled(&self) -> bool {
         self.bad_since.is_none() && self.healthy != Some(false) && self.learnt_mgauss == 0.0

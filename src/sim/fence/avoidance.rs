@@ -16,11 +16,13 @@ use crate::sim::parameters::Parameters;
 const ACCEL_MAX_M_S2: f64 = 1.0;
 /// Backing away uses this share of it.
 const BACKING_SHARE: f64 = 0.4;
+/// A height that is estimated wanders by this much: it crosses a ceiling that it only comes near by itself.
+const WANDERS_M: f64 = 0.02;
 /// The gain of the position control (`PSC_POSXY_P`, `PSC_POSZ_P`).
 const POSITION_P: f64 = 1.0;
 /// Beyond the margin the vehicle looks this much further ahead when it is to stop instead of to slide.
 const LOOK_AHEAD_M: f64 = 0.02;
-/// After a pause of this length the limited velocity starts again from the wanted one.
+/// After a pause that is longer the limited velocity starts again from the wanted one.
 const MEMORY: Duration = Duration::from_millis(200);
 /// Avoidance counts as active this long after it last changed a velocity.
 const ACTIVE: Duration = Duration::from_millis(500);
@@ -68,12 +70,25 @@ pub(super) struct Edges<'a> {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Limiter {
     last: Option<(Duration, DVec3)>,
+    /// Whether the last pause that was exactly as long as the memory was not too long.
+    was_in_time: bool,
 }
 
 impl Limiter {
     /// Whether a velocity has been changed lately.
     pub(super) fn is_active(&self, now: Duration) -> bool {
         self.last.is_some_and(|(at, _)| now < at + ACTIVE)
+    }
+
+    /// Whether the limited velocity of a moment still counts. A ground station that sends five setpoints a second
+    /// meets the end of the memory exactly; the jitter of its link decides, here every other pause is too long.
+    fn remembers(&mut self, at: Duration, now: Duration) -> bool {
+        let pause = now.saturating_sub(at);
+        if pause == MEMORY {
+            self.was_in_time = !self.was_in_time;
+            return self.was_in_time;
+        }
+        pause < MEMORY
     }
 
     /// The velocity that the vehicle may fly at instead of the wanted one.
@@ -91,10 +106,9 @@ impl Limiter {
         if limited.distance_squared(wanted_m_s) < 1e-18 {
             return wanted_m_s;
         }
-        let before = match self.last {
-            Some((at, velocity)) if now <= at + MEMORY => velocity,
-            _ => wanted_m_s,
-        };
+        let last = self.last;
+        let last = last.filter(|(at, _)| self.remembers(*at, now));
+        let before = last.map_or(wanted_m_s, |(_, velocity)| velocity);
         if edges.rules.accel_max_m_s2 > 0.0 {
             let most = edges.rules.accel_max_m_s2 * STEP_S;
             limited = before + (limited - before).clamp_length_max(most);
@@ -163,7 +177,7 @@ impl Edges<'_> {
         }
         let accel = self.accel_m_s2.1.min(ACCEL_MAX_M_S2);
         let speed = square_root(headroom_m, POSITION_P, accel);
-        if headroom_m <= 0.0 {
+        if headroom_m <= WANDERS_M {
             (0.0, -speed)
         } else {
             (climb.min(speed), 0.0)

@@ -12,9 +12,6 @@ use crate::sim::place::Place;
 use crate::sim::plan::Item;
 use crate::sim::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::sim::yaw::YawDemand;
-/// A takeoff begins this long after arming at the earliest (`ARMING_DELAY_SEC` and the spooling up to idle): measured
-/// as 0.8 s more for a start 1.5 s after arming than for one 8 s after.
-const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2300);
 /// A takeoff from the ground goes at least this far up.
 const LEAST_CLIMB_M: f64 = 1.0;
 /// A circle begins at once within this distance of its edge.
@@ -100,9 +97,7 @@ impl Autopilot {
         if let Wait::Throttle(height_m) = self.mission.wait
             && self.mission.may_lift
         {
-            let begins = self
-                .uptime()
-                .max(self.mission.armed_at + LIFTS_AFTER_ARMING);
+            let begins = self.safety.takeoff_begins(self.uptime());
             let takeoff = Takeoff::new(self.believed().position_m, height_m, begins);
             self.fly_task(Task::Takeoff(takeoff), Wait::Nothing);
         }

@@ -1,0 +1,72 @@
+//! What comes between arming and the climb.
+
+use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
+
+use super::*;
+
+const ALIGNED: &str = "in-flight yaw alignment complete";
+
+fn alignments(ground: &Ground) -> usize {
+    let texts = ground.texts();
+    texts.iter().filter(|text| text.contains(ALIGNED)).count()
+}
+
+#[test]
+fn a_takeoff_right_after_arming_waits_for_the_motors() {
+    for (pause_s, lifted_s) in [(0.0, 4.0), (1.0, 3.0), (3.0, 1.8)] {
+        let mut ground = Ground::armed();
+        ground.run(pause_s);
+        ground.takeoff(10.0);
+        let waited_s = ground.until(10.0, |truth| !truth.on_ground);
+        assert!(
+            (waited_s - lifted_s).abs() < 0.4,
+            "{pause_s} s after arming it lifts after {waited_s} s"
+        );
+    }
+}
+
+#[test]
+fn the_yaw_is_aligned_once_in_each_flight_above_the_ground() {
+    let mut ground = Ground::armed();
+    ground.takeoff(10.0);
+    let height = |truth: &Truth| -truth.position_ned_m[2];
+    ground.until(20.0, |truth| height(truth) >= 2.4);
+    assert_eq!(alignments(&ground), 0);
+    ground.until(5.0, |truth| height(truth) >= 2.7);
+    // One for each core of the EKF.
+    assert_eq!(alignments(&ground), 2);
+    ground.run(10.0);
+    ground.goto([0.0, 0.0, -1.0]);
+    ground.run(15.0);
+    ground.goto([0.0, 0.0, -8.0]);
+    ground.run(15.0);
+    assert_eq!(alignments(&ground), 2, "still the same flight");
+    ground.long(MavCmd::MAV_CMD_NAV_LAND, [0.0]);
+    ground.run(40.0);
+    let mut again = ground;
+    again.arm();
+    again.takeoff(10.0);
+    again.run(20.0);
+    assert_eq!(alignments(&again), 4);
+}
+
+#[test]
+fn what_newly_forbids_arming_is_told_without_being_asked() {
+    let mut ground = Ground::new();
+    ground.run(40.0);
+    let told = |ground: &Ground| {
+        let texts = ground.texts();
+        texts
+            .iter()
+            .filter(|text| text.contains("PreArm: "))
+            .count()
+    };
+    assert_eq!(told(&ground), 0, "{:?}", ground.texts());
+    ground.set("SIM_GPS_DISABLE", 1.0);
+    ground.set("FENCE_ALT_MAX", -5.0);
+    ground.set("FENCE_ENABLE", 1.0);
+    ground.run(6.0);
+    assert!(told(&ground) > 0, "{:?}", ground.texts());
+    let refused = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
+    assert_eq!(refused, MavResult::MAV_RESULT_FAILED);
+}
