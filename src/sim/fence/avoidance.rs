@@ -70,25 +70,12 @@ pub(super) struct Edges<'a> {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Limiter {
     last: Option<(Duration, DVec3)>,
-    /// Whether the last pause that was exactly as long as the memory was not too long.
-    was_in_time: bool,
 }
 
 impl Limiter {
     /// Whether a velocity has been changed lately.
     pub(super) fn is_active(&self, now: Duration) -> bool {
         self.last.is_some_and(|(at, _)| now < at + ACTIVE)
-    }
-
-    /// Whether the limited velocity of a moment still counts. A ground station that sends five setpoints a second
-    /// meets the end of the memory exactly; the jitter of its link decides, here every other pause is too long.
-    fn remembers(&mut self, at: Duration, now: Duration) -> bool {
-        let pause = now.saturating_sub(at);
-        if pause == MEMORY {
-            self.was_in_time = !self.was_in_time;
-            return self.was_in_time;
-        }
-        pause < MEMORY
     }
 
     /// The velocity that the vehicle may fly at instead of the wanted one.
@@ -106,9 +93,10 @@ impl Limiter {
         if limited.distance_squared(wanted_m_s) < 1e-18 {
             return wanted_m_s;
         }
-        let last = self.last;
-        let last = last.filter(|(at, _)| self.remembers(*at, now));
-        let before = last.map_or(wanted_m_s, |(_, velocity)| velocity);
+        let before = match self.last {
+            Some((at, velocity)) if now <= at + MEMORY => velocity,
+            _ => wanted_m_s,
+        };
         if edges.rules.accel_max_m_s2 > 0.0 {
             let most = edges.rules.accel_max_m_s2 * STEP_S;
             limited = before + (limited - before).clamp_length_max(most);
