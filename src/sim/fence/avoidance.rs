@@ -16,13 +16,11 @@ use crate::sim::parameters::Parameters;
 const ACCEL_MAX_M_S2: f64 = 1.0;
 /// Backing away uses this share of it.
 const BACKING_SHARE: f64 = 0.4;
-/// A height that is estimated wanders by this much: it crosses a ceiling that it only comes near by itself.
-const WANDERS_M: f64 = 0.02;
 /// The gain of the position control (`PSC_POSXY_P`, `PSC_POSZ_P`).
 const POSITION_P: f64 = 1.0;
 /// Beyond the margin the vehicle looks this much further ahead when it is to stop instead of to slide.
 const LOOK_AHEAD_M: f64 = 0.02;
-/// After a pause that is longer the limited velocity starts again from the wanted one.
+/// After a pause of this length the limited velocity starts again from the wanted one.
 const MEMORY: Duration = Duration::from_millis(200);
 /// Avoidance counts as active this long after it last changed a velocity.
 const ACTIVE: Duration = Duration::from_millis(500);
@@ -165,7 +163,7 @@ impl Edges<'_> {
         }
         let accel = self.accel_m_s2.1.min(ACCEL_MAX_M_S2);
         let speed = square_root(headroom_m, POSITION_P, accel);
-        if headroom_m <= WANDERS_M {
+        if headroom_m <= 0.0 {
             (0.0, -speed)
         } else {
             (climb.min(speed), 0.0)
