@@ -23,6 +23,8 @@ pub(super) struct Barometer {
     pub(super) ratio: f64,
     /// Whether the estimator has gone without a height for too long.
     pub(super) lost: bool,
+    /// A number from -1 to 1, new for every reading.
+    pub(super) random: f64,
     /// What the barometer says beyond the truth, in metres up.
     pub(super) offset_m: f64,
 }
@@ -67,12 +69,12 @@ impl Barometer {
     fn reading_m(&mut self, fault: &BarometerFault, height_m: f64) -> f64 {
         // What has drifted stays until a reboot.
         self.drifted_m += fault.drift_m_s * STEP_S;
+        let noise_m = fault.noise_m * self.random;
+        let reading_m = height_m + fault.glitch_m + self.drifted_m + noise_m;
         if !fault.frozen {
             self.frozen_at_m = None;
-            return height_m + fault.glitch_m + self.drifted_m;
+            return reading_m;
         }
-        *self
-            .frozen_at_m
-            .get_or_insert(height_m + fault.glitch_m + self.drifted_m)
+        *self.frozen_at_m.get_or_insert(reading_m)
     }
 }

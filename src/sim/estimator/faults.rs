@@ -36,6 +36,8 @@ pub(in crate::sim) struct BarometerFault {
     /// Metres up.
     pub(in crate::sim) glitch_m: f64,
     pub(in crate::sim) drift_m_s: f64,
+    /// The most that one reading is off at random.
+    pub(in crate::sim) noise_m: f64,
 }
 
 /// What the receiver of a remote control delivers (`SIM_RC_FAIL`).
@@ -91,6 +93,8 @@ impl Faults {
         };
         faults.any = faults.gps.is_faulty()
             || faults.barometers.iter().any(BarometerFault::is_faulty)
+            // The second one always has a little noise, which counts where the first is disabled.
+            || faults.barometers[0].noise_m != 0.0
             || faults.compasses_failed.contains(&true)
             || faults.compass_errors_mgauss.iter().any(|off| *off > 1.0)
             || faults.has_stuck_accelerometer();
@@ -142,6 +146,7 @@ impl BarometerFault {
             frozen: (value("FREEZE") - 1.0).abs() < 0.5,
             glitch_m: value("GLITCH").clamp(-1e4, 1e4),
             drift_m_s: value("DRIFT").clamp(-100.0, 100.0),
+            noise_m: value("RND").clamp(-1e3, 1e3),
         }
     }
 

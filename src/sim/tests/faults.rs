@@ -250,6 +250,31 @@ fn a_barometer_that_errs_moves_the_vehicle_and_one_that_fails_does_not() {
 }
 
 #[test]
+fn a_barometer_that_drifts_freezes_or_shakes_takes_the_vehicle_along() {
+    let height_m = |seen: &Timeline| -seen.ground.truth().position_ned_m[2];
+    let mut drifting = hovering(15.0);
+    drifting.ground.set("SIM_BARO_DRIFT", 0.2);
+    drifting.run(20.0);
+    // 4 m have drifted; the estimate is 4 s behind.
+    assert!((height_m(&drifting) - 11.8).abs() < 0.5);
+
+    let mut frozen = hovering(15.0);
+    frozen.ground.set("SIM_BARO_FREEZE", 1.0);
+    frozen.ground.goto([0.0, 0.0, -18.0]);
+    frozen.run(8.0);
+    assert!(height_m(&frozen) > 18.5, "climbs past its height");
+
+    let mut shaking = hovering(15.0);
+    shaking.ground.set("SIM_BARO_RND", 5.0);
+    let mut off_m: f64 = 0.0;
+    for _ in 0..100 {
+        shaking.run(0.1);
+        off_m = off_m.max((height_m(&shaking) - 15.0).abs());
+    }
+    assert!((0.01..1.0).contains(&off_m), "{off_m}");
+}
+
+#[test]
 fn what_is_over_leaves_the_belief_as_the_truth() {
     let mut seen = hovering(10.0);
     for name in ["SIM_GPS_GLITCH_X", "SIM_BARO_GLITCH", "SIM_MAG1_FAIL"] {
