@@ -4,7 +4,7 @@
 //! installed is skipped, and the test says so.
 
 use std::io::{BufRead as _, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
@@ -23,8 +23,8 @@ impl Drop for Running {
 }
 
 /// The interpreter, if it has all the modules.
-fn python_with(modules: &[&str]) -> Option<String> {
-    let python = std::env::var("SORTIE_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+fn python_with(modules: &[&str]) -> Option<PathBuf> {
+    let python = interpreter();
     let probe = "import sys, importlib.util as u; sys.exit(any(u.find_spec(m) is None for m in sys.argv[1:]))";
     let found = Command::new(&python)
         .args(["-c", probe])
@@ -34,6 +34,18 @@ fn python_with(modules: &[&str]) -> Option<String> {
         .status()
         .is_ok_and(|status| status.success());
     found.then_some(python)
+}
+
+/// A relative path counts from here, not from the folder in which the scripts run; a bare name is looked for on PATH.
+/// Links are not followed: by its link an interpreter knows its virtual environment.
+fn interpreter() -> PathBuf {
+    let named = std::env::var_os("SORTIE_PYTHON").unwrap_or_else(|| "python3".into());
+    let path = PathBuf::from(named);
+    if path.components().count() > 1 {
+        std::path::absolute(&path).unwrap_or(path)
+    } else {
+        path
+    }
 }
 
 /// One vehicle on a free port, and its address.
