@@ -3,7 +3,15 @@
 use std::process::ExitCode;
 
 use clap::Parser as _;
+use sortie::hangar;
 
 fn main() -> ExitCode {
+    // Started by a hangar, this program becomes another; it is no command for people.
+    let words: Vec<_> = std::env::args_os().skip(1).collect();
+    if let [first, order @ ..] = words.as_slice()
+        && first == hangar::LAUNCH
+    {
+        return hangar::launch_stub(order);
+    }
     sortie::cli::main(sortie::cli::Arguments::parse())
 }

@@ -16,11 +16,12 @@ const PURE: &[&[&str]] = &[
     &["commands", "messages"],
     &["language"],
     &["session", "sim"],
+    &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["headless"],
 ];
 /// Modules with input and output: they may use pure ones, and those before them.
-const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet"]];
+const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar"]];
 /// The shell, lowest first.
 const SHELL: &[&[&str]] = &[&["app"], &["ui"], &["terminal"], &["console"], &["cli"]];
 

@@ -9,6 +9,7 @@ mod doctor;
 mod fidelity;
 mod fixtures;
 mod fleet;
+mod hangar;
 mod harness;
 mod inspector;
 mod layering;
