@@ -25,14 +25,18 @@ use crate::sitl::{Kind, Recipe};
 use crate::text;
 use crate::text::Text;
 
+pub mod client;
 mod instance;
 mod launcher;
 mod pool;
 mod probe;
 mod relay;
+pub mod service;
+mod token;
 
 pub use launcher::{LAUNCH, launch_stub};
 pub use pool::{Berth, Hangars, Place, Seen};
+pub use token::{Token, TokenError};
 
 /// Names an instance within its hangar.
 pub type InstanceId = u16;
@@ -191,6 +195,9 @@ pub struct Instance {
     pub last_output: Vec<String>,
     /// Its folder on the host.
     pub folder: String,
+    /// The TCP port on loopback that gives its MAVLink to anybody on the host, if a service has opened one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub port: Option<u16>,
 }
 
 /// What happens to an instance that has ended by itself.
@@ -285,6 +292,14 @@ pub enum Refusal {
     /// The hangar is being closed.
     #[error("the hangar is closing")]
     Closing,
+    /// A hangar elsewhere does not do it.
+    #[error("hangar {hangar}: {source}")]
+    Far {
+        /// What it is called.
+        hangar: String,
+        /// What it says, or why it says nothing.
+        source: client::ClientError,
+    },
 }
 
 impl From<&Refusal> for Text {
@@ -305,6 +320,9 @@ impl From<&Refusal> for Text {
                 )
             }
             Refusal::Closing => text!("hangar-closing"),
+            Refusal::Far { hangar, source } => {
+                text!("hangar-far", hangar = hangar, error = Text::from(source))
+            }
         }
     }
 }
@@ -447,6 +465,11 @@ impl Hangar {
 
     /// Ends all instances and waits until their processes are gone.
     pub async fn close(self) {
+        self.end().await;
+    }
+
+    /// Ends all instances, for one who shares the hangar with others, and waits until their processes are gone.
+    async fn end(&self) {
         self.0.cancel.cancel();
         self.0
             .seen
