@@ -30,10 +30,12 @@ mod instance;
 mod launcher;
 mod pool;
 mod probe;
+pub mod programs;
 mod relay;
 pub mod service;
 mod token;
 
+pub use crate::config::Restart;
 pub use launcher::{LAUNCH, launch_stub};
 pub use pool::{Berth, Hangars, Place, Seen};
 pub use token::{Token, TokenError};
@@ -198,17 +200,6 @@ pub struct Instance {
     /// The TCP port on loopback that gives its MAVLink to anybody on the host, if a service has opened one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub port: Option<u16>,
-}
-
-/// What happens to an instance that has ended by itself.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Restart {
-    /// It stays down until somebody asks.
-    #[default]
-    Never,
-    /// It is started again, later and later, until it has failed five times in a row.
-    Always,
 }
 
 /// What a hangar may use.
