@@ -25,13 +25,17 @@ use crate::sitl::{Kind, Recipe};
 use crate::text;
 use crate::text::Text;
 
+mod folder;
 mod instance;
 mod launcher;
+mod output;
 mod pool;
 mod probe;
+mod process;
 mod relay;
 
 pub use launcher::{LAUNCH, launch_stub};
+pub use output::{Line, Output};
 pub use pool::{Berth, Hangars, Place, Seen};
 
 /// Names an instance within its hangar.
