@@ -13,7 +13,7 @@
 
 use std::collections::BTreeMap;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -235,7 +235,10 @@ impl Hangar {
     pub async fn leftovers(&self) -> Vec<Leftover> {
         let mut leftovers = self.leftovers.clone();
         let ended = leftovers.wait_for(Option::is_some).await;
-        ended.ok().and_then(|ended| ended.clone()).unwrap_or_default()
+        ended
+            .ok()
+            .and_then(|ended| ended.clone())
+            .unwrap_or_default()
     }
 
     /// Starts an instance, in a folder that remembers nothing of one that had its number before; its stages can be
@@ -317,6 +320,11 @@ impl Hangar {
     /// The instances as they are now and will be.
     pub fn instances(&self) -> watch::Receiver<Instances> {
         self.shared.roster.watch()
+    }
+
+    /// Where its instances' folders are; its own, below the one that it was opened with.
+    pub fn folder(&self) -> &Path {
+        self.shared.run.path()
     }
 
     /// How full it is.

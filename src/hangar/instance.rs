@@ -16,7 +16,7 @@ use super::process::{Belongs, Connection};
 use super::progress::Progress;
 use super::relay::{Passed, Relay};
 use super::roster::Taken;
-use super::{Instance, InstanceId, Launch, Refusal, Request, Shared, Stage};
+use super::{Instance, Launch, Refusal, Request, Shared, Stage};
 use crate::sitl::{Door, Recipe};
 
 mod ending;

@@ -254,11 +254,15 @@ mod tests {
             (speedup(f64::NAN), "speedup"),
             (speedup(f64::INFINITY), "speedup"),
             (
-                launch(r#"{"home": {"lat_deg": 91, "lon_deg": 0, "altitude_m": 0, "heading_deg": 0}}"#),
+                launch(
+                    r#"{"home": {"lat_deg": 91, "lon_deg": 0, "altitude_m": 0, "heading_deg": 0}}"#,
+                ),
                 "latitude",
             ),
             (
-                launch(r#"{"home": {"lat_deg": 0, "lon_deg": 0, "altitude_m": 1e9, "heading_deg": 0}}"#),
+                launch(
+                    r#"{"home": {"lat_deg": 0, "lon_deg": 0, "altitude_m": 1e9, "heading_deg": 0}}"#,
+                ),
                 "altitude",
             ),
             (with_parameter("WPNAV_SPEED", f64::NAN), "WPNAV_SPEED"),
@@ -285,7 +289,10 @@ mod tests {
             launch(r#"{"frame": {"mass": 2.5}}"#),
             with_parameter("SIXTEEN_LETTERS_", -1.5),
         ] {
-            assert_eq!(launch.check().map_err(|refusal| refusal.to_string()), Ok(()));
+            assert_eq!(
+                launch.check().map_err(|refusal| refusal.to_string()),
+                Ok(())
+            );
         }
     }
 }

@@ -45,11 +45,7 @@ impl Roster {
     ///
     /// # Errors
     /// They are taken, or there are as many as there may be.
-    pub fn take(
-        &self,
-        launch: &Launch,
-        requests: mpsc::Sender<Request>,
-    ) -> Result<Taken, Refusal> {
+    pub fn take(&self, launch: &Launch, requests: mpsc::Sender<Request>) -> Result<Taken, Refusal> {
         let mut entries = self.entries();
         if running(&entries) >= self.limit {
             return Err(Refusal::Full(self.limit));
@@ -188,7 +184,9 @@ mod tests {
             ..Launch::default()
         };
         let (requests, _) = mpsc::channel(1);
-        roster.take(&launch, requests).map_err(|refusal| refusal.to_string())
+        roster
+            .take(&launch, requests)
+            .map_err(|refusal| refusal.to_string())
     }
 
     #[test]
@@ -225,6 +223,12 @@ mod tests {
         assert!(matches!(roster.revive(7), Err(Refusal::Unknown(7))));
         roster.forget(2);
         assert!(roster.revive(1).is_ok());
-        assert_eq!(roster.capacity(), Capacity { running: 1, free: 0 });
+        assert_eq!(
+            roster.capacity(),
+            Capacity {
+                running: 1,
+                free: 0
+            }
+        );
     }
 }

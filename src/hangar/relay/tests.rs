@@ -23,7 +23,10 @@ async fn bytes_go_both_ways() {
     assert_eq!(relay.pass().await, Passed::Instance);
     assert_eq!(relay.said(), b"heartbeat");
     let mut heard = [0; 9];
-    console.read_exact(&mut heard).await.expect("it is passed on");
+    console
+        .read_exact(&mut heard)
+        .await
+        .expect("it is passed on");
     assert_eq!(&heard, b"heartbeat");
     console.write_all(b"arm").await.expect("it reads");
     assert_eq!(relay.pass().await, Passed::Attached);
@@ -82,7 +85,11 @@ async fn an_instance_that_does_not_read_keeps_nobody_waiting_and_gets_whole_piec
     drop(console);
     let mut heard = 0;
     let mut space = vec![0; PIPE_LEN];
-    while relay.instance.as_ref().is_some_and(|end| !end.waiting.is_empty()) {
+    while relay
+        .instance
+        .as_ref()
+        .is_some_and(|end| !end.waiting.is_empty())
+    {
         heard += instance.read(&mut space).await.expect("it is there");
         let _ = relay.pass().now_or_never();
     }
