@@ -10,10 +10,9 @@ use super::settings::Settings;
 mod command;
 mod identify;
 mod serve;
-mod services;
+pub(super) mod services;
 mod status;
 
-pub(super) use services::ServiceOptions;
 use services::token_file;
 
 /// Options of `sortie hangar`.

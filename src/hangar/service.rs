@@ -18,6 +18,7 @@ use tokio::sync::{Semaphore, watch};
 use tokio_util::sync::CancellationToken;
 use utoipa::ToSchema;
 
+use super::process::Connection;
 use super::token::{Token, TokenError};
 use super::{Capacity, Hangar, Instance, InstanceId, Instances, Limits, Restart};
 use crate::sitl::Kind;
@@ -50,8 +51,8 @@ const GRACE: Duration = Duration::from_secs(1);
 pub type Owner = fn(SocketAddr, SocketAddr) -> Option<u32>;
 
 /// Whose program it is, by what the system says of its connections.
-pub fn owner(_peer: SocketAddr, _local: SocketAddr) -> Option<u32> {
-    None
+pub fn owner(peer: SocketAddr, local: SocketAddr) -> Option<u32> {
+    Connection { peer, local }.user()
 }
 
 /// How a service is set up.
@@ -69,8 +70,6 @@ pub struct Setup {
     pub owner: Owner,
     /// The programs, as people are told of them.
     pub programs: Vec<Program>,
-    /// Processes of an earlier life that were found.
-    pub leftovers: Vec<String>,
     /// What happens to instances that end by themselves.
     pub restart: Restart,
     /// What the hangar may use.
@@ -181,7 +180,7 @@ pub async fn serve(
     // Whoever is still busy after that is cut off.
     let _ = tokio::time::timeout(GRACE, all).await;
     connections.shutdown().await;
-    desk.hangar.end().await;
+    desk.hangar.close().await;
     Ok(())
 }
 

@@ -99,7 +99,6 @@ impl Served {
                 file: "arducopter".to_owned(),
                 identity: "a stand-in".to_owned(),
             }],
-            leftovers: Vec::new(),
             restart: Restart::Never,
             limits,
         };

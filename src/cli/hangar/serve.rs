@@ -100,7 +100,6 @@ pub(super) fn serve(options: &ServeArguments, settings: &Settings) -> Result<Exi
         bounds: Bounds::default(),
         owner: service::owner,
         programs: programs(options, settings),
-        leftovers: Vec::new(),
         restart: config.restart,
         limits: config.limits,
     };
@@ -114,6 +113,9 @@ pub(super) fn serve(options: &ServeArguments, settings: &Settings) -> Result<Exi
         warn(address, options);
         log(format_args!("the token is in {}", token_file.display()));
         let reporting = tokio::spawn(report(hangar.instances()));
+        for leftover in hangar.leftovers().await {
+            log(format_args!("left over: {leftover}"));
+        }
         service::serve(listener, hangar, setup, cancel).await?;
         ended.abort();
         // What there was to say has been said when nobody can say more.
@@ -138,15 +140,11 @@ fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failu
         memory_mib: options.memory.unwrap_or(set.memory),
         ..Limits::default()
     };
-    let restart = match set.restart {
-        crate::config::Restart::Never => Restart::Never,
-        crate::config::Restart::Always => Restart::Always,
-    };
     Ok(Config {
         programs: options.programs.find(settings).paths(),
         folder,
         limits,
-        restart: options.restart.map_or(restart, Restart::from),
+        restart: options.restart.map_or(set.restart, Restart::from),
         sortie: std::env::current_exe()?,
     })
 }

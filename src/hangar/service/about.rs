@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use axum::Json;
 use axum::extract::State;
+use futures_util::FutureExt as _;
 
 use super::{Desk, Status};
 
@@ -12,6 +13,8 @@ use super::{Desk, Status};
     (status = 200, description = "How the service is doing", body = Status),
 ))]
 pub(super) async fn status(State(desk): State<Arc<Desk>>) -> Json<Status> {
+    // They are still being ended for a moment after the start.
+    let leftovers = desk.hangar.leftovers().now_or_never().unwrap_or_default();
     Json(Status {
         version: env!("SORTIE_VERSION").to_owned(),
         life: desk.life.clone(),
@@ -19,7 +22,7 @@ pub(super) async fn status(State(desk): State<Arc<Desk>>) -> Json<Status> {
         capacity: desk.hangar.capacity(),
         limits: desk.setup.limits,
         restart: desk.setup.restart,
-        leftovers: desk.setup.leftovers.clone(),
+        leftovers: leftovers.iter().map(ToString::to_string).collect(),
     })
 }
 

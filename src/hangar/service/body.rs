@@ -27,6 +27,11 @@ pub(super) async fn json<T: DeserializeOwned>(
             .hint("send the header `Content-Type: application/json`"));
     }
     let bytes = read(request, bounds).await?;
+    // What is to have names may not come without them.
+    if bytes.trim_ascii_start().first() == Some(&b'[') {
+        let error = "the body: a list; expected an object at line 1 column 1";
+        return Err(Problem::new(StatusCode::BAD_REQUEST, error));
+    }
     serde_json::from_slice(&bytes).map_err(|error| {
         Problem::new(StatusCode::BAD_REQUEST, format!("the body: {error}"))
             .hint("GET /openapi.json describes what is expected")

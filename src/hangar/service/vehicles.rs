@@ -12,7 +12,7 @@ use tokio::sync::OwnedSemaphorePermit;
 use utoipa::ToSchema;
 
 use super::{Desk, Problem, body};
-use crate::hangar::{Instance, InstanceId, Launch, Refusal, Stage};
+use crate::hangar::{Instance, InstanceId, Launch, Line, Refusal, Stage};
 
 /// How long one waits for readiness unless told otherwise, and at most, in seconds.
 const READY_S: u32 = 60;
@@ -26,7 +26,7 @@ const LINES: usize = 100;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Printed {
     /// The lines, oldest first.
-    pub lines: Vec<String>,
+    pub lines: Vec<Line>,
     /// What to give as `since` to be told only what comes after these.
     pub next: u64,
 }
@@ -174,12 +174,10 @@ pub(super) async fn output(
     let id = body::id(&id)?;
     let known = ["lines", "since"];
     let lines = body::number(&request, "lines", &known)?.unwrap_or(LINES);
-    let since: Option<u64> = body::number(&request, "since", &known)?;
-    let instance = desk.instance(id)?;
-    let all = instance.last_output;
-    let next = all.len() as u64;
-    let lines = all.into_iter().rev().take(lines).rev().collect();
-    let _ = since;
+    let since = body::number(&request, "since", &known)?.unwrap_or(0);
+    let mut all = desk.hangar.output(id, since)?;
+    let next = all.last().map_or(since, |line| line.number + 1);
+    let lines = all.split_off(all.len().saturating_sub(lines));
     Ok(Json(Printed { lines, next }))
 }
 

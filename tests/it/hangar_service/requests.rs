@@ -118,7 +118,7 @@ async fn what_makes_no_sense_is_refused_with_what_is_wrong_and_where() {
     for (body, expected) in [
         ("", "EOF while parsing a value at line 1 column 0"),
         ("{", "EOF while parsing an object at line 1 column 1"),
-        ("[]", "invalid"),
+        ("[]", "a list; expected an object at line 1 column 1"),
         (
             "{\"id\": \"one\"}",
             "invalid type: string \"one\", expected u16 at line 1 column 12",
