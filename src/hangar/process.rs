@@ -100,15 +100,6 @@ impl Connection {
         })
     }
 
-    /// Whether it comes from a process of this program's user.
-    pub fn is_of_own_user(self) -> Belongs {
-        match system::socket(self) {
-            Some(socket) if socket.user == own_user() => Belongs::Yes,
-            Some(_) => Belongs::No,
-            None => Belongs::Unknown,
-        }
-    }
-
     /// The user whose process it comes from; `None` if the system does not tell, or the connection is gone.
     pub fn user(self) -> Option<u32> {
         system::socket(self).map(|socket| socket.user)

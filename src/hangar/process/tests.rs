@@ -98,7 +98,7 @@ async fn connection(listen_at: &str, connect_to: &str) -> (TcpStream, TcpStream)
 async fn a_connection_belongs_to_the_process_that_holds_it() {
     let (_client, accepted) = connection("127.0.0.1:0", "127.0.0.1").await;
     let connection = Connection::of(&accepted).expect("connected");
-    assert_eq!(connection.is_of_own_user(), Belongs::Yes);
+    assert_eq!(connection.user(), Some(own_user()));
     assert_eq!(connection.is_of_process(std::process::id()), Belongs::Yes);
     let sleeper = Sleeper::start();
     // What the sleeper inherits is closed when it becomes `sleep`.
@@ -135,7 +135,7 @@ async fn a_connection_that_is_gone_belongs_to_nobody() {
         connection.is_of_process(std::process::id()),
         Belongs::Unknown
     );
-    assert_eq!(connection.is_of_own_user(), Belongs::Unknown);
+    assert_eq!(connection.user(), None);
 }
 
 #[test]

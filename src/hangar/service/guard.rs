@@ -13,6 +13,7 @@ use axum::middleware::Next;
 use axum::response::{IntoResponse as _, Response};
 
 use super::{Desk, Owner, Problem};
+use crate::hangar::process::own_user;
 
 /// The two ends of a connection.
 #[derive(Debug)]
@@ -37,7 +38,7 @@ impl Line {
         let uid = || *self.owner.get_or_init(|| owner(self.peer, self.local));
         on_loopback(self.peer)
             && on_loopback(self.local)
-            && uid().is_some_and(|uid| uid == 0 || uid == nix::unistd::geteuid().as_raw())
+            && uid().is_some_and(|uid| uid == 0 || uid == own_user())
     }
 }
 

@@ -87,3 +87,49 @@ impl AsyncWrite for Patient {
         Pin::new(&mut self.stream).poll_shutdown(context)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
+    use tokio::net::TcpListener;
+
+    use super::*;
+
+    async fn pair() -> (TcpStream, TcpStream) {
+        let listener = TcpListener::bind("127.0.0.1:0").await.expect("a port");
+        let address = listener.local_addr().expect("it is bound");
+        let (there, here) = tokio::join!(TcpStream::connect(address), listener.accept());
+        (there.expect("it listens"), here.expect("it is asked").0)
+    }
+
+    #[tokio::test]
+    async fn one_who_takes_nothing_is_given_up_on() {
+        let (_there, here) = pair().await;
+        let mut here = Patient::new(here, Duration::from_millis(50));
+        // More than all buffers between the two hold.
+        let error = async {
+            loop {
+                if let Err(error) = here.write_all(&[0; 65_536]).await {
+                    return error;
+                }
+            }
+        };
+        assert_eq!(error.await.kind(), io::ErrorKind::TimedOut);
+    }
+
+    #[tokio::test]
+    async fn one_who_takes_something_now_and_then_is_not() {
+        let (mut there, here) = pair().await;
+        let mut here = Patient::new(here, Duration::from_secs(60));
+        let sent = tokio::spawn(async move {
+            for _ in 0..200 {
+                here.write_all(&[7; 65_536]).await?;
+            }
+            here.shutdown().await
+        });
+        let mut heard = Vec::new();
+        there.read_to_end(&mut heard).await.expect("it is open");
+        sent.await.expect("no panic").expect("it is taken");
+        assert_eq!(heard.len(), 200 * 65_536);
+    }
+}
