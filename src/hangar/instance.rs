@@ -330,7 +330,10 @@ impl Task {
                 }
                 Event::Passed(passed)
             }
-            Ok((stream, _)) = self.listener.accept() => Event::Connected(stream),
+            // Whoever connects is looked at once it is known which process may.
+            Ok((stream, _)) = self.listener.accept(), if self.shown.pid.is_some() => {
+                Event::Connected(stream)
+            }
             () = sleep_until(idle_at.map_or(until, |at| at.min(until))) => {
                 if idle_at.is_some_and(|at| at <= Moment::now()) {
                     Event::Over(None)
@@ -400,10 +403,7 @@ impl Task {
     }
 
     fn diagnosis(&self, lack: String, meter: &Meter) -> String {
-        let mut told = lack;
-        if let Some(busy) = meter.busy() {
-            told.push_str(&busy);
-        }
+        let mut told = lack + &meter.told();
         if let Some(line) = self.output.last(1).pop() {
             told.push_str("; its last output: ");
             told.push_str(&line.text);

@@ -93,10 +93,6 @@ impl Program {
                 let child = child.arg("300").stdout(Stdio::null()).spawn();
                 println!("child {}", child.expect("it starts").id());
             }
-            #[cfg(target_os = "linux")]
-            Behaviour::OutlivesItsOwner => {
-                nix::sys::prctl::set_pdeathsig(None).expect("it may");
-            }
             Behaviour::FloodsItsOutput => drop(thread::spawn(flood)),
             _ => {}
         }
@@ -248,8 +244,8 @@ fn connect(door: SocketAddr) -> TcpStream {
 }
 
 fn flood() {
-    let junk = [b'#'; FLOOD_LEN];
-    while std::io::stdout().write_all(&junk).is_ok() {
+    let junk = "#################################################\n".repeat(FLOOD_LEN / 50);
+    while std::io::stdout().write_all(junk.as_bytes()).is_ok() {
         thread::sleep(Duration::from_millis(50));
     }
 }
