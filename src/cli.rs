@@ -80,7 +80,7 @@ enum Command {
     /// The embedded simulator as a server for any ground station.
     Sim(sim::SimArguments),
     /// SITL processes on this host: a service that starts, watches and ends them, and how to start one by hand.
-    Hangar(hangar::HangarArguments),
+    Hangar(Box<hangar::HangarArguments>),
     /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
     /// column.
     #[command(after_help = "Examples:\n  \

@@ -31,6 +31,7 @@ mod pool;
 mod probe;
 pub mod programs;
 mod relay;
+pub mod sockets;
 
 pub use crate::config::Restart;
 pub use launcher::{LAUNCH, launch_stub};

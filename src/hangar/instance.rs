@@ -49,7 +49,9 @@ pub(super) async fn begin(
     let address = listener
         .local_addr()
         .map_err(refuse("listen on 127.0.0.1".to_owned()))?;
-    let command = boot.command_line(Door::Outwards(address));
+    let command = boot
+        .command_line(Door::Outwards(address))
+        .map_err(|unfit| Refusal::Invalid(unfit.to_string()))?;
     for (name, text) in &command.files {
         let path = folder.join(name);
         std::fs::write(&path, text).map_err(refuse(format!("write {}", path.display())))?;
