@@ -25,16 +25,21 @@ use crate::sitl::{Kind, Recipe};
 use crate::text;
 use crate::text::Text;
 
+mod folder;
 mod instance;
 mod launcher;
+mod output;
 mod pool;
 mod probe;
+mod process;
 pub mod programs;
 mod relay;
 pub mod sockets;
 
 pub use crate::config::Restart;
+pub use folder::{Leftover, leftovers};
 pub use launcher::{LAUNCH, launch_stub};
+pub use output::{Line, Output};
 pub use pool::{Berth, Hangars, Place, Seen};
 
 /// Names an instance within its hangar.

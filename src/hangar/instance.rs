@@ -9,13 +9,13 @@ use std::time::Duration;
 
 use tokio::io::{AsyncBufReadExt as _, AsyncRead, BufReader};
 use tokio::net::TcpListener;
-use tokio::process::Child;
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant as Moment, interval};
 
+use super::launcher::{self, LaunchError, Running};
 use super::probe::Probe;
 use super::relay::{Read, Relay};
-use super::{Instance, InstanceId, Refusal, Request, Shared, Stage, launcher};
+use super::{Instance, InstanceId, Refusal, Request, Shared, Stage};
 use crate::sitl::{Door, Recipe};
 
 /// How often an instance that boots is asked how far it is.
@@ -119,10 +119,7 @@ impl Task {
         let done = loop {
             let end = match self.start().await {
                 Ok(child) => self.live(child, &mut requests).await,
-                Err(error) => End::Fault(format!(
-                    "cannot start {}: {error}",
-                    self.order.program.display()
-                )),
+                Err(error) => End::Fault(error.to_string()),
             };
             self.relay.disconnect();
             self.shown.pid = None;
@@ -146,7 +143,7 @@ impl Task {
         }
     }
 
-    async fn start(&mut self) -> io::Result<Child> {
+    async fn start(&mut self) -> Result<Running, LaunchError> {
         self.shown.fault = None;
         self.shown.last_output.clear();
         self.set_stage(Stage::Queued);
@@ -156,13 +153,13 @@ impl Task {
             folder: self.order.folder.clone(),
         };
         let child = self.shared.launcher.launch(order).await?;
-        self.shown.pid = child.id();
+        self.shown.pid = Some(child.pid());
         self.set_stage(Stage::Process);
         Ok(child)
     }
 
     /// Waits for what becomes of a process that runs.
-    async fn live(&mut self, mut child: Child, requests: &mut mpsc::Receiver<Request>) -> End {
+    async fn live(&mut self, mut child: Running, requests: &mut mpsc::Receiver<Request>) -> End {
         let begun = Moment::now();
         let mut probe = Probe::new(self.shown.system, self.speedup, begun.elapsed());
         let mut lines = Lines::of(&mut child);
@@ -235,9 +232,9 @@ impl Task {
 }
 
 /// Ends a process and waits until it is gone.
-async fn end(child: &mut Child) {
+async fn end(child: &mut Running) {
     // Failing means that it has ended.
-    drop(child.kill().await);
+    drop(child.end().await);
 }
 
 fn reason(status: io::Result<ExitStatus>) -> String {
@@ -256,14 +253,15 @@ struct Lines {
 }
 
 impl Lines {
-    fn of(child: &mut Child) -> Self {
+    fn of(child: &mut Running) -> Self {
         let mut readers = Vec::new();
         let mut add =
             |pipe: Box<dyn AsyncRead + Send + Unpin>| readers.push(BufReader::new(pipe).lines());
-        if let Some(out) = child.stdout.take() {
+        let (out, err) = child.take_output();
+        if let Some(out) = out {
             add(Box::new(out));
         }
-        if let Some(err) = child.stderr.take() {
+        if let Some(err) = err {
             add(Box::new(err));
         }
         Self {
