@@ -1,15 +1,13 @@
 //! The options that name SITL's programs, and what else may name them.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use super::settings::Settings;
-use crate::config::Origin;
 use crate::hangar::programs::{Named, Places, Programs};
 use crate::sitl::Kind;
-use crate::store;
 
 /// Options of commands that start SITL.
 #[derive(Debug, Default, Args)]
@@ -35,12 +33,12 @@ impl ProgramOptions {
         let places = Places::of_environment();
         let named: BTreeMap<Kind, Named> = Kind::ALL
             .into_iter()
-            .filter_map(|kind| Some((kind, self.named(kind, settings, &places)?)))
+            .filter_map(|kind| Some((kind, self.named(kind, settings)?)))
             .collect();
         Programs::find(&named, &places)
     }
 
-    fn named(&self, kind: Kind, settings: &Settings, places: &Places) -> Option<Named> {
+    fn named(&self, kind: Kind, settings: &Settings) -> Option<Named> {
         let set = &settings.config.hangar;
         let (option, set) = match kind {
             Kind::Copter => (&self.arducopter, &set.arducopter),
@@ -56,18 +54,8 @@ impl ProgramOptions {
         let origin = settings
             .layers
             .origin(&format!("hangar.{}", kind.program()));
-        let file = within(set.as_deref()?, origin, settings.file.as_deref(), places);
+        let file = PathBuf::from(set.as_deref()?);
         let by = origin.to_string();
         Some(Named { file, by })
     }
-}
-
-/// A path as it was set: one in the configuration file lies beside that file, and may begin with the home folder.
-fn within(path: &str, origin: &Origin, config_file: Option<&Path>, places: &Places) -> PathBuf {
-    if !matches!(origin, Origin::File { .. }) {
-        return PathBuf::from(path);
-    }
-    let folder = config_file.and_then(Path::parent);
-    let folder = places.here.join(folder.unwrap_or(Path::new("")));
-    folder.join(store::user_path(path))
 }

@@ -104,7 +104,6 @@ pub(super) fn choose(
         let has_motors = motors.is_none_or(|motors| motors == model.motors);
         has_motors && disagreement(model, &asked).is_none()
     };
-    let fitting = || -> Vec<&str> { of(kind).filter(|it| fits(it)).map(|it| it.name).collect() };
     let Some(name) = name else {
         // Without a frame file it is the default that SITL has: four motors.
         let usual = of(kind).next().map_or(0, |model| model.motors);
@@ -122,12 +121,16 @@ pub(super) fn choose(
             known: of(kind).map(|model| model.name).collect(),
         });
     };
+    let fitting = |motors: usize| -> Vec<&str> {
+        let alike = of(kind).filter(|it| it.motors == motors && fits(it));
+        alike.map(|it| it.name).collect()
+    };
     if let Some(motors) = motors.filter(|motors| *motors != model.motors) {
         return Err(Unfit::Motors {
             model: model.name,
             has: model.motors,
             motors,
-            fitting: fitting(),
+            fitting: fitting(motors),
         });
     }
     match disagreement(model, &asked) {
@@ -137,7 +140,7 @@ pub(super) fn choose(
             parameter,
             needed,
             asked,
-            fitting: fitting(),
+            fitting: fitting(model.motors),
         }),
     }
 }

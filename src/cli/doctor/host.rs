@@ -164,7 +164,7 @@ pub(super) fn token(settings: &Settings) -> Option<Finding> {
         .as_ref()
         .map(PathBuf::from);
     let is_named = set.is_some();
-    let path = set.or_else(|| Some(settings.folders.as_ref()?.state.join("hangar.token")))?;
+    let path = set.or_else(|| Some(settings.folders.as_ref()?.state.join("hangar-token")))?;
     let name = path.display();
     let about = "hangar token";
     Some(match fs::metadata(&path) {

@@ -24,9 +24,9 @@ pub(super) async fn programs(all: &Programs) -> Vec<Finding> {
     for kind in Kind::ALL {
         match all.of(kind) {
             Ok(found) => findings.extend(program(kind, &found.file, &found.by).await),
-            Err(Missing::Nowhere { program, tried }) => {
+            Err(Missing::Nowhere { program, .. }) => {
                 // Multirotors are what missions are made for.
-                let found = format!("not found in {} folders", tried.len());
+                let found = "neither on the PATH nor in a usual build folder";
                 findings.push(if kind == Kind::Copter {
                     let mend = format!("name one with --{program}, SORTIE_ARDUCOPTER or the configuration; to get one: {GET}");
                     Finding::note(program, found, mend)

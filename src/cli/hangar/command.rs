@@ -289,7 +289,7 @@ fn parameter_file(path: &Path) -> Result<Vec<(String, f64)>, Failure> {
 /// Everything for a POSIX shell: in a subshell, so that nothing of the shell that it is pasted into changes, and
 /// which stays the parent of the instances, because SITL ends when its parent does.
 fn script(options: &CommandArguments, orders: &[Order]) -> String {
-    let mut text = String::from("(\n");
+    let mut text = String::from("(\npids=\n");
     for order in orders {
         let folder = quoted(&order.folder);
         text.push_str(&order.preparation);

@@ -84,7 +84,7 @@ fn one_that_is_nowhere_tells_where_it_was_looked_for() {
     let programs = Programs::find(&BTreeMap::new(), &home.places());
     let missing = programs.of(Kind::Sub).expect_err("there is none");
     let text = missing.to_string();
-    assert!(text.starts_with("no ardusub in "), "{text}");
+    assert!(text.starts_with("no ardusub on the PATH nor in "), "{text}");
     assert!(text.contains("/home/ardupilot/build/sitl/bin"), "{text}");
 }
 
