@@ -1,29 +1,28 @@
 //! The options that name SITL's programs, and what else may name them.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use super::settings::Settings;
-use crate::config::Origin;
 use crate::hangar::programs::{Named, Places, Programs};
 use crate::sitl::Kind;
 
 /// Options of commands that start SITL.
 #[derive(Debug, Default, Args)]
 pub(super) struct ProgramOptions {
-    /// SITL's program of multirotors; by default the one of the configuration, of SORTIE_ARDUCOPTER, on the PATH or in
+    /// SITL's program of multirotors; by default the one of the configuration, of `SORTIE_ARDUCOPTER`, on the PATH or in
     /// a usual build folder.
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arducopter: Option<PathBuf>,
-    /// The one of planes (SORTIE_ARDUPLANE).
+    /// The one of planes (`SORTIE_ARDUPLANE`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arduplane: Option<PathBuf>,
-    /// The one of rovers and boats (SORTIE_ARDUROVER).
+    /// The one of rovers and boats (`SORTIE_ARDUROVER`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardurover: Option<PathBuf>,
-    /// The one of submarines (SORTIE_ARDUSUB).
+    /// The one of submarines (`SORTIE_ARDUSUB`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardusub: Option<PathBuf>,
 }
@@ -34,12 +33,12 @@ impl ProgramOptions {
         let places = Places::of_environment();
         let named: BTreeMap<Kind, Named> = Kind::ALL
             .into_iter()
-            .filter_map(|kind| Some((kind, self.named(kind, settings, &places)?)))
+            .filter_map(|kind| Some((kind, self.named(kind, settings)?)))
             .collect();
         Programs::find(&named, &places)
     }
 
-    fn named(&self, kind: Kind, settings: &Settings, places: &Places) -> Option<Named> {
+    fn named(&self, kind: Kind, settings: &Settings) -> Option<Named> {
         let set = &settings.config.hangar;
         let (option, set) = match kind {
             Kind::Copter => (&self.arducopter, &set.arducopter),
@@ -55,22 +54,8 @@ impl ProgramOptions {
         let origin = settings
             .layers
             .origin(&format!("hangar.{}", kind.program()));
-        let file = within(set.as_deref()?, origin, settings.file.as_deref(), places);
+        let file = PathBuf::from(set.as_deref()?);
         let by = origin.to_string();
         Some(Named { file, by })
-    }
-}
-
-/// A path as it was set: one in the configuration file lies beside that file, and may begin with the home folder.
-fn within(path: &str, origin: &Origin, config_file: Option<&Path>, places: &Places) -> PathBuf {
-    if !matches!(origin, Origin::File { .. }) {
-        return PathBuf::from(path);
-    }
-    match (path.strip_prefix("~/"), &places.home) {
-        (Some(rest), Some(home)) => home.join(rest),
-        _ => {
-            let folder = config_file.and_then(Path::parent);
-            places.here.join(folder.unwrap_or(Path::new(""))).join(path)
-        }
     }
 }

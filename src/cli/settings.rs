@@ -170,6 +170,7 @@ pub(super) fn gather(common: &Common) -> Result<Settings, Failure> {
     settings.config = settings.layers.config();
     settings.choose_theme()?;
     settings.check_log()?;
+    settings.place_hangar_files();
     settings.read_keymap()?;
     Ok(settings)
 }
@@ -269,6 +270,34 @@ impl Settings {
             *file = folders.state.join(&file).display().to_string();
         }
         Ok(())
+    }
+
+    /// Paths of the section hangar in the configuration file lie beside it, unless they say otherwise.
+    fn place_hangar_files(&mut self) {
+        let folder = self.file.as_deref().and_then(Path::parent);
+        let folder = folder.unwrap_or(Path::new("")).to_owned();
+        let of_file = [
+            "arducopter",
+            "arduplane",
+            "ardurover",
+            "ardusub",
+            "folder",
+            "token_file",
+        ]
+        .map(|key| self.is_of_file(&format!("hangar.{key}")));
+        let set = &mut self.config.hangar;
+        let paths = [
+            &mut set.arducopter,
+            &mut set.arduplane,
+            &mut set.ardurover,
+            &mut set.ardusub,
+            &mut set.folder,
+            &mut set.token_file,
+        ];
+        let paths = paths.into_iter().zip(of_file);
+        for path in paths.filter_map(|(path, of_file)| path.as_mut().filter(|_| of_file)) {
+            *path = folder.join(store::user_path(path)).display().to_string();
+        }
     }
 
     fn read_keymap(&mut self) -> Result<(), Failure> {

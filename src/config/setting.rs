@@ -174,7 +174,7 @@ pub const SETTINGS: &[Setting] = &[
         "hangar.token_file",
         Kind::Text,
         Some("SORTIE_HANGAR_TOKEN_FILE"),
-        "The file with the token of the services; unless it is set, hangar.token in the folder of the state.",
+        "The file with the token of the services; unless it is set, hangar-token in the folder of the state.",
     ),
     setting(
         "macros",

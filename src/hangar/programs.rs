@@ -10,6 +10,14 @@ use serde::Serialize;
 
 use crate::sitl::Kind;
 
+mod identity;
+mod scratch;
+
+#[cfg(test)]
+mod tests;
+
+pub use identity::{Identity, PATIENCE, Unknown, identify};
+
 /// Where builds of `ArduPilot` put their programs, below the home folder and below the current one.
 const BUILDS_AT_HOME: [&str; 4] = [
     "ardupilot",
@@ -18,6 +26,8 @@ const BUILDS_AT_HOME: [&str; 4] = [
     "dev/ardupilot",
 ];
 const BUILDS_HERE: [&str; 3] = ["", "ardupilot", "../ardupilot"];
+/// What such a folder is called in answers.
+const BUILD: &str = "usual build folder";
 const BUILD_FOLDER: &str = "build/sitl/bin";
 
 /// A program that the user has named.
@@ -58,14 +68,14 @@ impl Places {
         let mut folders: Vec<_> = path.map(|folder| (folder, "PATH")).collect();
         for build in BUILDS_HERE {
             let folder = self.here.join(build).join(BUILD_FOLDER);
-            folders.push((folder, "usual build folder"));
+            folders.push((folder, BUILD));
         }
         for build in self
             .home
             .iter()
             .flat_map(|home| BUILDS_AT_HOME.map(|build| home.join(build)))
         {
-            folders.push((build.join(BUILD_FOLDER), "usual build folder"));
+            folders.push((build.join(BUILD_FOLDER), BUILD));
         }
         folders
     }
@@ -93,12 +103,12 @@ pub enum Missing {
         /// What is wrong with it.
         reason: String,
     },
-    /// It is in none of these folders.
-    #[error("no {program} in {}", list(.tried))]
+    /// It is neither on the PATH nor in these folders.
+    #[error("no {program} on the PATH nor in {}", list(.tried))]
     Nowhere {
         /// What it is called.
         program: &'static str,
-        /// Where it was looked for.
+        /// Where builds usually are.
         tried: Vec<PathBuf>,
     },
 }
@@ -181,7 +191,8 @@ fn first_in(folders: &[(PathBuf, &str)], kind: Kind) -> Result<Found, Missing> {
             });
         }
     }
-    let tried = folders.iter().map(|(folder, _)| folder.clone()).collect();
+    let builds = folders.iter().filter(|(_, what)| *what == BUILD);
+    let tried = builds.map(|(folder, _)| folder.clone()).collect();
     Err(Missing::Nowhere {
         program: kind.program(),
         tried,
