@@ -5,8 +5,10 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use futures_util::future::join_all;
 use tokio::net::TcpListener;
 use tokio::signal::unix::{SignalKind, signal};
 use tokio::sync::watch;
@@ -15,9 +17,12 @@ use tokio_util::sync::CancellationToken;
 use super::super::programs::ProgramOptions;
 use super::super::settings::Settings;
 use super::super::{Failure, runtime};
+use crate::hangar::programs;
 use crate::hangar::service::{self, Bounds, Change, PORT, Program, Setup, changes};
 use crate::hangar::{Config, Hangar, Instance, Instances, Limits, Restart, Stage, Token};
-use crate::sitl::Kind;
+
+/// How long a program may take to say what it is.
+const IDENTIFIED: Duration = Duration::from_secs(3);
 
 /// Options of the service.
 #[derive(Debug, Args)]
@@ -93,13 +98,13 @@ pub(super) fn serve(options: &ServeArguments, settings: &Settings) -> Result<Exi
     let token_file = super::token_file(options.token_file.as_deref(), settings)?;
     let token = Token::load_or_create(&token_file)
         .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
-    let setup = Setup {
+    let mut setup = Setup {
         token,
         require_token: options.require_token,
         expose: options.expose,
         bounds: Bounds::default(),
         owner: service::owner,
-        programs: programs(options, settings),
+        programs: Vec::new(),
         restart: config.restart,
         limits: config.limits,
     };
@@ -113,6 +118,7 @@ pub(super) fn serve(options: &ServeArguments, settings: &Settings) -> Result<Exi
         warn(address, options);
         log(format_args!("the token is in {}", token_file.display()));
         let reporting = tokio::spawn(report(hangar.instances()));
+        setup.programs = programs(options, settings).await;
         for leftover in hangar.leftovers().await {
             log(format_args!("left over: {leftover}"));
         }
@@ -150,22 +156,34 @@ fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failu
 }
 
 /// What can be started, as people are told of it; what cannot is told now.
-fn programs(options: &ServeArguments, settings: &Settings) -> Vec<Program> {
+async fn programs(options: &ServeArguments, settings: &Settings) -> Vec<Program> {
     let found = options.programs.find(settings);
     if found.paths().is_empty() {
         log(format_args!(
             "no SITL program was found, so that nothing can be started: name one with --arducopter FILE"
         ));
     }
-    let program = |kind: Kind| {
-        let found = found.of(kind).ok()?;
-        Some(Program {
+    let asked = found.paths().into_iter().map(async |(kind, file)| {
+        let identity = match programs::identify(&file, IDENTIFIED).await {
+            Ok(identity) => format!(
+                "{} {} ({})",
+                identity.kind.name(),
+                identity.version,
+                identity.hash
+            ),
+            Err(unknown) => {
+                log(format_args!("warning: {unknown}"));
+                "unknown".to_owned()
+            }
+        };
+        let file = file.display().to_string();
+        Program {
             kind,
-            file: found.file.display().to_string(),
-            identity: found.by.clone(),
-        })
-    };
-    Kind::ALL.into_iter().filter_map(program).collect()
+            file,
+            identity,
+        }
+    });
+    join_all(asked).await
 }
 
 async fn listen(address: &str) -> Result<TcpListener, Failure> {
