@@ -34,6 +34,7 @@ mod probe;
 mod process;
 mod relay;
 
+pub use folder::{FolderError, Leftover};
 pub use launcher::{LAUNCH, launch_stub};
 pub use output::{Line, Output};
 pub use pool::{Berth, Hangars, Place, Seen};

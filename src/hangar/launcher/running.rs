@@ -87,7 +87,7 @@ impl Running {
     fn signal(&self, signal: Signal) {
         // Failing means that it is gone.
         if killpg(self.pid, signal).is_err() {
-            drop(kill(self.pid, signal));
+            let _ = kill(self.pid, signal);
         }
     }
 
