@@ -147,7 +147,7 @@ fn another_process_with_the_same_number_is_no_leftover() {
     change(1, &|record| record["process"]["started"] = 1.into());
     change(2, &|record| record["process"]["boot"] = "another".into());
     change(3, &|record| {
-        record["process"]["namespace"] = "pid:[1]".into()
+        record["process"]["namespace"] = "pid:[1]".into();
     });
     change(4, &|record| record["executable"] = "/opt/arducopter".into());
     change(5, &|record| record["process"]["pid"] = 0.into());

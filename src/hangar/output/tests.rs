@@ -186,7 +186,7 @@ async fn a_program_that_prints_without_end_is_read_and_ended() {
     let following = output.follow(&mut running);
     let mut watch = output.watch();
     watch
-        .wait_for(|&number| number > 200_000)
+        .wait_for(|&number| number > 50_000)
         .await
         .expect("it goes on");
     running.end().await.expect("it ends");
