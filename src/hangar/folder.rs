@@ -130,8 +130,9 @@ impl Run {
         let lock = write(&owner, &process::identity(me))
             .and_then(|()| lockable(&owner))
             .map_err(cannot("write the file", &owner))?;
-        // Nobody else can hold it. On a disk without locks nobody will take this run for one that is over.
-        let _ = lock.try_lock();
+        // Whoever looks whether this run is over holds it for a moment at most. On a disk without locks nobody will
+        // take it for one that is.
+        let _ = lock.lock();
         Ok(Self { path, _lock: lock })
     }
 
