@@ -39,7 +39,7 @@ mod relay;
 mod roster;
 mod stages;
 
-pub use folder::Leftover;
+pub use folder::{FolderError, Leftover};
 pub use launch::{Home, Launch};
 pub use launcher::{LAUNCH, launch_stub};
 pub use output::{Line, Output};
