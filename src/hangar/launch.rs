@@ -16,6 +16,12 @@ const SPEEDUPS: std::ops::RangeInclusive<f64> = 0.01..=1000.0;
 const ALTITUDES_M: std::ops::RangeInclusive<f64> = -1000.0..=20_000.0;
 /// What fits into a parameter's name on the wire.
 const NAME_LEN: usize = 16;
+/// Parameters that are set by other fields of a launch, and how those are called.
+const OTHERWISE: [(&str, &str); 3] = [
+    ("SYSID_THISMAV", "system"),
+    ("MAV_SYSID", "system"),
+    ("SIM_SPEEDUP", "speedup"),
+];
 /// More than a vehicle has.
 const MOST_PARAMETERS: usize = 2000;
 /// More than any name of a model.
@@ -40,7 +46,7 @@ pub struct Launch {
     /// Where it stands.
     #[serde(default)]
     pub home: Home,
-    /// The MAVLink system id, 1 to 254; the instance's number by default.
+    /// The MAVLink system id, 1 to 254; the instance's number by default, or the lowest free one where that cannot be.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub system: Option<u8>,
     /// Simulated seconds per second, once it is ready; until then it goes faster if it can.
@@ -127,7 +133,7 @@ impl Launch {
     /// # Errors
     /// What is wrong with it.
     pub fn check(&self) -> Result<(), Refusal> {
-        let system = self.system.is_none_or(|system| is_vehicle(system));
+        let system = self.system.is_none_or(is_vehicle);
         require(system, || "a vehicle's system id is 1 to 254".to_owned())?;
         require(self.id != Some(0), || {
             "instances are numbered from 1".to_owned()
@@ -166,6 +172,11 @@ impl Launch {
                     "`{}` is no parameter: a name is 1 to {NAME_LEN} letters, digits and _",
                     name.escape_default()
                 )
+            })?;
+            let otherwise = OTHERWISE.iter().find(|(own, _)| own == name);
+            require(otherwise.is_none(), || {
+                let field = otherwise.map_or("", |(_, field)| field);
+                format!("{name} is set by `{field}`")
             })?;
             // They travel as single floats; one that is none ends a SITL.
             require((*value as f32).is_finite(), || {
@@ -268,6 +279,7 @@ mod tests {
             (with_parameter("WPNAV_SPEED", f64::NAN), "WPNAV_SPEED"),
             (with_parameter("WPNAV_SPEED", 1e300), "WPNAV_SPEED"),
             (with_parameter("", 1.0), "no parameter"),
+            (with_parameter("SIM_SPEEDUP", 1.0), "set by `speedup`"),
             (with_parameter("SEVENTEEN_LETTERS", 1.0), "no parameter"),
             (with_parameter("A 1\nB", 1.0), "no parameter"),
             (launch(r#"{"model": "quad:/etc/passwd"}"#), "no model"),

@@ -23,6 +23,8 @@ use crate::wire::{
 const COMPONENT: ComponentId = 192;
 /// How often the speed is set until the vehicle says that it is.
 const SPEED_EVERY: Duration = Duration::from_millis(500);
+/// A vehicle that keeps another speed after so many attempts has one that it can have.
+const SPEED_TRIES: u32 = 10;
 const SPEED: &str = "SIM_SPEEDUP";
 /// How often the messages are asked for until they come.
 const STREAMS_EVERY: Duration = Duration::from_secs(1);
@@ -43,6 +45,7 @@ pub(super) struct Probe {
     encoder: Encoder,
     speedup: f64,
     speed_set_at: Option<Duration>,
+    speed_tries: u32,
     streams_asked_at: Option<Duration>,
     stage: Stage,
     asked: bool,
@@ -60,6 +63,7 @@ impl Probe {
             encoder: Encoder::new(GROUND_STATION_SYSTEM, COMPONENT),
             speedup,
             speed_set_at: None,
+            speed_tries: 0,
             streams_asked_at: None,
             stage: Stage::Process,
             asked: false,
@@ -122,6 +126,7 @@ impl Probe {
             && self.stage < Stage::Ready
             && is_due(&mut self.speed_set_at, SPEED_EVERY, now)
         {
+            self.speed_tries += 1;
             self.encoder.encode_message(&self.speed(), &mut bytes);
         }
         bytes
@@ -188,7 +193,7 @@ impl Probe {
         }
         let parameters = self.session.parameters();
         let speed = parameters.list.get(SPEED).map(|speed| speed.value);
-        let speed_fits = speed == Some(self.speedup as f32);
+        let speed_fits = speed == Some(self.speedup as f32) || self.speed_tries > SPEED_TRIES;
         self.can_arm = can_arm;
         self.stage = match parameters.fetching {
             Fetching::Complete if can_arm && speed_fits => Stage::Ready,

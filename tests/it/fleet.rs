@@ -74,10 +74,10 @@ impl Console {
             .expect("the fleet runs");
     }
 
-    pub fn attach(&self, pipe: tokio::io::DuplexStream) {
-        self.fleet
-            .connect(Transport::Pipe(pipe))
-            .expect("the fleet runs");
+    /// Connects to a byte pipe within this program.
+    pub fn connect_to(&self, pipe: tokio::io::DuplexStream) {
+        let connected = self.fleet.connect(Transport::Pipe(pipe));
+        connected.expect("the fleet runs");
     }
 
     /// Lets the fleet run until something is true.

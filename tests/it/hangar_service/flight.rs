@@ -15,7 +15,7 @@ async fn a_vehicle_is_flown_through_the_tunnel() {
     let remote = served.remote();
     let cancel = CancellationToken::new();
     let mut console = Console::start();
-    console.attach(remote.tunnel(1, cancel.clone()));
+    console.connect_to(remote.tunnel(1, cancel.clone()));
     console.until_ready(&[9]).await;
     console.give("guided", &[9]);
     console.give("arm", &[9]);

@@ -196,7 +196,7 @@ impl Flight {
                 self.stream = Some(connect(self.program.door));
                 self.port = self.world.connect(0);
             }
-            let lived = self.world.now() - begun;
+            let lived = self.world.now().saturating_sub(begun);
             let crashes = match self.program.behaviour {
                 Behaviour::CrashesAfter(seconds) => lived >= Duration::from_secs(seconds.into()),
                 _ => false,
