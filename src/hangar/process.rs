@@ -19,6 +19,11 @@ use elsewhere as system;
 #[cfg(all(test, target_os = "linux"))]
 mod tests;
 
+/// An address as the system's tables of sockets have it.
+pub(super) fn address(text: &str) -> Option<SocketAddr> {
+    system::address(text)
+}
+
 /// A process, told apart from any that has had or will have the same number.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Identity {

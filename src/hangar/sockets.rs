@@ -2,9 +2,11 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
+use std::net::SocketAddr;
 
 use serde::Serialize;
+
+use super::process;
 
 /// What a socket carries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -82,33 +84,15 @@ pub fn of_process(pid: u32) -> Vec<Socket> {
 /// inode.
 fn read(line: &str, protocol: Protocol, state: &str) -> Option<Socket> {
     let fields: Vec<&str> = line.split_ascii_whitespace().collect();
-    let (ip, port) = fields.get(1)?.split_once(':')?;
     if *fields.get(3)? != state {
         return None;
     }
     Some(Socket {
         protocol,
-        at: SocketAddr::new(address(ip)?, u16::from_str_radix(port, 16).ok()?),
+        at: process::address(fields.get(1)?)?,
         uid: fields.get(7)?.parse().ok()?,
         inode: fields.get(9)?.parse().ok()?,
     })
-}
-
-/// An address as words of the machine's byte order.
-fn address(digits: &str) -> Option<IpAddr> {
-    let word = |place: usize| {
-        let word = u32::from_str_radix(digits.get(place * 8..place * 8 + 8)?, 16).ok()?;
-        Some(word.to_ne_bytes())
-    };
-    match digits.len() {
-        8 => Some(IpAddr::V4(Ipv4Addr::from(word(0)?))),
-        32 => {
-            let words = [word(0)?, word(1)?, word(2)?, word(3)?];
-            let bytes = <[u8; 16]>::try_from(words.as_flattened()).ok()?;
-            Some(IpAddr::V6(Ipv6Addr::from(bytes)))
-        }
-        _ => None,
-    }
 }
 
 #[cfg(all(test, target_os = "linux"))]

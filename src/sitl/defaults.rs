@@ -37,7 +37,14 @@ pub(super) fn of(kind: Kind) -> Vec<(String, f64)> {
         let pulses = PULSE_US.map(|(end, pulse_us)| (format!("RC{channel}_{end}"), pulse_us));
         all.extend(pulses);
     }
-    let own: &[(&str, f64)] = match kind {
+    let own = own(kind).iter();
+    all.extend(own.map(|&(name, value)| (name.to_owned(), value)));
+    all
+}
+
+/// What only this kind of vehicle needs.
+fn own(kind: Kind) -> &'static [(&'static str, f64)] {
+    match kind {
         Kind::Copter => &[
             ("ATC_RAT_YAW_P", 0.3),
             ("ATC_RAT_YAW_I", 0.02),
@@ -58,9 +65,7 @@ pub(super) fn of(kind: Kind) -> Vec<(String, f64)> {
             ("SERVO3_MAX", 2000.0),
         ],
         Kind::Sub => &[],
-    };
-    all.extend(own.iter().map(|&(name, value)| (name.to_owned(), value)));
-    all
+    }
 }
 
 /// What follows from a multirotor's airframe: its battery, the thrust of its motors, and gains that go with how much

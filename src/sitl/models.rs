@@ -105,13 +105,7 @@ pub(super) fn choose(
         has_motors && disagreement(model, &asked).is_none()
     };
     let Some(name) = name else {
-        // Without a frame file it is the default that SITL has: four motors.
-        let usual = of(kind).next().map_or(0, |model| model.motors);
-        let likely =
-            of(kind).find(|model| fits(model) && (motors.is_some() || model.motors == usual));
-        return likely
-            .or_else(|| of(kind).find(|model| fits(model)))
-            .ok_or(Unfit::NoModel { kind, motors });
+        return likely(kind, motors, fits).ok_or(Unfit::NoModel { kind, motors });
     };
     let named = of(kind).find(|model| model.name.eq_ignore_ascii_case(name));
     let Some(model) = named else {
@@ -143,6 +137,19 @@ pub(super) fn choose(
             fitting: fitting(model.motors),
         }),
     }
+}
+
+/// The first model that fits, and of those with four motors if nothing says how many there are, as SITL does.
+fn likely(
+    kind: Kind,
+    motors: Option<usize>,
+    fits: impl Fn(&Model) -> bool,
+) -> Option<&'static Model> {
+    let usual = motors.or_else(|| of(kind).next().map(|model| model.motors));
+    let is_usual = |model: &&Model| fits(model) && Some(model.motors) == usual;
+    of(kind)
+        .find(is_usual)
+        .or_else(|| of(kind).find(|model| fits(model)))
 }
 
 /// The parameter of a model for which another value is asked: what the model needs, and what is asked.

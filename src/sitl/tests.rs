@@ -21,10 +21,10 @@ fn recipe() -> Recipe {
     }
 }
 
-fn frame(motors: usize) -> Option<String> {
-    Some(format!(
+fn frame(motors: usize) -> String {
+    format!(
         "{{\"num_motors\": {motors}, \"maxVoltage\": 16.8, \"battCapacityAh\": 5.0, \"hoverThrOut\": 0.33}}"
-    ))
+    )
 }
 
 fn with(parameters: &[(&str, f64)]) -> BTreeMap<String, f64> {
@@ -70,7 +70,7 @@ fn an_airframe_chooses_the_model_and_the_frame_of_its_motors() {
     ];
     for (motors, model, class, shape) in cases {
         let recipe = Recipe {
-            airframe: frame(motors),
+            airframe: Some(frame(motors)),
             ..recipe()
         };
         let command = recipe.command_line(Door::Listening(0)).expect("it fits");
@@ -91,7 +91,7 @@ fn the_parameters_choose_the_model_that_they_mean() {
     assert_eq!(command.arguments[1], "x");
     let asked = Recipe {
         parameters: with(&[("FRAME_CLASS", 5.0)]),
-        airframe: frame(6),
+        airframe: Some(frame(6)),
         ..recipe()
     };
     let command = asked.command_line(Door::Listening(0)).expect("it fits");
@@ -114,11 +114,11 @@ fn the_battery_and_the_motors_follow_the_airframe() {
     ];
     for (name, usual, own) in expected {
         assert_eq!(value_of(&of(None), name), usual, "{name}");
-        assert_eq!(value_of(&of(frame(4)), name), own, "{name}");
+        assert_eq!(value_of(&of(Some(frame(4))), name), own, "{name}");
     }
     let asked = Recipe {
         parameters: with(&[("BATT_CAPACITY", 1.5)]),
-        ..of(frame(4))
+        ..of(Some(frame(4)))
     };
     assert_eq!(value_of(&asked, "BATT_CAPACITY"), Some(1.5));
 }
@@ -154,15 +154,15 @@ fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
         (Recipe { start: at(0.0, 0.0), ..recipe() }, "mean none to SITL"),
         (Recipe { start: at(91.0, 0.0), ..recipe() }, "latitude and longitude on earth"),
         (Recipe { model: model("quat"), ..recipe() }, "no model of a copter is called `quat`: use quad, +, copter, x"),
-        (Recipe { model: model("x"), airframe: frame(6), ..recipe() },
+        (Recipe { model: model("x"), airframe: Some(frame(6)), ..recipe() },
          "the model x has 4 motors and the frame file 6: use the model hexa or hexax or hexa-dji or"),
         (Recipe { model: model("x"), parameters: with(&[("FRAME_TYPE", 0.0)]), ..recipe() },
          "x flies with FRAME_TYPE 1 and would turn over with 0: leave FRAME_TYPE out, or use the model quad or + or copter"),
-        (Recipe { airframe: frame(4), parameters: with(&[("FRAME_CLASS", 2.0)]), ..recipe() },
+        (Recipe { airframe: Some(frame(4)), parameters: with(&[("FRAME_CLASS", 2.0)]), ..recipe() },
          "no model of a copter with 4 motors has the frame"),
-        (Recipe { airframe: frame(5), ..recipe() }, "the frame file, line 1, column 2: num_motors: a frame has 4"),
+        (Recipe { airframe: Some(frame(5)), ..recipe() }, "the frame file, line 1, column 2: num_motors: a frame has 4"),
         (Recipe { airframe: model("{\"mass\": NaN}"), ..recipe() }, "the frame file, line 1"),
-        (Recipe { kind: Kind::Rover, airframe: frame(4), ..recipe() }, "only multirotors take a frame file"),
+        (Recipe { kind: Kind::Rover, airframe: Some(frame(4)), ..recipe() }, "only multirotors take a frame file"),
         (Recipe { kind: Kind::Rover, model: model("quad"), ..recipe() }, "use rover, rover-skid, motorboat"),
         (Recipe { parameters: with(&[("RTL ALT", 1.0)]), ..recipe() }, "`RTL ALT` is no name"),
         (Recipe { parameters: with(&[("RTL_ALT", f64::NAN)]), ..recipe() }, "RTL_ALT cannot be NaN"),

@@ -35,3 +35,7 @@ pub(super) fn socket(_: Connection) -> Option<Socket> {
 pub(super) fn holds(_: u32, _: u64) -> Option<bool> {
     None
 }
+
+pub(super) fn address(_: &str) -> Option<std::net::SocketAddr> {
+    None
+}

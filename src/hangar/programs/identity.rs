@@ -121,33 +121,39 @@ pub async fn identify(program: &Path, patience: Duration) -> Result<Identity, Un
     let port = listener.local_addr().map_err(host)?.port();
     let mut trial = Trial::start(&absolute, folder.path(), port).map_err(host)?;
     let heard = timeout(patience, trial.hear(&listener)).await;
-    let identity = match heard {
-        Ok(Heard::Greeting(greeting)) => {
-            greeting
-                .identity(trial.sockets())
-                .ok_or_else(|| Unknown::OtherVehicle {
-                    file: file(),
-                    vehicle: greeting.vehicle,
-                })
-        }
-        Ok(Heard::End(status)) => Err(Unknown::Ended {
-            file: file(),
-            status,
-            output: trial.tail(),
-        }),
-        Ok(Heard::Flood) => Err(Unknown::Flood {
-            file: file(),
-            output: trial.tail(),
-        }),
-        Ok(Heard::Error(source)) => Err(host(source)),
-        Err(_) => Err(Unknown::Silent {
-            file: file(),
-            patience,
-            output: trial.tail(),
-        }),
-    };
+    let identity = judge(program, patience, heard.ok(), &trial);
     trial.end().await;
     identity
+}
+
+/// What follows from what was heard, if anything was.
+fn judge(
+    program: &Path,
+    patience: Duration,
+    heard: Option<Heard>,
+    trial: &Trial,
+) -> Result<Identity, Unknown> {
+    let file = program.to_owned();
+    let output = trial.tail();
+    match heard {
+        Some(Heard::Greeting(greeting)) => {
+            let identity = greeting.identity(trial.sockets());
+            let vehicle = greeting.vehicle;
+            identity.ok_or(Unknown::OtherVehicle { file, vehicle })
+        }
+        Some(Heard::End(status)) => Err(Unknown::Ended {
+            file,
+            status,
+            output,
+        }),
+        Some(Heard::Flood) => Err(Unknown::Flood { file, output }),
+        Some(Heard::Error(source)) => Err(Unknown::Host { file, source }),
+        None => Err(Unknown::Silent {
+            file,
+            patience,
+            output,
+        }),
+    }
 }
 
 /// A program on trial. It leads a process group of its own, so that a script goes with all that it has started.
