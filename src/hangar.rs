@@ -30,9 +30,11 @@ mod launcher;
 mod pool;
 mod probe;
 mod relay;
+mod source;
 
 pub use launcher::{LAUNCH, launch_stub};
 pub use pool::{Berth, Hangars, Place, Seen};
+pub use source::{Backend, Frame, Source};
 
 /// Names an instance within its hangar.
 pub type InstanceId = u16;
