@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::app::state::{
-    HelpLine, NoticeLine, Session, State, alert, help_lines, parse_ranges, ranges,
+    HelpLine, NoticeLine, Session, State, help_lines, parse_ranges, ranges,
 };
 use crate::ledger::{Entry, EntryId};
 use crate::mission::{ObjectiveProgress, ObjectiveState};
@@ -234,7 +234,7 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
     {
         parts.push(text!("plain-battery", percent = left));
     }
-    if let Some(alert) = alert(vehicle, state.now) {
+    if let Some(alert) = state.session.alert(vehicle, state.now) {
         parts.push(alert.text);
     }
     text!(
