@@ -1,6 +1,5 @@
 //! What flies: the options that `fly`, `run` and others share.
 
-use std::collections::BTreeMap;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,7 +7,10 @@ use std::sync::Arc;
 use clap::{Args, ValueEnum};
 
 use super::Failure;
+use super::programs::ProgramOptions;
 use super::settings::Settings;
+use crate::config;
+use crate::hangar::programs::Missing;
 use crate::hangar::{Backend, Config, Frame, Limits, Restart, Source};
 use crate::sim::Airframe;
 use crate::sitl::Kind;
@@ -32,15 +34,13 @@ pub(super) struct BackendArguments {
     backend: Option<Simulator>,
     /// A service (`sortie hangar`) that starts ArduPilot's SITL, such as http://127.0.0.1:5700; several share the
     /// vehicles. Without one this program starts them itself.
-    #[arg(long = "hangar", value_name = "URL", num_args = 1.., conflicts_with = "arducopter")]
+    #[arg(long = "hangar", value_name = "URL", num_args = 1.., conflicts_with_all = ["arducopter", "arduplane", "ardurover", "ardusub"])]
     hangars: Vec<String>,
     /// The file with the token of the services.
     #[arg(long, value_name = "FILE", requires = "hangars")]
     hangar_token: Option<PathBuf>,
-    /// ArduPilot's SITL program; unless it is named, the one of the configuration, of SORTIE_ARDUCOPTER, on the PATH or
-    /// in a usual build folder.
-    #[arg(long, value_name = "FILE")]
-    arducopter: Option<PathBuf>,
+    #[command(flatten)]
+    programs: ProgramOptions,
     /// The airframe of the vehicles: a frame file of ArduPilot's SITL, in JSON. Give the option once for all
     /// vehicles, or several times: one file per vehicle, the last one for all that follow.
     #[arg(long = "frame", value_name = "FILE")]
@@ -61,7 +61,7 @@ impl BackendArguments {
     }
 
     fn is_ardupilot(&self) -> bool {
-        let is_named = !self.hangars.is_empty() || self.arducopter.is_some();
+        let is_named = !self.hangars.is_empty() || self.programs.is_given();
         match self.backend {
             Some(simulator) => simulator == Simulator::Ardupilot,
             None => is_named,
@@ -73,7 +73,7 @@ impl BackendArguments {
             return Ok(None);
         }
         if self.hangars.is_empty() {
-            return own(self.arducopter.as_deref(), settings).map(Some);
+            return own(&self.programs, settings).map(Some);
         }
         let token = self.hangar_token.as_deref().map(token).transpose()?;
         Ok(Some(Source::Far {
@@ -85,7 +85,7 @@ impl BackendArguments {
 
 /// Where ArduPilot's SITL could be started without any option, if it could.
 pub(super) fn found(settings: &Settings) -> Option<Source> {
-    own(None, settings).ok()
+    own(&ProgramOptions::default(), settings).ok()
 }
 
 /// Reads a frame file; its warnings go to standard error.
@@ -117,45 +117,39 @@ fn token(path: &Path) -> Result<String, Failure> {
     Ok(text.trim().to_owned())
 }
 
-/// A hangar within this program.
-fn own(arducopter: Option<&Path>, settings: &Settings) -> Result<Source, Failure> {
-    let sortie = env::current_exe()?;
-    let program = program(arducopter)?;
+/// A hangar within this program, with the programs that are found.
+fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure> {
+    let found = programs.find(settings);
+    found
+        .of(Kind::Copter)
+        .map_err(|missing| missing_program(&missing))?;
+    let set = &settings.config.hangar;
     let state = settings
         .folders
         .as_ref()
         .map(|folders| folders.state.clone());
-    let folder = state.unwrap_or_else(env::temp_dir).join("hangar");
+    let folder = set.folder.clone().map(PathBuf::from);
+    let folder = folder.unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
     Ok(Source::Own(Box::new(Config {
-        programs: BTreeMap::from([(Kind::Copter, program)]),
+        programs: found.paths(),
+        // Two consoles of one user must not run in the same folder.
         folder: folder.join(std::process::id().to_string()),
-        limits: Limits::default(),
-        restart: Restart::Never,
-        sortie,
+        limits: Limits {
+            instances: set.instances,
+            memory_mib: set.memory,
+            ..Limits::default()
+        },
+        restart: match set.restart {
+            config::Restart::Never => Restart::Never,
+            config::Restart::Always => Restart::Always,
+        },
+        sortie: env::current_exe()?,
     })))
 }
 
-fn program(named: Option<&Path>) -> Result<PathBuf, Failure> {
-    let named = named
-        .map(Path::to_owned)
-        .or_else(|| env::var_os("SORTIE_ARDUCOPTER").map(Into::into));
-    if let Some(path) = named {
-        return match path.canonicalize() {
-            Ok(path) if path.is_file() => Ok(path),
-            Ok(_) => Err(missing(&format!("{} is no file", path.display()))),
-            Err(error) => Err(missing(&format!("{}: {error}", path.display()))),
-        };
-    }
-    let path = env::var_os("PATH").unwrap_or_default();
-    let mut files = env::split_paths(&path).map(|folder| folder.join(Kind::Copter.program()));
-    files
-        .find(|file| file.is_file())
-        .ok_or_else(|| missing("no arducopter on the PATH"))
-}
-
-fn missing(what: &str) -> Failure {
+fn missing_program(missing: &Missing) -> Failure {
     Failure::Invalid(format!(
-        "sortie: {what}\n  name one with --arducopter FILE or SORTIE_ARDUCOPTER, or build it: in a checkout of ArduPilot\n  \
+        "sortie: {missing}\n  name it with --arducopter FILE or SORTIE_ARDUCOPTER, or build it, in a checkout of ArduPilot:\n    \
          ./waf configure --board sitl && ./waf copter   makes build/sitl/bin/arducopter\n  \
          without it, --backend embedded flies the simulator within this program"
     ))

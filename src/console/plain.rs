@@ -79,6 +79,7 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
             },
         }
     }
+    plain.console.close().await;
     plain.finish(told_to_end)
 }
 

@@ -71,9 +71,16 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 
 /// Has a vehicle's process started again or ended; asks while the vehicle is armed.
 pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Effect> {
-    let instance = state.session.hangar.as_ref().and_then(|hangar| hangar.of(vehicle));
+    let instance = state
+        .session
+        .hangar
+        .as_ref()
+        .and_then(|hangar| hangar.of(vehicle));
     let Some(instance) = instance else {
-        state.say(Severity::Warning, text!("hangar-no-process", vehicle = vehicle));
+        state.say(
+            Severity::Warning,
+            text!("hangar-no-process", vehicle = vehicle),
+        );
         return Vec::new();
     };
     let runs = instance.stage < Stage::Stopping;

@@ -39,7 +39,11 @@ pub fn items(state: &State) -> Vec<HomeItem> {
     let missions = (0..state.missions.len()).map(HomeItem::Mission);
     let ardupilot = state.has_ardupilot.then_some(HomeItem::ArduPilot);
     let others = [HomeItem::Connect, HomeItem::Quit];
-    missions.chain([HomeItem::Free]).chain(ardupilot).chain(others).collect()
+    missions
+        .chain([HomeItem::Free])
+        .chain(ardupilot)
+        .chain(others)
+        .collect()
 }
 
 /// What its actions do.

@@ -159,7 +159,10 @@ impl Session {
     pub fn alert(&self, vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         let process = self.alarms.down.contains(&vehicle.id);
         let process = process.then(AlertKind::process);
-        process.into_iter().chain(alert(vehicle, now)).min_by_key(|alert| alert.severity)
+        process
+            .into_iter()
+            .chain(alert(vehicle, now))
+            .min_by_key(|alert| alert.severity)
     }
 
     /// How many vehicles are armed.

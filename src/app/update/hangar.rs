@@ -18,7 +18,7 @@ pub fn changed(state: &mut State, instances: Vec<Instance>) {
     known.begun |= begins;
     let was = |vehicle| before.iter().find(|one: &&Instance| one.vehicle == vehicle);
     for instance in &instances {
-        for (severity, text) in news(was(instance.vehicle), instance) {
+        if let Some((severity, text)) = news(was(instance.vehicle), instance) {
             say(state, Some(instance.vehicle), severity, text);
         }
     }
@@ -35,7 +35,12 @@ pub fn changed(state: &mut State, instances: Vec<Instance>) {
 
 /// All are ready: whoever has waited for that is led to the flight.
 fn begin(state: &mut State, count: usize) {
-    say(state, None, Severity::Info, text!("hangar-all-ready", count = count));
+    say(
+        state,
+        None,
+        Severity::Info,
+        text!("hangar-all-ready", count = count),
+    );
     state.session.began_at = state.now;
     if state.room == Room::Hangar {
         state.room = Room::Fly;
@@ -64,16 +69,30 @@ fn news(before: Option<&Instance>, now: &Instance) -> Option<(Severity, Text)> {
 /// Why a process has ended, what it said last, and what to do.
 fn crash(instance: &Instance) -> Text {
     let reason = instance.fault.clone().unwrap_or_default();
-    let last = instance.output.iter().rev().find(|line| !line.trim().is_empty());
+    let last = instance
+        .output
+        .iter()
+        .rev()
+        .find(|line| !line.trim().is_empty());
     let key = Room::Hangar.key().to_string();
     match last {
-        Some(line) => text!("hangar-crash-said", reason = reason, line = line.trim(), key = key),
+        Some(line) => text!(
+            "hangar-crash-said",
+            reason = reason,
+            line = line.trim(),
+            key = key
+        ),
         None => text!("hangar-crash", reason = reason, key = key),
     }
 }
 
 fn say(state: &mut State, vehicle: Option<VehicleId>, severity: Severity, text: Text) {
     let at = state.now;
-    let notice = Notice { at, vehicle, severity, text };
+    let notice = Notice {
+        at,
+        vehicle,
+        severity,
+        text,
+    };
     telemetry::notice(state, &notice);
 }

@@ -75,7 +75,10 @@ pub fn started(state: &mut State, started: Started) {
     session.listing = started.mission;
     session.began_at = state.now;
     session.areas = started.areas;
-    let starting = |expected| Hangar { expected, ..Hangar::default() };
+    let starting = |expected| Hangar {
+        expected,
+        ..Hangar::default()
+    };
     session.hangar = started.processes.map(starting);
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();

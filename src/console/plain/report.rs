@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::app::state::{
-    HelpLine, NoticeLine, Session, State, help_lines, parse_ranges, ranges,
-};
+use crate::app::state::{HelpLine, NoticeLine, Session, State, help_lines, parse_ranges, ranges};
 use crate::ledger::{Entry, EntryId};
 use crate::mission::{ObjectiveProgress, ObjectiveState};
 use crate::notice::Notice;

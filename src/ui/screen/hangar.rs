@@ -51,25 +51,33 @@ fn empty(look: &Look, area: Rect, buffer: &mut Buffer) {
     let inner = titled(&look.say("room-hangar"), look, area, buffer);
     let lines = wrap(&look.say("hangar-none"), usize::from(inner.width));
     for (row, line) in lines.into_iter().enumerate() {
-        put(buffer, inner, row as u16, &Line::styled(line, look.style(Role::Muted)));
+        put(
+            buffer,
+            inner,
+            row as u16,
+            &Line::styled(line, look.style(Role::Muted)),
+        );
     }
 }
 
 /// Draws the processes and returns what is left below.
-fn draw_list(
-    state: &State,
-    hangar: &Hangar,
-    look: &Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) -> Rect {
-    let ready = text!("hangar-ready", ready = hangar.ready(), count = hangar.expected);
+fn draw_list(state: &State, hangar: &Hangar, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
+    let ready = text!(
+        "hangar-ready",
+        ready = hangar.ready(),
+        count = hangar.expected
+    );
     let title = format!("{}: {}", look.say("room-hangar"), look.text(&ready));
     let most = area.height.saturating_sub(8).max(4);
     let rows = (hangar.instances.len().max(1) as u16 + 3).min(most);
     let inner = titled(&title, look, upper(area, rows), buffer);
     let host = host_width(inner.width);
-    put(buffer, inner, 0, &Line::styled(heading(host, look), look.style(Role::Muted)));
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::styled(heading(host, look), look.style(Role::Muted)),
+    );
     let inner = below(inner, 1);
     if hangar.instances.is_empty() {
         let line = Line::styled(look.say("hangar-opening"), look.style(Role::Muted));
@@ -110,19 +118,33 @@ fn heading(host: usize, look: &Look) -> String {
 fn line(instance: &Instance, host: usize, look: &Look) -> Line<'static> {
     let role = role(instance.stage, instance.has_crashed());
     let filled = (instance.progress() * BAR as f32).round() as usize;
-    let bar = format!("{}{}", "█".repeat(filled), "░".repeat(BAR.saturating_sub(filled)));
+    let bar = format!(
+        "{}{}",
+        "█".repeat(filled),
+        "░".repeat(BAR.saturating_sub(filled))
+    );
     let words = clip(&look.text(&instance.says()), WORDS);
     let unknown = || "-".to_owned();
     let pid = instance.pid.map_or_else(unknown, |pid| pid.to_string());
-    let memory = instance.pid.map_or_else(unknown, |_| megabytes(instance.memory_bytes));
-    let processor = instance.processor_percent.filter(|_| instance.pid.is_some());
+    let memory = instance
+        .pid
+        .map_or_else(unknown, |_| megabytes(instance.memory_bytes));
+    let processor = instance
+        .processor_percent
+        .filter(|_| instance.pid.is_some());
     let processor = processor.map_or_else(unknown, |percent| format!("{percent:.1} %"));
     let name = aligned(&clip(&instance.host, host), host, false);
     Line::from(vec![
         Span::raw(format!("{:>3} {name} ", instance.vehicle)),
         Span::styled(bar, look.style(role)),
-        Span::styled(format!(" {} ", aligned(&words, WORDS, false)), look.style(role)),
-        Span::raw(format!("{pid:>8}{:>7}{memory:>9}{processor:>8}", instance.restarts)),
+        Span::styled(
+            format!(" {} ", aligned(&words, WORDS, false)),
+            look.style(role),
+        ),
+        Span::raw(format!(
+            "{pid:>8}{:>7}{memory:>9}{processor:>8}",
+            instance.restarts
+        )),
     ])
 }
 
@@ -161,7 +183,12 @@ fn draw_detail(instance: &Instance, look: &Look, area: Rect, buffer: &mut Buffer
     let output = instance.output.iter().skip(skipped);
     lines.extend(output.map(|line| (line.clone(), look.style(Role::Text))));
     for (row, (line, style)) in lines.into_iter().enumerate() {
-        put(buffer, inner, row as u16, &Line::styled(clip(&line, width), style));
+        put(
+            buffer,
+            inner,
+            row as u16,
+            &Line::styled(clip(&line, width), style),
+        );
     }
 }
 
@@ -179,7 +206,12 @@ fn draw_output(instance: &Instance, back: usize, look: &Look, area: Rect, buffer
     let title = look.text(&text!("hangar-output-of", vehicle = instance.vehicle));
     let inner = titled(&title, look, area, buffer);
     let where_kept = look.text(&where_kept(instance));
-    put(buffer, inner, 0, &Line::styled(where_kept, look.style(Role::Muted)));
+    put(
+        buffer,
+        inner,
+        0,
+        &Line::styled(where_kept, look.style(Role::Muted)),
+    );
     let inner = below(inner, 1);
     let width = usize::from(inner.width);
     let end = instance.output.len().saturating_sub(back);

@@ -123,7 +123,10 @@ impl Chosen {
 
 fn marker(vehicle: &Vehicle, (column, row): (u16, u16), state: &State, look: &Look) -> Marker {
     let selected = state.session.selection.contains(&vehicle.id);
-    let alarm = state.session.alert(vehicle, state.now).filter(|alert| alert.severity <= Severity::Warning);
+    let alarm = state
+        .session
+        .alert(vehicle, state.now)
+        .filter(|alert| alert.severity <= Severity::Warning);
     let lost = vehicle.link.lost;
     let mut marks = String::new();
     if selected {
