@@ -88,6 +88,12 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Eff
     let is_armed = runs && known.is_some_and(crate::vehicle::Vehicle::armed);
     let effect = Effect::Hangar(deed, vehicle);
     let (question, done) = words(deed, vehicle);
+    if deed == HangarDeed::Stop
+        && let Some(hangar) = state.session.hangar.as_mut().filter(|hangar| !hangar.begun)
+    {
+        // Nobody waits for one that is not wanted any more.
+        hangar.expected = hangar.expected.saturating_sub(1);
+    }
     if is_armed {
         return act::ask(state, question, text!("hangar-ask-armed"), effect);
     }
@@ -120,6 +126,19 @@ fn escape(state: &mut State) -> Vec<Effect> {
         state.room = Room::Fly;
     }
     Vec::new()
+}
+
+/// The room is entered: who comes because a process has crashed finds the cursor on it.
+pub fn entered(state: &mut State) {
+    let crashed = state.session.hangar.as_ref().and_then(|hangar| {
+        let mut all = hangar.instances.iter();
+        all.position(Instance::has_crashed)
+    });
+    if let Some(at) = crashed
+        && !under_cursor(state).is_some_and(Instance::has_crashed)
+    {
+        state.rooms.hangar.cursor = at;
+    }
 }
 
 /// Keeps the cursor on a process when there are fewer.

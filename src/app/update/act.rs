@@ -40,8 +40,10 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
 pub fn show(state: &mut State, room: Room) {
     state.hush();
     state.room = room;
-    if room == Room::Ledger {
-        room::ledger::entered(state);
+    match room {
+        Room::Ledger => room::ledger::entered(state),
+        Room::Hangar => room::hangar::entered(state),
+        _ => {}
     }
 }
 

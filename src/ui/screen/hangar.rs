@@ -126,12 +126,10 @@ fn line(instance: &Instance, host: usize, look: &Look) -> Line<'static> {
     let words = clip(&look.text(&instance.says()), WORDS);
     let unknown = || "-".to_owned();
     let pid = instance.pid.map_or_else(unknown, |pid| pid.to_string());
-    let memory = instance
-        .pid
-        .map_or_else(unknown, |_| megabytes(instance.memory_bytes));
-    let processor = instance
-        .processor_percent
-        .filter(|_| instance.pid.is_some());
+    // One that has not been measured yet has no figures.
+    let measured = instance.pid.filter(|_| instance.memory_bytes > 0);
+    let memory = measured.map_or_else(unknown, |_| megabytes(instance.memory_bytes));
+    let processor = instance.processor_percent.filter(|_| measured.is_some());
     let processor = processor.map_or_else(unknown, |percent| format!("{percent:.1} %"));
     let name = aligned(&clip(&instance.host, host), host, false);
     Line::from(vec![
