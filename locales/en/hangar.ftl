@@ -8,7 +8,6 @@ hangar-attached = somebody is attached to instance { $id } already
 hangar-host = cannot start instance { $id }: { $what }: { $error }
 hangar-closing = the hangar is closing
 hangar-cannot-open = cannot open the hangar in { $folder }: { $error }
-hangar-no-service = no hangar service can be reached at { $urls } yet
 
 hangar-none = No processes simulate these vehicles. `sortie fly --backend ardupilot` starts ArduPilot's SITL for each of them and shows here how far it is.
 hangar-opening = the hangar is being opened ...
@@ -60,3 +59,11 @@ hangar-plain-stages = starting: { $stages }
 hangar-plain-stage = { $vehicles } { $stage }
 hangar-plain-none = no processes simulate these vehicles
 hangar-here = here
+
+# Hangars that are services elsewhere.
+
+hangar-far = hangar { $hangar }: { $error }
+hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`
+hangar-far-late = { $address } has not answered within { $seconds } s
+hangar-far-other = { $address } answers, but it is no sortie hangar ({ $error })
+hangar-far-token = { $address } wants its token ({ $error }): copy its token file here and name it with --hangar-token FILE

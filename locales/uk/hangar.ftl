@@ -8,7 +8,6 @@ hangar-attached = до екземпляра { $id } вже хтось під'є�
 hangar-host = не вдається запустити екземпляр { $id }: { $what }: { $error }
 hangar-closing = ангар закривається
 hangar-cannot-open = не вдалося відкрити ангар у { $folder }: { $error }
-hangar-no-service = служба ангара за адресою { $urls } поки недоступна
 
 hangar-none = Жодні процеси не симулюють цих апаратів. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного з них і показує тут, як далеко він просунувся.
 hangar-opening = ангар відкривається ...
@@ -61,3 +60,11 @@ hangar-plain-stages = запуск: { $stages }
 hangar-plain-stage = { $vehicles } { $stage }
 hangar-plain-none = жодні процеси не симулюють цих апаратів
 hangar-here = тут
+
+# Ангари, що є службами деінде.
+
+hangar-far = ангар { $hangar }: { $error }
+hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншої машини: `ssh -L PORT:127.0.0.1:PORT HOST`
+hangar-far-late = { $address } не відповів за { $seconds } с
+hangar-far-other = { $address } відповідає, але це не ангар sortie ({ $error })
+hangar-far-token = { $address } вимагає свій токен ({ $error }): скопіюйте сюди його файл токена й назвіть його через --hangar-token FILE

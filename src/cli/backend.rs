@@ -9,9 +9,9 @@ use clap::{Args, ValueEnum};
 use super::Failure;
 use super::programs::ProgramOptions;
 use super::settings::Settings;
-use crate::config;
+use crate::hangar::client::{AddressError, Remote};
 use crate::hangar::programs::Missing;
-use crate::hangar::{Backend, Config, Frame, Limits, Restart, Source};
+use crate::hangar::{Backend, Config, Frame, Limits, Source, Token};
 use crate::sim::Airframe;
 use crate::sitl::Kind;
 use crate::store;
@@ -37,7 +37,7 @@ pub(super) struct BackendArguments {
     #[arg(long = "hangar", value_name = "URL", num_args = 1.., conflicts_with_all = ["arducopter", "arduplane", "ardurover", "ardusub"])]
     hangars: Vec<String>,
     /// The file with the token of the services.
-    #[arg(long, value_name = "FILE", requires = "hangars")]
+    #[arg(long, value_name = "FILE")]
     hangar_token: Option<PathBuf>,
     #[command(flatten)]
     programs: ProgramOptions,
@@ -72,14 +72,16 @@ impl BackendArguments {
         if !self.is_ardupilot() {
             return Ok(None);
         }
-        if self.hangars.is_empty() {
+        let set = &settings.config.hangar.urls;
+        let urls = match self.hangars.as_slice() {
+            [] if self.programs.is_given() => &[],
+            [] => set.as_slice(),
+            named => named,
+        };
+        if urls.is_empty() {
             return own(&self.programs, settings).map(Some);
         }
-        let token = self.hangar_token.as_deref().map(token).transpose()?;
-        Ok(Some(Source::Far {
-            urls: self.hangars.clone(),
-            token,
-        }))
+        far(urls, self.hangar_token.as_deref(), settings).map(Some)
     }
 }
 
@@ -109,12 +111,22 @@ pub(super) fn frame(path: &Path) -> Result<Frame, Failure> {
     })
 }
 
-fn token(path: &Path) -> Result<String, Failure> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        let path = path.display();
-        Failure::Invalid(format!("sortie: cannot read the token {path}: {error}"))
-    })?;
-    Ok(text.trim().to_owned())
+/// Services with the token that was named, or the one that is kept for them.
+fn far(urls: &[String], token: Option<&Path>, settings: &Settings) -> Result<Source, Failure> {
+    let invalid = |error: &dyn std::fmt::Display| Failure::Invalid(format!("sortie: {error}"));
+    let set = settings.config.hangar.token_file.as_deref().map(Path::new);
+    let state = settings.folders.as_ref();
+    let usual = state.map(|folders| folders.state.join("hangar.token"));
+    let usual = usual.filter(|path| path.exists());
+    let token = token.or(set).or(usual.as_deref());
+    let token = token.map(Token::load).transpose();
+    let token = token.map_err(|error| invalid(&error))?;
+    let service = |url: &String| {
+        let address = url.parse().map_err(|error: AddressError| invalid(&error))?;
+        Ok(Remote::new(address, token.clone()))
+    };
+    let services: Result<_, Failure> = urls.iter().map(service).collect();
+    Ok(Source::Far(services?))
 }
 
 /// A hangar within this program, with the programs that are found.
@@ -139,10 +151,7 @@ fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure
             memory_mib: set.memory,
             ..Limits::default()
         },
-        restart: match set.restart {
-            config::Restart::Never => Restart::Never,
-            config::Restart::Always => Restart::Always,
-        },
+        restart: set.restart,
         sortie: env::current_exe()?,
     })))
 }

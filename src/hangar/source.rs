@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::client::Remote;
 use super::{Config, Hangars, Launch};
 use crate::sim::{Airframe, Start};
 use crate::text;
@@ -13,12 +14,7 @@ pub enum Source {
     /// By this program.
     Own(Box<Config>),
     /// By services on this host or others.
-    Far {
-        /// Their URLs.
-        urls: Vec<String>,
-        /// The token that they want.
-        token: Option<String>,
-    },
+    Far(Vec<Remote>),
 }
 
 impl Source {
@@ -39,7 +35,7 @@ impl Source {
                     )
                 })
             }
-            Self::Far { urls, .. } => Err(text!("hangar-no-service", urls = urls.join(" "))),
+            Self::Far(services) => Ok(Hangars::far(services.clone())),
         }
     }
 }
