@@ -176,7 +176,7 @@ pub async fn serve(
     // Whoever is still busy after that is cut off.
     let _ = tokio::time::timeout(GRACE, all).await;
     connections.shutdown().await;
-    desk.hangar.end().await;
+    desk.hangar.close().await;
     Ok(())
 }
 
