@@ -40,12 +40,13 @@ mod refusal;
 mod relay;
 mod roster;
 pub mod service;
+pub mod sockets;
 mod source;
 mod stages;
 mod token;
 
 pub use crate::config::Restart;
-pub use folder::Leftover;
+pub use folder::{Leftover, leftovers};
 pub use launch::{Home, Launch};
 pub use launcher::{LAUNCH, launch_stub};
 pub use output::{Line, Output};

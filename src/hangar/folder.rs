@@ -245,6 +245,24 @@ fn begun(run: &Path) -> Option<std::time::SystemTime> {
     data.and_then(|data| data.modified()).ok()
 }
 
+/// What still runs of hangars below a root that are gone, and what could not be looked at. Changes nothing.
+pub fn leftovers(root: &Path) -> (Vec<Leftover>, Vec<String>) {
+    let mut skipped = Vec::new();
+    let all = match runs(root) {
+        Ok(all) => all,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
+        Err(error) => {
+            skipped.push(format!("cannot list {}: {error}", root.display()));
+            Vec::new()
+        }
+    };
+    let over = all.iter().filter(|run| is_over(run));
+    let found = over
+        .flat_map(|run| leftover::find(run, &mut skipped))
+        .collect();
+    (found, skipped)
+}
+
 /// Whether a run's owner is gone. Where that cannot be told it is taken to live.
 fn is_over(run: &Path) -> bool {
     let path = run.join(OWNER);

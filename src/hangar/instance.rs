@@ -64,7 +64,9 @@ pub(super) async fn begin(
         speedup: recipe.speedup.max(BOOT_SPEEDUP),
         ..recipe
     };
-    let command = boot.command_line(Door::Outwards(address));
+    let command = boot
+        .command_line(Door::Outwards(address))
+        .map_err(|unfit| Refusal::Invalid(unfit.to_string()))?;
     forget_earlier(&folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
     for (name, text) in &command.files {
         let path = folder.join(name);
