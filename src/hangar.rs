@@ -85,6 +85,22 @@ pub enum Stage {
     Ended,
 }
 
+impl Stage {
+    /// Its name, as JSON has it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Queued => "queued",
+            Self::Process => "process",
+            Self::Heartbeat => "heartbeat",
+            Self::Parameters => "parameters",
+            Self::Position => "position",
+            Self::Ready => "ready",
+            Self::Stopping => "stopping",
+            Self::Ended => "ended",
+        }
+    }
+}
+
 /// How an instance is doing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Instance {

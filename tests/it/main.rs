@@ -10,6 +10,7 @@ mod fidelity;
 mod fixtures;
 mod fleet;
 mod hangar;
+mod hangar_service;
 mod harness;
 mod inspector;
 mod layering;
