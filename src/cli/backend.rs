@@ -7,11 +7,11 @@ use std::sync::Arc;
 use clap::{Args, ValueEnum};
 
 use super::Failure;
+use super::hangar::ServiceOptions;
 use super::programs::ProgramOptions;
 use super::settings::Settings;
-use crate::hangar::client::{AddressError, Remote};
 use crate::hangar::programs::Missing;
-use crate::hangar::{Backend, Config, Frame, Limits, Source, Token};
+use crate::hangar::{Backend, Config, Frame, Limits, Source};
 use crate::sim::Airframe;
 use crate::sitl::Kind;
 use crate::store;
@@ -32,13 +32,8 @@ pub(super) struct BackendArguments {
     /// What simulates the vehicles; embedded unless a hangar or a program is named.
     #[arg(long, value_enum)]
     backend: Option<Simulator>,
-    /// A service (`sortie hangar`) that starts ArduPilot's SITL, such as http://127.0.0.1:5700; several share the
-    /// vehicles. Without one this program starts them itself.
-    #[arg(long = "hangar", value_name = "URL", num_args = 1.., conflicts_with_all = ["arducopter", "arduplane", "ardurover", "ardusub"])]
-    hangars: Vec<String>,
-    /// The file with the token of the services.
-    #[arg(long, value_name = "FILE")]
-    hangar_token: Option<PathBuf>,
+    #[command(flatten)]
+    services: ServiceOptions,
     #[command(flatten)]
     programs: ProgramOptions,
     /// The airframe of the vehicles: a frame file of ArduPilot's SITL, in JSON. Give the option once for all
@@ -61,10 +56,9 @@ impl BackendArguments {
     }
 
     fn is_ardupilot(&self) -> bool {
-        let is_named = !self.hangars.is_empty() || self.programs.is_given();
         match self.backend {
             Some(simulator) => simulator == Simulator::Ardupilot,
-            None => is_named,
+            None => self.services.is_given() || self.programs.is_given(),
         }
     }
 
@@ -72,16 +66,18 @@ impl BackendArguments {
         if !self.is_ardupilot() {
             return Ok(None);
         }
-        let set = &settings.config.hangar.urls;
-        let urls = match self.hangars.as_slice() {
-            [] if self.programs.is_given() => &[],
-            [] => set.as_slice(),
-            named => named,
+        if self.services.is_given() && self.programs.is_given() {
+            let text = "sortie: a hangar starts the program of its own host: leave out --hangar, or the program";
+            return Err(Failure::Invalid(text.to_owned()));
+        }
+        let services = match self.programs.is_given() {
+            true => Vec::new(),
+            false => self.services.remotes(settings)?,
         };
-        if urls.is_empty() {
+        if services.is_empty() {
             return own(&self.programs, settings).map(Some);
         }
-        far(urls, self.hangar_token.as_deref(), settings).map(Some)
+        Ok(Some(Source::Far(services)))
     }
 }
 
@@ -111,24 +107,6 @@ pub(super) fn frame(path: &Path) -> Result<Frame, Failure> {
     })
 }
 
-/// Services with the token that was named, or the one that is kept for them.
-fn far(urls: &[String], token: Option<&Path>, settings: &Settings) -> Result<Source, Failure> {
-    let invalid = |error: &dyn std::fmt::Display| Failure::Invalid(format!("sortie: {error}"));
-    let set = settings.config.hangar.token_file.as_deref().map(Path::new);
-    let state = settings.folders.as_ref();
-    let usual = state.map(|folders| folders.state.join("hangar.token"));
-    let usual = usual.filter(|path| path.exists());
-    let token = token.or(set).or(usual.as_deref());
-    let token = token.map(Token::load).transpose();
-    let token = token.map_err(|error| invalid(&error))?;
-    let service = |url: &String| {
-        let address = url.parse().map_err(|error: AddressError| invalid(&error))?;
-        Ok(Remote::new(address, token.clone()))
-    };
-    let services: Result<_, Failure> = urls.iter().map(service).collect();
-    Ok(Source::Far(services?))
-}
-
 /// A hangar within this program, with the programs that are found.
 fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure> {
     let found = programs.find(settings);
@@ -144,8 +122,7 @@ fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure
     let folder = folder.unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
     Ok(Source::Own(Box::new(Config {
         programs: found.paths(),
-        // Two consoles of one user must not run in the same folder.
-        folder: folder.join(std::process::id().to_string()),
+        folder,
         limits: Limits {
             instances: set.instances,
             memory_mib: set.memory,

@@ -46,6 +46,8 @@ pub struct Instance {
     pub processor_percent: Option<f32>,
     /// Why it has ended, unless it was asked to.
     pub fault: Option<String>,
+    /// What it lacks, or what happens next.
+    pub hint: Option<String>,
     /// The last lines that it printed, oldest first.
     pub output: Vec<String>,
     /// Its folder on its host.

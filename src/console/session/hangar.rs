@@ -222,6 +222,7 @@ fn shown(instance: &hangar::Instance, host: &str, processor_percent: Option<f32>
         memory_bytes: instance.memory_bytes,
         processor_percent,
         fault: instance.fault.as_deref().map(sanitised),
+        hint: instance.hint.as_deref().map(sanitised),
         output: instance
             .last_output
             .iter()

@@ -169,15 +169,19 @@ fn draw_detail(instance: &Instance, look: &Look, area: Rect, buffer: &mut Buffer
     let inner = titled(&title, look, area, buffer);
     let width = usize::from(inner.width);
     let mut lines: Vec<(String, Style)> = Vec::new();
+    let wrapped = |text: &str, role| {
+        let style = look.style(role);
+        wrap(text, width).into_iter().map(move |line| (line, style))
+    };
     if let Some(fault) = &instance.fault {
         let fault = look.text(&text!("hangar-fault", reason = fault.as_str()));
-        let what_to_do = look.say("hangar-fault-what");
-        let wrapped = |text: &str, role| {
-            let style = look.style(role);
-            wrap(text, width).into_iter().map(move |line| (line, style))
-        };
         lines.extend(wrapped(&fault, Role::Danger));
-        lines.extend(wrapped(&what_to_do, Role::Text));
+    }
+    if let Some(hint) = &instance.hint {
+        lines.extend(wrapped(hint, Role::Warning));
+    }
+    if instance.has_crashed() {
+        lines.extend(wrapped(&look.say("hangar-fault-what"), Role::Text));
     }
     let room = usize::from(inner.height).saturating_sub(lines.len() + 1);
     lines.push((look.text(&where_kept(instance)), look.style(Role::Muted)));

@@ -24,6 +24,7 @@ pub fn instance(vehicle: u16, stage: Stage) -> Instance {
         memory_bytes: 8_400_000,
         processor_percent: Some(3.06),
         fault: None,
+        hint: None,
         output: Vec::new(),
         folder: format!("/home/trainee/hangar/vehicle-00{vehicle}"),
     }

@@ -26,6 +26,7 @@ fn all_stages(language: Language) -> Console {
     };
     let far = Instance {
         host: Some("http://lab-2:5700".to_owned()),
+        hint: Some("PreArm: Compass not calibrated".to_owned()),
         ..complete(6, Stage::Position)
     };
     hear(
