@@ -46,7 +46,7 @@ mod stages;
 mod token;
 
 pub use crate::config::Restart;
-pub use folder::{Leftover, leftovers};
+pub use folder::{FolderError, Leftover, leftovers};
 pub use launch::{Home, Launch};
 pub use launcher::{LAUNCH, launch_stub};
 pub use output::{Line, Output};

@@ -10,6 +10,7 @@ use std::os::unix::fs::{
     DirBuilderExt as _, MetadataExt as _, OpenOptionsExt as _, PermissionsExt as _,
 };
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use serde::Serialize;
 
@@ -17,7 +18,7 @@ use super::InstanceId;
 use super::process;
 
 mod leftover;
-#[cfg(test)]
+#[cfg(all(test, target_os = "linux"))]
 mod tests;
 
 pub use leftover::Leftover;
@@ -29,6 +30,9 @@ const OWNER: &str = "owner.json";
 const INSTANCE: &str = "instance.json";
 /// Is locked while runs are looked through or added.
 const GATE: &str = ".lock";
+/// How often it is tried, and how long apart.
+const GATE_ATTEMPTS: u32 = 250;
+const GATE_ATTEMPT: Duration = Duration::from_millis(20);
 const RUN: &str = "run-";
 /// Runs of hangars that are gone whose folders are kept.
 const RUNS_KEPT: usize = 5;
@@ -52,6 +56,7 @@ fn advice(error: &io::Error) -> &'static str {
         io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
             "a file is in the way: move it, or choose another folder for the hangar"
         }
+        io::ErrorKind::TimedOut => "end it, or choose another folder for the hangar",
         _ => "choose a folder for the hangar that is yours to write",
     }
 }
@@ -87,11 +92,9 @@ impl Run {
         make(root, true).map_err(cannot("make the folder", root))?;
         let is_safe = is_own(root).and_then(|own| if own { Ok(()) } else { Err(foreign()) });
         is_safe.map_err(cannot("trust the folder", root))?;
-        let gate = root.join(GATE);
-        let gate = lockable(&gate)
-            .and_then(|file| file.lock().map(|()| file))
-            .map_err(cannot("lock the file", &gate))?;
         let (mut leftovers, mut skipped) = (Vec::new(), Vec::new());
+        let path = root.join(GATE);
+        let gate = pass(&path, &mut skipped).map_err(cannot("lock the file", &path))?;
         let mut over = Vec::new();
         for run in runs(root).map_err(cannot("list the folder", root))? {
             if is_over(&run) {
@@ -126,8 +129,10 @@ impl Run {
         let owner = path.join(OWNER);
         let lock = write(&owner, &process::identity(me))
             .and_then(|()| lockable(&owner))
-            .and_then(|file| file.lock().map(|()| file))
             .map_err(cannot("write the file", &owner))?;
+        // Whoever looks whether this run is over holds it for a moment at most. On a disk without locks nobody will
+        // take it for one that is.
+        let _ = lock.lock();
         Ok(Self { path, _lock: lock })
     }
 
@@ -196,6 +201,28 @@ fn lockable(path: &Path) -> io::Result<File> {
         .append(true)
         .mode(0o600)
         .open(path)
+}
+
+/// Waits for the others that look through the runs or add one.
+fn pass(gate: &Path, skipped: &mut Vec<String>) -> io::Result<File> {
+    let file = lockable(gate)?;
+    for _ in 0..GATE_ATTEMPTS {
+        match file.try_lock() {
+            Ok(()) => return Ok(file),
+            Err(TryLockError::WouldBlock) => std::thread::sleep(GATE_ATTEMPT),
+            Err(TryLockError::Error(error)) => {
+                let path = gate.display();
+                skipped.push(format!(
+                    "cannot lock {path}: {error}; what earlier hangars have left is not looked for"
+                ));
+                return Ok(file);
+            }
+        }
+    }
+    Err(io::Error::new(
+        io::ErrorKind::TimedOut,
+        "another hangar has held it for long; does it hang?",
+    ))
 }
 
 /// Writes a file whole or not at all.

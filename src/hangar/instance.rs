@@ -1,7 +1,5 @@
 //! One instance's task: its process, its connection, its stages and its end.
 
-use std::io;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -15,13 +13,13 @@ use super::output::Output;
 use super::process::{Belongs, Connection};
 use super::progress::Progress;
 use super::relay::{Passed, Relay};
-use super::roster::Taken;
-use super::{Instance, Launch, Refusal, Request, Shared, Stage};
-use crate::sitl::{Door, Recipe};
+use super::{Instance, Request, Shared, Stage};
 
+mod begin;
 mod ending;
 mod meter;
 
+pub(super) use begin::begin;
 use ending::words;
 use meter::Meter;
 
@@ -29,105 +27,8 @@ use meter::Meter;
 const PROBE_EVERY: Duration = Duration::from_millis(50);
 /// How often anything else is looked at.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
-/// Simulated seconds per second until an instance is ready: a real boot takes 42 s.
-const BOOT_SPEEDUP: f64 = 10.0;
 /// Lines of output that are shown when an instance has ended.
 const LINES_SHOWN: usize = 20;
-/// Where SITL keeps its parameters, in its folder.
-const MEMORY: &str = "eeprom.bin";
-
-/// Starts an instance and its task.
-///
-/// # Errors
-/// Its folder or its listener cannot be made.
-pub(super) async fn begin(
-    launch: Launch,
-    taken: Taken,
-    program: PathBuf,
-    requests: mpsc::Receiver<Request>,
-    shared: Arc<Shared>,
-) -> Result<(), Refusal> {
-    let id = taken.id;
-    let refuse = |what: String| move |source: io::Error| Refusal::Host { id, what, source };
-    let folder = shared.run.vehicle(id).map_err(|error| Refusal::Host {
-        id,
-        what: "its folder".to_owned(),
-        source: io::Error::other(error),
-    })?;
-    let listen = "listen on 127.0.0.1";
-    let listener = TcpListener::bind(("127.0.0.1", 0))
-        .await
-        .map_err(refuse(listen.to_owned()))?;
-    let address = listener.local_addr().map_err(refuse(listen.to_owned()))?;
-    let recipe = launch.recipe(taken.system);
-    let boot = Recipe {
-        speedup: recipe.speedup.max(BOOT_SPEEDUP),
-        ..recipe
-    };
-    let command = boot
-        .command_line(Door::Outwards(address))
-        .map_err(|unfit| Refusal::Invalid(unfit.to_string()))?;
-    forget_earlier(&folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
-    for (name, text) in &command.files {
-        let path = folder.join(name);
-        std::fs::write(&path, text).map_err(refuse(format!("write {}", path.display())))?;
-    }
-    let output = Output::new(folder.clone());
-    shared.roster.keep_output(id, output.clone());
-    let shown = Instance::new(&launch, taken, &folder);
-    shared.roster.show(&shown);
-    let task = Task {
-        shown,
-        order: Order {
-            program,
-            arguments: command.arguments,
-            folder,
-        },
-        speedup: launch.speedup,
-        idle: launch.idle_s.map(|s| Duration::from_secs(s.into())),
-        unattended_since: Moment::now(),
-        endurance: Endurance::new(shared.config.restart),
-        relay: Relay::default(),
-        listener,
-        output,
-        requests,
-        shared,
-    };
-    tokio::spawn(task.run());
-    Ok(())
-}
-
-/// An instance that had this number before leaves nothing that a new one would take for its own.
-fn forget_earlier(folder: &Path) -> io::Result<()> {
-    match std::fs::remove_file(folder.join(MEMORY)) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    }
-}
-
-impl Instance {
-    fn new(launch: &Launch, taken: Taken, folder: &Path) -> Self {
-        Self {
-            id: taken.id,
-            kind: launch.kind,
-            system: taken.system,
-            stage: Stage::Queued,
-            parameters: [0, 0],
-            pid: None,
-            restarts: 0,
-            attached: false,
-            memory_bytes: 0,
-            cpu_ms: 0,
-            fault: None,
-            hint: None,
-            refused: 0,
-            last_output: Vec::new(),
-            folder: folder.display().to_string(),
-            port: None,
-        }
-    }
-}
-
 struct Task {
     shown: Instance,
     order: Order,
@@ -332,7 +233,10 @@ impl Task {
                 }
                 Event::Passed(passed)
             }
-            Ok((stream, _)) = self.listener.accept() => Event::Connected(stream),
+            // Whoever connects is looked at once it is known which process may.
+            Ok((stream, _)) = self.listener.accept(), if self.shown.pid.is_some() => {
+                Event::Connected(stream)
+            }
             () = sleep_until(idle_at.map_or(until, |at| at.min(until))) => {
                 if idle_at.is_some_and(|at| at <= Moment::now()) {
                     Event::Over(None)
@@ -402,10 +306,7 @@ impl Task {
     }
 
     fn diagnosis(&self, lack: String, meter: &Meter) -> String {
-        let mut told = lack;
-        if let Some(busy) = meter.busy() {
-            told.push_str(&busy);
-        }
+        let mut told = lack + &meter.told();
         if let Some(line) = self.output.last(1).pop() {
             told.push_str("; its last output: ");
             told.push_str(&line.text);

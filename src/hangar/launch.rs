@@ -127,7 +127,7 @@ impl Launch {
     /// # Errors
     /// What is wrong with it.
     pub fn check(&self) -> Result<(), Refusal> {
-        let system = self.system.is_none_or(|system| is_vehicle(system));
+        let system = self.system.is_none_or(is_vehicle);
         require(system, || "a vehicle's system id is 1 to 254".to_owned())?;
         require(self.id != Some(0), || {
             "instances are numbered from 1".to_owned()

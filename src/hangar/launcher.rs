@@ -27,8 +27,8 @@ use super::Limits;
 mod fault;
 mod running;
 mod stub;
-#[cfg(test)]
-mod tests;
+#[cfg(all(test, target_os = "linux"))]
+pub(in crate::hangar) mod tests;
 
 pub(super) use fault::LaunchError;
 pub(super) use running::Running;

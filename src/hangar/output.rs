@@ -19,7 +19,7 @@ use super::launcher::Running;
 
 mod file;
 mod lines;
-#[cfg(test)]
+#[cfg(all(test, target_os = "linux"))]
 mod tests;
 
 use file::LogFile;

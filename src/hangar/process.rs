@@ -32,6 +32,13 @@ pub(super) struct Identity {
     pub namespace: String,
 }
 
+impl Identity {
+    /// Whether equal numbers of both mean the same process: they are counted by the same system since it was started.
+    pub fn has_numbers_of(&self, other: &Self) -> bool {
+        (&self.boot, &self.namespace) == (&other.boot, &other.namespace)
+    }
+}
+
 /// What a process uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Usage {
@@ -77,6 +84,16 @@ pub(super) fn executable(pid: u32) -> Option<PathBuf> {
     system::executable(pid)
 }
 
+/// The folder in which a process is.
+pub(super) fn folder(pid: u32) -> Option<PathBuf> {
+    system::folder(pid)
+}
+
+/// The processes of the session that this process leads or has led, itself left out.
+pub(super) fn session(pid: u32) -> Vec<u32> {
+    system::session(pid)
+}
+
 /// What a process uses.
 pub(super) fn usage(pid: u32) -> Option<Usage> {
     system::usage(pid)
@@ -109,15 +126,20 @@ impl Connection {
         }
     }
 
-    /// Whether it comes from this process.
+    /// Whether it comes from this process, or from one of the session that it leads.
     pub fn is_of_process(self, pid: u32) -> Belongs {
         let Some(socket) = system::socket(self) else {
             return Belongs::Unknown;
         };
-        match system::holds(pid, socket.inode) {
+        let holds = |pid| system::holds(pid, socket.inode);
+        match holds(pid) {
             Some(true) => Belongs::Yes,
-            Some(false) => Belongs::No,
             None => Belongs::Unknown,
+            // What was started may be a script that starts the program.
+            Some(false) if session(pid).into_iter().any(|pid| holds(pid) == Some(true)) => {
+                Belongs::Yes
+            }
+            Some(false) => Belongs::No,
         }
     }
 }

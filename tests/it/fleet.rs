@@ -80,6 +80,12 @@ impl Console {
             .expect("the fleet runs");
     }
 
+    /// Connects to a byte pipe within this program.
+    pub fn connect_to(&self, pipe: tokio::io::DuplexStream) {
+        let connected = self.fleet.connect(Transport::Pipe(pipe));
+        connected.expect("the fleet runs");
+    }
+
     /// Lets the fleet run until something is true.
     pub async fn until(&mut self, what: &str, mut is_true: impl FnMut(&Self) -> bool) {
         let waiting = async {

@@ -16,8 +16,9 @@ use sortie::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
 };
 use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, DuplexStream};
-use tokio::time::{sleep, timeout};
+use tokio::time::{Instant, sleep, timeout};
 
+use crate::fleet::Console;
 use crate::stand_in::{Behaviour, StandIn};
 
 mod disk;
@@ -55,18 +56,24 @@ impl Stand {
 
     fn with(behaviour: Behaviour, change: impl FnOnce(Config) -> Config) -> Self {
         let stand_in = StandIn::new(behaviour);
-        let mut stand = Self::running(stand_in.program(), change);
-        stand._stand_in = Some(stand_in);
-        stand
+        Self::open(stand_in.program(), Some(stand_in), change)
     }
 
     fn running(program: PathBuf, change: impl FnOnce(Config) -> Config) -> Self {
+        Self::open(program, None, change)
+    }
+
+    fn open(
+        program: PathBuf,
+        stand_in: Option<StandIn>,
+        change: impl FnOnce(Config) -> Config,
+    ) -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let config = change(config(folder.path(), program));
         Self {
             hangar: Hangar::open(config).expect("it opens"),
             _folder: folder,
-            _stand_in: None,
+            _stand_in: stand_in,
         }
     }
 
@@ -80,13 +87,13 @@ impl Stand {
     async fn until(&self, what: &str, is_true: impl FnMut(&Instances) -> bool) -> Instances {
         let mut instances = self.hangar.instances();
         let waited = timeout(PATIENCE, instances.wait_for(is_true)).await;
-        match waited {
-            Ok(all) => all.expect("it is open").clone(),
-            Err(_) => panic!(
+        let Ok(all) = waited else {
+            panic!(
                 "waited in vain until {what}: {:#?}",
                 self.hangar.instances().borrow()
-            ),
-        }
+            )
+        };
+        all.expect("it is open").clone()
     }
 
     /// Waits until something is true of one instance, and returns it.
@@ -147,7 +154,7 @@ impl Attached {
 
     /// Forgets all that has come so far.
     async fn forget(&mut self) {
-        let mut bytes = [0; 65536];
+        let mut bytes = vec![0; 65536];
         let read = timeout(Duration::from_millis(1), self.pipe.read(&mut bytes));
         drop(read.await);
         self.decoder = Decoder::new();
@@ -164,6 +171,47 @@ impl Attached {
         let mut bytes = Vec::new();
         self.encoder.encode_message(&reboot, &mut bytes);
         self.pipe.write_all(&bytes).await.expect("it is taken");
+    }
+}
+
+impl Attached {
+    /// Heartbeats come once a simulated second: three pauses between them are long where that is one of ours. Until
+    /// it is ready an instance runs ten times as fast.
+    async fn assert_real_time(&mut self) {
+        self.forget().await;
+        self.heartbeat().await;
+        let begun = Instant::now();
+        for _ in 0..3 {
+            self.heartbeat().await;
+        }
+        assert!(begun.elapsed() > Duration::from_millis(1500));
+    }
+}
+
+/// A console loses a vehicle whose process is killed, has it back when it was started again, and can command it.
+async fn assert_a_console_has_it_back(stand: &Stand) {
+    let id = stand.launch().await;
+    let mut console = Console::start();
+    console.connect_to(stand.hangar.attach(id).await.expect("nobody is attached"));
+    let first = stand.until_ready(id).await;
+    let is_ready = |console: &Console| console.vehicle(1).is_some_and(|one| one.ready_to_arm());
+    console.until("it can be armed", is_ready).await;
+    signal(first.pid.expect("it runs"), Signal::SIGKILL);
+    let is_lost = |console: &Console| console.vehicle(1).is_some_and(|one| one.link.lost);
+    console.until("it is lost", is_lost).await;
+    stand.hangar.restart(id).await.expect("it is there");
+    console
+        .until("it is back", |console| {
+            console
+                .vehicle(1)
+                .is_some_and(|one| !one.link.lost && one.link.reboots == 1 && one.ready_to_arm())
+        })
+        .await;
+    let again = stand.until_ready(id).await;
+    assert_eq!((again.restarts, again.attached), (1, true));
+    for line in ["guided", "arm", "takeoff 5"] {
+        let entry = console.give(line, &[1]);
+        console.until_done(entry, 1).await;
     }
 }
 

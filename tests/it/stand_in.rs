@@ -40,7 +40,7 @@ pub enum Behaviour {
     NeverConnects,
     /// It connects and then says nothing, using its processor.
     StaysSilent,
-    /// It works and prints a megabyte a second, without ends of lines.
+    /// It works and prints a megabyte a second.
     FloodsItsOutput,
     /// It works and does not end when it is asked to.
     IgnoresTermination,
@@ -48,7 +48,7 @@ pub enum Behaviour {
     NeverReady,
     /// It works and has started a child, whose pid it prints as `child PID`.
     HasChildren,
-    /// It works and does not end with whoever has started it.
+    /// It works and does not end with whoever has started it; needs `setpriv`, of Linux.
     OutlivesItsOwner,
     /// It ends at once for its first so many starts in a folder, and then works.
     FailsAtFirst(u32),
@@ -104,11 +104,16 @@ impl StandIn {
             Behaviour::IgnoresTermination => "trap '' TERM\n",
             _ => "",
         };
+        let wrapper = match behaviour {
+            // The signal by which the kernel ends it with its owner.
+            Behaviour::OutlivesItsOwner => "setpriv --pdeathsig clear ",
+            _ => "",
+        };
         let words = behaviour.words();
         let script = format!(
             "#!/bin/sh\n# NOT ArduPilot: a stand-in for it, of the tests of sortie.\n{trap}IFS='\n'\n\
              {ARGUMENTS}=\"$*\"\n{BEHAVIOUR}='{words}'\nexport {ARGUMENTS} {BEHAVIOUR}\n\
-             exec '{}' --exact stand_in::stand_in_for_arducopter --nocapture --test-threads 1\n",
+             exec {wrapper}'{}' --exact stand_in::stand_in_for_arducopter --nocapture --test-threads 1\n",
             this.display()
         );
         let draft = folder.path().join("draft");

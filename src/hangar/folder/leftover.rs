@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use nix::sys::signal::{Signal, kill};
+use nix::sys::signal::{Signal, kill, killpg};
 use nix::unistd::Pid;
 use serde::{Deserialize, Serialize};
 use tokio::time::{Instant, sleep};
@@ -49,13 +49,34 @@ impl Record {
             && process::executable(pid).as_ref() == Some(&self.executable)
     }
 
+    /// What the process has started, and has not taken with it: still of its session, and still in its folder.
+    fn orphans(self, folder: &Path) -> impl Iterator<Item = Self> {
+        let folder = folder.canonicalize().ok();
+        let is_here = move |pid: u32| {
+            let place = process::folder(pid).zip(folder.as_ref());
+            place.is_some_and(|(place, folder)| place.starts_with(folder))
+        };
+        let is_of_today = process::identity(std::process::id())
+            .is_some_and(|me| me.has_numbers_of(&self.process));
+        let members = is_of_today.then(|| process::session(self.process.pid));
+        members
+            .into_iter()
+            .flatten()
+            .filter(move |&pid| is_here(pid))
+            .filter_map(move |pid| Self::of(pid, &self.program))
+            .filter(Self::is_running)
+    }
+
     fn signal(&self, signal: Signal) {
         if let Ok(pid) = i32::try_from(self.process.pid)
             && pid > 1
             && self.is_running()
         {
-            // Failing means that it is gone.
-            let _ = kill(Pid::from_raw(pid), signal);
+            // With all of its group, if it leads one. Failing means that it is gone.
+            let pid = Pid::from_raw(pid);
+            if killpg(pid, signal).is_err() {
+                let _ = kill(pid, signal);
+            }
         }
     }
 
@@ -89,6 +110,18 @@ pub struct Leftover {
     record: Record,
 }
 
+impl Leftover {
+    fn new(folder: &Path, record: Record) -> Self {
+        Self {
+            program: record.program.display().to_string(),
+            pid: record.process.pid,
+            folder: folder.display().to_string(),
+            ended: false,
+            record,
+        }
+    }
+}
+
 /// What still runs of a run whose owner is gone.
 pub(super) fn find(run: &Path, skipped: &mut Vec<String>) -> Vec<Leftover> {
     let mut found = Vec::new();
@@ -103,14 +136,11 @@ pub(super) fn find(run: &Path, skipped: &mut Vec<String>) -> Vec<Leftover> {
     folders.sort();
     for folder in folders.into_iter().filter(|folder| folder.is_dir()) {
         match read(&folder.join(INSTANCE)) {
-            Ok(record) if record.is_running() => found.push(Leftover {
-                program: record.program.display().to_string(),
-                pid: record.process.pid,
-                folder: folder.display().to_string(),
-                ended: false,
-                record,
-            }),
-            Ok(_) => {}
+            Ok(record) if record.is_running() => found.push(Leftover::new(&folder, record)),
+            Ok(record) => {
+                let orphans = record.orphans(&folder);
+                found.extend(orphans.map(|orphan| Leftover::new(&folder, orphan)));
+            }
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
             Err(error) => {
                 skipped.push(format!(

@@ -3,9 +3,12 @@ use std::os::unix::fs::symlink;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, SystemTime};
 
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
 use tempfile::TempDir;
 
 use super::*;
+use crate::hangar::launcher::tests as launcher;
 
 /// A process of the system that is ended when the test is over.
 struct Sleeper(Child);
@@ -144,7 +147,7 @@ fn another_process_with_the_same_number_is_no_leftover() {
     change(1, &|record| record["process"]["started"] = 1.into());
     change(2, &|record| record["process"]["boot"] = "another".into());
     change(3, &|record| {
-        record["process"]["namespace"] = "pid:[1]".into()
+        record["process"]["namespace"] = "pid:[1]".into();
     });
     change(4, &|record| record["executable"] = "/opt/arducopter".into());
     change(5, &|record| record["process"]["pid"] = 0.into());
@@ -255,4 +258,33 @@ fn a_folder_that_cannot_be_used_is_named_with_a_way_out() {
             .to_string()
             .contains("make room")
     );
+}
+
+#[tokio::test]
+async fn what_a_leftover_has_started_is_found_when_the_leftover_itself_is_gone() {
+    let root = root();
+    let run = open(&root).run;
+    let folder = run.vehicle(1).expect("made");
+    let mut order = launcher::shell("sleep 1000 & echo child $!; read line < never");
+    order.folder.clone_from(&folder);
+    // One of the session that has left the folder is not taken for one of the instance.
+    order.arguments[1].insert_str(0, "(cd / && exec sleep 1000) & echo other $!; ");
+    nix::unistd::mkfifo(&folder.join("never"), nix::sys::stat::Mode::S_IRWXU).expect("made");
+    let (_launcher, mut running) = launcher::start(order).await;
+    run.note(1, running.pid(), Path::new("/bin/sh"))
+        .expect("written");
+    let (other, child) = launcher::hear_two(&mut running, "other", "child").await;
+    let pid = Pid::from_raw(running.pid() as i32);
+    kill(pid, Signal::SIGKILL).expect("ours");
+    let leader = running.pid();
+    while process::identity(leader).is_some() {
+        tokio::task::yield_now().await;
+    }
+    drop(run);
+    let mut opened = open(&root);
+    let found: Vec<u32> = opened.leftovers.iter().map(|left| left.pid).collect();
+    assert_eq!(found, [child]);
+    end(&mut opened.leftovers).await;
+    assert!(opened.leftovers[0].ended && process::identity(other).is_some());
+    running.end().await.expect("it has ended");
 }

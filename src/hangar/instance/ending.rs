@@ -42,7 +42,7 @@ mod tests {
             (3 << 8, "it has exited with code 3"),
             (0, "it has exited with code 0"),
             (6, "it has crashed (SIGABRT)"),
-            (0x80 | 11, "it has crashed (SIGSEGV)"),
+            (0x8b, "it has crashed (SIGSEGV)"),
             (9, "it was ended from outside (SIGKILL)"),
             (64, "it was ended by signal 64"),
         ] {

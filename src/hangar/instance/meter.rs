@@ -6,8 +6,6 @@ use crate::hangar::process::{self, Usage};
 
 /// How often it is read.
 const EVERY: Duration = Duration::from_secs(1);
-/// One that lacks something and uses this much of a core spins.
-const BUSY: f64 = 0.5;
 
 /// Reads what a process uses about once a second.
 pub(super) struct Meter {
@@ -56,9 +54,8 @@ impl Meter {
             .map_or(0, |(_, usage)| usage.cpu.as_millis() as u64)
     }
 
-    /// What to add to a remark if it spins.
-    pub fn busy(&self) -> Option<String> {
-        let percent = 100.0 * self.cores;
-        (self.cores >= BUSY).then(|| format!(", using {percent:.0} % of a core"))
+    /// What tells one that waits from one that spins.
+    pub fn told(&self) -> String {
+        format!(", using {:.0} % of a core", 100.0 * self.cores)
     }
 }

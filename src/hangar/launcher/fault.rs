@@ -113,7 +113,7 @@ impl LaunchError {
                 Errno::ENOENT => Self::NoInterpreter(program),
                 Errno::EACCES | Errno::EPERM if program.is_dir() => Self::Folder(program),
                 Errno::EACCES | Errno::EPERM => Self::NotAllowed(program),
-                Errno::ENOEXEC | Errno::ELIBBAD => Self::NotAProgram(program),
+                Errno::ENOEXEC => Self::NotAProgram(program),
                 Errno::ETXTBSY => Self::Busy(program),
                 Errno::EAGAIN => Self::Exhausted(source),
                 Errno::ENOMEM => Self::Memory {

@@ -5,6 +5,7 @@ use std::path::Path;
 use proptest::prelude::*;
 
 use super::*;
+use crate::hangar::launcher::tests as launcher;
 
 fn texts(lines: &[Line]) -> Vec<&str> {
     lines.iter().map(|line| line.text.as_str()).collect()
@@ -143,9 +144,11 @@ async fn a_folder_that_is_gone_stops_nobody_from_reading() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn however_bytes_arrive_the_lines_are_the_same(
-        bytes in prop::collection::vec(prop_oneof![Just(b'\n'), Just(b'x'), any::<u8>()], 0..3000),
+        bytes in prop::collection::vec(prop_oneof![Just(b'\n'), Just(b'x'), any::<u8>()], 0..2500),
         piece in 1..700_usize,
     ) {
         let cut = |pieces: Vec<&[u8]>| {
@@ -171,4 +174,44 @@ proptest! {
         let kept: String = text.chars().take(if is_cut { 399 } else { 400 }).collect();
         prop_assert_eq!(line, if is_cut { kept + "…" } else { kept });
     }
+}
+
+#[tokio::test]
+async fn a_program_that_prints_without_end_is_read_and_ended() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = Output::new(folder.path().to_owned());
+    let mut order = launcher::shell("yes one & yes two >&2; wait");
+    order.folder = folder.path().to_owned();
+    let (_launcher, mut running) = launcher::start(order).await;
+    let following = output.follow(&mut running);
+    let mut watch = output.watch();
+    watch
+        .wait_for(|&number| number > 50_000)
+        .await
+        .expect("it goes on");
+    running.end().await.expect("it ends");
+    following.finish().await;
+    let lines = output.since(0);
+    assert_eq!(lines.len(), 200);
+    assert!(sizes(folder.path()).iter().sum::<u64>() < 4 * 1024 * 1024);
+    // Numbers without gaps, though two pipes are read.
+    let numbers: Vec<u64> = lines.iter().map(|line| line.number).collect();
+    let last = *watch.borrow();
+    assert_eq!(numbers, (last - 199..=last).collect::<Vec<_>>());
+}
+
+#[tokio::test]
+async fn the_last_words_of_a_program_are_heard() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = Output::new(folder.path().to_owned());
+    let (_launcher, mut running) =
+        launcher::start(launcher::shell("echo out; printf err >&2")).await;
+    let following = output.follow(&mut running);
+    running.wait().await.expect("it ends");
+    following.finish().await;
+    let last = output.last(9);
+    let mut said = texts(&last);
+    said.retain(|line| matches!(*line, "out" | "err"));
+    said.sort_unstable();
+    assert_eq!(said, ["err", "out"]);
 }

@@ -16,6 +16,14 @@ pub(super) fn executable(_: u32) -> Option<PathBuf> {
     None
 }
 
+pub(super) fn folder(_: u32) -> Option<PathBuf> {
+    None
+}
+
+pub(super) fn session(_: u32) -> Vec<u32> {
+    Vec::new()
+}
+
 pub(super) fn usage(_: u32) -> Option<Usage> {
     None
 }

@@ -14,6 +14,7 @@ use super::{Connection, Identity, Socket, Usage, plain};
 const DELETED: &str = " (deleted)";
 /// Fields of `/proc/PID/stat`, counted from the state, which follows the name.
 const STATE: usize = 0;
+const SESSION: usize = 3;
 const STARTED: usize = 19;
 /// Fields of a line of `/proc/net/tcp`.
 const LOCAL: usize = 1;
@@ -45,6 +46,23 @@ pub(super) fn executable(pid: u32) -> Option<PathBuf> {
     let path = fs::read_link(format!("/proc/{pid}/exe")).ok()?;
     let text = path.to_str()?;
     Some(PathBuf::from(text.strip_suffix(DELETED).unwrap_or(text)))
+}
+
+pub(super) fn folder(pid: u32) -> Option<PathBuf> {
+    fs::read_link(format!("/proc/{pid}/cwd")).ok()
+}
+
+pub(super) fn session(leader: u32) -> Vec<u32> {
+    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+    let numbers = entries.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    let is_member = |pid: u32| {
+        Stat::read(pid)?
+            .number(SESSION)
+            .map(|session| session == u64::from(leader))
+    };
+    numbers
+        .filter(|&pid| pid != leader && is_member(pid) == Some(true))
+        .collect()
 }
 
 pub(super) fn usage(pid: u32) -> Option<Usage> {

@@ -110,6 +110,19 @@ async fn a_connection_belongs_to_the_process_that_holds_it() {
 }
 
 #[tokio::test]
+async fn a_connection_of_a_script_s_program_belongs_to_the_script() {
+    let (_client, accepted) = connection("127.0.0.1:0", "127.0.0.1").await;
+    let connection = Connection::of(&accepted).expect("connected");
+    // The script is whoever leads the session of this program.
+    let leader = nix::unistd::getsid(None).expect("it has one").as_raw() as u32;
+    let me = std::process::id();
+    assert!(leader == me || session(leader).contains(&me));
+    if identity(leader).is_some() && user(leader) == Some(own_user()) {
+        assert_eq!(connection.is_of_process(leader), Belongs::Yes);
+    }
+}
+
+#[tokio::test]
 async fn a_connection_to_a_socket_for_both_versions_of_ip_is_found() {
     if TcpListener::bind("[::1]:0").await.is_err() {
         eprintln!("skipped: no IPv6 here");

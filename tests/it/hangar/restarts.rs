@@ -6,7 +6,7 @@ use std::path::Path;
 use nix::sys::signal::Signal;
 use sortie::hangar::{Config, Restart, Stage};
 
-use super::{Stand, is_gone, signal};
+use super::{Stand, assert_a_console_has_it_back, is_gone, signal};
 use crate::stand_in::{Behaviour, MEMORY_FILE};
 
 fn restarting(behaviour: Behaviour) -> Stand {
@@ -101,8 +101,12 @@ async fn one_that_reboots_by_mavlink_goes_through_its_stages_again() {
         .await;
     let again = stand.until_ready(id).await;
     assert_eq!((again.pid, again.restarts), (first.pid, 0));
-    attached.forget().await;
-    attached.heartbeat().await;
+    attached.assert_real_time().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_that_is_killed_comes_back_to_its_console() {
+    assert_a_console_has_it_back(&Stand::of(Behaviour::Normal)).await;
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

@@ -93,10 +93,6 @@ impl Program {
                 let child = child.arg("300").stdout(Stdio::null()).spawn();
                 println!("child {}", child.expect("it starts").id());
             }
-            #[cfg(target_os = "linux")]
-            Behaviour::OutlivesItsOwner => {
-                nix::sys::prctl::set_pdeathsig(None).expect("it may");
-            }
             Behaviour::FloodsItsOutput => drop(thread::spawn(flood)),
             _ => {}
         }
@@ -200,7 +196,7 @@ impl Flight {
                 self.stream = Some(connect(self.program.door));
                 self.port = self.world.connect(0);
             }
-            let lived = self.world.now() - begun;
+            let lived = self.world.now().saturating_sub(begun);
             let crashes = match self.program.behaviour {
                 Behaviour::CrashesAfter(seconds) => lived >= Duration::from_secs(seconds.into()),
                 _ => false,
@@ -248,8 +244,8 @@ fn connect(door: SocketAddr) -> TcpStream {
 }
 
 fn flood() {
-    let junk = [b'#'; FLOOD_LEN];
-    while std::io::stdout().write_all(&junk).is_ok() {
+    let junk = "#################################################\n".repeat(FLOOD_LEN / 50);
+    while std::io::stdout().write_all(junk.as_bytes()).is_ok() {
         thread::sleep(Duration::from_millis(50));
     }
 }

@@ -1,0 +1,116 @@
+//! What an instance needs before its process can be started: a folder, a listener, its files.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use tokio::net::TcpListener;
+use tokio::sync::mpsc;
+use tokio::time::Instant as Moment;
+
+use super::Task;
+use crate::hangar::endurance::Endurance;
+use crate::hangar::launcher::Order;
+use crate::hangar::output::Output;
+use crate::hangar::relay::Relay;
+use crate::hangar::roster::Taken;
+use crate::hangar::{Instance, Launch, Refusal, Request, Shared, Stage};
+use crate::sitl::{Door, Recipe};
+
+/// Simulated seconds per second until an instance is ready: a real boot takes 42 s.
+const BOOT_SPEEDUP: f64 = 10.0;
+/// Where SITL keeps its parameters, in its folder.
+const MEMORY: &str = "eeprom.bin";
+
+/// Starts an instance and its task.
+///
+/// # Errors
+/// Its folder or its listener cannot be made.
+pub(in crate::hangar) async fn begin(
+    launch: Launch,
+    taken: Taken,
+    program: PathBuf,
+    requests: mpsc::Receiver<Request>,
+    shared: Arc<Shared>,
+) -> Result<(), Refusal> {
+    let id = taken.id;
+    let refuse = |what: String| move |source: io::Error| Refusal::Host { id, what, source };
+    let folder = shared.run.vehicle(id).map_err(|error| Refusal::Host {
+        id,
+        what: "its folder".to_owned(),
+        source: io::Error::other(error),
+    })?;
+    let listen = "listen on 127.0.0.1";
+    let listener = TcpListener::bind(("127.0.0.1", 0))
+        .await
+        .map_err(refuse(listen.to_owned()))?;
+    let address = listener.local_addr().map_err(refuse(listen.to_owned()))?;
+    let recipe = launch.recipe(taken.system);
+    let boot = Recipe {
+        speedup: recipe.speedup.max(BOOT_SPEEDUP),
+        ..recipe
+    };
+    let command = boot
+        .command_line(Door::Outwards(address))
+        .map_err(|unfit| Refusal::Invalid(unfit.to_string()))?;
+    forget_earlier(&folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
+    for (name, text) in &command.files {
+        let path = folder.join(name);
+        std::fs::write(&path, text).map_err(refuse(format!("write {}", path.display())))?;
+    }
+    let output = Output::new(folder.clone());
+    shared.roster.keep_output(id, output.clone());
+    let shown = Instance::new(&launch, taken, &folder);
+    shared.roster.show(&shown);
+    let task = Task {
+        shown,
+        order: Order {
+            program,
+            arguments: command.arguments,
+            folder,
+        },
+        speedup: launch.speedup,
+        idle: launch.idle_s.map(|s| Duration::from_secs(s.into())),
+        unattended_since: Moment::now(),
+        endurance: Endurance::new(shared.config.restart),
+        relay: Relay::default(),
+        listener,
+        output,
+        requests,
+        shared,
+    };
+    tokio::spawn(task.run());
+    Ok(())
+}
+
+/// An instance that had this number before leaves nothing that a new one would take for its own.
+fn forget_earlier(folder: &Path) -> io::Result<()> {
+    match std::fs::remove_file(folder.join(MEMORY)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+impl Instance {
+    fn new(launch: &Launch, taken: Taken, folder: &Path) -> Self {
+        Self {
+            id: taken.id,
+            kind: launch.kind,
+            system: taken.system,
+            stage: Stage::Queued,
+            parameters: [0, 0],
+            pid: None,
+            restarts: 0,
+            attached: false,
+            memory_bytes: 0,
+            cpu_ms: 0,
+            fault: None,
+            hint: None,
+            refused: 0,
+            last_output: Vec::new(),
+            folder: folder.display().to_string(),
+            port: None,
+        }
+    }
+}
