@@ -70,9 +70,10 @@ impl BackendArguments {
             let text = "sortie: a hangar starts the program of its own host: leave out --hangar, or the program";
             return Err(Failure::Invalid(text.to_owned()));
         }
-        let services = match self.programs.is_given() {
-            true => Vec::new(),
-            false => self.services.remotes(settings)?,
+        let services = if self.programs.is_given() {
+            Vec::new()
+        } else {
+            self.services.remotes(settings)?
         };
         if services.is_empty() {
             return own(&self.programs, settings).map(Some);

@@ -9,15 +9,15 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 /// Takes over how the processes are doing, and says what is worth a notice.
-pub fn changed(state: &mut State, instances: Vec<Instance>) {
+pub fn changed(state: &mut State, instances: &[Instance]) {
     let Some(known) = &mut state.session.hangar else {
         return;
     };
-    let before = std::mem::replace(&mut known.instances, instances.clone());
+    let before = std::mem::replace(&mut known.instances, instances.to_vec());
     let begins = !known.begun && known.is_ready();
     known.begun |= begins;
     let was = |vehicle| before.iter().find(|one: &&Instance| one.vehicle == vehicle);
-    for instance in &instances {
+    for instance in instances {
         if let Some((severity, text)) = news(was(instance.vehicle), instance) {
             say(state, Some(instance.vehicle), severity, text);
         }
