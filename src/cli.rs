@@ -19,6 +19,7 @@ macro_rules! say {
     }};
 }
 
+mod backend;
 mod bench;
 mod check;
 mod config;

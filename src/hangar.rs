@@ -41,6 +41,7 @@ mod relay;
 mod roster;
 pub mod service;
 pub mod sockets;
+mod source;
 mod stages;
 mod token;
 
@@ -51,6 +52,7 @@ pub use launcher::{LAUNCH, launch_stub};
 pub use output::{Line, Output};
 pub use pool::{Berth, Hangars, Place, Seen};
 pub use refusal::Refusal;
+pub use source::{Backend, Frame, Source};
 pub use token::{Token, TokenError};
 
 use roster::Roster;

@@ -10,7 +10,7 @@ use crate::hangar::programs::{Named, Places, Programs};
 use crate::sitl::Kind;
 
 /// Options of commands that start SITL.
-#[derive(Debug, Default, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(super) struct ProgramOptions {
     /// SITL's program of multirotors; by default the one of the configuration, of `SORTIE_ARDUCOPTER`, on the PATH or in
     /// a usual build folder.
@@ -28,6 +28,17 @@ pub(super) struct ProgramOptions {
 }
 
 impl ProgramOptions {
+    /// Whether a program was named.
+    pub fn is_given(&self) -> bool {
+        let named = [
+            &self.arducopter,
+            &self.arduplane,
+            &self.ardurover,
+            &self.ardusub,
+        ];
+        named.into_iter().any(Option::is_some)
+    }
+
     /// Looks for the programs: by these options, then by what is set, then where programs usually are.
     pub fn find(&self, settings: &Settings) -> Programs {
         let places = Places::of_environment();

@@ -3,6 +3,7 @@
 use std::io;
 
 use super::InstanceId;
+use super::client::ClientError;
 use crate::text;
 use crate::text::Text;
 
@@ -48,7 +49,7 @@ pub enum Refusal {
         /// What it is called.
         hangar: String,
         /// What it says, or why it says nothing.
-        source: super::client::ClientError,
+        source: ClientError,
     },
 }
 

@@ -16,6 +16,7 @@ mod harness;
 mod inspector;
 mod layering;
 mod missions;
+mod processes;
 mod pty;
 mod recordings;
 mod screens;

@@ -13,7 +13,7 @@ use crate::hangar::client::{HangarAddress, Remote};
 const TOKEN_FILE: &str = "hangar-token";
 
 /// Options of commands that start SITL by hangars elsewhere.
-#[derive(Debug, Default, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub(in crate::cli) struct ServiceOptions {
     /// Start the vehicles by this `sortie hangar`; give it several times to spread them over several machines.
     #[arg(long = "hangar", value_name = "http://HOST:PORT")]
@@ -25,6 +25,11 @@ pub(in crate::cli) struct ServiceOptions {
 }
 
 impl ServiceOptions {
+    /// Whether a hangar was named.
+    pub fn is_given(&self) -> bool {
+        !self.hangars.is_empty()
+    }
+
     /// The hangars that are named by these options, or else by the configuration; none if nobody names one.
     pub fn remotes(&self, settings: &Settings) -> Result<Vec<Remote>, Failure> {
         let invalid = |error: &dyn std::fmt::Display| Failure::Invalid(format!("sortie: {error}"));

@@ -53,6 +53,7 @@ pub fn surveyed() -> Console {
             area("fence", AreaKind::Geofence, 160.0),
             area("yard", AreaKind::Task, 60.0),
         ],
+        processes: None,
     })));
     for id in 3..=6 {
         console.vehicle(fixtures::parked(id));

@@ -1,0 +1,143 @@
+//! What flies: the options that `fly`, `run` and others share.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::{Args, ValueEnum};
+
+use super::Failure;
+use super::hangar::services::ServiceOptions;
+use super::programs::ProgramOptions;
+use super::settings::Settings;
+use crate::hangar::programs::Missing;
+use crate::hangar::{Backend, Config, Frame, Limits, Source};
+use crate::sim::Airframe;
+use crate::sitl::Kind;
+use crate::store;
+
+/// What simulates the vehicles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Simulator {
+    /// The simulator within this program.
+    Embedded,
+    /// ArduPilot's SITL: a process for every vehicle.
+    Ardupilot,
+}
+
+/// Options of commands that fly simulated vehicles.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "What flies")]
+pub(super) struct BackendArguments {
+    /// What simulates the vehicles; embedded unless a hangar or a program is named.
+    #[arg(long, value_enum)]
+    backend: Option<Simulator>,
+    #[command(flatten)]
+    services: ServiceOptions,
+    #[command(flatten)]
+    programs: ProgramOptions,
+    /// The airframe of the vehicles: a frame file of ArduPilot's SITL, in JSON. Give the option once for all
+    /// vehicles, or several times: one file per vehicle, the last one for all that follow.
+    #[arg(long = "frame", value_name = "FILE")]
+    frames: Vec<PathBuf>,
+}
+
+impl BackendArguments {
+    /// What was chosen, with its files read and its program found.
+    ///
+    /// # Errors
+    /// A frame file is faulty, or there is no such program.
+    pub fn choose(&self, settings: &Settings) -> Result<Backend, Failure> {
+        let frames: Result<_, Failure> = self.frames.iter().map(|path| frame(path)).collect();
+        Ok(Backend {
+            ardupilot: self.source(settings)?,
+            frames: frames?,
+        })
+    }
+
+    fn is_ardupilot(&self) -> bool {
+        match self.backend {
+            Some(simulator) => simulator == Simulator::Ardupilot,
+            None => self.services.is_given() || self.programs.is_given(),
+        }
+    }
+
+    fn source(&self, settings: &Settings) -> Result<Option<Source>, Failure> {
+        if !self.is_ardupilot() {
+            return Ok(None);
+        }
+        if self.services.is_given() && self.programs.is_given() {
+            let text = "sortie: a hangar starts the program of its own host: leave out --hangar, or the program";
+            return Err(Failure::Invalid(text.to_owned()));
+        }
+        let services = if self.programs.is_given() {
+            Vec::new()
+        } else {
+            self.services.remotes(settings)?
+        };
+        if services.is_empty() {
+            return own(&self.programs, settings).map(Some);
+        }
+        Ok(Some(Source::Far(services)))
+    }
+}
+
+/// Where ArduPilot's SITL could be started without any option, if it could.
+pub(super) fn found(settings: &Settings) -> Option<Source> {
+    own(&ProgramOptions::default(), settings).ok()
+}
+
+/// Reads a frame file; its warnings go to standard error.
+pub(super) fn frame(path: &Path) -> Result<Frame, Failure> {
+    let source = store::read(path, "file-frame")
+        .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
+    let name = &source.name;
+    let faulty = |error: crate::sim::AirframeError| {
+        let (line, column, what) = (error.line, error.column, error.what);
+        format!("sortie: {name}:{line}:{column}: {what}")
+    };
+    let (airframe, warnings) =
+        Airframe::from_json(&source.text).map_err(|error| Failure::Invalid(faulty(error)))?;
+    for warning in warnings {
+        eprintln!("{}", faulty(warning));
+    }
+    let json = Airframe::json(&source.text).map_err(|error| Failure::Invalid(faulty(error)))?;
+    Ok(Frame {
+        airframe: Arc::new(airframe),
+        json,
+    })
+}
+
+/// A hangar within this program, with the programs that are found.
+fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure> {
+    let found = programs.find(settings);
+    found
+        .of(Kind::Copter)
+        .map_err(|missing| missing_program(&missing))?;
+    let set = &settings.config.hangar;
+    let state = settings
+        .folders
+        .as_ref()
+        .map(|folders| folders.state.clone());
+    let folder = set.folder.clone().map(PathBuf::from);
+    let folder = folder.unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
+    Ok(Source::Own(Box::new(Config {
+        programs: found.paths(),
+        folder,
+        limits: Limits {
+            instances: set.instances,
+            memory_mib: set.memory,
+            ..Limits::default()
+        },
+        restart: set.restart,
+        sortie: env::current_exe()?,
+    })))
+}
+
+fn missing_program(missing: &Missing) -> Failure {
+    Failure::Invalid(format!(
+        "sortie: {missing}\n  name it with --arducopter FILE or SORTIE_ARDUCOPTER, or build it, in a checkout of ArduPilot:\n    \
+         ./waf configure --board sitl && ./waf copter   makes build/sitl/bin/arducopter\n  \
+         without it, --backend embedded flies the simulator within this program"
+    ))
+}
