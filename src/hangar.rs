@@ -29,10 +29,14 @@ mod instance;
 mod launcher;
 mod pool;
 mod probe;
+pub mod programs;
 mod relay;
+mod source;
 
+pub use crate::config::Restart;
 pub use launcher::{LAUNCH, launch_stub};
 pub use pool::{Berth, Hangars, Place, Seen};
+pub use source::{Backend, Frame, Source};
 
 /// Names an instance within its hangar.
 pub type InstanceId = u16;
@@ -191,17 +195,6 @@ pub struct Instance {
     pub last_output: Vec<String>,
     /// Its folder on the host.
     pub folder: String,
-}
-
-/// What happens to an instance that has ended by itself.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Restart {
-    /// It stays down until somebody asks.
-    #[default]
-    Never,
-    /// It is started again, later and later, until it has failed five times in a row.
-    Always,
 }
 
 /// What a hangar may use.

@@ -7,3 +7,5 @@ hangar-no-program = no { $program } was found: name one with --arducopter or SOR
 hangar-attached = somebody is attached to instance { $id } already
 hangar-host = cannot start instance { $id }: { $what }: { $error }
 hangar-closing = the hangar is closing
+hangar-cannot-open = cannot open the hangar in { $folder }: { $error }
+hangar-no-service = no hangar service can be reached at { $urls } yet

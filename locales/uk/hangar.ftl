@@ -7,3 +7,5 @@ hangar-no-program = { $program } не знайдено: назвіть його 
 hangar-attached = до екземпляра { $id } вже хтось під'єднаний
 hangar-host = не вдається запустити екземпляр { $id }: { $what }: { $error }
 hangar-closing = ангар закривається
+hangar-cannot-open = не вдалося відкрити ангар у { $folder }: { $error }
+hangar-no-service = служба ангара за адресою { $urls } поки недоступна
