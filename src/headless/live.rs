@@ -8,6 +8,9 @@ use crate::language::Script;
 use crate::mission::{Clock, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 
+/// A mission does not wait longer than this for vehicles to be heard.
+const HEARD_WITHIN: Duration = Duration::from_secs(10);
+
 /// A flight on vehicles behind byte streams: SITL processes.
 ///
 /// All runs on mission time, which is how far the vehicles' own clocks have come as their messages tell it
@@ -18,6 +21,9 @@ use crate::notice::Notice;
 pub struct Live {
     crew: Crew,
     clock: Clock,
+    /// When the first bytes came, and whether the mission has begun.
+    opened: Option<Duration>,
+    begun: bool,
     /// Up to where sessions, pilot and mission have come.
     stepped: Duration,
     /// What is to be sent to each vehicle.
@@ -26,7 +32,7 @@ pub struct Live {
 }
 
 impl Live {
-    /// A mission that begins once the first vehicle is heard. `speedup` is what the vehicles were asked for.
+    /// A mission that begins once all vehicles are heard: until then its time stands still. `speedup` is what the vehicles were asked for.
     pub fn new(mission: Arc<Mission>, seed: u64, script: Script, speedup: f64) -> Self {
         let vehicles = mission.vehicles;
         let mut crew = Crew::new(mission, seed, script, vehicles);
@@ -37,6 +43,8 @@ impl Live {
         Self {
             crew,
             clock: Clock::new(speedup),
+            opened: None,
+            begun: false,
             stepped: Duration::ZERO,
             outgoing,
             lost: vec![false; vehicles],
@@ -72,18 +80,22 @@ impl Live {
     pub fn hear(&mut self, index: usize, bytes: &[u8], now: Duration) {
         self.crew.push(index, bytes);
         while !self.is_over() && self.crew.hear(index, self.clock.elapsed()) {
-            let vehicle = self.crew.vehicle(index);
-            let reading = (vehicle.id, vehicle.boot_ms);
-            self.clock.step(now, [reading]);
-            self.catch_up();
+            if self.has_begun(now) {
+                let vehicle = self.crew.vehicle(index);
+                let reading = (vehicle.id, vehicle.boot_ms);
+                self.clock.step(now, [reading]);
+                self.catch_up();
+            }
         }
         self.gather();
     }
 
     /// Lets time of ours pass: vehicles that are silent do not stop the mission for ever.
     pub fn pass(&mut self, now: Duration) {
-        self.clock.step(now, []);
-        self.catch_up();
+        if self.has_begun(now) {
+            self.clock.step(now, []);
+            self.catch_up();
+        }
         self.gather();
     }
 
@@ -97,6 +109,19 @@ impl Live {
     /// What is to be sent to a vehicle; it is gone then.
     pub fn take_output(&mut self, index: usize) -> Vec<u8> {
         std::mem::take(&mut self.outgoing[index])
+    }
+
+    /// Whether all are heard, or have had the time to be: a pilot must not command one whose mode is not known yet.
+    fn has_begun(&mut self, now: Duration) -> bool {
+        let opened = *self.opened.get_or_insert(now);
+        let is_heard = |index| {
+            let vehicle = self.crew.vehicle(index);
+            vehicle.heartbeat.is_some() && vehicle.boot_ms.is_some()
+        };
+        self.begun = self.begun
+            || (0..self.lost.len()).all(is_heard)
+            || now.saturating_sub(opened) >= HEARD_WITHIN;
+        self.begun
     }
 
     /// Sessions, pilot and mission follow the clock, in the steps that they have in the embedded simulator.

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::naming::Renamed;
 use crate::commands::Command;
 use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -20,6 +21,8 @@ pub struct Order {
     pub retry: Retry,
     /// What to do.
     pub command: Command,
+    /// What its parameter was called by whoever gave it, where the vehicle calls it differently.
+    pub renamed: Option<Renamed>,
 }
 
 /// Something to report.
@@ -39,6 +42,7 @@ impl Order {
             verb: verb.name,
             retry: verb.retry,
             command,
+            renamed: None,
         }
     }
 
