@@ -14,6 +14,8 @@ use crate::sim::{Airframe, PortId, World, WorldConfig};
 
 mod crew;
 mod live;
+#[cfg(test)]
+mod tests;
 
 use crew::Crew;
 pub use live::Live;
