@@ -34,6 +34,8 @@ pub(super) struct Crew {
     flight: Flight,
     places: BTreeMap<String, LatLon>,
     notices: Vec<Notice>,
+    /// When the mission began; sessions may have begun before.
+    begun: Duration,
 }
 
 impl Crew {
@@ -52,7 +54,13 @@ impl Crew {
             places: mission.places(),
             flight: Flight::new(mission, seed),
             notices: Vec::new(),
+            begun: Duration::ZERO,
         }
+    }
+
+    /// The mission begins now; before that, nothing flies.
+    pub fn begin(&mut self, now: Duration) {
+        self.begun = now;
     }
 
     pub fn is_over(&self) -> bool {
@@ -111,7 +119,10 @@ impl Crew {
         for report in self.seats[index].session.take_reports() {
             match report {
                 Report::Row(update) => self.ledger.apply(&update),
-                Report::Notice(notice) => self.notices.push(notice),
+                Report::Notice(notice) => self.notices.push(Notice {
+                    at: notice.at.saturating_sub(self.begun),
+                    ..notice
+                }),
             }
         }
     }
@@ -127,11 +138,12 @@ impl Crew {
     /// One tick of pilot and mission.
     pub fn fly(&mut self, now: Duration) {
         self.look();
+        let elapsed = now.saturating_sub(self.begun);
         for event in self.pilot.step(now, &self.vehicles, &self.ledger) {
             match event {
                 PilotEvent::Do(statement) => self.carry_out(&statement, now),
                 PilotEvent::WaitTimedOut { line, text } => self.notices.push(Notice {
-                    at: now,
+                    at: elapsed,
                     vehicle: None,
                     severity: Severity::Warning,
                     text: text!("grammar-wait-timed-out", line = line, wait = text),
@@ -139,7 +151,7 @@ impl Crew {
                 PilotEvent::Finished => {}
             }
         }
-        let said = self.flight.step(now, &self.vehicles, &self.ledger);
+        let said = self.flight.step(elapsed, &self.vehicles, &self.ledger);
         self.notices.extend(said);
     }
 
@@ -165,7 +177,7 @@ impl Crew {
             Ok(targets) => targets,
             Err(text) => {
                 self.notices.push(Notice {
-                    at: now,
+                    at: now.saturating_sub(self.begun),
                     vehicle: None,
                     severity: Severity::Error,
                     text: Text::joined(": ", vec![format!("`{}`", statement.line).into(), text]),

@@ -7,8 +7,9 @@ use super::{Crew, HEARTBEAT_EVERY, SESSION_POLL, is_due};
 use crate::language::Script;
 use crate::mission::{Clock, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
+use crate::vehicle::VehicleId;
 
-/// A mission does not wait longer than this for vehicles to be heard.
+/// A mission does not wait longer than this for vehicles to be heard and to tell their time.
 const HEARD_WITHIN: Duration = Duration::from_secs(10);
 
 /// A flight on vehicles behind byte streams: SITL processes.
@@ -20,11 +21,13 @@ const HEARD_WITHIN: Duration = Duration::from_secs(10);
 /// the mission's ticks between them.
 pub struct Live {
     crew: Crew,
+    /// Mission time.
     clock: Clock,
-    /// When the first bytes came, and whether the mission has begun.
+    /// When time of ours passed first.
     opened: Option<Duration>,
-    begun: bool,
-    /// Up to where sessions, pilot and mission have come.
+    /// For how long the sessions had talked when the mission began.
+    prelude: Option<Duration>,
+    /// Up to where sessions have come, and after the prelude pilot and mission.
     stepped: Duration,
     /// What is to be sent to each vehicle.
     outgoing: Vec<Vec<u8>>,
@@ -32,7 +35,8 @@ pub struct Live {
 }
 
 impl Live {
-    /// A mission that begins once all vehicles are heard: until then its time stands still. `speedup` is what the vehicles were asked for.
+    /// A mission that begins once all vehicles are heard and tell their time; until then nothing flies. `speedup` is
+    /// what the vehicles were asked for.
     pub fn new(mission: Arc<Mission>, seed: u64, script: Script, speedup: f64) -> Self {
         let vehicles = mission.vehicles;
         let mut crew = Crew::new(mission, seed, script, vehicles);
@@ -44,7 +48,7 @@ impl Live {
             crew,
             clock: Clock::new(speedup),
             opened: None,
-            begun: false,
+            prelude: None,
             stepped: Duration::ZERO,
             outgoing,
             lost: vec![false; vehicles],
@@ -79,23 +83,18 @@ impl Live {
     /// Takes in what a vehicle said, at a time of ours.
     pub fn hear(&mut self, index: usize, bytes: &[u8], now: Duration) {
         self.crew.push(index, bytes);
-        while !self.is_over() && self.crew.hear(index, self.clock.elapsed()) {
-            if self.has_begun(now) {
-                let vehicle = self.crew.vehicle(index);
-                let reading = (vehicle.id, vehicle.boot_ms);
-                self.clock.step(now, [reading]);
-                self.catch_up();
-            }
+        let mut session_now = self.advance(now, []);
+        while !self.is_over() && self.crew.hear(index, session_now) {
+            let vehicle = self.crew.vehicle(index);
+            let reading = (vehicle.id, vehicle.boot_ms);
+            session_now = self.advance(now, [reading]);
         }
         self.gather();
     }
 
     /// Lets time of ours pass: vehicles that are silent do not stop the mission for ever.
     pub fn pass(&mut self, now: Duration) {
-        if self.has_begun(now) {
-            self.clock.step(now, []);
-            self.catch_up();
-        }
+        self.advance(now, []);
         self.gather();
     }
 
@@ -111,22 +110,42 @@ impl Live {
         std::mem::take(&mut self.outgoing[index])
     }
 
-    /// Whether all are heard, or have had the time to be: a pilot must not command one whose mode is not known yet.
-    fn has_begun(&mut self, now: Duration) -> bool {
+    /// Moves everything to a time of ours; returns what the sessions take it for. They begin with time of ours,
+    /// because a vehicle may have to be asked before it tells its own.
+    fn advance<const N: usize>(
+        &mut self,
+        now: Duration,
+        clocks: [(VehicleId, Option<u32>); N],
+    ) -> Duration {
         let opened = *self.opened.get_or_insert(now);
-        let is_heard = |index| {
-            let vehicle = self.crew.vehicle(index);
-            vehicle.heartbeat.is_some() && vehicle.boot_ms.is_some()
+        let talked = now.saturating_sub(opened);
+        if self.prelude.is_none() && (self.are_all_heard() || talked >= HEARD_WITHIN) {
+            // Steps of the sessions are steps of the mission.
+            let whole = talked.as_millis().div_ceil(HEARTBEAT_EVERY.as_millis());
+            let prelude = HEARTBEAT_EVERY * whole as u32;
+            self.prelude = Some(prelude);
+            self.crew.begin(prelude);
+            self.stepped = prelude;
+        }
+        let session_now = match self.prelude {
+            Some(prelude) => prelude + self.clock.step(now, clocks),
+            None => talked,
         };
-        self.begun = self.begun
-            || (0..self.lost.len()).all(is_heard)
-            || now.saturating_sub(opened) >= HEARD_WITHIN;
-        self.begun
+        self.catch_up(session_now);
+        session_now
     }
 
-    /// Sessions, pilot and mission follow the clock, in the steps that they have in the embedded simulator.
-    fn catch_up(&mut self) {
-        while self.stepped + SESSION_POLL <= self.clock.elapsed() && !self.is_over() {
+    /// A pilot must not command a vehicle whose mode is not known yet.
+    fn are_all_heard(&self) -> bool {
+        (0..self.lost.len()).all(|index| {
+            let vehicle = self.crew.vehicle(index);
+            vehicle.heartbeat.is_some() && vehicle.boot_ms.is_some()
+        })
+    }
+
+    /// Sessions, pilot and mission follow, in the steps that they have in the embedded simulator.
+    fn catch_up(&mut self, session_now: Duration) {
+        while self.stepped + SESSION_POLL <= session_now && !self.is_over() {
             self.stepped += SESSION_POLL;
             for (index, bytes) in self.outgoing.iter_mut().enumerate() {
                 self.crew.poll(index, self.stepped);
@@ -135,7 +154,7 @@ impl Live {
                 }
                 self.crew.note(index);
             }
-            if is_due(self.stepped, TICK) {
+            if self.prelude.is_some() && is_due(self.stepped, TICK) {
                 self.crew.fly(self.stepped);
             }
         }

@@ -203,7 +203,7 @@ fn an_airframe_changes_how_the_embedded_vehicle_flies() {
         }
         command.output().expect("it runs")
     };
-    fs::write(&frame, "{\"mass\": 4.5}").expect("written");
+    fs::write(&frame, "{\"refCurrent\": 60}").expect("written");
     let energy = |output: &Output| {
         let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
         report["energy_wh"].as_f64().expect("measured")

@@ -1,5 +1,6 @@
 //! A mission on ArduPilot's SITL: its processes are started, flown and ended.
 
+use std::cell::RefCell;
 use std::time::{Duration, Instant};
 
 use anyhow::{anyhow, bail};
@@ -39,11 +40,14 @@ pub(super) fn fly(
     let runtime = runtime()?;
     let flown = runtime.block_on(async {
         let hangars = source.open().map_err(|text| anyhow!(text.to_string()))?;
+        let places = RefCell::default();
         let flown = tokio::select! {
-            flown = session(&hangars, launches, live, tell) => flown,
+            flown = session(&hangars, launches, &places, live, tell) => flown,
             () = interrupted() => Err(anyhow!("interrupted")),
         };
-        end(&hangars).await;
+        let ended = join_all(places.take().into_iter().map(|place| hangars.stop(place)));
+        // One that has gone by itself needs no ending; what does not end in time ends with the hangar.
+        let _ = timeout(ENDED_WITHIN, ended).await;
         flown
     });
     runtime.shutdown_background();
@@ -53,14 +57,17 @@ pub(super) fn fly(
 async fn session(
     hangars: &Hangars,
     launches: Vec<Launch>,
+    launched: &RefCell<Vec<Place>>,
     live: Live,
     tell: impl Fn(Notice),
 ) -> anyhow::Result<Report> {
     let started = Instant::now();
     let berths = hangars.launch(launches).await?;
+    let places: Vec<Place> = berths.iter().map(|berth| berth.place).collect();
+    launched.replace(places.clone());
     let (pieces, heard) = mpsc::channel(PIECES_KEPT);
     let mut fleet = Fleet {
-        places: berths.iter().map(|berth| berth.place).collect(),
+        places,
         senders: moor(berths, &pieces),
         heard,
         seen: hangars.instances(),
@@ -91,14 +98,6 @@ async fn interrupted() {
         _ = tokio::signal::ctrl_c() => {}
         () = terminated => {}
     }
-}
-
-/// Ends all instances and waits until their processes are gone.
-async fn end(hangars: &Hangars) {
-    let all = hangars.instances().borrow().clone();
-    let ended = join_all(all.iter().map(|(place, _)| hangars.stop(*place)));
-    // One that has gone by itself needs no ending; the rest ends with the hangar.
-    let _ = timeout(ENDED_WITHIN, ended).await;
 }
 
 /// What a vehicle said: its place in the row, and the bytes.
