@@ -139,7 +139,7 @@ impl Live {
     fn are_all_heard(&self) -> bool {
         (0..self.lost.len()).all(|index| {
             let vehicle = self.crew.vehicle(index);
-            vehicle.heartbeat.is_some() && vehicle.boot_ms.is_some()
+            self.lost[index] || vehicle.heartbeat.is_some() && vehicle.boot_ms.is_some()
         })
     }
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use nix::sys::signal::{Signal, kill};
@@ -68,18 +68,24 @@ impl Scene {
         serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", said(&output)))
     }
 
-    /// Starts it, and waits until it says that the mission begins.
-    fn fly(&self) -> Child {
+    /// Starts it, and waits until it says that the mission begins; also, what it says from then on.
+    fn fly(&self) -> (Child, JoinHandle<String>) {
         let mut command = self.run("01-air-sample", &["--speedup", "1"]);
         let command = command.stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = command.spawn().expect("it starts");
         let lines = BufReader::new(child.stderr.take().expect("piped")).lines();
         let mut lines = lines.map(|line| line.expect("text"));
-        assert!(lines.any(|line| line.contains("the mission begins")));
+        let mut told = Vec::new();
+        let begins = lines.any(|line| {
+            told.push(line);
+            told.last()
+                .is_some_and(|line| line.contains("the mission begins"))
+        });
+        assert!(begins, "{told:#?}");
         assert!(!self.processes().is_empty());
         // It goes on telling, and must find somebody who listens.
-        thread::spawn(move || lines.for_each(drop));
-        child
+        let rest = thread::spawn(move || lines.collect::<Vec<_>>().join("\n"));
+        (child, rest)
     }
 
     /// The processes that run in the user's folders.
@@ -136,12 +142,19 @@ fn the_reference_pilot_passes_on_the_stand_in() {
 
 #[test]
 fn a_vehicle_that_dies_is_lost_and_ends_the_mission() {
-    let scene = Scene::on_stand_in(Behaviour::CrashesAfter(60));
-    let output = scene.output("01-air-sample", &[]);
-    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
-    let lost = "vehicle 1: its simulator has ended: the vehicle is lost";
-    assert!(said(&output).contains(lost), "{}", said(&output));
-    assert!(String::from_utf8_lossy(&output.stdout).contains("FAILED"));
+    let scene = Scene::on_stand_in(Behaviour::Normal);
+    let (mut child, rest) = scene.fly();
+    for pid in scene.processes() {
+        kill(Pid::from_raw(pid), Signal::SIGKILL).expect("it is ours");
+    }
+    let status = child.wait().expect("it is ours");
+    let rest = rest.join().expect("it is read");
+    assert_eq!(status.code(), Some(1), "{rest}");
+    assert!(
+        rest.contains("vehicle 1: its simulator has ended: the vehicle is lost"),
+        "{rest}"
+    );
+    assert!(rest.contains("mission failed"), "{rest}");
     scene.assert_nothing_is_left();
 }
 
@@ -162,7 +175,7 @@ fn a_program_that_does_not_start_is_told_with_what_it_said() {
 fn nothing_is_left_when_it_is_interrupted_or_killed() {
     let scene = Scene::on_stand_in(Behaviour::Normal);
     for signal in [Signal::SIGINT, Signal::SIGTERM, Signal::SIGKILL] {
-        let mut child = scene.fly();
+        let (mut child, _rest) = scene.fly();
         kill(Pid::from_raw(child.id() as i32), signal).expect("it is ours");
         let status = child.wait().expect("it is ours");
         let code = (signal != Signal::SIGKILL).then_some(1);

@@ -18,7 +18,7 @@ use crate::mission::Report;
 use crate::notice::Notice;
 
 /// A vehicle that is not ready by then will not be.
-const READY_WITHIN: Duration = Duration::from_secs(180);
+const READY_WITHIN: Duration = Duration::from_secs(20);
 /// How long ending the instances may take.
 const ENDED_WITHIN: Duration = Duration::from_secs(10);
 /// How often time is looked at when no vehicle says anything.
