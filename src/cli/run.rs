@@ -42,7 +42,8 @@ pub(super) struct RunArguments {
     /// What varies the mission's world.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Simulated seconds per second, or `max`, which is the default.
+    /// Simulated seconds per second, or `max`: as fast as the embedded simulator can, as fast as all of ArduPilot's
+    /// SITL processes keep together (20 on a processor of its own).
     #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
     #[command(flatten)]
@@ -104,7 +105,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
             ardupilot::fly(source, launches, live, tell)?
         }
     };
-    report.backend = backend.name().to_owned();
+    backend.name().clone_into(&mut report.backend);
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
         report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());

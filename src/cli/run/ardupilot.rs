@@ -18,7 +18,7 @@ use crate::mission::Report;
 use crate::notice::Notice;
 
 /// A vehicle that is not ready by then will not be.
-const READY_WITHIN: Duration = Duration::from_secs(20);
+const READY_WITHIN: Duration = Duration::from_secs(120);
 /// How long ending the instances may take.
 const ENDED_WITHIN: Duration = Duration::from_secs(10);
 /// How often time is looked at when no vehicle says anything.
@@ -133,21 +133,26 @@ struct Fleet {
 impl Fleet {
     /// Waits until all can be armed, and tells how far they are.
     async fn get_ready(&mut self) -> anyhow::Result<()> {
-        let mut told = vec![None; self.places.len()];
+        let mut told: Vec<Option<String>> = vec![None; self.places.len()];
         loop {
             let all = self.seen.borrow_and_update().clone();
             for (place, told) in self.places.iter().zip(&mut told) {
                 let Some(instance) = find(&all, *place) else {
                     continue;
                 };
-                if told.replace(instance.stage) != Some(instance.stage) {
-                    eprintln!("vehicle {}: {}", instance.system, words(instance));
+                let words = words(instance);
+                if told.as_ref() != Some(&words) {
+                    eprintln!("vehicle {}: {words}", instance.system);
+                    *told = Some(words);
                 }
                 if instance.stage == Stage::Ended {
                     bail!("{}", obituary(instance));
                 }
             }
-            if told.iter().all(|stage| *stage == Some(Stage::Ready)) {
+            let is_ready = |place: &Place| {
+                find(&all, *place).is_some_and(|instance| instance.stage == Stage::Ready)
+            };
+            if self.places.iter().all(is_ready) {
                 return Ok(());
             }
             tokio::select! {
@@ -209,8 +214,9 @@ fn find(all: &Seen, wanted: Place) -> Option<&Instance> {
     all.find_map(|(place, instance)| (*place == wanted).then_some(instance))
 }
 
+/// How far a vehicle is, and what it has lacked for too long.
 fn words(instance: &Instance) -> String {
-    match instance.stage {
+    let stage = match instance.stage {
         Stage::Queued => "waits for its start".to_owned(),
         Stage::Process => "its process runs".to_owned(),
         Stage::Heartbeat => "it is heard".to_owned(),
@@ -219,6 +225,10 @@ fn words(instance: &Instance) -> String {
         Stage::Ready => "it can be armed".to_owned(),
         Stage::Stopping => "it is being ended".to_owned(),
         Stage::Ended => "its process has ended".to_owned(),
+    };
+    match &instance.hint {
+        Some(hint) => format!("{stage} ({hint})"),
+        None => stage,
     }
 }
 
