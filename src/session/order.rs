@@ -46,6 +46,15 @@ impl Order {
         }
     }
 
+    /// What a `PARAM_VALUE` says about it, with the name that was written if the vehicle has another.
+    pub(super) fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
+        let outcome = self.command.parameter_outcome(value);
+        match &self.renamed {
+            Some(renamed) => outcome.map(|text| renamed.remark(&text)),
+            None => outcome,
+        }
+    }
+
     /// The last word on an order that was never sent.
     pub fn unsent(
         &self,
