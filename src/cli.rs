@@ -165,7 +165,7 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
         Some(Command::Connect { addresses, plain }) => fly::connect(addresses, plain, settings),
         Some(Command::Run(options)) => {
             settings.complain();
-            run::run(&options, settings.config.lang.unwrap_or_default())
+            run::run(&options, &settings)
         }
         Some(Command::Sim(options)) => {
             settings.complain();

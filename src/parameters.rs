@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+mod aliases;
 mod difference;
 mod file;
 mod kind;
 mod list;
 
+pub use aliases::{Sense, older, other_name};
 pub use difference::{Difference, Finding, differences, is_same, is_the_vehicles_own};
 pub use file::{parse, write};
 pub use kind::{ParameterType, Unfit};

@@ -23,6 +23,7 @@ use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
 mod acknowledgement;
 mod download;
 mod fit;
+mod naming;
 mod order;
 mod plans;
 mod precedence;
@@ -39,6 +40,7 @@ use streams::Streams;
 use timesync::Timesync;
 use transaction::{Progress, Transaction};
 
+pub use naming::Renamed;
 pub use order::{Order, Report};
 pub use streams::{Stream, WANTED_STREAMS};
 
@@ -76,6 +78,7 @@ pub struct Session {
     plans: PlanReader,
     /// Orders that wait for the line to be free, with the time they were given.
     queue: VecDeque<(Order, Duration)>,
+    search: naming::Search,
     /// The one whose answer is awaited.
     active: Option<Transaction>,
     /// Those that were accepted and whose effect is awaited.
@@ -97,6 +100,7 @@ impl Session {
             timesync: Timesync::default(),
             plans: PlanReader::default(),
             queue: VecDeque::new(),
+            search: naming::Search::default(),
             active: None,
             watched: Vec::new(),
             owed: OwedAcks::default(),
@@ -170,7 +174,7 @@ impl Session {
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
-    pub fn order(&mut self, order: Order, now: Duration) {
+    pub fn order(&mut self, mut order: Order, now: Duration) {
         if precedence::is_urgent(&order.command, &self.vehicle) {
             self.clear_the_line(&order.verb.into(), now);
         }
@@ -180,6 +184,7 @@ impl Session {
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
             return;
         }
+        naming::settle(&mut order, self.inbox.parameters());
         if let Err(reason) = fit::check(&order.command, self.inbox.parameters()) {
             self.output
                 .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
@@ -213,7 +218,8 @@ impl Session {
     /// How long the session may be left alone if nothing arrives.
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
-        if self.active.is_some() || !self.watched.is_empty() || is_fetching {
+        let is_asked = self.active.is_some() || !self.queue.is_empty();
+        if is_asked || !self.watched.is_empty() || is_fetching {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -362,7 +368,7 @@ impl Session {
     fn advance(&mut self, now: Duration) {
         loop {
             if self.active.is_none() {
-                let Some((order, given)) = self.queue.pop_front() else {
+                let Some((order, given)) = self.next_order(now) else {
                     break;
                 };
                 self.active =

@@ -102,3 +102,4 @@ mission-medals = medals
 mission-medals-are = gold from { $gold }, silver from { $silver }, bronze from { $bronze }
 mission-gold-needs = gold needs
 mission-lines = lines { $first } to { $last } of { $count }   j k scroll
+mission-vehicle-gone = its simulator has ended: the vehicle is lost

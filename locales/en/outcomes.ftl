@@ -32,6 +32,8 @@ outcome-no-answer = { $tries ->
 }
 outcome-no-parameter = perhaps it has no parameter { $name }
 outcome-value-became = { $name } = { $value } ({ $wanted } was asked for)
+outcome-other-name = { $outcome } (this vehicle's name for { $name })
+outcome-opposite-name = { $outcome } (this vehicle's name for { $name }, with the opposite meaning)
 outcome-not-seen = { $effect } was not seen
 outcome-not-seen-within = { $effect } not seen within { $seconds } s
 outcome-left-guided = the vehicle left GUIDED for { $mode }

@@ -18,6 +18,8 @@ refused-no-place = { $lat }, { $lon } is no place on the earth
 refused-not-finite = { $value } is not a number that can be sent
 refused-no-parameter = not sent: the vehicle has no parameter { $name }
 refused-no-parameter-but = not sent: the vehicle has no parameter { $name }; did you mean { $nearest }?
+refused-neither-parameter = not sent: the vehicle answers neither to { $name } nor to { $other }
+refused-neither-parameter-but = not sent: the vehicle answers neither to { $name } nor to { $other }; did you mean { $nearest }?
 refused-value = { $name } stayed { $value }, it did not take { $wanted }
 refused-encoding = { $command } is not sent as { $message }
 

@@ -109,3 +109,4 @@ mission-medals = медалі
 mission-medals-are = золото від { $gold }, срібло від { $silver }, бронза від { $bronze }
 mission-gold-needs = для золота
 mission-lines = рядки { $first }-{ $last } з { $count }   j k гортають
+mission-vehicle-gone = його симулятор завершився: апарат втрачено

@@ -33,6 +33,8 @@ outcome-no-answer = { $tries ->
 }
 outcome-no-parameter = можливо, параметра { $name } немає
 outcome-value-became = { $name } = { $value } (просили { $wanted })
+outcome-other-name = { $outcome } (так у цього апарата зветься { $name })
+outcome-opposite-name = { $outcome } (так у цього апарата зветься { $name }, з протилежним змістом)
 outcome-not-seen = не помічено: { $effect }
 outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
 outcome-left-guided = режим змінився з GUIDED на { $mode }

@@ -18,6 +18,8 @@ refused-no-place = { $lat }, { $lon } не є місцем на землі
 refused-not-finite = { $value } не є числом, яке можна надіслати
 refused-no-parameter = не надіслано: апарат не має параметра { $name }
 refused-no-parameter-but = не надіслано: апарат не має параметра { $name }; може, { $nearest }?
+refused-neither-parameter = не надіслано: апарат не знає ні { $name }, ні { $other }
+refused-neither-parameter-but = не надіслано: апарат не знає ні { $name }, ні { $other }; може, { $nearest }?
 refused-value = у { $name } лишилося { $value }, значення { $wanted } не прийнято
 refused-encoding = { $command } не надсилають як { $message }
 

@@ -7,22 +7,29 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
+use super::backend::BackendArguments;
+use super::settings::Settings;
 use super::{Failure, parse_speedup};
 use crate::debrief;
-use crate::headless::Exercise;
+use crate::hangar::Backend;
+use crate::headless::{Exercise, Live};
 use crate::language::{Context, Script};
-use crate::mission::Mission;
+use crate::mission::{Mission, Report};
+use crate::notice::Notice;
 use crate::store::{self, Source, StoreError};
 use crate::text;
-use crate::text::{Language, Locale};
+use crate::text::Locale;
 use crate::vehicle::VehicleId;
+
+mod ardupilot;
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     sortie run 01 --pilot 01-air-sample\n  \
     sortie run my.toml --pilot my.pilot --json --no-timing\n  \
-    sortie run 01 --pilot my.pilot --seed 3 --speedup 10")]
+    sortie run 01 --pilot my.pilot --seed 3 --speedup 10\n  \
+    sortie run 01 --pilot 01-air-sample --backend ardupilot")]
 pub(super) struct RunArguments {
     /// A mission file, or the name or number of an embedded mission.
     mission: String,
@@ -35,9 +42,12 @@ pub(super) struct RunArguments {
     /// What varies the mission's world.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Simulated seconds per second, or `max`.
+    /// Simulated seconds per second, or `max`: as fast as the embedded simulator can, as fast as all of ArduPilot's
+    /// SITL processes keep together (20 on a processor of its own).
     #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
+    #[command(flatten)]
+    backend: BackendArguments,
     /// Leave out how long it took, so that equal runs print equal bytes.
     #[arg(long)]
     no_timing: bool,
@@ -52,6 +62,23 @@ enum Speedup {
     Times(f64),
 }
 
+/// What one SITL process keeps up with on one processor, with room to spare.
+const SITL_KEEPS: f64 = 20.0;
+
+impl Speedup {
+    /// What SITL is asked for. As fast as it can would let vehicles drift apart, so it is what all of them keep.
+    fn of_sitl(self, vehicles: usize) -> f64 {
+        match self {
+            Self::Times(times) => times,
+            Self::Max => {
+                let processors = std::thread::available_parallelism().map_or(1, usize::from);
+                let share = processors as f64 / vehicles.max(1) as f64;
+                (SITL_KEEPS * share.min(1.0)).max(1.0)
+            }
+        }
+    }
+}
+
 fn speedup_or_max(text: &str) -> Result<Speedup, String> {
     if text == "max" {
         return Ok(Speedup::Max);
@@ -62,31 +89,23 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
 }
 
 /// Flies and prints. The exit code tells whether the mission was passed.
-pub(super) fn run(options: &RunArguments, language: Language) -> Result<ExitCode, Failure> {
+pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCode, Failure> {
     let mission = Arc::new(load_mission(&options.mission)?);
     let script = load_script(&options.pilot, &mission)?;
-    let locale = Locale::new(language);
+    let backend = options.backend.choose(settings)?;
+    let locale = Locale::new(settings.config.lang.unwrap_or_default());
     let started = Instant::now();
-    let mut exercise = Exercise::new(mission, options.seed, script);
-    while !exercise.is_over() {
-        exercise.step();
-        if let Speedup::Times(times) = options.speedup {
-            let due = exercise.now().div_f64(times);
-            std::thread::sleep(due.saturating_sub(started.elapsed()));
+    let tell = |notice| tell(notice, options, &locale);
+    let mut report = match &backend.ardupilot {
+        None => fly(options, &backend, mission, script, tell),
+        Some(source) => {
+            let speedup = options.speedup.of_sitl(mission.vehicles);
+            let launches = backend.launches(&mission.starts(), speedup);
+            let live = Live::new(mission, options.seed, script, speedup);
+            ardupilot::fly(source, launches, live, tell)?
         }
-        for notice in exercise.take_notices() {
-            let words = match notice.vehicle {
-                Some(id) => text!("debrief-vehicle", vehicle = id, what = &notice.text),
-                None => notice.text,
-            };
-            let at = clock(notice.at);
-            tracing::info!("{at} {words}");
-            if !options.json {
-                eprintln!("{at} {}", locale.text(&words));
-            }
-        }
-    }
-    let mut report = exercise.report();
+    };
+    backend.name().clone_into(&mut report.backend);
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
         report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
@@ -99,6 +118,39 @@ pub(super) fn run(options: &RunArguments, language: Language) -> Result<ExitCode
     } else {
         ExitCode::from(1)
     })
+}
+
+/// Flies in the embedded simulator.
+fn fly(
+    options: &RunArguments,
+    backend: &Backend,
+    mission: Arc<Mission>,
+    script: Script,
+    tell: impl Fn(Notice),
+) -> Report {
+    let started = Instant::now();
+    let mut exercise = Exercise::new(mission, options.seed, script, backend.airframes());
+    while !exercise.is_over() {
+        exercise.step();
+        if let Speedup::Times(times) = options.speedup {
+            let due = exercise.now().div_f64(times);
+            std::thread::sleep(due.saturating_sub(started.elapsed()));
+        }
+        exercise.take_notices().into_iter().for_each(&tell);
+    }
+    exercise.report()
+}
+
+fn tell(notice: Notice, options: &RunArguments, locale: &Locale) {
+    let words = match notice.vehicle {
+        Some(id) => text!("debrief-vehicle", vehicle = id, what = &notice.text),
+        None => notice.text,
+    };
+    let at = clock(notice.at);
+    tracing::info!("{at} {words}");
+    if !options.json {
+        eprintln!("{at} {}", locale.text(&words));
+    }
 }
 
 fn clock(at: Duration) -> String {

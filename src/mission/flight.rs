@@ -154,6 +154,19 @@ impl Flight {
         notices
     }
 
+    /// A vehicle is no more, by no fault of the trainee's: its simulator has ended. Returns what a human should hear.
+    pub fn lose(&mut self, id: VehicleId, vehicles: &BTreeMap<VehicleId, Vehicle>) -> Vec<Notice> {
+        let mut notices = Vec::new();
+        self.enlist(vehicles);
+        let craft = self.crafts.iter_mut().find(|craft| craft.id == id);
+        if let Some(craft) = craft.filter(|craft| !craft.lost && self.ended.is_none()) {
+            craft.lost = true;
+            let text = text!("mission-vehicle-gone");
+            self.say("alert", Some(id), Severity::Critical, text, &mut notices);
+        }
+        notices
+    }
+
     /// Gives up.
     pub fn abandon(&mut self) {
         if self.ended.is_none() {

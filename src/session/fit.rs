@@ -16,9 +16,7 @@ pub(super) fn check(command: &Command, list: &Parameters) -> Result<(), Text> {
         return Ok(());
     };
     let Some(known) = list.get(name) else {
-        // Others may have appeared since if their number has changed.
-        let is_known = list.is_complete() && !list.is_outdated();
-        return if is_known {
+        return if is_known(list) {
             Err(lacking(name, list))
         } else {
             Ok(())
@@ -26,6 +24,12 @@ pub(super) fn check(command: &Command, list: &Parameters) -> Result<(), Text> {
     };
     let checked = known.kind.check(*value);
     checked.map(drop).map_err(|unfit| unfit.text(name))
+}
+
+/// Whether a vehicle lacks what is not on its list.
+pub(super) fn is_known(list: &Parameters) -> bool {
+    // Others may have appeared since if their number has changed.
+    list.is_complete() && !list.is_outdated()
 }
 
 /// That a vehicle has no such parameter, and which one may be meant.

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::naming::Renamed;
 use crate::commands::Command;
 use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -20,6 +21,8 @@ pub struct Order {
     pub retry: Retry,
     /// What to do.
     pub command: Command,
+    /// What its parameter was called by whoever gave it, where the vehicle calls it differently.
+    pub renamed: Option<Renamed>,
 }
 
 /// Something to report.
@@ -39,6 +42,16 @@ impl Order {
             verb: verb.name,
             retry: verb.retry,
             command,
+            renamed: None,
+        }
+    }
+
+    /// What a `PARAM_VALUE` says about it, with the name that was written if the vehicle has another.
+    pub(super) fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
+        let outcome = self.command.parameter_outcome(value);
+        match &self.renamed {
+            Some(renamed) => outcome.map(|text| renamed.remark(&text)),
+            None => outcome,
         }
     }
 

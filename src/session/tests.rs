@@ -14,6 +14,7 @@ use crate::ledger::EntryId;
 
 mod download;
 mod hearing;
+mod naming;
 mod orders;
 mod targets;
 
@@ -121,6 +122,7 @@ impl Scene {
                 deadline: ms(3500),
             },
             command,
+            renamed: None,
         };
         self.session.order(order, self.now);
         self.collect();

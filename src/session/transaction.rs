@@ -183,7 +183,7 @@ impl Transaction {
             (Answer::Parameter(name), Content::Message(MavMessage::PARAM_VALUE(value))) => {
                 let id = value.param_id.to_str();
                 if id.is_ok_and(|id| id.eq_ignore_ascii_case(name)) {
-                    match self.order.command.parameter_outcome(value.param_value) {
+                    match self.order.parameter_outcome(value.param_value) {
                         Ok(text) => self.accept(Some(text), now, output),
                         Err(text) => self.end(RowState::Refused, Some(text), now, output),
                     }

@@ -1,6 +1,5 @@
 //! The vehicle's parameters, and what they mean in SI units.
 
-mod aliases;
 mod table;
 mod tuning;
 
@@ -103,7 +102,7 @@ impl Parameters {
         if let Some(index) = TABLE.place(name) {
             return self.at(index as u16);
         }
-        let (alias, own, sense) = aliases::find(name)?;
+        let (alias, own, sense) = crate::parameters::older(name)?;
         let parameter = self.named(own)?;
         Some(Parameter {
             name: alias,
@@ -118,7 +117,7 @@ impl Parameters {
         if !value.is_finite() {
             return None;
         }
-        if let Some((alias, own, sense)) = aliases::find(name) {
+        if let Some((alias, own, sense)) = crate::parameters::older(name) {
             self.set(own, sense.convert(value))?;
             return self.named(alias);
         }
@@ -155,5 +154,26 @@ mod tests {
         assert_eq!(all.value("SYSID_THISMAV") as u8, 3);
         assert_eq!(all.set("WPNAV_SPEED", f32::NAN), None);
         assert_eq!(all.set("NO_SUCH_NAME", 1.0), None);
+    }
+
+    #[test]
+    fn every_newer_name_sets_and_reads_an_old_parameter() {
+        let old_names = (0..Parameters::new(1).count()).filter_map(|index| {
+            let own = Parameters::new(1).at(index)?.name;
+            let (newer, sense) = crate::parameters::other_name(own)?;
+            Some((newer, own, sense))
+        });
+        let old_names: Vec<_> = old_names.collect();
+        assert!(old_names.len() > 20, "{old_names:?}");
+        for (newer, own, sense) in old_names {
+            let mut all = Parameters::new(1);
+            for value in [0.0, 1.0] {
+                let set = all.set(&newer.to_lowercase(), value).expect("known");
+                assert_eq!((set.name, set.value.to_bits()), (newer, value.to_bits()));
+                let stored = all.named(own).expect("in the table").value;
+                assert_eq!(stored.to_bits(), sense.convert(value).to_bits(), "{newer}");
+                assert!((0..all.count()).all(|index| all.at(index).expect("listed").name != newer));
+            }
+        }
     }
 }

@@ -22,6 +22,7 @@ mod recordings;
 mod screens;
 mod settings;
 mod simulator;
+mod sitl_runs;
 mod stand_in;
 mod terminal;
 mod terminals;

@@ -1,0 +1,244 @@
+//! A mission on ArduPilot's SITL: its processes are started, flown and ended.
+
+use std::cell::RefCell;
+use std::time::{Duration, Instant};
+
+use anyhow::{anyhow, bail};
+use futures_util::FutureExt as _;
+use futures_util::future::join_all;
+use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, DuplexStream, ReadHalf, WriteHalf};
+use tokio::signal::unix::{SignalKind, signal};
+use tokio::sync::{mpsc, watch};
+use tokio::time::{MissedTickBehavior, interval, timeout};
+
+use crate::cli::{Failure, runtime};
+use crate::hangar::{Berth, Hangars, Instance, Launch, Place, Seen, Source, Stage};
+use crate::headless::Live;
+use crate::mission::Report;
+use crate::notice::Notice;
+
+/// A vehicle that is not ready by then will not be.
+const READY_WITHIN: Duration = Duration::from_secs(120);
+/// How long ending the instances may take.
+const ENDED_WITHIN: Duration = Duration::from_secs(10);
+/// How often time is looked at when no vehicle says anything.
+const LOOK_EVERY: Duration = Duration::from_millis(5);
+/// Pieces of what vehicles say that may wait.
+const PIECES_KEPT: usize = 256;
+const PIECE_LEN: usize = 4096;
+
+/// Starts the vehicles, flies, and ends them, whatever happens.
+///
+/// # Errors
+/// They cannot be started, do not get ready, or somebody interrupts.
+pub(super) fn fly(
+    source: &Source,
+    launches: Vec<Launch>,
+    live: Live,
+    tell: impl Fn(Notice),
+) -> Result<Report, Failure> {
+    let runtime = runtime()?;
+    let flown = runtime.block_on(async {
+        let hangars = source.open().map_err(|text| anyhow!(text.to_string()))?;
+        let places = RefCell::default();
+        let flown = tokio::select! {
+            flown = session(&hangars, launches, &places, live, tell) => flown,
+            () = interrupted() => Err(anyhow!("interrupted")),
+        };
+        let ended = join_all(places.take().into_iter().map(|place| hangars.stop(place)));
+        // One that has gone by itself needs no ending; what does not end in time ends with the hangar.
+        let _ = timeout(ENDED_WITHIN, ended).await;
+        flown
+    });
+    runtime.shutdown_background();
+    Ok(flown?)
+}
+
+async fn session(
+    hangars: &Hangars,
+    launches: Vec<Launch>,
+    launched: &RefCell<Vec<Place>>,
+    live: Live,
+    tell: impl Fn(Notice),
+) -> anyhow::Result<Report> {
+    let started = Instant::now();
+    let berths = hangars.launch(launches).await?;
+    let places: Vec<Place> = berths.iter().map(|berth| berth.place).collect();
+    launched.replace(places.clone());
+    let (pieces, heard) = mpsc::channel(PIECES_KEPT);
+    let mut fleet = Fleet {
+        places,
+        senders: moor(berths, &pieces),
+        heard,
+        seen: hangars.instances(),
+    };
+    match timeout(READY_WITHIN, fleet.get_ready()).await {
+        Ok(ready) => ready?,
+        Err(_) => bail!(
+            "not every vehicle is ready after {} s",
+            READY_WITHIN.as_secs()
+        ),
+    }
+    eprintln!(
+        "ready after {:.1} s: the mission begins",
+        started.elapsed().as_secs_f64()
+    );
+    Ok(fleet.fly(live, tell).await)
+}
+
+/// Until somebody wants this to end.
+async fn interrupted() {
+    let terminated = async {
+        match signal(SignalKind::terminate()) {
+            Ok(mut signal) => drop(signal.recv().await),
+            Err(_) => std::future::pending().await,
+        }
+    };
+    tokio::select! {
+        _ = tokio::signal::ctrl_c() => {}
+        () = terminated => {}
+    }
+}
+
+/// What a vehicle said: its place in the row, and the bytes.
+type Piece = (usize, Vec<u8>);
+
+/// Passes on what the vehicles say; returns what leads to them.
+fn moor(berths: Vec<Berth>, pieces: &mpsc::Sender<Piece>) -> Vec<WriteHalf<DuplexStream>> {
+    let moor = |(index, berth): (usize, Berth)| {
+        let (reader, writer) = tokio::io::split(berth.pipe);
+        tokio::spawn(listen(index, reader, pieces.clone()));
+        writer
+    };
+    berths.into_iter().enumerate().map(moor).collect()
+}
+
+async fn listen(index: usize, mut reader: ReadHalf<DuplexStream>, pieces: mpsc::Sender<Piece>) {
+    let mut bytes = vec![0; PIECE_LEN];
+    while let Ok(len @ 1..) = reader.read(&mut bytes).await {
+        if pieces.send((index, bytes[..len].to_vec())).await.is_err() {
+            return;
+        }
+    }
+}
+
+/// The vehicles, in the order of their system ids.
+struct Fleet {
+    places: Vec<Place>,
+    senders: Vec<WriteHalf<DuplexStream>>,
+    heard: mpsc::Receiver<Piece>,
+    seen: watch::Receiver<Seen>,
+}
+
+impl Fleet {
+    /// Waits until all can be armed, and tells how far they are.
+    async fn get_ready(&mut self) -> anyhow::Result<()> {
+        let mut told: Vec<Option<String>> = vec![None; self.places.len()];
+        loop {
+            let all = self.seen.borrow_and_update().clone();
+            for (place, told) in self.places.iter().zip(&mut told) {
+                let Some(instance) = find(&all, *place) else {
+                    continue;
+                };
+                let words = words(instance);
+                if told.as_ref() != Some(&words) {
+                    eprintln!("vehicle {}: {words}", instance.system);
+                    *told = Some(words);
+                }
+                if instance.stage == Stage::Ended {
+                    bail!("{}", obituary(instance));
+                }
+            }
+            let is_ready = |place: &Place| {
+                find(&all, *place).is_some_and(|instance| instance.stage == Stage::Ready)
+            };
+            if self.places.iter().all(is_ready) {
+                return Ok(());
+            }
+            tokio::select! {
+                changed = self.seen.changed() => changed?,
+                // What they say while they boot is the hangar's business.
+                Some(_) = self.heard.recv() => {}
+            }
+        }
+    }
+
+    /// Carries bytes between the vehicles and the mission until it is over.
+    async fn fly(&mut self, mut live: Live, tell: impl Fn(Notice)) -> Report {
+        let begun = Instant::now();
+        let mut looks = interval(LOOK_EVERY);
+        looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        while !live.is_over() {
+            tokio::select! {
+                Some((index, bytes)) = self.heard.recv() => {
+                    live.hear(index, &bytes, begun.elapsed());
+                    while let Ok((index, bytes)) = self.heard.try_recv() {
+                        live.hear(index, &bytes, begun.elapsed());
+                    }
+                }
+                Ok(()) = self.seen.changed() => self.note_losses(&mut live),
+                _ = looks.tick() => {}
+            }
+            live.pass(begun.elapsed());
+            for (index, sender) in self.senders.iter_mut().enumerate() {
+                let bytes = live.take_output(index);
+                if !bytes.is_empty() {
+                    // Nobody reads what is meant for a vehicle that is no more.
+                    let _ = sender.write(&bytes).now_or_never();
+                }
+            }
+            live.take_notices().into_iter().for_each(&tell);
+        }
+        let (flown, took) = (live.now().as_secs_f64(), begun.elapsed().as_secs_f64());
+        tracing::info!("{flown:.1} s flown in {took:.1} s");
+        live.report()
+    }
+
+    /// Vehicles whose process has ended do not come back.
+    fn note_losses(&mut self, live: &mut Live) {
+        let all = self.seen.borrow_and_update().clone();
+        for (index, place) in self.places.iter().enumerate() {
+            let instance = find(&all, *place);
+            if let Some(ended) = instance.filter(|instance| instance.stage == Stage::Ended) {
+                tracing::error!("{}", obituary(ended));
+            }
+            if instance.is_none_or(|instance| instance.stage == Stage::Ended) {
+                live.lose(index);
+            }
+        }
+    }
+}
+
+fn find(all: &Seen, wanted: Place) -> Option<&Instance> {
+    let mut all = all.iter();
+    all.find_map(|(place, instance)| (*place == wanted).then_some(instance))
+}
+
+/// How far a vehicle is, and what it has lacked for too long.
+fn words(instance: &Instance) -> String {
+    let stage = match instance.stage {
+        Stage::Queued => "waits for its start".to_owned(),
+        Stage::Process => "its process runs".to_owned(),
+        Stage::Heartbeat => "it is heard".to_owned(),
+        Stage::Parameters => format!("all {} parameters have come", instance.parameters[1]),
+        Stage::Position => "it knows where it is".to_owned(),
+        Stage::Ready => "it can be armed".to_owned(),
+        Stage::Stopping => "it is being ended".to_owned(),
+        Stage::Ended => "its process has ended".to_owned(),
+    };
+    match &instance.hint {
+        Some(hint) => format!("{stage} ({hint})"),
+        None => stage,
+    }
+}
+
+/// Why a vehicle is no more, with the last that its process said.
+fn obituary(instance: &Instance) -> String {
+    let fault = instance.fault.as_deref().unwrap_or("it was ended");
+    let mut text = format!("vehicle {}: {fault}", instance.system);
+    for line in &instance.last_output {
+        text.push_str("\n  ");
+        text.push_str(line);
+    }
+    text
+}

@@ -1,0 +1,201 @@
+//! Those who fly a mission: a session per vehicle, the pilot, and the mission that watches them.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::geo::LatLon;
+use crate::language::{Action, Context, Pilot, PilotEvent, Script, Statement};
+use crate::ledger::{Given, Ledger};
+use crate::mission::{Flight, Mission, Report as MissionReport};
+use crate::notice::Notice;
+use crate::session::{Order, Report, Session};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::wire::{
+    AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
+    SystemId, ground_station_heartbeat,
+};
+
+/// One vehicle's connection.
+struct Seat {
+    decoder: Decoder,
+    encoder: Encoder,
+    session: Session,
+}
+
+/// A flight in progress. Whoever owns it carries the bytes and says what time it is.
+pub(super) struct Crew {
+    seats: Vec<Seat>,
+    vehicles: BTreeMap<VehicleId, Vehicle>,
+    ledger: Ledger,
+    pilot: Pilot,
+    flight: Flight,
+    places: BTreeMap<String, LatLon>,
+    notices: Vec<Notice>,
+    /// When the mission began; sessions may have begun before.
+    begun: Duration,
+}
+
+impl Crew {
+    /// So many vehicles, with system ids from 1, at time 0.
+    pub fn new(mission: Arc<Mission>, seed: u64, script: Script, vehicles: usize) -> Self {
+        let seat = |system| Seat {
+            decoder: Decoder::new(),
+            encoder: Encoder::new(GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT),
+            session: Session::new(system, AUTOPILOT_COMPONENT, Duration::ZERO),
+        };
+        Self {
+            seats: (1..=SystemId::MAX).take(vehicles).map(seat).collect(),
+            vehicles: BTreeMap::new(),
+            ledger: Ledger::new(),
+            pilot: Pilot::new(script),
+            places: mission.places(),
+            flight: Flight::new(mission, seed),
+            notices: Vec::new(),
+            begun: Duration::ZERO,
+        }
+    }
+
+    /// The mission begins now; before that, nothing flies.
+    pub fn begin(&mut self, now: Duration) {
+        self.begun = now;
+    }
+
+    pub fn is_over(&self) -> bool {
+        self.flight.outcome().is_some()
+    }
+
+    pub fn report(&self) -> MissionReport {
+        self.flight.report(&self.ledger)
+    }
+
+    pub fn take_notices(&mut self) -> Vec<Notice> {
+        std::mem::take(&mut self.notices)
+    }
+
+    /// A vehicle as its session knows it.
+    pub fn vehicle(&self, index: usize) -> &Vehicle {
+        self.seats[index].session.vehicle()
+    }
+
+    /// Takes in a vehicle's bytes; [`Self::hear`] makes messages of them.
+    pub fn push(&mut self, index: usize, bytes: &[u8]) {
+        self.seats[index].decoder.push(bytes);
+    }
+
+    /// Takes in a vehicle's next message, if it is there.
+    pub fn hear(&mut self, index: usize, now: Duration) -> bool {
+        let seat = &mut self.seats[index];
+        let Some(frame) = seat.decoder.next_frame() else {
+            return false;
+        };
+        seat.session.receive(&frame, now);
+        true
+    }
+
+    /// Lets time pass for a vehicle's session.
+    pub fn poll(&mut self, index: usize, now: Duration) {
+        self.seats[index].session.poll(now);
+    }
+
+    /// Tells a vehicle that a ground station is there.
+    pub fn say_heartbeat(&mut self, index: usize, bytes: &mut Vec<u8>) {
+        let encoder = &mut self.seats[index].encoder;
+        encoder.encode(&ground_station_heartbeat(), bytes);
+    }
+
+    /// What there is to say to a vehicle.
+    pub fn say(&mut self, index: usize, bytes: &mut Vec<u8>) {
+        let seat = &mut self.seats[index];
+        for message in seat.session.take_outgoing() {
+            seat.encoder.encode(&message, bytes);
+        }
+    }
+
+    /// Takes down what became of a vehicle's commands, and what is to be heard of it.
+    pub fn note(&mut self, index: usize) {
+        for report in self.seats[index].session.take_reports() {
+            match report {
+                Report::Row(update) => self.ledger.apply(&update),
+                Report::Notice(notice) => self.notices.push(Notice {
+                    at: notice.at.saturating_sub(self.begun),
+                    ..notice
+                }),
+            }
+        }
+    }
+
+    /// A vehicle is no more.
+    pub fn lose(&mut self, index: usize) {
+        self.look();
+        let id = self.vehicle(index).id;
+        let said = self.flight.lose(id, &self.vehicles);
+        self.notices.extend(said);
+    }
+
+    /// One tick of pilot and mission.
+    pub fn fly(&mut self, now: Duration) {
+        self.look();
+        let elapsed = now.saturating_sub(self.begun);
+        for event in self.pilot.step(now, &self.vehicles, &self.ledger) {
+            match event {
+                PilotEvent::Do(statement) => self.carry_out(&statement, now),
+                PilotEvent::WaitTimedOut { line, text } => self.notices.push(Notice {
+                    at: elapsed,
+                    vehicle: None,
+                    severity: Severity::Warning,
+                    text: text!("grammar-wait-timed-out", line = line, wait = text),
+                }),
+                PilotEvent::Finished => {}
+            }
+        }
+        let said = self.flight.step(elapsed, &self.vehicles, &self.ledger);
+        self.notices.extend(said);
+    }
+
+    /// Takes snapshots of the vehicles.
+    fn look(&mut self) {
+        for seat in &self.seats {
+            let vehicle = seat.session.vehicle();
+            self.vehicles.insert(vehicle.id, vehicle.clone());
+        }
+    }
+
+    fn carry_out(&mut self, statement: &Statement, now: Duration) {
+        let Action::Command { verb, command } = &statement.action else {
+            return;
+        };
+        let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
+        let context = Context {
+            places: Some(&self.places),
+            vehicles: &all,
+            ..Context::default()
+        };
+        let targets = match statement.targets.resolve(&all, &context) {
+            Ok(targets) => targets,
+            Err(text) => {
+                self.notices.push(Notice {
+                    at: now.saturating_sub(self.begun),
+                    vehicle: None,
+                    severity: Severity::Error,
+                    text: Text::joined(": ", vec![format!("`{}`", statement.line).into(), text]),
+                });
+                return;
+            }
+        };
+        let given = Given {
+            line: &statement.line,
+            verb: verb.name,
+            risk: command.risk(),
+        };
+        let entry = self.ledger.open(now, given, &targets);
+        for seat in &mut self.seats {
+            if targets.contains(&seat.session.vehicle().id) {
+                let order = Order::new(entry, verb, command.clone());
+                seat.session.order(order, now);
+            }
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! The same mission in lock step and on a byte stream.
+
+use super::*;
+use crate::language::Context;
+use crate::sim::STEP;
+
+const MISSION: &str = include_str!("../../missions/01-air-sample.toml");
+const PILOT: &str = include_str!("../../missions/pilots/01-air-sample.pilot");
+
+fn mission() -> (Arc<Mission>, Script) {
+    let mission = Arc::new(Mission::parse(MISSION).expect("no faults"));
+    let places = mission.places();
+    let context = Context {
+        places: Some(&places),
+        vehicles: &[1],
+        ..Context::default()
+    };
+    let script = Script::parse(PILOT, &context).expect("no faults");
+    (mission, script)
+}
+
+/// The embedded simulator as a process that runs by itself.
+struct Process {
+    world: World,
+    port: PortId,
+    live: Live,
+    /// Time of ours per time of the simulator.
+    pace: f64,
+}
+
+impl Process {
+    fn new(speedup: f64) -> Self {
+        let (mission, script) = mission();
+        let mut world = World::new(&mission.world(1));
+        Self {
+            port: world.connect(0),
+            world,
+            live: Live::new(mission, 1, script, speedup),
+            pace: 1.0 / speedup,
+        }
+    }
+
+    fn now(&self) -> Duration {
+        self.world.now().mul_f64(self.pace)
+    }
+
+    /// Lets the simulator run for a time of its own while nobody listens to it.
+    fn run(&mut self, time: Duration) -> Vec<u8> {
+        let until = self.world.now() + time;
+        while self.world.now() < until {
+            self.world.step();
+        }
+        let mut bytes = Vec::new();
+        self.world.take_output(self.port, &mut bytes);
+        bytes
+    }
+
+    /// Carries bytes whenever the simulator has come so far, until the end or so long.
+    fn fly(&mut self, every: Duration, most: Duration) {
+        while !self.live.is_over() && self.world.now() < most {
+            let bytes = self.run(every);
+            let now = self.now();
+            self.live.hear(0, &bytes, now);
+            self.live.pass(now);
+            let bytes = self.live.take_output(0);
+            self.world.receive(self.port, &bytes);
+        }
+    }
+}
+
+fn in_lock_step() -> MissionReport {
+    let (mission, script) = mission();
+    let mut exercise = Exercise::new(mission, 1, script, Vec::new());
+    while !exercise.is_over() {
+        exercise.step();
+    }
+    exercise.report()
+}
+
+const HOUR: Duration = Duration::from_secs(3600);
+
+#[test]
+fn a_live_flight_scores_as_the_one_in_lock_step() {
+    let expected = in_lock_step();
+    assert!(expected.passed);
+    for (speedup, every) in [(1.0, STEP * 4), (20.0, STEP * 40), (20.0, STEP * 80)] {
+        let mut process = Process::new(speedup);
+        process.fly(every, HOUR);
+        let report = process.live.report();
+        assert!(report.passed, "{speedup} {every:?}");
+        let (score, wanted) = (i32::from(report.score), i32::from(expected.score));
+        assert!((score - wanted).abs() <= 20, "{score} instead of {wanted}");
+        let late = report.sim_time_s - expected.sim_time_s;
+        assert!((-5.0..15.0).contains(&late), "{late} s at {every:?}");
+        assert!(
+            report
+                .ledger
+                .iter()
+                .flat_map(|entry| &entry.rows)
+                .all(|row| !row.failed)
+        );
+    }
+}
+
+#[test]
+fn a_mission_waits_for_its_vehicle_to_be_heard() {
+    let mut process = Process::new(10.0);
+    for second in 0..9 {
+        process.live.pass(Duration::from_secs(second));
+        assert_eq!(process.live.now(), Duration::ZERO);
+    }
+    process.live.pass(Duration::from_secs(30));
+    process.live.pass(Duration::from_secs(31));
+    process.live.pass(Duration::from_secs(34));
+    assert!(process.live.now() > Duration::ZERO, "but not for ever");
+}
+
+#[test]
+fn a_mission_ends_when_its_last_vehicle_is_no_more() {
+    let mut process = Process::new(10.0);
+    process.fly(STEP * 40, Duration::from_secs(60));
+    assert!(!process.live.is_over());
+    process.live.take_notices();
+    process.live.lose(0);
+    process.live.lose(0);
+    for step in 0..50 {
+        let now = process.now() + Duration::from_millis(100) * step;
+        process.live.pass(now);
+    }
+    assert!(process.live.is_over());
+    let report = process.live.report();
+    assert!(!report.passed);
+    let said = report.events.iter().filter(|event| event.kind == "alert");
+    let said: Vec<String> = said.map(|event| event.text.to_string()).collect();
+    assert_eq!(said, ["its simulator has ended: the vehicle is lost"]);
+}
+
+#[test]
+fn a_silent_vehicle_does_not_stop_the_mission_for_ever() {
+    let mut process = Process::new(10.0);
+    process.fly(STEP * 40, Duration::from_secs(30));
+    let mut now = process.now();
+    while !process.live.is_over() {
+        now += Duration::from_millis(50);
+        process.live.pass(now);
+        assert!(now < Duration::from_secs(120), "the limit is 480 s");
+    }
+    assert!(!process.live.report().passed);
+}

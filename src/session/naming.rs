@@ -1,0 +1,176 @@
+//! What a vehicle calls a parameter: versions of the firmware differ, most of all in how faults are made (`SIM_*`).
+
+use std::time::Duration;
+
+use super::{Order, Session, fit};
+use crate::commands::Command;
+use crate::diagnostic::nearest;
+use crate::ledger::{EntryId, RowState};
+use crate::parameters::{Parameters, Sense, other_name};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+use crate::wire::Outgoing;
+
+/// The name that was written, where the vehicle has another one for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Renamed {
+    /// As it was written.
+    from: String,
+    sense: Sense,
+}
+
+impl Renamed {
+    /// What a parameter's value is, with the name that was written.
+    pub(super) fn remark(&self, outcome: &Text) -> Text {
+        match self.sense {
+            Sense::Same => text!("outcome-other-name", outcome = outcome, name = &self.from),
+            Sense::Opposite => {
+                text!(
+                    "outcome-opposite-name",
+                    outcome = outcome,
+                    name = &self.from
+                )
+            }
+        }
+    }
+}
+
+/// Gives the parameter of an order the name that the vehicle has for it. False if that has to be asked first:
+/// vehicles say nothing to a name that they lack.
+pub(super) fn settle(order: &mut Order, list: &Parameters) -> bool {
+    let (name, value) = match &mut order.command {
+        Command::GetParameter { name } => (name, None),
+        Command::SetParameter { name, value } => (name, Some(value)),
+        _ => return true,
+    };
+    let Some((other, sense)) = other_name(name).filter(|_| list.get(name).is_none()) else {
+        return true;
+    };
+    if list.get(other).is_none() {
+        // What is not listed cannot be set, but some of it can be read.
+        return value.is_some() && fit::is_known(list);
+    }
+    if let (Some(value), Sense::Opposite) = (value, sense) {
+        *value = f64::from(sense.convert(*value as f32));
+    }
+    let from = std::mem::replace(name, other.to_owned());
+    order.renamed = Some(Renamed { from, sense });
+    true
+}
+
+/// Asks a vehicle by which of two names it knows the parameter of the order that is next.
+#[derive(Debug, Default)]
+pub(super) struct Search {
+    /// The order that it is for.
+    entry: Option<EntryId>,
+    tries: u8,
+    asked: Duration,
+}
+
+/// What comes of a search.
+enum Searching {
+    /// These are to be sent.
+    Ask(Vec<Outgoing>),
+    Wait,
+    /// Nothing more will come.
+    Over,
+}
+
+impl Search {
+    fn poll(
+        &mut self,
+        order: &Order,
+        deadline: Duration,
+        vehicle: &Vehicle,
+        now: Duration,
+    ) -> Searching {
+        if self.entry != Some(order.entry) {
+            *self = Self {
+                entry: Some(order.entry),
+                ..Self::default()
+            };
+        } else if now < self.asked + order.retry.every && now < deadline {
+            return Searching::Wait;
+        }
+        if self.tries >= order.retry.tries || now >= deadline {
+            return Searching::Over;
+        }
+        (self.tries, self.asked) = (self.tries + 1, now);
+        let read = |name: &str| {
+            let name = name.to_owned();
+            Command::GetParameter { name }.request(vehicle, 0)
+        };
+        let (name, other) = names(&order.command);
+        // A name that cannot be asked for is no name of the vehicle's.
+        let requests = [read(name), read(other)].into_iter().flatten();
+        Searching::Ask(requests.flat_map(|request| request.messages).collect())
+    }
+}
+
+/// The name in a command, and the other firmware's.
+fn names(command: &Command) -> (&str, &str) {
+    match command {
+        Command::GetParameter { name } | Command::SetParameter { name, .. } => {
+            let other = other_name(name).map_or(name.as_str(), |(other, _)| other);
+            (name, other)
+        }
+        _ => ("", ""),
+    }
+}
+
+impl Session {
+    /// The order whose turn has come, with the vehicle's own name for its parameter. `None` if there is none, or
+    /// while that name is not known.
+    pub(super) fn next_order(&mut self, now: Duration) -> Option<(Order, Duration)> {
+        loop {
+            let (order, given) = self.queue.front_mut()?;
+            let list = self.inbox.parameters();
+            let refused = if settle(order, list) {
+                // A name that was found only now has not been checked.
+                let is_new = order.renamed.is_some();
+                match fit::check(&order.command, list) {
+                    Err(reason) if is_new => (RowState::Refused, reason),
+                    _ => return self.queue.pop_front(),
+                }
+            } else {
+                let deadline = *given + order.retry.deadline;
+                match self.search.poll(order, deadline, &self.vehicle, now) {
+                    Searching::Ask(messages) => {
+                        self.output.messages.extend(messages);
+                        return None;
+                    }
+                    Searching::Wait => return None,
+                    Searching::Over => self.not_found(),
+                }
+            };
+            let (order, _) = self.queue.pop_front()?;
+            let (state, reason) = refused;
+            self.output
+                .row(order.unsent(self.vehicle.id, state, reason, now));
+        }
+    }
+
+    /// How an order ends whose parameter the vehicle has under neither name.
+    fn not_found(&self) -> (RowState, Text) {
+        let command = self.queue.front().map(|(order, _)| &order.command);
+        let (name, other) = command.map_or(("", ""), names);
+        let list = self.inbox.parameters();
+        let known = list.iter().map(|(name, _)| name);
+        let reason = match nearest(name, known) {
+            Some(nearest) => text!(
+                "refused-neither-parameter-but",
+                name = name,
+                other = other,
+                nearest = nearest
+            ),
+            None => text!("refused-neither-parameter", name = name, other = other),
+        };
+        let state = if self.vehicle.link.lost {
+            RowState::TimedOut
+        } else {
+            RowState::Refused
+        };
+        (state, reason)
+    }
+}

@@ -1,0 +1,279 @@
+//! `sortie run` on ArduPilot's SITL: on the stand-in, and on a real one where `SORTIE_ARDUCOPTER` names it.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::io::{BufRead as _, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+
+use crate::stand_in::{Behaviour, StandIn};
+
+/// How long processes may take to be gone.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A user's folders, and the program.
+struct Scene {
+    folder: tempfile::TempDir,
+    program: PathBuf,
+    _stand_in: Option<StandIn>,
+}
+
+impl Scene {
+    fn on_stand_in(behaviour: Behaviour) -> Self {
+        let stand_in = StandIn::new(behaviour);
+        Self {
+            folder: tempfile::tempdir().expect("a temporary folder"),
+            program: stand_in.program(),
+            _stand_in: Some(stand_in),
+        }
+    }
+
+    fn on_the_real_one() -> Option<Self> {
+        let Some(program) = std::env::var_os("SORTIE_ARDUCOPTER") else {
+            eprintln!("skipped: SORTIE_ARDUCOPTER names no arducopter");
+            return None;
+        };
+        Some(Self {
+            folder: tempfile::tempdir().expect("a temporary folder"),
+            program: program.into(),
+            _stand_in: None,
+        })
+    }
+
+    fn run(&self, pilot: impl AsRef<OsStr>, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sortie"));
+        command
+            .args(["run", "01", "--pilot"])
+            .arg(pilot)
+            .args(["--backend", "ardupilot", "--arducopter"])
+            .arg(&self.program)
+            .args(arguments)
+            .env("XDG_STATE_HOME", self.folder.path())
+            .env("XDG_CONFIG_HOME", self.folder.path())
+            .env("NO_COLOR", "1");
+        command
+    }
+
+    fn output(&self, pilot: impl AsRef<OsStr>, arguments: &[&str]) -> Output {
+        self.run(pilot, arguments).output().expect("it runs")
+    }
+
+    fn report(&self, pilot: impl AsRef<OsStr>, arguments: &[&str]) -> serde_json::Value {
+        let output = self.output(pilot, arguments);
+        serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", said(&output)))
+    }
+
+    /// Starts it, and waits until it says that the mission begins; also, what it says from then on.
+    fn fly(&self) -> (Child, JoinHandle<String>) {
+        let mut command = self.run("01-air-sample", &["--speedup", "1"]);
+        let command = command.stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("it starts");
+        let lines = BufReader::new(child.stderr.take().expect("piped")).lines();
+        let mut lines = lines.map(|line| line.expect("text"));
+        let mut told = Vec::new();
+        let begins = lines.any(|line| {
+            told.push(line);
+            told.last()
+                .is_some_and(|line| line.contains("the mission begins"))
+        });
+        assert!(begins, "{told:#?}");
+        assert!(!self.processes().is_empty());
+        // It goes on telling, and must find somebody who listens.
+        let rest = thread::spawn(move || lines.collect::<Vec<_>>().join("\n"));
+        (child, rest)
+    }
+
+    /// The processes that run in the user's folders.
+    fn processes(&self) -> Vec<i32> {
+        let folder = self.folder.path().canonicalize().expect("it is there");
+        let all = fs::read_dir("/proc").expect("Linux");
+        let pid = |entry: fs::DirEntry| entry.file_name().to_str()?.parse().ok();
+        let runs_here = |pid: &i32| {
+            let at = fs::read_link(format!("/proc/{pid}/cwd"));
+            at.is_ok_and(|at| at.starts_with(&folder))
+        };
+        all.flatten().filter_map(pid).filter(runs_here).collect()
+    }
+
+    fn assert_nothing_is_left(&self) {
+        let begun = Instant::now();
+        while !self.processes().is_empty() {
+            assert!(begun.elapsed() < PATIENCE, "{:?}", self.processes());
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    fn pilot(&self, lines: &str) -> PathBuf {
+        let path = self.folder.path().join("my.pilot");
+        fs::write(&path, lines).expect("written");
+        path
+    }
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn the_reference_pilot_passes_on_the_stand_in() {
+    let scene = Scene::on_stand_in(Behaviour::Normal);
+    let output = scene.output("01-air-sample", &["--json", "--no-timing"]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one document");
+    assert_eq!(
+        (&report["backend"], &report["passed"]),
+        (&"ardupilot".into(), &true.into())
+    );
+    assert!(
+        report["score"].as_u64().is_some_and(|score| score >= 900),
+        "{}",
+        report["score"]
+    );
+    for stage in ["its process runs", "it can be armed", "the mission begins"] {
+        assert!(said(&output).contains(stage), "{}", said(&output));
+    }
+    scene.assert_nothing_is_left();
+}
+
+#[test]
+fn a_vehicle_that_dies_is_lost_and_ends_the_mission() {
+    let scene = Scene::on_stand_in(Behaviour::Normal);
+    let (mut child, rest) = scene.fly();
+    for pid in scene.processes() {
+        kill(Pid::from_raw(pid), Signal::SIGKILL).expect("it is ours");
+    }
+    let status = child.wait().expect("it is ours");
+    let rest = rest.join().expect("it is read");
+    assert_eq!(status.code(), Some(1), "{rest}");
+    assert!(
+        rest.contains("vehicle 1: its simulator has ended: the vehicle is lost"),
+        "{rest}"
+    );
+    assert!(rest.contains("mission failed"), "{rest}");
+    scene.assert_nothing_is_left();
+}
+
+#[test]
+fn a_program_that_does_not_start_is_told_with_what_it_said() {
+    let scene = Scene::on_stand_in(Behaviour::ExitsBeforeConnecting);
+    let output = scene.output("01-air-sample", &[]);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(
+        said(&output).contains("the stand-in gives up"),
+        "{}",
+        said(&output)
+    );
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
+fn nothing_is_left_when_it_is_interrupted_or_killed() {
+    let scene = Scene::on_stand_in(Behaviour::Normal);
+    for signal in [Signal::SIGINT, Signal::SIGTERM, Signal::SIGKILL] {
+        let (mut child, _rest) = scene.fly();
+        kill(Pid::from_raw(child.id() as i32), signal).expect("it is ours");
+        let status = child.wait().expect("it is ours");
+        let code = (signal != Signal::SIGKILL).then_some(1);
+        assert_eq!(status.code(), code, "{signal}");
+        scene.assert_nothing_is_left();
+    }
+}
+
+#[test]
+fn faults_reach_the_stand_in_by_either_name() {
+    let scene = Scene::on_stand_in(Behaviour::Normal);
+    let pilot =
+        scene.pilot("all param set SIM_GPS1_ENABLE 0\nall param get SIM_GPS_DISABLE\nwait 20s\n");
+    let report = scene.report(pilot, &["--json"]);
+    let states = report["ledger"].as_array().expect("rows").iter();
+    let states: Vec<&str> = states
+        .filter_map(|entry| entry["rows"][0]["state"].as_str())
+        .collect();
+    assert_eq!(states, ["effect seen"; 2], "{report:#}");
+}
+
+#[test]
+fn an_airframe_changes_how_the_embedded_vehicle_flies() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let frame = folder.path().join("frame.json");
+    let run = |frame: Option<&Path>| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sortie"));
+        command.args([
+            "run",
+            "01",
+            "--pilot",
+            "01-air-sample",
+            "--json",
+            "--no-timing",
+        ]);
+        if let Some(frame) = frame {
+            command.arg("--frame").arg(frame);
+        }
+        command.output().expect("it runs")
+    };
+    fs::write(&frame, "{\"refCurrent\": 60}").expect("written");
+    let energy = |output: &Output| {
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        report["energy_wh"].as_f64().expect("measured")
+    };
+    let (plain, heavy) = (run(None), run(Some(&frame)));
+    assert!(
+        energy(&heavy) > energy(&plain) * 1.1,
+        "{} {}",
+        energy(&heavy),
+        energy(&plain)
+    );
+    fs::write(&frame, "{\"mass\": -1}").expect("written");
+    let faulty = run(Some(&frame));
+    assert_eq!(faulty.status.code(), Some(2));
+    assert!(said(&faulty).contains("frame.json:1:"), "{}", said(&faulty));
+}
+
+#[test]
+fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator() {
+    let Some(scene) = Scene::on_the_real_one() else {
+        return;
+    };
+    let embedded = Command::new(env!("CARGO_BIN_EXE_sortie"))
+        .args(["run", "01", "--pilot", "01-air-sample", "--json"])
+        .output()
+        .expect("it runs");
+    let embedded: serde_json::Value = serde_json::from_slice(&embedded.stdout).expect("JSON");
+    let real = scene.report("01-air-sample", &["--json"]);
+    assert_eq!(real["passed"], true, "{real:#}");
+    let score = |report: &serde_json::Value| report["score"].as_i64().expect("a number");
+    assert!(
+        (score(&real) - score(&embedded)).abs() <= 30,
+        "{} {}",
+        score(&real),
+        score(&embedded)
+    );
+    scene.assert_nothing_is_left();
+}
+
+#[test]
+fn a_real_arducopter_loses_its_gps_by_the_newer_firmware_s_name() {
+    let Some(scene) = Scene::on_the_real_one() else {
+        return;
+    };
+    let pilot = scene.pilot(
+        "wait all ready timeout 60s\nall guided\nall arm\nall takeoff 20\nwait all altitude > 19 timeout 40s\n\
+         all param set SIM_GPS1_ENABLE 0\nwait all disarmed timeout 200s\n",
+    );
+    let output = scene.output(pilot, &[]);
+    let (said, debrief) = (said(&output), String::from_utf8_lossy(&output.stdout));
+    assert!(said.contains("EKF"), "{said}\n{debrief}");
+    assert!(
+        said.to_lowercase().contains("failsafe"),
+        "{said}\n{debrief}"
+    );
+    assert!(
+        debrief.contains("all param set SIM_GPS1_ENABLE 0: effect seen"),
+        "{debrief}"
+    );
+}
