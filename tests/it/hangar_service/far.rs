@@ -121,9 +121,14 @@ async fn all_are_launched_or_none() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_was_launched_ends_with_the_console() {
     let served = Served::start(2).await;
+    // A hangar has each system id once.
+    let launch = Launch {
+        system: Some(9),
+        ..Launch::default()
+    };
     let by_another = served
         .remote()
-        .launch(&Launch::default())
+        .launch(&launch)
         .await
         .expect("there is room");
     let hangars = Hangars::far(vec![served.remote()]);
