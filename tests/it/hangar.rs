@@ -204,7 +204,7 @@ async fn assert_a_console_has_it_back(stand: &Stand) {
         .until("it is back", |console| {
             console
                 .vehicle(1)
-                .is_some_and(|one| !one.link.lost && one.link.reboots == 1 && one.ready_to_arm())
+                .is_some_and(|one| !one.link.lost && one.ready_to_arm())
         })
         .await;
     let again = stand.until_ready(id).await;
