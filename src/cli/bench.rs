@@ -10,6 +10,7 @@ mod decode;
 mod fidelity;
 mod frame;
 mod load;
+mod scale;
 mod sim;
 
 /// What to measure.
@@ -23,6 +24,8 @@ pub(super) enum Bench {
     Frame(frame::FrameArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.
     Load(load::LoadArguments),
+    /// What a growing number of vehicles costs the simulator and the console, as the paper measured it.
+    Scale(scale::ScaleArguments),
     /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
     Sim(sim::SimArguments),
 }
@@ -34,6 +37,7 @@ pub(super) fn bench(bench: &Bench) -> Result<ExitCode, Failure> {
         Bench::Fidelity(options) => fidelity::fidelity(options),
         Bench::Frame(options) => frame::frame(options),
         Bench::Load(options) => load::load(options),
+        Bench::Scale(options) => scale::scale(options),
         Bench::Sim(options) => sim::sim(options),
     }
 }
