@@ -21,7 +21,7 @@ pub(super) fn chart(rows: &[Row], is_ascii: bool) -> String {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 2 * COLUMNS, 2 * ROWS));
     for (index, figure) in figures(rows).iter().enumerate() {
         let (column, row) = (index as u16 % 2, index as u16 / 2);
-        let area = Rect::new(column * COLUMNS, row * ROWS, COLUMNS, ROWS);
+        let area = Rect::new(column * COLUMNS, row * ROWS, COLUMNS - 1, ROWS);
         draw(figure, area, &mut buffer);
     }
     if is_ascii {

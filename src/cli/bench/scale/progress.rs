@@ -60,7 +60,9 @@ impl Progress {
 
     /// What is done now.
     pub fn say(&mut self, phase: &str) {
-        let is_news = self.said != phase;
+        // A phase that counts is still the same phase.
+        let words: String = phase.chars().filter(|c| !c.is_ascii_digit()).collect();
+        let is_news = self.said != words;
         if self.is_terminal {
             if is_news || self.said_at.is_none_or(|at| at.elapsed() >= EVERY) {
                 eprint!("\r\x1b[K{}: {phase}{}", self.subject, self.remaining());
@@ -71,7 +73,7 @@ impl Progress {
         } else if is_news {
             eprintln!("{}: {phase}{}", self.subject, self.remaining());
         }
-        phase.clone_into(&mut self.said);
+        self.said = words;
     }
 
     /// Takes the line away.

@@ -46,7 +46,7 @@ fn draw(panel: &Panel<'_>, figure: &Figure) -> Result<(), Box<dyn std::error::Er
         .y_label_formatter(&|y| label(*y))
         .label_style(("sans-serif", 13))
         .axis_desc_style(("sans-serif", 14))
-        .light_line_style(WHITE)
+        .max_light_lines(0)
         .draw()?;
     chart
         .draw_series(LineSeries::new(
