@@ -19,11 +19,14 @@ macro_rules! say {
     }};
 }
 
+mod backend;
 mod bench;
 mod check;
 mod config;
 mod fly;
+mod hangar;
 mod manual;
+mod programs;
 mod run;
 mod settings;
 mod sim;
@@ -77,6 +80,8 @@ enum Command {
     Run(run::RunArguments),
     /// The embedded simulator as a server for any ground station.
     Sim(sim::SimArguments),
+    /// SITL processes on this host: a service that starts, watches and ends them, and how to start one by hand.
+    Hangar(hangar::HangarArguments),
     /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
     /// column.
     #[command(after_help = "Examples:\n  \
@@ -162,6 +167,10 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
         Some(Command::Sim(options)) => {
             settings.complain();
             sim::serve(&options)
+        }
+        Some(Command::Hangar(options)) => {
+            settings.complain();
+            hangar::hangar(&options, &settings)
         }
         Some(Command::Check { files }) => check::check(&files),
         Some(Command::Config(options)) => config::config(&options, &settings),

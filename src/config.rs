@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
 
 use crate::text::Language;
 
@@ -43,6 +44,8 @@ pub struct Config {
     pub keymap: Option<String>,
     /// What the program writes down about itself.
     pub log: Log,
+    /// SITL processes.
+    pub hangar: Hangar,
 }
 
 /// What a terminal can show besides letters.
@@ -80,6 +83,60 @@ pub struct Alerts {
     pub mute: Vec<String>,
 }
 
+/// SITL processes: what the hangar starts, and how much of it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Hangar {
+    /// The program of multirotors; without it, the one that is found.
+    pub arducopter: Option<String>,
+    /// The program of planes.
+    pub arduplane: Option<String>,
+    /// The program of rovers and boats.
+    pub ardurover: Option<String>,
+    /// The program of submarines.
+    pub ardusub: Option<String>,
+    /// Instances at once.
+    pub instances: u16,
+    /// Address space of one instance, in mebibytes.
+    pub memory: u64,
+    /// What happens to instances that end by themselves.
+    pub restart: Restart,
+    /// Where the instances' folders are made; by default in the folder of the state.
+    pub folder: Option<String>,
+    /// The services that vehicles are started by; by default this program starts them itself.
+    pub urls: Vec<String>,
+    /// The file with the token of the services; by default the one in the folder of the state.
+    pub token_file: Option<String>,
+}
+
+/// What happens to an instance that has ended by itself.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Restart {
+    /// It stays down until somebody asks.
+    #[default]
+    Never,
+    /// It is started again, later and later, until it has failed five times in a row.
+    Always,
+}
+
+impl Default for Hangar {
+    fn default() -> Self {
+        Self {
+            arducopter: None,
+            arduplane: None,
+            ardurover: None,
+            ardusub: None,
+            instances: 64,
+            memory: 1024,
+            restart: Restart::Never,
+            folder: None,
+            urls: Vec::new(),
+            token_file: None,
+        }
+    }
+}
+
 /// What the program writes down about itself.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -112,6 +169,7 @@ impl Default for Config {
             macros: BTreeMap::new(),
             keymap: None,
             log: Log::default(),
+            hangar: Hangar::default(),
         }
     }
 }

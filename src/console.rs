@@ -39,7 +39,7 @@ mod signals;
 pub use drive::drive;
 use missions::listings;
 pub use options::{Opening, Options, Preferences};
-use session::{Backend, Plan, Running};
+use session::{Backend, Ending, Plan, Running};
 use signals::{Happened, Signals};
 
 /// The time between two ticks, at which telemetry is collected and missions are stepped.
@@ -47,6 +47,8 @@ const TICK: Duration = Duration::from_millis(100);
 
 /// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
 const KEYS_PER_FRAME: usize = 64;
+/// How long the end of the program waits for the processes of its vehicles to end.
+const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 /// How long the end of the program waits for what the terminal has yet to answer.
 const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 
@@ -102,6 +104,7 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
         }
         console.draw(&mut screen)?;
     }
+    console.close().await;
     hear_last_answer(&screen, &mut keyboard).await;
     Ok(())
 }
@@ -133,11 +136,12 @@ struct Console {
     state: State,
     look: Look,
     running: Option<Running>,
+    /// What is left of the session before.
+    ending: Ending,
     /// What has to be said at the start.
     warnings: Vec<Text>,
     /// The last line of the history that its file has.
     kept: Option<String>,
-    /// The revision of the state that was drawn last.
     /// The revision of the state that was drawn last.
     drawn: Option<u64>,
     /// A new limit for frames, until the screen has heard of it.
@@ -156,6 +160,7 @@ impl Console {
         let mut warnings = preferences.warnings.clone();
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
+        state.has_ardupilot = options.ardupilot.is_some() && options.backend.ardupilot.is_none();
         state.config = preferences.config.clone();
         state.config.symbols = Some(options.look.symbols);
         state.locale = Arc::clone(&options.look.locale);
@@ -181,6 +186,7 @@ impl Console {
             clock: Clock::start(),
             state,
             running: None,
+            ending: Ending::default(),
             drawn: None,
             fps: None,
             bell: false,
@@ -201,7 +207,7 @@ impl Console {
         let plan = match &self.options.opening {
             Opening::Home => return,
             Opening::Mission(mission) => Plan::Mission(Arc::clone(mission)),
-            Opening::Free => Plan::Free,
+            Opening::Free => Plan::Free(None),
             Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
         if let Err(error) = self.start(plan).await {
@@ -320,7 +326,7 @@ impl Console {
             Effect::Notify(text) => {
                 return self.note = Some(sanitised(&self.look.locale.text(&text)));
             }
-            Effect::LeaveSession => return self.running = None,
+            Effect::LeaveSession => return self.end_session(),
             Effect::SetTheme(name) => return self.set_theme(&name),
             Effect::SetFps(fps) => return self.fps = Some(fps),
             Effect::FetchParameters(_)
@@ -339,7 +345,14 @@ impl Console {
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
                 .map_err(|error| Text::from(&error)),
-            Effect::StartFree => Ok(Plan::Free),
+            Effect::StartFree => Ok(Plan::Free(None)),
+            Effect::StartArduPilot => Ok(Plan::Free(self.options.ardupilot.clone())),
+            Effect::Hangar(deed, vehicle) => {
+                return self
+                    .running
+                    .iter()
+                    .for_each(|running| running.process(deed, vehicle));
+            }
             Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect),
             Effect::RestartMission => match &self.running {
                 Some(running) => Ok(running.plan()),
@@ -387,16 +400,32 @@ impl Console {
         }
     }
 
+    /// Ends the session. What takes a while to end is waited for by who has to.
+    fn end_session(&mut self) {
+        if let Some(running) = self.running.take() {
+            self.ending = running.ending();
+        }
+    }
+
+    /// Ends everything, and waits for it a little: what then still runs ends with this program.
+    async fn close(&mut self) {
+        self.end_session();
+        let ending = std::mem::take(&mut self.ending);
+        ending.over(LAST_PROCESS_PATIENCE).await;
+    }
+
     async fn start(&mut self, plan: Plan) -> Result<(), Text> {
         // The old session ends first: the new one may need its ports.
-        self.running = None;
+        self.end_session();
         let backend = Backend {
             clock: self.clock,
             vehicles: self.options.vehicles,
             seed: self.options.seed,
             speedup: self.options.speedup,
+            simulation: self.options.backend.clone(),
         };
-        let (running, started) = Running::start(plan, &backend).await?;
+        let before = std::mem::take(&mut self.ending);
+        let (running, started) = Running::start(plan, &backend, before).await?;
         self.running = Some(running);
         // Nothing that `Started` causes is an effect.
         update(&mut self.state, Event::Started(Box::new(started)));

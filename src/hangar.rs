@@ -25,14 +25,22 @@ use crate::sitl::{Kind, Recipe};
 use crate::text;
 use crate::text::Text;
 
+pub mod client;
 mod instance;
 mod launcher;
 mod pool;
 mod probe;
+pub mod programs;
 mod relay;
+pub mod service;
+mod source;
+mod token;
 
+pub use crate::config::Restart;
 pub use launcher::{LAUNCH, launch_stub};
 pub use pool::{Berth, Hangars, Place, Seen};
+pub use source::{Backend, Frame, Source};
+pub use token::{Token, TokenError};
 
 /// Names an instance within its hangar.
 pub type InstanceId = u16;
@@ -191,17 +199,9 @@ pub struct Instance {
     pub last_output: Vec<String>,
     /// Its folder on the host.
     pub folder: String,
-}
-
-/// What happens to an instance that has ended by itself.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Restart {
-    /// It stays down until somebody asks.
-    #[default]
-    Never,
-    /// It is started again, later and later, until it has failed five times in a row.
-    Always,
+    /// The TCP port on loopback that gives its MAVLink to anybody on the host, if a service has opened one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub port: Option<u16>,
 }
 
 /// What a hangar may use.
@@ -285,6 +285,14 @@ pub enum Refusal {
     /// The hangar is being closed.
     #[error("the hangar is closing")]
     Closing,
+    /// A hangar elsewhere does not do it.
+    #[error("hangar {hangar}: {source}")]
+    Far {
+        /// What it is called.
+        hangar: String,
+        /// What it says, or why it says nothing.
+        source: client::ClientError,
+    },
 }
 
 impl From<&Refusal> for Text {
@@ -305,6 +313,9 @@ impl From<&Refusal> for Text {
                 )
             }
             Refusal::Closing => text!("hangar-closing"),
+            Refusal::Far { hangar, source } => {
+                text!("hangar-far", hangar = hangar, error = Text::from(source))
+            }
         }
     }
 }
@@ -447,6 +458,11 @@ impl Hangar {
 
     /// Ends all instances and waits until their processes are gone.
     pub async fn close(self) {
+        self.end().await;
+    }
+
+    /// Ends all instances, for one who shares the hangar with others, and waits until their processes are gone.
+    async fn end(&self) {
         self.0.cancel.cancel();
         self.0
             .seen

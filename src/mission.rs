@@ -45,6 +45,7 @@ use crate::sim::{Start, WorldConfig};
 use crate::text::Text;
 
 mod area;
+mod clock;
 mod craft;
 mod file;
 mod flight;
@@ -58,6 +59,7 @@ mod zone;
 
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
+pub use clock::Clock;
 pub use flight::{Flight, Outcome};
 pub use listing::{Listing, ObjectiveListing};
 pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};

@@ -3,8 +3,8 @@
 //! Facts of its options and traps are those of `ArduPilot` 4.6 (`SITL_cmdline.cpp`, `UARTDriver.cpp`), tried on a
 //! running one.
 
+use core::net::SocketAddr;
 use std::collections::BTreeMap;
-use std::net::SocketAddr;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;

@@ -39,6 +39,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
         Room::Ledger => screen::ledger::draw(state, look, body, buffer),
         Room::Messages => screen::messages::draw(state, look, body, buffer),
         Room::Links => screen::links::draw(state, look, body, buffer),
+        Room::Hangar => screen::hangar::draw(state, look, body, buffer),
         Room::Parameters => screen::parameters::draw(state, look, body, buffer),
         Room::Mission => screen::mission::draw(state, look, body, buffer),
         Room::Debrief => screen::debrief::draw(state, look, body, buffer),

@@ -4,6 +4,7 @@ alert-motors-stopped = MOTORS STOPPED in the air
 alert-crashed = CRASHED, disarmed
 alert-crashed-at = CRASHED { $speed } m/s
 alert-link-lost = LINK LOST
+alert-process = SITL DOWN
 alert-failsafe = FAILSAFE active
 alert-gps-lost = GPS lost
 alert-gps-glitch = GPS glitch

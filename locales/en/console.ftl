@@ -111,6 +111,7 @@ setting-fps-range = write a whole number from { $least } to { $most }
 setting-bell = ring the bell for serious alerts
 setting-notify = desktop notifications for serious alerts
 console-params = the parameters: ask again, save, load, compare
+console-hangar = the vehicles' processes: show, start again, end
 console-ungroup = forget a group's name
 console-sort = order the table; - puts the largest first
 console-filter = show only: 1-4  @red  armed  air  alert  bat<30  !land

@@ -7,3 +7,63 @@ hangar-no-program = no { $program } was found: name one with --arducopter or SOR
 hangar-attached = somebody is attached to instance { $id } already
 hangar-host = cannot start instance { $id }: { $what }: { $error }
 hangar-closing = the hangar is closing
+hangar-cannot-open = cannot open the hangar in { $folder }: { $error }
+
+hangar-none = No processes simulate these vehicles. `sortie fly --backend ardupilot` starts ArduPilot's SITL for each of them and shows here how far it is.
+hangar-opening = the hangar is being opened ...
+hangar-ready = { $ready } of { $count } ready
+hangar-host-title = host
+hangar-stage = stage
+hangar-pid = pid
+hangar-restarts = starts
+hangar-memory = memory
+hangar-processor = core
+hangar-stage-queued = waits for its turn
+hangar-stage-process = runs
+hangar-stage-heartbeat = heartbeat
+hangar-stage-fetching = parameters { $received }/{ $count }
+hangar-stage-parameters = waits for a position
+hangar-stage-position = position, last checks
+hangar-stage-ready = ready
+hangar-stage-stopping = is being ended
+hangar-stage-crashed = CRASHED
+hangar-stage-ended = ended
+hangar-vehicle = vehicle { $vehicle }
+hangar-fault = CRASHED: { $reason }
+hangar-fault-what = r starts it again, on its pad. x ends it for good.
+hangar-no-output = in { $folder }; what it printed shows here when it has ended by itself
+hangar-output = in { $folder }; printed last:
+hangar-output-of = vehicle { $vehicle }: output
+hangar-key-output = output
+hangar-key-restart = start again
+hangar-key-stop = end
+hangar-key-leave = leave
+hangar-all-ready = { $count ->
+    [one] the vehicle is ready to arm
+   *[other] all { $count } vehicles are ready to arm
+}
+hangar-ready-again = is ready to arm again
+hangar-restarted = its process is started again ({ $count })
+hangar-crash = its process has crashed: { $reason }; { $key }, then r starts it again
+hangar-crash-said = its process has crashed: { $reason }: { $line }; { $key }, then r starts it again
+hangar-no-process = there is no process of vehicle { $vehicle }
+hangar-ask-armed = it is armed: in flight it falls
+hangar-ask-restart = Start vehicle { $vehicle } again?
+hangar-ask-stop = End the process of vehicle { $vehicle }?
+hangar-restarting = vehicle { $vehicle } is started again
+hangar-stopping = the process of vehicle { $vehicle } is ended
+hangar-which = expected the number of a vehicle
+hangar-not-begun = the mission begins when all vehicles are ready: G shows how far they are
+hangar-failed = the vehicles could not be started: { $reason }
+hangar-plain-stages = starting: { $stages }
+hangar-plain-stage = { $vehicles } { $stage }
+hangar-plain-none = no processes simulate these vehicles
+hangar-here = here
+
+# Hangars that are services elsewhere.
+
+hangar-far = hangar { $hangar }: { $error }
+hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`
+hangar-far-late = { $address } has not answered within { $seconds } s
+hangar-far-other = { $address } answers, but it is no sortie hangar ({ $error })
+hangar-far-token = { $address } wants its token ({ $error }): copy its token file here and name it with --hangar-token FILE

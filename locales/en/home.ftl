@@ -3,6 +3,8 @@
 home-missions = missions
 home-others = without a task
 home-free = Free flight
+home-ardupilot = Free flight on ArduPilot
+home-ardupilot-about = The same without a task, but every drone is a real ArduPilot autopilot (SITL), a process of its own. They need a few seconds until they can be armed.
 home-connect = Connect to vehicles
 home-quit = Quit
 home-free-about = Simulated drones and no task: learn the commands, try things, break nothing.

@@ -4,6 +4,7 @@ alert-motors-stopped = ДВИГУНИ СТАЛИ в повітрі
 alert-crashed = РОЗБИВСЯ, двигуни вимкнено
 alert-crashed-at = РОЗБИВСЯ { $speed } m/s
 alert-link-lost = БЕЗ ЗВ'ЯЗКУ
+alert-process = SITL НЕ ПРАЦЮЄ
 alert-failsafe = FAILSAFE спрацював
 alert-gps-lost = GPS втрачено
 alert-gps-glitch = збій GPS

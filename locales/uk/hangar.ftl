@@ -7,3 +7,64 @@ hangar-no-program = { $program } не знайдено: назвіть його 
 hangar-attached = до екземпляра { $id } вже хтось під'єднаний
 hangar-host = не вдається запустити екземпляр { $id }: { $what }: { $error }
 hangar-closing = ангар закривається
+hangar-cannot-open = не вдалося відкрити ангар у { $folder }: { $error }
+
+hangar-none = Жодні процеси не симулюють цих апаратів. `sortie fly --backend ardupilot` запускає ArduPilot SITL для кожного з них і показує тут, як далеко він просунувся.
+hangar-opening = ангар відкривається ...
+hangar-ready = готові { $ready } з { $count }
+hangar-host-title = хост
+hangar-stage = етап
+hangar-pid = pid
+hangar-restarts = перезап
+hangar-memory = пам'ять
+hangar-processor = ядро
+hangar-stage-queued = чекає черги
+hangar-stage-process = працює
+hangar-stage-heartbeat = на зв'язку
+hangar-stage-fetching = параметри { $received }/{ $count }
+hangar-stage-parameters = чекає координат
+hangar-stage-position = координати, перевірки
+hangar-stage-ready = готовий
+hangar-stage-stopping = завершується
+hangar-stage-crashed = АВАРІЯ
+hangar-stage-ended = завершений
+hangar-vehicle = апарат { $vehicle }
+hangar-fault = АВАРІЯ: { $reason }
+hangar-fault-what = r запускає його знову, на майданчику. x завершує остаточно.
+hangar-no-output = у { $folder }; виведене буде тут, коли процес завершиться сам
+hangar-output = у { $folder }; останнє виведене:
+hangar-output-of = апарат { $vehicle }: виведене
+hangar-key-output = виведене
+hangar-key-restart = перезапуск
+hangar-key-stop = кінець
+hangar-key-leave = вийти
+hangar-all-ready = { $count ->
+    [one] { $count } апарат готовий до зльоту
+    [few] усі { $count } апарати готові до зльоту
+   *[other] усі { $count } апаратів готові до зльоту
+}
+hangar-ready-again = знову готовий до зльоту
+hangar-restarted = його процес запускається знову ({ $count })
+hangar-crash = його процес аварійно завершився: { $reason }; { $key }, потім r запускає знову
+hangar-crash-said = його процес аварійно завершився: { $reason }: { $line }; { $key }, потім r запускає знову
+hangar-no-process = процесу апарата { $vehicle } немає
+hangar-ask-armed = його мотори ввімкнені: у польоті він упаде
+hangar-ask-restart = Запустити апарат { $vehicle } знову?
+hangar-ask-stop = Завершити процес апарата { $vehicle }?
+hangar-restarting = апарат { $vehicle } запускається знову
+hangar-stopping = процес апарата { $vehicle } завершується
+hangar-which = потрібен номер апарата
+hangar-not-begun = завдання почнеться, коли всі апарати будуть готові: G показує, як далеко вони
+hangar-failed = не вдалося запустити апарати: { $reason }
+hangar-plain-stages = запуск: { $stages }
+hangar-plain-stage = { $vehicles } { $stage }
+hangar-plain-none = жодні процеси не симулюють цих апаратів
+hangar-here = тут
+
+# Ангари, що є службами деінде.
+
+hangar-far = ангар { $hangar }: { $error }
+hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншої машини: `ssh -L PORT:127.0.0.1:PORT HOST`
+hangar-far-late = { $address } не відповів за { $seconds } с
+hangar-far-other = { $address } відповідає, але це не ангар sortie ({ $error })
+hangar-far-token = { $address } вимагає свій токен ({ $error }): скопіюйте сюди його файл токена й назвіть його через --hangar-token FILE

@@ -107,6 +107,10 @@ pub enum Action {
     NextOutcome,
     /// Show only what concerns the vehicle under the cursor, or the selected ones.
     OwnVehicles,
+    /// Start the process under the cursor again.
+    RestartProcess,
+    /// End the process under the cursor.
+    StopProcess,
     /// Leave the program.
     Quit,
 }
@@ -142,6 +146,7 @@ impl Action {
         ("commands", Self::Show(Room::Ledger)),
         ("messages", Self::Show(Room::Messages)),
         ("links", Self::Show(Room::Links)),
+        ("hangar", Self::Show(Room::Hangar)),
         ("parameters", Self::Show(Room::Parameters)),
         ("mission", Self::Show(Room::Mission)),
         ("debrief", Self::Show(Room::Debrief)),
@@ -202,6 +207,8 @@ impl Action {
         ("acknowledge", Self::Acknowledge),
         ("next-outcome", Self::NextOutcome),
         ("own-vehicles", Self::OwnVehicles),
+        ("restart-process", Self::RestartProcess),
+        ("stop-process", Self::StopProcess),
         ("quit", Self::Quit),
     ];
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::effect::HangarDeed;
 use super::room::Room;
 use super::setting::Setting;
 use super::state::{Groups, MissionListing, ranges};
@@ -33,6 +34,7 @@ enum Kind {
     Group,
     Theme,
     Params,
+    Hangar,
     Swarm(SwarmVerb),
     Show,
     Fly,
@@ -54,7 +56,7 @@ impl Kind {
     fn most_arguments(self) -> usize {
         match self {
             Self::Plain(_) => 0,
-            Self::Group | Self::Set => 2,
+            Self::Group | Self::Set | Self::Hangar => 2,
             Self::Connect | Self::Params | Self::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => {
                 usize::MAX
             }
@@ -87,6 +89,8 @@ pub enum ConsoleLine {
     Set(Setting),
     /// Something about the parameters of the vehicle under the cursor.
     Params(ParamsDeed),
+    /// Shows the hangar, or has the process of a vehicle ended or started again.
+    Hangar(Option<(HangarDeed, VehicleId)>),
     /// One about the table or its alerts.
     Swarm(SwarmLine),
     /// One without arguments.
@@ -129,6 +133,10 @@ pub enum Deed {
     Quit,
 }
 
+/// What can be done with a vehicle's process.
+const HANGAR_DEEDS: [(&str, HangarDeed); 2] =
+    [("restart", HangarDeed::Restart), ("stop", HangarDeed::Stop)];
+
 /// Everything the console itself can do.
 pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
     verb("show", "show ROOM", Kind::Show),
@@ -154,6 +162,7 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
         "params [fetch | save FILE | load FILE | diff FILE|N]",
         Kind::Params,
     ),
+    verb("hangar", "hangar [restart N | stop N]", Kind::Hangar),
     verb("macro", "macro NAME", Kind::Macro),
     verb("fly", "fly [MISSION]", Kind::Fly),
     verb("connect", "connect ADDRESS...", Kind::Connect),
@@ -221,6 +230,9 @@ impl<'a> Names<'a> {
             }
             (Kind::Params, []) => ["fetch", "save", "load", "diff"]
                 .map(|deed| (deed, Text::default()))
+                .to_vec(),
+            (Kind::Hangar, []) => HANGAR_DEEDS
+                .map(|(deed, _)| (deed, Text::default()))
                 .to_vec(),
             (Kind::Swarm(verb), _) => {
                 let choices = swarm::choices(verb).into_iter();
@@ -292,7 +304,7 @@ pub fn lines(names: &Names<'_>) -> Vec<(String, Text)> {
                 }
             }
             // The same as `set theme`.
-            Kind::Theme | Kind::Group | Kind::Params => {}
+            Kind::Theme | Kind::Group | Kind::Params | Kind::Hangar => {}
             kind => {
                 let words = names.following(kind, &[]).into_iter();
                 found.extend(words.map(|(word, hint)| (format!("{} {word}", verb.name), hint)));
@@ -374,6 +386,16 @@ fn read(
             let words = arguments.iter().cloned();
             let words: Vec<_> = words.map(|span| (&line[span.clone()], span)).collect();
             swarm::read(swarm, &words).map(ConsoleLine::Swarm)
+        }
+        Kind::Hangar if given.is_empty() => Ok(ConsoleLine::Hangar(None)),
+        Kind::Hangar => {
+            let name = known(0)?;
+            let (_, deed) = HANGAR_DEEDS[usize::from(name != HANGAR_DEEDS[0].0)];
+            let vehicle = word(1)?.parse().map_err(|_| {
+                Diagnostic::new(arguments[1].clone(), text!("hangar-which"))
+                    .with_help(text!("console-usage", usage = verb.usage))
+            })?;
+            Ok(ConsoleLine::Hangar(Some((deed, vehicle))))
         }
         Kind::Select => word(0).map(|targets| ConsoleLine::Select(targets.to_owned())),
         Kind::Group => Ok(ConsoleLine::Group {

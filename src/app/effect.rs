@@ -6,6 +6,15 @@ use crate::ledger::EntryId;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
+/// What can be done with the process of a vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HangarDeed {
+    /// It is ended, if it runs, and started again.
+    Restart,
+    /// It is ended.
+    Stop,
+}
+
 /// Work for the run loop.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
@@ -42,6 +51,10 @@ pub enum Effect {
     StartMission(String),
     /// Start free flight with simulated vehicles.
     StartFree,
+    /// Start free flight with vehicles that ArduPilot's SITL simulates.
+    StartArduPilot,
+    /// Have the process of a vehicle ended or started again.
+    Hangar(HangarDeed, VehicleId),
     /// Connect to vehicles at these addresses.
     Connect(Vec<String>),
     /// End the mission now; its report follows as an event.

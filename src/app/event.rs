@@ -6,7 +6,7 @@ use std::time::Duration;
 use crossterm::event::KeyEvent;
 
 use super::room::messages::LinkTraffic;
-use super::state::{Activity, LinkSummary};
+use super::state::{Activity, Instance, LinkSummary};
 use crate::doctor::Finding;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
@@ -78,6 +78,8 @@ pub enum Event {
     Row(RowUpdate),
     /// How the links are doing.
     Links(Vec<LinkSummary>),
+    /// How the processes of the vehicles are doing.
+    Hangar(Vec<Instance>),
     /// What the link doctor has found, once a second.
     Findings(Vec<Finding>),
     /// A look at the messages on the links.
@@ -101,4 +103,6 @@ pub struct Started {
     pub places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.
     pub areas: Vec<Area>,
+    /// How many processes are started for it; `None` where none is.
+    pub processes: Option<usize>,
 }

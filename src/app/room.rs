@@ -8,6 +8,7 @@ use crate::text::Text;
 
 pub mod debrief;
 pub mod fly;
+pub mod hangar;
 pub mod home;
 pub mod ledger;
 pub mod links;
@@ -35,6 +36,8 @@ pub enum Room {
     Messages,
     /// The links, and what is wrong with them.
     Links,
+    /// The processes that simulate the vehicles.
+    Hangar,
     /// The vehicles' parameters.
     Parameters,
     /// The mission's brief, objectives and rules.
@@ -45,7 +48,7 @@ pub enum Room {
 
 impl Room {
     /// Every room, in the order of the help.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Home,
         Self::Fly,
         Self::Vehicle,
@@ -53,6 +56,7 @@ impl Room {
         Self::Ledger,
         Self::Messages,
         Self::Links,
+        Self::Hangar,
         Self::Parameters,
         Self::Mission,
         Self::Debrief,
@@ -68,6 +72,7 @@ impl Room {
             Self::Ledger => 'C',
             Self::Messages => 'I',
             Self::Links => 'L',
+            Self::Hangar => 'G',
             Self::Parameters => 'P',
             Self::Mission => 'B',
             Self::Debrief => 'D',
@@ -84,6 +89,7 @@ impl Room {
             Self::Ledger => "commands",
             Self::Messages => "messages",
             Self::Links => "links",
+            Self::Hangar => "hangar",
             Self::Parameters => "parameters",
             Self::Mission => "mission",
             Self::Debrief => "debrief",
@@ -128,6 +134,8 @@ pub struct Rooms {
     pub messages: messages::Messages,
     /// The links.
     pub links: links::Links,
+    /// The processes that simulate the vehicles.
+    pub hangar: hangar::Hangar,
     /// The vehicles' parameters.
     pub parameters: parameters::Parameters,
     /// The mission's brief, objectives and rules.
@@ -157,6 +165,7 @@ pub fn keys(room: Room) -> &'static [Row] {
         Room::Ledger => ledger::KEYS,
         Room::Messages => messages::KEYS,
         Room::Links => links::KEYS,
+        Room::Hangar => hangar::KEYS,
         Room::Parameters => parameters::KEYS,
         Room::Mission => mission::KEYS,
         Room::Debrief => debrief::KEYS,
@@ -173,6 +182,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Room::Ledger => ledger::act(state, action),
         Room::Messages => messages::act(state, action),
         Room::Links => links::act(state, action),
+        Room::Hangar => hangar::act(state, action),
         Room::Parameters => parameters::act(state, action),
         Room::Mission => mission::act(state, action),
         Room::Debrief => debrief::act(state, action),

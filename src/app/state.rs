@@ -16,6 +16,7 @@ mod alert;
 mod bell;
 mod column;
 mod filter;
+mod hangar;
 mod help;
 mod history;
 mod ids;
@@ -32,6 +33,7 @@ pub use alert::{Alert, AlertKind, alert, alerts};
 pub use bell::{Call, Due};
 pub use column::{Column, Key, Sort};
 pub use filter::Filter;
+pub use hangar::{Hangar, Instance, Stage};
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
@@ -83,6 +85,8 @@ pub struct State {
     pub history: VecDeque<String>,
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
+    /// Whether ArduPilot's SITL could be started.
+    pub has_ardupilot: bool,
     /// What the line to the terminal carries in bytes per second, while it cannot keep up.
     pub slow_line: Option<u32>,
     /// The last answer of the console itself.
@@ -130,6 +134,7 @@ impl State {
             keymap: Keymap::default(),
             history: VecDeque::new(),
             size: SMALLEST,
+            has_ardupilot: false,
             slow_line: None,
             message: None,
             revision: 0,

@@ -8,6 +8,7 @@ use crate::ledger::Entry;
 
 pub(super) mod act;
 mod console_line;
+mod hangar;
 mod keys;
 mod links;
 mod offer;
@@ -70,6 +71,7 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
             }
             return parameters::advance(state);
         }
+        Event::Hangar(instances) => hangar::changed(state, instances),
         Event::Links(links) => state.session.links = links,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),

@@ -6,10 +6,12 @@ use std::sync::Arc;
 
 use clap::Args;
 
+use super::backend::{self, BackendArguments};
 use super::settings::Settings;
 use super::{Failure, parse_speedup, runtime};
 use crate::config::Symbols;
 use crate::console::{self, Opening, Options, Preferences};
+use crate::hangar::Backend;
 use crate::link::Address;
 use crate::store::History;
 use crate::terminal::Environment;
@@ -25,7 +27,8 @@ const VEHICLES: u8 = 4;
 #[command(after_help = "Examples:\n  \
     sortie fly 01\n  \
     sortie fly --vehicles 8 --speedup 4\n  \
-    sortie fly missions/my-mission.toml --seed 7")]
+    sortie fly missions/my-mission.toml --seed 7\n  \
+    sortie fly 01 --backend ardupilot --arducopter build/sitl/bin/arducopter")]
 pub(super) struct FlyArguments {
     /// A mission file, or the name or number of an embedded mission; free flight without one.
     mission: Option<String>,
@@ -44,6 +47,8 @@ pub(super) struct FlyArguments {
     /// Lines of text instead of a screen: for screen readers and pipes.
     #[arg(long)]
     plain: bool,
+    #[command(flatten)]
+    backend: BackendArguments,
 }
 
 /// The home screen.
@@ -62,6 +67,8 @@ pub(super) fn fly(arguments: &FlyArguments, settings: Settings) -> Result<ExitCo
         None => Opening::Free,
     };
     let options = Options {
+        // What is wrong with it is told before the screen opens.
+        backend: arguments.backend.choose(&settings)?,
         vehicles: arguments.vehicles,
         seed: arguments.seed,
         speedup: arguments.speedup,
@@ -118,9 +125,12 @@ fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
         }
     }
     settings.complain();
+    let ardupilot = backend::found(&settings);
     let folders = settings.folders.as_ref();
     Ok(Options {
         opening,
+        backend: Backend::default(),
+        ardupilot,
         vehicles: VEHICLES,
         seed: 1,
         speedup: 1.0,

@@ -1,19 +1,18 @@
 //! `sortie sim`: the embedded simulator as a server.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::str::FromStr;
-use std::sync::Arc;
 
 use clap::Args;
 use nix::sys::resource::{Resource, getrlimit, setrlimit};
 use tokio_util::sync::CancellationToken;
 
+use super::backend::frame;
 use super::{Failure, parse_speedup, runtime};
 use crate::geo::LatLon;
 use crate::link::{Endpoint, Simulator, Started};
-use crate::sim::{Airframe, SYSTEMS, Start, World, WorldConfig};
-use crate::store;
+use crate::sim::{SYSTEMS, Start, World, WorldConfig};
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
@@ -123,30 +122,10 @@ impl FromStr for Home {
     }
 }
 
-/// Reads a frame file; its warnings go to standard error.
-fn airframe(path: &Path) -> Result<Arc<Airframe>, Failure> {
-    let source = store::read(path, "file-frame")
-        .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
-    let name = &source.name;
-    let (airframe, warnings) = Airframe::from_json(&source.text).map_err(|error| {
-        Failure::Invalid(format!(
-            "sortie: {name}:{}:{}: {}",
-            error.line, error.column, error.what
-        ))
-    })?;
-    for fault in warnings {
-        eprintln!(
-            "sortie: {name}:{}:{}: {}",
-            fault.line, fault.column, fault.what
-        );
-    }
-    Ok(Arc::new(airframe))
-}
-
 /// Serves until interrupted.
 pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
-    let airframes: Result<Vec<_>, Failure> =
-        options.frames.iter().map(|path| airframe(path)).collect();
+    let airframe = |path: &PathBuf| frame(path).map(|frame| frame.airframe);
+    let airframes: Result<Vec<_>, Failure> = options.frames.iter().map(airframe).collect();
     let config = WorldConfig {
         seed: options.seed,
         airframes: airframes?,

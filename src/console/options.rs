@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::app::keymap::Keymap;
 use crate::config::Config;
+use crate::hangar::{Backend, Source};
 use crate::link::Address;
 use crate::mission::Mission;
 use crate::store::History;
@@ -28,6 +29,10 @@ pub enum Opening {
 pub struct Options {
     /// What it begins with.
     pub opening: Opening,
+    /// What flies.
+    pub backend: Backend,
+    /// ArduPilot's SITL where it could be started without being asked for.
+    pub ardupilot: Option<Source>,
     /// Simulated vehicles in free flight.
     pub vehicles: u8,
     /// What varies missions and simulation.

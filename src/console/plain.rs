@@ -79,6 +79,7 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
             },
         }
     }
+    plain.console.close().await;
     plain.finish(told_to_end)
 }
 
@@ -148,7 +149,15 @@ impl Plain {
         let state = &self.console.state;
         let heard = state.session.vehicles.len() >= self.expected
             || state.session.time(state.now) >= HEARD_PATIENCE;
-        self.is_person || (heard && self.is_idle())
+        self.is_person || (heard && !state.session.is_starting() && self.is_idle())
+    }
+
+    /// The stages are told in lines; there is no room to be in.
+    fn leave_hangar(&mut self) {
+        let state = &mut self.console.state;
+        if state.room == Room::Hangar && state.session.is_starting() {
+            state.room = Room::Fly;
+        }
     }
 
     fn is_idle(&self) -> bool {
@@ -230,6 +239,7 @@ impl Plain {
 
     /// What a screen would have answered to a line.
     fn tell_outcome(&mut self) {
+        self.leave_hangar();
         let state = &mut self.console.state;
         let mut texts = Vec::new();
         if let Some(message) = state.message() {
@@ -274,6 +284,7 @@ impl Plain {
             "links" if rest.is_empty() => report::links(state),
             "ledger" | "commands" if rest.is_empty() => report::ledger(state),
             "notices" if rest.is_empty() => report::notices(state),
+            "hangar" if rest.is_empty() => report::hangar(state),
             "brief" if rest.is_empty() && state.flown_mission().is_some() => {
                 self.brief();
                 return true;

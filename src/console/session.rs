@@ -7,13 +7,15 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+use crate::app::effect::HangarDeed;
 use crate::app::event::{Event, Started};
 use crate::app::room::messages::Wanted;
 use crate::app::state::{Activity, LinkSummary, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
+use crate::hangar::{Backend as Simulation, Source};
 use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
-use crate::mission::{self, Flight, Mission};
+use crate::mission::{Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
@@ -22,8 +24,13 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
+mod course;
+mod hangar;
 mod inspection;
 
+use course::Course;
+pub(super) use hangar::Ending;
+use hangar::{News, Processes};
 use inspection::Inspection;
 
 /// Where free flight begins.
@@ -40,15 +47,16 @@ const EVENTS_PER_TICK: usize = 2000;
 pub(super) enum Plan {
     /// A mission.
     Mission(Arc<Mission>),
-    /// Simulated vehicles without a task.
-    Free,
+    /// Simulated vehicles without a task; by these processes, if any are named.
+    Free(Option<Source>),
     /// Vehicles at these addresses.
     Connect(Vec<Address>),
 }
 
 /// What sessions are started with.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Backend {
+    pub simulation: Simulation,
     pub clock: Clock,
     pub vehicles: u8,
     pub seed: u64,
@@ -69,25 +77,22 @@ pub(super) struct Running {
     links_ended: usize,
     /// Reports that the fleet dropped so far.
     dropped: u64,
-    mission: Option<MissionClock>,
+    course: Option<Course>,
+    /// The processes of its vehicles, and how many there are to be.
+    processes: Option<(Processes, usize)>,
     cancel: CancellationToken,
 }
 
-/// A mission and how far it has been stepped.
-struct MissionClock {
-    flight: Flight,
-    started: Duration,
-    speedup: f64,
-    stepped: Duration,
-    ended: bool,
-}
-
 impl Running {
-    /// Starts a session.
+    /// Starts a session, once the processes of the one before it are gone.
     ///
     /// # Errors
     /// The fleet has ended.
-    pub async fn start(plan: Plan, backend: &Backend) -> Result<(Self, Started), Text> {
+    pub async fn start(
+        plan: Plan,
+        backend: &Backend,
+        before: Ending,
+    ) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
         let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
         let mut running = Self {
@@ -101,17 +106,18 @@ impl Running {
             links_said: Vec::new(),
             links_ended: 0,
             dropped: 0,
-            mission: None,
+            course: None,
+            processes: None,
             cancel,
         };
-        let started = match plan {
-            Plan::Mission(mission) => running.start_mission(mission, backend).await?,
-            Plan::Free => {
-                let config = WorldConfig {
-                    seed: backend.seed,
-                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
-                };
-                running.simulate(&config, backend.speedup).await?;
+        let row = || WorldConfig {
+            seed: backend.seed,
+            ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
+        };
+        let mut started = match plan {
+            Plan::Mission(mission) => running.start_mission(mission, backend, before).await?,
+            Plan::Free(_) => {
+                running.simulate(row(), backend, before).await?;
                 started(Activity::Free)
             }
             Plan::Connect(addresses) => {
@@ -122,6 +128,7 @@ impl Running {
                 started(Activity::Connected { addresses: names })
             }
         };
+        started.processes = running.processes.as_ref().map(|(_, count)| *count);
         Ok((running, started))
     }
 
@@ -129,16 +136,14 @@ impl Running {
         &mut self,
         mission: Arc<Mission>,
         backend: &Backend,
+        before: Ending,
     ) -> Result<Started, Text> {
         let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
-        self.simulate(&config, backend.speedup).await?;
-        self.mission = Some(MissionClock {
-            flight,
-            started: backend.clock.now(),
-            speedup: backend.speedup,
-            stepped: Duration::ZERO,
-            ended: false,
+        self.simulate(config, backend, before).await?;
+        self.course = Some(match self.processes {
+            Some(_) => Course::of_processes(flight, backend.speedup),
+            None => Course::embedded(flight, backend.speedup, backend.clock.now()),
         });
         Ok(Started {
             mission: Some(Box::new(mission.listing())),
@@ -151,15 +156,72 @@ impl Running {
         })
     }
 
-    /// Starts the embedded simulator: one in-memory pipe per vehicle, no port that others could reach.
-    async fn simulate(&self, config: &WorldConfig, speedup: f64) -> Result<(), Text> {
-        let world = World::new(config);
-        let simulator =
-            Simulator::start(world, speedup, &[Endpoint::Pipes], self.cancel.clone()).await?;
+    /// Starts the vehicles of a world: in the embedded simulator at once, as processes in a while.
+    async fn simulate(
+        &mut self,
+        world: WorldConfig,
+        backend: &Backend,
+        before: Ending,
+    ) -> Result<(), Text> {
+        let simulation = &backend.simulation;
+        let source = match &self.plan {
+            Plan::Free(Some(source)) => Some(source),
+            _ => simulation.ardupilot.as_ref(),
+        };
+        if let Some(source) = source {
+            let launches = simulation.launches(&world.starts, backend.speedup);
+            let count = launches.len();
+            let cancel = self.cancel.clone();
+            let processes = Processes::launch(source.clone(), launches, before, cancel);
+            self.processes = Some((processes, count));
+            return Ok(());
+        }
+        let world = World::new(&WorldConfig {
+            airframes: simulation.airframes(),
+            ..world
+        });
+        // One in-memory pipe per vehicle, no port that others could reach.
+        let endpoints = [Endpoint::Pipes];
+        let cancel = self.cancel.clone();
+        let simulator = Simulator::start(world, backend.speedup, &endpoints, cancel).await?;
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }
         Ok(())
+    }
+
+    /// What of the session takes a while to end, once this is dropped.
+    pub fn ending(&self) -> Ending {
+        let processes = self.processes.as_ref();
+        processes.map_or_else(Ending::default, |(processes, _)| processes.ending())
+    }
+
+    /// Has the process of a vehicle ended or started again.
+    pub fn process(&self, deed: HangarDeed, vehicle: VehicleId) {
+        if let Some((processes, _)) = &self.processes {
+            processes.order(deed, vehicle);
+        }
+    }
+
+    /// What has become of the vehicles' processes.
+    fn hear_processes(&mut self, now: Duration) -> Vec<Event> {
+        let Some((processes, _)) = &mut self.processes else {
+            return Vec::new();
+        };
+        let mut events = Vec::new();
+        while let Some(news) = processes.hear() {
+            let failed = match news {
+                News::Opened(_) => None,
+                News::Launched(berths) => {
+                    let mut pipes = berths.into_iter().map(|berth| Transport::Pipe(berth.pipe));
+                    pipes.find_map(|pipe| self.fleet.connect(pipe).err().map(Text::from))
+                }
+                News::Failed(text) => Some(text),
+            };
+            events.extend(failed.map(Event::Failed));
+        }
+        events.extend(processes.changed(now).map(Event::Hangar));
+        events
     }
 
     /// What the session was to be, for starting it again.
@@ -186,14 +248,14 @@ impl Running {
 
     /// Ends the mission; its report comes with the next tick.
     pub fn abandon(&mut self) {
-        if let Some(mission) = &mut self.mission {
-            mission.flight.abandon();
+        if let Some(course) = &mut self.course {
+            course.flight.abandon();
         }
     }
 
     /// What has happened since the last tick. Telemetry is merged: one event per vehicle that changed.
     pub fn collect(&mut self, now: Duration) -> Vec<Event> {
-        let mut collected = Vec::new();
+        let mut collected = self.hear_processes(now);
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
                 Ok(FleetEvent::Appeared(vehicle)) => self.vehicles.push(vehicle),
@@ -277,32 +339,8 @@ impl Running {
 
     /// Steps the mission up to now and returns what came of it.
     pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
-        let Some(clock) = &mut self.mission else {
-            return Vec::new();
-        };
-        if clock.ended {
-            return Vec::new();
-        }
-        let mut events = Vec::new();
-        let until = now.saturating_sub(clock.started).mul_f64(clock.speedup);
-        while clock.stepped + mission::TICK <= until && clock.flight.outcome().is_none() {
-            clock.stepped += mission::TICK;
-            let said = clock
-                .flight
-                .step(clock.stepped, &shown.vehicles, &shown.ledger);
-            // The mission speaks on its own clock; the console's notices are on the program's.
-            events.extend(
-                said.into_iter()
-                    .map(|notice| Event::Notice(Notice { at: now, ..notice })),
-            );
-        }
-        events.push(Event::Mission(Box::new(clock.flight.progress())));
-        if clock.flight.outcome().is_some() {
-            clock.ended = true;
-            let report = clock.flight.report(&shown.ledger);
-            events.push(Event::MissionEnded(Box::new(report)));
-        }
-        events
+        let course = self.course.as_mut();
+        course.map_or_else(Vec::new, |course| course.fly(now, shown))
     }
 }
 
@@ -359,6 +397,7 @@ fn started(activity: Activity) -> Started {
         mission: None,
         places: BTreeMap::new(),
         areas: Vec::new(),
+        processes: None,
     }
 }
 

@@ -68,6 +68,7 @@ pub(super) async fn begin(
         fault: None,
         last_output: Vec::new(),
         folder: folder.display().to_string(),
+        port: None,
     };
     shared.show(&shown);
     let order = Order {

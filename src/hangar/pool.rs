@@ -1,11 +1,17 @@
 //! The hangars that a console has at hand: its own within this program, or services.
+//!
+//! `spread` chooses among services; `far` launches by them and keeps up with them.
 
 use std::sync::Arc;
 
 use tokio::io::DuplexStream;
 use tokio::sync::watch;
 
+use super::client::Remote;
 use super::{Hangar, Instance, InstanceId, Launch, Refusal};
+
+mod far;
+mod spread;
 
 /// Where an instance is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -30,8 +36,13 @@ pub type Seen = Arc<Vec<(Place, Instance)>>;
 
 /// The hangars. Dropping them ends what was launched by them.
 pub struct Hangars {
-    own: Hangar,
+    at: At,
     seen: watch::Receiver<Seen>,
+}
+
+enum At {
+    Own(Hangar),
+    Far(far::Far),
 }
 
 impl Hangars {
@@ -51,32 +62,44 @@ impl Hangars {
                 }
             }
         });
-        Self { own, seen }
+        let at = At::Own(own);
+        Self { at, seen }
+    }
+
+    /// Services, which are followed from now on. What is launched by them ends by itself a minute after this
+    /// program has been killed. Must be called inside a tokio runtime.
+    pub fn far(services: Vec<Remote>) -> Self {
+        let far = far::Far::new(services);
+        let seen = far.seen();
+        let at = At::Far(far);
+        Self { at, seen }
     }
 
     /// What the hangars are called, in order.
     pub fn names(&self) -> Vec<String> {
-        vec!["here".to_owned()]
+        match &self.at {
+            At::Own(_) => vec!["here".to_owned()],
+            At::Far(far) => far.names(),
+        }
     }
 
-    /// Launches vehicles, spread over the hangars by how much room each has: all, or none.
+    /// Launches vehicles, spread over the hangars by how much room each has: all, or none. The berths are in the
+    /// order of the launches.
+    ///
+    /// Services number the vehicles themselves, and give a system id to those that have none: one that no other
+    /// vehicle of this console has.
     ///
     /// # Errors
     /// Why one of them could not be launched.
     pub async fn launch(&self, launches: Vec<Launch>) -> Result<Vec<Berth>, Refusal> {
-        let mut berths = Vec::new();
-        for launch in launches {
-            let id = self.own.launch(launch).await?;
-            let pipe = self.own.attach(id).await?;
-            berths.push(Berth {
-                place: Place { hangar: 0, id },
-                pipe,
-            });
+        match &self.at {
+            At::Own(own) => launch_here(own, launches).await,
+            At::Far(far) => far.launch(launches).await,
         }
-        Ok(berths)
     }
 
-    /// How the vehicles are doing, now and from now on.
+    /// How the vehicles are doing, now and from now on. Those of a service that does not answer are shown as ended,
+    /// with the reason, until it answers again.
     pub fn instances(&self) -> watch::Receiver<Seen> {
         self.seen.clone()
     }
@@ -86,7 +109,10 @@ impl Hangars {
     /// # Errors
     /// There is no such instance.
     pub async fn restart(&self, place: Place) -> Result<(), Refusal> {
-        self.own.restart(place.id).await
+        match &self.at {
+            At::Own(own) => own.restart(place.id).await,
+            At::Far(far) => far.restart(place).await,
+        }
     }
 
     /// Ends an instance.
@@ -94,6 +120,47 @@ impl Hangars {
     /// # Errors
     /// There is no such instance.
     pub async fn stop(&self, place: Place) -> Result<(), Refusal> {
-        self.own.stop(place.id).await
+        match &self.at {
+            At::Own(own) => own.stop(place.id).await,
+            At::Far(far) => far.stop(place).await,
+        }
     }
+
+    /// Ends what was launched, and waits until it is gone or its hangar does not answer.
+    pub async fn close(self) {
+        match self.at {
+            At::Own(own) => own.close().await,
+            At::Far(far) => far.close().await,
+        }
+    }
+}
+
+async fn launch_here(own: &Hangar, launches: Vec<Launch>) -> Result<Vec<Berth>, Refusal> {
+    let mut berths: Vec<Berth> = Vec::new();
+    for launch in launches {
+        let begun = async {
+            let id = own.launch(launch).await?;
+            match own.attach(id).await {
+                Ok(pipe) => Ok((id, pipe)),
+                Err(refusal) => {
+                    drop(own.stop(id).await);
+                    Err(refusal)
+                }
+            }
+        };
+        match begun.await {
+            Ok((id, pipe)) => {
+                let place = Place { hangar: 0, id };
+                berths.push(Berth { place, pipe });
+            }
+            Err(refusal) => {
+                for berth in berths {
+                    // One that has ended meanwhile is as good.
+                    drop(own.stop(berth.place.id).await);
+                }
+                return Err(refusal);
+            }
+        }
+    }
+    Ok(berths)
 }

@@ -109,6 +109,14 @@ impl Airframe {
         Ok((Self::derived(figures), warnings))
     }
 
+    /// A frame file as plain JSON, without its comments: what ArduPilot's SITL is given.
+    ///
+    /// # Errors
+    /// What is not JSON, with its line and column.
+    pub fn json(text: &str) -> Result<serde_json::Value, AirframeError> {
+        file::json(text)
+    }
+
     /// The default, to share.
     pub fn shared_default() -> Arc<Self> {
         Arc::new(Self::default())

@@ -21,6 +21,7 @@ catalogue! {
     "debrief",
     "doctor",
     "fly",
+    "hangar",
     "home",
     "links",
     "map",

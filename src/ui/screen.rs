@@ -2,6 +2,7 @@
 
 pub mod debrief;
 pub mod fly;
+pub mod hangar;
 pub mod home;
 pub mod ledger;
 pub mod links;

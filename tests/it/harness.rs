@@ -55,6 +55,7 @@ impl Console {
             activity,
             places: BTreeMap::new(),
             areas: Vec::new(),
+            processes: None,
         })));
     }
 

@@ -20,6 +20,7 @@ mod recordings;
 mod screens;
 mod settings;
 mod simulator;
+mod stand_in;
 mod terminal;
 mod terminals;
 mod texts;

@@ -23,6 +23,8 @@ pub enum HomeItem {
     Mission(usize),
     /// Fly without a task.
     Free,
+    /// Fly without a task, with ArduPilot's SITL.
+    ArduPilot,
     /// Connect to vehicles elsewhere.
     Connect,
     /// Leave the program.
@@ -35,8 +37,13 @@ pub const KEYS: &[Row] = &[does(ENTER, Action::Submit), does(key('q'), Action::Q
 /// What the home screen offers, from the top.
 pub fn items(state: &State) -> Vec<HomeItem> {
     let missions = (0..state.missions.len()).map(HomeItem::Mission);
-    let others = [HomeItem::Free, HomeItem::Connect, HomeItem::Quit];
-    missions.chain(others).collect()
+    let ardupilot = state.has_ardupilot.then_some(HomeItem::ArduPilot);
+    let others = [HomeItem::Connect, HomeItem::Quit];
+    missions
+        .chain([HomeItem::Free])
+        .chain(ardupilot)
+        .chain(others)
+        .collect()
 }
 
 /// What its actions do.
@@ -85,6 +92,7 @@ fn enter(state: &mut State, item: HomeItem) -> Vec<Effect> {
             state.say(Severity::Info, text!("home-starting-simulator"));
             guarded(state, text!("ask-start"), Effect::StartFree)
         }
+        HomeItem::ArduPilot => guarded(state, text!("ask-start"), Effect::StartArduPilot),
         HomeItem::Connect => {
             state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Connect)));
             Vec::new()

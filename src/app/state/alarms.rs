@@ -1,6 +1,6 @@
 //! The alerts that stand: since when, and whether somebody has taken note of them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::alert::{Alert, AlertKind, alerts};
@@ -41,6 +41,8 @@ pub struct Pressing<'a> {
 pub struct Alarms {
     standing: BTreeMap<VehicleId, Vec<Standing>>,
     bell: Bell,
+    /// The vehicles whose processes have ended.
+    pub down: BTreeSet<VehicleId>,
     /// The kinds that stay silent.
     muted: Vec<AlertKind>,
 }
@@ -56,7 +58,11 @@ impl Alarms {
 
     /// Looks at a vehicle: what is new or worse rings, what has ended goes. Whether anything changed.
     pub fn observe(&mut self, vehicle: &Vehicle, now: Duration) -> bool {
-        let mut present = alerts(vehicle, now).peekable();
+        let is_down = self.down.contains(&vehicle.id);
+        // That nothing is heard of it follows from that.
+        let process = is_down.then(AlertKind::process);
+        let others = alerts(vehicle, now).filter(|one| !is_down || one.kind != AlertKind::LinkLost);
+        let mut present = process.into_iter().chain(others).peekable();
         if present.peek().is_none() && !self.standing.contains_key(&vehicle.id) {
             return false;
         }

@@ -23,6 +23,8 @@ const VIBRATION_LIMIT: f32 = 60.0;
 pub enum AlertKind {
     /// It has come down hard, or its motors have stopped in the air.
     Crash,
+    /// The process that simulates it has ended.
+    Process,
     /// Nothing is heard of it.
     LinkLost,
     /// Its autopilot acts on a failure.
@@ -47,6 +49,7 @@ impl AlertKind {
     /// Every kind with its name in the configuration and on the command line.
     pub const ALL: &[(&'static str, Self)] = &[
         ("crash", Self::Crash),
+        ("process", Self::Process),
         ("link-lost", Self::LinkLost),
         ("failsafe", Self::Failsafe),
         ("gps", Self::Gps),
@@ -75,6 +78,7 @@ impl AlertKind {
     pub fn title(self) -> Text {
         match self {
             Self::Crash => text!("alert-kind-crash"),
+            Self::Process => text!("alert-process"),
             Self::LinkLost => text!("alert-link-lost"),
             Self::Failsafe => text!("alert-failsafe"),
             Self::Gps => text!("alert-kind-gps"),
@@ -85,6 +89,11 @@ impl AlertKind {
             Self::Prearm => text!("alert-prearm"),
             Self::Message => text!("alert-kind-message"),
         }
+    }
+
+    /// That the process that simulates a vehicle has ended.
+    pub fn process() -> Alert {
+        condition(Self::Process, Severity::Alert, text!("alert-process"))
     }
 
     /// What a text from a vehicle or about it is about.

@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use super::{Alarms, Groups, Histories, LinkSummary, Selection};
+use super::alert::alert;
+use super::{Alarms, Alert, AlertKind, Groups, Hangar, Histories, LinkSummary, Selection};
 use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
@@ -34,6 +35,8 @@ pub struct Session {
     pub ledger: Ledger,
     /// The links, in the order of their addresses.
     pub links: Vec<LinkSummary>,
+    /// The processes that simulate the vehicles, where there are any.
+    pub hangar: Option<Hangar>,
     /// The mission that is flown, if one is.
     pub listing: Option<Box<Listing>>,
     /// What the link doctor has found, worst first.
@@ -145,6 +148,21 @@ impl Session {
         let worst = self.findings.first()?;
         let is_told = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
         is_told.then_some(worst)
+    }
+
+    /// Whether vehicles are still being started for it.
+    pub fn is_starting(&self) -> bool {
+        self.hangar.as_ref().is_some_and(|hangar| !hangar.begun)
+    }
+
+    /// The most serious thing that is wrong with a vehicle now, if anything is.
+    pub fn alert(&self, vehicle: &Vehicle, now: Duration) -> Option<Alert> {
+        let process = self.alarms.down.contains(&vehicle.id);
+        let process = process.then(AlertKind::process);
+        process
+            .into_iter()
+            .chain(alert(vehicle, now))
+            .min_by_key(|alert| alert.severity)
     }
 
     /// How many vehicles are armed.

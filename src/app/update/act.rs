@@ -40,8 +40,10 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
 pub fn show(state: &mut State, room: Room) {
     state.hush();
     state.room = room;
-    if room == Room::Ledger {
-        room::ledger::entered(state);
+    match room {
+        Room::Ledger => room::ledger::entered(state),
+        Room::Hangar => room::hangar::entered(state),
+        _ => {}
     }
 }
 
@@ -126,7 +128,10 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
 
 /// What would be lost by ending the session now; a mission that is over loses nothing.
 fn loss(state: &State) -> Option<Text> {
-    if state.session.over || state.session.activity.is_none() {
+    let session = &state.session;
+    // What has not begun is only cancelled.
+    let has_not_begun = session.is_starting() && session.armed() == 0;
+    if session.over || session.activity.is_none() || has_not_begun {
         return None;
     }
     match (state.session.mission.is_some(), state.session.armed()) {
@@ -136,7 +141,8 @@ fn loss(state: &State) -> Option<Text> {
     }
 }
 
-fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> Vec<Effect> {
+/// Asks before an effect.
+pub fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> Vec<Effect> {
     state.overlay = Some(Overlay::Confirm(Confirm {
         question,
         reason,

@@ -6,7 +6,7 @@ use super::{act, swarm};
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::lines;
-use crate::app::room::{Room, parameters};
+use crate::app::room::{Room, hangar, parameters};
 use crate::app::setting::Setting;
 use crate::app::state::{Log, Overlay, State, parse_ranges, ranges};
 use crate::config::Symbols;
@@ -37,6 +37,10 @@ pub fn carry_out(
         ConsoleLine::Group { name, targets } => {
             let ids = targeted(state, &targets).map_err(at_last_word)?;
             group(state, name, ids).map_err(at_last_word)?;
+        }
+        ConsoleLine::Hangar(None) => act::show(state, Room::Hangar),
+        ConsoleLine::Hangar(Some((deed, vehicle))) => {
+            return Ok(hangar::order(state, deed, vehicle));
         }
         ConsoleLine::Show(room) => act::show(state, room),
         ConsoleLine::Fly(mission) => {

@@ -19,6 +19,9 @@ const NAMED_TARGETS: usize = 12;
 pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     state.with_context(|context| {
         let statement = language::parse(line, context)?;
+        if state.session.is_starting() && state.flown_mission().is_some() {
+            return Err(Diagnostic::new(first_word(line), text!("hangar-not-begun")));
+        }
         let selection = state.addressed();
         let targets = statement
             .targets

@@ -8,7 +8,7 @@ use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{AlertKind, Call, NoticeLog, Overlay, Session, State};
+use crate::app::state::{AlertKind, Call, Hangar, NoticeLog, Overlay, Session, State};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -75,6 +75,11 @@ pub fn started(state: &mut State, started: Started) {
     session.listing = started.mission;
     session.began_at = state.now;
     session.areas = started.areas;
+    let starting = |expected| Hangar {
+        expected,
+        ..Hangar::default()
+    };
+    session.hangar = started.processes.map(starting);
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
     if session.activity == state.session.activity {
@@ -84,7 +89,9 @@ pub fn started(state: &mut State, started: Started) {
     state.rooms.forget_session();
     map::began(state);
     state.typed.clear();
-    state.room = Room::Fly;
+    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are.
+    let is_starting = state.session.is_starting();
+    state.room = if is_starting { Room::Hangar } else { Room::Fly };
     state.overlay = None;
     state.hush();
     state.session.alarms.mute(&state.config.alerts.mute);

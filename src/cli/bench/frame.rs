@@ -139,6 +139,7 @@ fn swarm(vehicles: VehicleId) -> State {
         mission: None,
         places: std::collections::BTreeMap::new(),
         areas: Vec::new(),
+        processes: None,
     };
     update(&mut state, Event::Started(Box::new(started)));
     for id in 1..=vehicles {

@@ -52,6 +52,8 @@ struct Mark {
 /// Measures and prints.
 pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure> {
     let console = Options {
+        backend: crate::hangar::Backend::default(),
+        ardupilot: None,
         opening: Opening::Free,
         vehicles: options.vehicles,
         seed: 1,

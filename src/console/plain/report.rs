@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::app::state::{
-    HelpLine, NoticeLine, Session, State, alert, help_lines, parse_ranges, ranges,
+    Hangar, HelpLine, NoticeLine, Session, State, help_lines, parse_ranges, ranges,
 };
 use crate::ledger::{Entry, EntryId};
 use crate::mission::{ObjectiveProgress, ObjectiveState};
@@ -28,15 +28,33 @@ pub struct Report {
     /// The objectives that were decided, and the hint.
     objectives: BTreeMap<usize, ObjectiveState>,
     hint: Option<Text>,
+    /// The stages of vehicles that were being started.
+    stages: Option<Text>,
 }
 
 impl Report {
     /// What has happened since it was asked last.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
-        let mut texts = self.new_notices(state);
+        let mut texts: Vec<Text> = self.new_stages(state).into_iter().collect();
+        texts.extend(self.new_notices(state));
         texts.extend(self.ended_commands(state));
         texts.extend(self.decided_objectives(state));
         texts
+    }
+
+    /// How far the vehicles' processes are, while they are waited for.
+    fn new_stages(&mut self, state: &State) -> Option<Text> {
+        let hangar = state
+            .session
+            .hangar
+            .as_ref()
+            .filter(|hangar| !hangar.begun)?;
+        let stages = stages(hangar);
+        let is_new = !hangar.instances.is_empty() && self.stages.as_ref() != Some(&stages);
+        is_new.then(|| {
+            self.stages = Some(stages.clone());
+            text!("hangar-plain-stages", stages = stages)
+        })
     }
 
     fn new_notices(&mut self, state: &State) -> Vec<Text> {
@@ -102,6 +120,31 @@ impl Report {
             texts.extend(hint.map(|hint| text!("plain-hint", hint = hint)));
         }
         texts
+    }
+}
+
+/// The stages of processes, vehicles that are equally far together.
+fn stages(hangar: &Hangar) -> Text {
+    let mut together: Vec<(Text, Vec<VehicleId>)> = Vec::new();
+    for instance in &hangar.instances {
+        let says = instance.says();
+        match together.iter_mut().find(|(known, _)| *known == says) {
+            Some((_, vehicles)) => vehicles.push(instance.vehicle),
+            None => together.push((says, vec![instance.vehicle])),
+        }
+    }
+    let stage = |(stage, vehicles): (Text, Vec<VehicleId>)| {
+        let vehicles = ranges(vehicles);
+        text!("hangar-plain-stage", vehicles = vehicles, stage = stage)
+    };
+    Text::joined(", ", together.into_iter().map(stage).collect())
+}
+
+/// The vehicles' processes, on demand.
+pub fn hangar(state: &State) -> Vec<Text> {
+    match &state.session.hangar {
+        Some(hangar) => vec![stages(hangar)],
+        None => vec![text!("hangar-plain-none")],
     }
 }
 
@@ -234,7 +277,7 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
     {
         parts.push(text!("plain-battery", percent = left));
     }
-    if let Some(alert) = alert(vehicle, state.now) {
+    if let Some(alert) = state.session.alert(vehicle, state.now) {
         parts.push(alert.text);
     }
     text!(

@@ -105,6 +105,15 @@ pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), Airframe
     Ok((figures, warnings))
 }
 
+/// The file as JSON, without its comments.
+pub(super) fn json(text: &str) -> Result<Value, AirframeError> {
+    serde_json::from_str(&without_comments(text)).map_err(|error| AirframeError {
+        line: error.line(),
+        column: error.column(),
+        what: reason(&error),
+    })
+}
+
 struct File {
     /// The text with its comments blanked, so that places stay where they were.
     text: String,
@@ -113,20 +122,17 @@ struct File {
 
 impl File {
     fn parse(text: &str) -> Result<Self, AirframeError> {
-        let text = without_comments(text);
-        let value: Value = serde_json::from_str(&text).map_err(|error| AirframeError {
-            line: error.line(),
-            column: error.column(),
-            what: reason(&error),
-        })?;
-        let Value::Object(fields) = value else {
+        let Value::Object(fields) = json(text)? else {
             return Err(AirframeError {
                 line: 1,
                 column: 1,
                 what: "a frame file is one JSON object: { \"mass\": 3.0, … }".to_owned(),
             });
         };
-        Ok(Self { text, fields })
+        Ok(Self {
+            text: without_comments(text),
+            fields,
+        })
     }
 
     /// An error at a field.

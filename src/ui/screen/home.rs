@@ -127,6 +127,7 @@ fn name(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
         HomeItem::Mission(at) => look.text(&state.missions[at].title),
         HomeItem::Free => look.say("home-free"),
+        HomeItem::ArduPilot => look.say("home-ardupilot"),
         HomeItem::Connect => look.say("home-connect"),
         HomeItem::Quit => look.say("home-quit"),
     }
@@ -143,6 +144,7 @@ fn about(state: &State, item: HomeItem, look: &Look) -> String {
             let flight = FIRST_FLIGHT.map(indented).join("\n");
             format!("{about}\n\n{first}\n\n{climb}\n\n{wait}\n\n{flight}")
         }
+        HomeItem::ArduPilot => look.say("home-ardupilot-about"),
         HomeItem::Connect => look.say("home-connect-about"),
         HomeItem::Quit => look.say("home-quit-about"),
     }
@@ -151,7 +153,7 @@ fn about(state: &State, item: HomeItem, look: &Look) -> String {
 fn deed(item: HomeItem) -> &'static str {
     match item {
         HomeItem::Mission(_) => "home-mission-deed",
-        HomeItem::Free => "home-free-deed",
+        HomeItem::Free | HomeItem::ArduPilot => "home-free-deed",
         HomeItem::Connect => "home-connect-deed",
         HomeItem::Quit => "home-quit-deed",
     }

@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::state::{Room, State};
 use crate::ui::look::Look;
-use crate::ui::screen::{links, messages, parameters};
+use crate::ui::screen::{hangar, links, messages, parameters};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
@@ -126,6 +126,7 @@ fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
         Room::Map => MAP,
         Room::Messages => messages::HINTS,
         Room::Links => links::HINTS,
+        Room::Hangar => hangar::HINTS,
         Room::Parameters if state.rooms.parameters.comparison.is_some() => {
             parameters::COMPARISON_HINTS
         }

@@ -50,6 +50,7 @@ pub fn surveyed() -> Console {
         },
         places: [("street".to_owned(), fixtures::HOME.moved(0.0, -40.0))].into(),
         areas: vec![
+            processes: None,
             area("fence", AreaKind::Geofence, 160.0),
             area("yard", AreaKind::Task, 60.0),
         ],

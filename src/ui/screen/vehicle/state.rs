@@ -7,7 +7,7 @@ use ratatui::text::Span;
 use super::Subject;
 use super::row::{LABEL, UNKNOWN, arrow, labelled, number};
 use super::tape::shown_deg;
-use crate::app::state::{History, alert};
+use crate::app::state::History;
 use crate::geo::LatLon;
 use crate::text;
 use crate::text::figure;
@@ -95,7 +95,7 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
 /// What is wrong, else whether it may be armed.
 fn ready(subject: &Subject<'_>) -> Entry {
     let (vehicle, look) = (subject.vehicle, subject.look);
-    if let Some(alert) = alert(vehicle, subject.state.now) {
+    if let Some(alert) = subject.state.session.alert(vehicle, subject.state.now) {
         // All reasons not to arm, where that is what is wrong.
         let is_prearm = vehicle
             .prearm

@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::app::state::{State, alert};
+use crate::app::state::State;
 use crate::config::Symbols;
 use crate::geo::Viewport;
 use crate::ui::look::Look;
@@ -123,7 +123,10 @@ impl Chosen {
 
 fn marker(vehicle: &Vehicle, (column, row): (u16, u16), state: &State, look: &Look) -> Marker {
     let selected = state.session.selection.contains(&vehicle.id);
-    let alarm = alert(vehicle, state.now).filter(|alert| alert.severity <= Severity::Warning);
+    let alarm = state
+        .session
+        .alert(vehicle, state.now)
+        .filter(|alert| alert.severity <= Severity::Warning);
     let lost = vehicle.link.lost;
     let mut marks = String::new();
     if selected {

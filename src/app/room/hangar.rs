@@ -1,0 +1,150 @@
+//! The hangar: the processes that simulate the vehicles, how far they are and what they say.
+
+use crate::app::action::Action;
+use crate::app::effect::{Effect, HangarDeed};
+use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
+use crate::app::room::Room;
+use crate::app::state::{Instance, Stage, State};
+use crate::app::update::act;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+
+/// What the room remembers.
+#[derive(Debug, Clone, Default)]
+pub struct Hangar {
+    /// The place of the process under the cursor.
+    pub cursor: usize,
+    /// Whether its output has the whole screen.
+    pub opened: bool,
+    /// How many lines before the newest the output ends.
+    pub back: usize,
+}
+
+/// Its keys.
+pub const KEYS: &[Row] = &[
+    does(ENTER, Action::Submit),
+    does(ESCAPE, Action::Escape),
+    does(key('r'), Action::RestartProcess),
+    does(key('x'), Action::StopProcess),
+    does(key('q'), Action::Leave),
+];
+
+/// The process under the cursor.
+pub fn under_cursor(state: &State) -> Option<&Instance> {
+    let instances = &state.session.hangar.as_ref()?.instances;
+    instances.get(state.rooms.hangar.cursor)
+}
+
+/// What its actions do.
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let vehicle = under_cursor(state).map(|instance| instance.vehicle);
+    let lines = under_cursor(state).map_or(0, |instance| instance.output.len());
+    let count = state.session.hangar.as_ref();
+    let count = count.map_or(0, |hangar| hangar.instances.len());
+    let room = &mut state.rooms.hangar;
+    match (action, vehicle) {
+        (Action::Move(step), _) if room.opened => {
+            let last = lines.saturating_sub(1);
+            room.back = last - step.apply(last - room.back.min(last), lines);
+        }
+        (Action::Move(step), _) => {
+            room.cursor = step.apply(room.cursor, count);
+            room.back = 0;
+        }
+        (Action::Submit, Some(_)) => {
+            room.opened = !room.opened;
+            room.back = 0;
+        }
+        (Action::RestartProcess, Some(vehicle)) => {
+            return Some(order(state, HangarDeed::Restart, vehicle));
+        }
+        (Action::StopProcess, Some(vehicle)) => {
+            return Some(order(state, HangarDeed::Stop, vehicle));
+        }
+        (Action::Escape, _) => return Some(escape(state)),
+        (Action::Submit | Action::RestartProcess | Action::StopProcess, None) => {}
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+/// Has a vehicle's process started again or ended; asks while the vehicle is armed.
+pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Effect> {
+    let instance = state
+        .session
+        .hangar
+        .as_ref()
+        .and_then(|hangar| hangar.of(vehicle));
+    let Some(instance) = instance else {
+        state.say(
+            Severity::Warning,
+            text!("hangar-no-process", vehicle = vehicle),
+        );
+        return Vec::new();
+    };
+    let runs = instance.stage < Stage::Stopping;
+    let known = state.session.vehicles.get(&vehicle);
+    let is_armed = runs && known.is_some_and(crate::vehicle::Vehicle::armed);
+    let effect = Effect::Hangar(deed, vehicle);
+    let (question, done) = words(deed, vehicle);
+    if deed == HangarDeed::Stop
+        && let Some(hangar) = state.session.hangar.as_mut().filter(|hangar| !hangar.begun)
+    {
+        // Nobody waits for one that is not wanted any more.
+        hangar.expected = hangar.expected.saturating_sub(1);
+    }
+    if is_armed {
+        return act::ask(state, question, text!("hangar-ask-armed"), effect);
+    }
+    state.say(Severity::Notice, done);
+    vec![effect]
+}
+
+/// What is asked before a deed, and what is said of it.
+fn words(deed: HangarDeed, vehicle: VehicleId) -> (Text, Text) {
+    match deed {
+        HangarDeed::Restart => (
+            text!("hangar-ask-restart", vehicle = vehicle),
+            text!("hangar-restarting", vehicle = vehicle),
+        ),
+        HangarDeed::Stop => (
+            text!("hangar-ask-stop", vehicle = vehicle),
+            text!("hangar-stopping", vehicle = vehicle),
+        ),
+    }
+}
+
+/// Closes the output; else leaves the room, and while the vehicles are still being started, the session.
+fn escape(state: &mut State) -> Vec<Effect> {
+    state.hush();
+    if state.rooms.hangar.opened {
+        state.rooms.hangar.opened = false;
+    } else if state.session.is_starting() {
+        return act::leave(state);
+    } else if state.session.activity.is_some() {
+        state.room = Room::Fly;
+    }
+    Vec::new()
+}
+
+/// The room is entered: who comes because a process has crashed finds the cursor on it.
+pub fn entered(state: &mut State) {
+    let crashed = state.session.hangar.as_ref().and_then(|hangar| {
+        let mut all = hangar.instances.iter();
+        all.position(Instance::has_crashed)
+    });
+    if let Some(at) = crashed
+        && !under_cursor(state).is_some_and(Instance::has_crashed)
+    {
+        state.rooms.hangar.cursor = at;
+    }
+}
+
+/// Keeps the cursor on a process when there are fewer.
+pub fn keep_cursor(state: &mut State) {
+    let count = state.session.hangar.as_ref();
+    let count = count.map_or(0, |hangar| hangar.instances.len());
+    let room = &mut state.rooms.hangar;
+    room.cursor = room.cursor.min(count.saturating_sub(1));
+}

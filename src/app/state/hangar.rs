@@ -1,0 +1,125 @@
+//! The processes that simulate the vehicles.
+
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// How far a process has come. It mirrors what the hangar says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Others are being started before it.
+    Queued,
+    /// It runs.
+    Process,
+    /// Its autopilot has been heard.
+    Heartbeat,
+    /// All its parameters have come.
+    Parameters,
+    /// Its navigation filter knows where it is.
+    Position,
+    /// Its vehicle can be armed.
+    Ready,
+    /// It is being ended.
+    Stopping,
+    /// It is gone.
+    Ended,
+}
+
+/// A process and the vehicle that it simulates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Instance {
+    /// The vehicle.
+    pub vehicle: VehicleId,
+    /// The host or service that it runs on.
+    pub host: String,
+    /// How far it has come.
+    pub stage: Stage,
+    /// How many parameters have come, and how many there are; 0 while that is unknown.
+    pub parameters: [u16; 2],
+    /// The process, while there is one.
+    pub pid: Option<u32>,
+    /// How often it was started again.
+    pub restarts: u32,
+    /// Resident memory in bytes.
+    pub memory_bytes: u64,
+    /// Processor time lately, in percent of a core.
+    pub processor_percent: Option<f32>,
+    /// Why it has ended, unless it was asked to.
+    pub fault: Option<String>,
+    /// The last lines that it printed, oldest first.
+    pub output: Vec<String>,
+    /// Its folder on its host.
+    pub folder: String,
+}
+
+impl Instance {
+    /// How far it has come on its way to being ready, 0 to 1.
+    pub fn progress(&self) -> f32 {
+        match self.stage {
+            Stage::Queued | Stage::Stopping | Stage::Ended => 0.0,
+            Stage::Process => 0.1,
+            Stage::Heartbeat => {
+                let [received, count] = self.parameters.map(f32::from);
+                0.2 + 0.5 * (received / count.max(1.0)).min(1.0)
+            }
+            Stage::Parameters => 0.7,
+            Stage::Position => 0.85,
+            Stage::Ready => 1.0,
+        }
+    }
+
+    /// The same in words.
+    pub fn says(&self) -> Text {
+        match self.stage {
+            Stage::Queued => text!("hangar-stage-queued"),
+            Stage::Process => text!("hangar-stage-process"),
+            Stage::Heartbeat => match self.parameters {
+                [_, 0] => text!("hangar-stage-heartbeat"),
+                [received, count] => {
+                    text!("hangar-stage-fetching", received = received, count = count)
+                }
+            },
+            Stage::Parameters => text!("hangar-stage-parameters"),
+            Stage::Position => text!("hangar-stage-position"),
+            Stage::Ready => text!("hangar-stage-ready"),
+            Stage::Stopping => text!("hangar-stage-stopping"),
+            Stage::Ended if self.fault.is_some() => text!("hangar-stage-crashed"),
+            Stage::Ended => text!("hangar-stage-ended"),
+        }
+    }
+
+    /// Whether it has ended without being asked to.
+    pub fn has_crashed(&self) -> bool {
+        self.stage == Stage::Ended && self.fault.is_some()
+    }
+}
+
+/// The processes of a session.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Hangar {
+    /// They, in the order of their vehicles.
+    pub instances: Vec<Instance>,
+    /// How many there are to be.
+    pub expected: usize,
+    /// Whether all have been ready at once: from then on it is flown.
+    pub begun: bool,
+}
+
+impl Hangar {
+    /// The one of a vehicle.
+    pub fn of(&self, vehicle: VehicleId) -> Option<&Instance> {
+        let mut all = self.instances.iter();
+        all.find(|instance| instance.vehicle == vehicle)
+    }
+
+    /// How many are ready.
+    pub fn ready(&self) -> usize {
+        let ready = |instance: &&Instance| instance.stage == Stage::Ready;
+        self.instances.iter().filter(ready).count()
+    }
+
+    /// Whether all that are expected are ready now.
+    pub fn is_ready(&self) -> bool {
+        self.expected > 0 && self.ready() >= self.expected
+    }
+}

@@ -1,0 +1,40 @@
+//! `sortie hangar`: SITL processes on this host.
+
+use std::process::ExitCode;
+
+use clap::{Args, Subcommand};
+
+use super::Failure;
+use super::settings::Settings;
+
+mod command;
+mod identify;
+mod serve;
+
+/// Options of `sortie hangar`.
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub(super) struct HangarArguments {
+    #[command(subcommand)]
+    task: Option<Task>,
+    #[command(flatten)]
+    serve: serve::ServeArguments,
+}
+
+/// What to do instead of serving.
+#[derive(Debug, Subcommand)]
+enum Task {
+    /// Prints how to start SITL by hand: folders, files and command lines, ready to paste into a shell.
+    Command(command::CommandArguments),
+    /// Asks SITL programs what they are: which vehicle, which version.
+    Identify(identify::IdentifyArguments),
+}
+
+/// Serves, or does what else is asked.
+pub(super) fn hangar(options: &HangarArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+    match &options.task {
+        None => serve::serve(&options.serve, settings),
+        Some(Task::Command(options)) => command::command(options, settings),
+        Some(Task::Identify(options)) => identify::identify(options, settings),
+    }
+}

@@ -1,0 +1,87 @@
+//! The options that name SITL's programs, and what else may name them.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::settings::Settings;
+use crate::config::Origin;
+use crate::hangar::programs::{Named, Places, Programs};
+use crate::sitl::Kind;
+
+/// Options of commands that start SITL.
+#[derive(Debug, Clone, Default, Args)]
+pub(super) struct ProgramOptions {
+    /// SITL's program of multirotors; by default the one of the configuration, of SORTIE_ARDUCOPTER, on the PATH or in
+    /// a usual build folder.
+    #[arg(long, value_name = "FILE", help_heading = "Programs")]
+    arducopter: Option<PathBuf>,
+    /// The one of planes (SORTIE_ARDUPLANE).
+    #[arg(long, value_name = "FILE", help_heading = "Programs")]
+    arduplane: Option<PathBuf>,
+    /// The one of rovers and boats (SORTIE_ARDUROVER).
+    #[arg(long, value_name = "FILE", help_heading = "Programs")]
+    ardurover: Option<PathBuf>,
+    /// The one of submarines (SORTIE_ARDUSUB).
+    #[arg(long, value_name = "FILE", help_heading = "Programs")]
+    ardusub: Option<PathBuf>,
+}
+
+impl ProgramOptions {
+    /// Whether a program was named.
+    pub fn is_given(&self) -> bool {
+        let named = [
+            &self.arducopter,
+            &self.arduplane,
+            &self.ardurover,
+            &self.ardusub,
+        ];
+        named.into_iter().any(Option::is_some)
+    }
+
+    /// Looks for the programs: by these options, then by what is set, then where programs usually are.
+    pub fn find(&self, settings: &Settings) -> Programs {
+        let places = Places::of_environment();
+        let named: BTreeMap<Kind, Named> = Kind::ALL
+            .into_iter()
+            .filter_map(|kind| Some((kind, self.named(kind, settings, &places)?)))
+            .collect();
+        Programs::find(&named, &places)
+    }
+
+    fn named(&self, kind: Kind, settings: &Settings, places: &Places) -> Option<Named> {
+        let set = &settings.config.hangar;
+        let (option, set) = match kind {
+            Kind::Copter => (&self.arducopter, &set.arducopter),
+            Kind::Plane => (&self.arduplane, &set.arduplane),
+            Kind::Rover => (&self.ardurover, &set.ardurover),
+            Kind::Sub => (&self.ardusub, &set.ardusub),
+        };
+        if let Some(file) = option {
+            let by = format!("--{}", kind.program());
+            let file = file.clone();
+            return Some(Named { file, by });
+        }
+        let origin = settings
+            .layers
+            .origin(&format!("hangar.{}", kind.program()));
+        let file = within(set.as_deref()?, origin, settings.file.as_deref(), places);
+        let by = origin.to_string();
+        Some(Named { file, by })
+    }
+}
+
+/// A path as it was set: one in the configuration file lies beside that file, and may begin with the home folder.
+fn within(path: &str, origin: &Origin, config_file: Option<&Path>, places: &Places) -> PathBuf {
+    if !matches!(origin, Origin::File { .. }) {
+        return PathBuf::from(path);
+    }
+    match (path.strip_prefix("~/"), &places.home) {
+        (Some(rest), Some(home)) => home.join(rest),
+        _ => {
+            let folder = config_file.and_then(Path::parent);
+            places.here.join(folder.unwrap_or(Path::new(""))).join(path)
+        }
+    }
+}

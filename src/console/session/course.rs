@@ -1,0 +1,91 @@
+//! The course of a mission: how far it has been stepped, and by whose clock.
+
+use std::time::Duration;
+
+use crate::app::event::Event;
+use crate::app::state::{Session as Shown, Stage};
+use crate::mission::{self, Clock, Flight};
+use crate::notice::Notice;
+
+/// A mission that is flown.
+pub(super) struct Course {
+    /// The try at it.
+    pub flight: Flight,
+    pace: Pace,
+    stepped: Duration,
+    ended: bool,
+}
+
+/// By whose clock mission time passes.
+enum Pace {
+    /// By ours, from this time on: the embedded simulator keeps up with it.
+    Ours { since: Duration, speedup: f64 },
+    /// By the vehicles': a slow machine slows the mission down with them.
+    Vehicles(Clock),
+}
+
+impl Course {
+    /// A mission with the embedded simulator, which begins now.
+    pub fn embedded(flight: Flight, speedup: f64, since: Duration) -> Self {
+        Self::new(flight, Pace::Ours { since, speedup })
+    }
+
+    /// A mission with vehicles that have to be started first.
+    pub fn of_processes(flight: Flight, speedup: f64) -> Self {
+        Self::new(flight, Pace::Vehicles(Clock::new(speedup)))
+    }
+
+    fn new(flight: Flight, pace: Pace) -> Self {
+        Self {
+            flight,
+            pace,
+            stepped: Duration::ZERO,
+            ended: false,
+        }
+    }
+
+    /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.
+    pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
+        if self.ended {
+            return Vec::new();
+        }
+        let until = self.time(now, shown);
+        let mut events = Vec::new();
+        while self.stepped + mission::TICK <= until && self.flight.outcome().is_none() {
+            self.stepped += mission::TICK;
+            let said = self
+                .flight
+                .step(self.stepped, &shown.vehicles, &shown.ledger);
+            // The mission speaks on its own clock; the console's notices are on the program's.
+            events.extend(
+                said.into_iter()
+                    .map(|notice| Event::Notice(Notice { at: now, ..notice })),
+            );
+        }
+        events.push(Event::Mission(Box::new(self.flight.progress())));
+        if self.flight.outcome().is_some() {
+            self.ended = true;
+            let report = self.flight.report(&shown.ledger);
+            events.push(Event::MissionEnded(Box::new(report)));
+        }
+        events
+    }
+
+    /// Mission time.
+    fn time(&mut self, now: Duration, shown: &Shown) -> Duration {
+        match &mut self.pace {
+            Pace::Ours { since, speedup } => now.saturating_sub(*since).mul_f64(*speedup),
+            Pace::Vehicles(_) if shown.is_starting() => Duration::ZERO,
+            // One that boots runs at another speed.
+            Pace::Vehicles(clock) => {
+                let flies = |id| {
+                    let hangar = shown.hangar.as_ref();
+                    let instance = hangar.and_then(|hangar| hangar.of(id));
+                    instance.is_some_and(|instance| instance.stage == Stage::Ready)
+                };
+                let vehicles = shown.vehicles.iter().filter(|(id, _)| flies(**id));
+                clock.step(now, vehicles.map(|(&id, vehicle)| (id, vehicle.boot_ms)))
+            }
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! The processes of a session's vehicles. They are launched by a task, so that the screen goes on meanwhile.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use tokio::sync::{mpsc, watch};
+use tokio_util::sync::CancellationToken;
+
+use crate::app::effect::HangarDeed;
+use crate::app::state::{Instance, Stage};
+use crate::hangar::{self, Berth, Hangars, Launch, Place, Seen, Source};
+use crate::notice::sanitised;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// How long the processes of an earlier session may take to end before new ones are started.
+const ENDING_PATIENCE: Duration = Duration::from_secs(5);
+/// Processor time is looked at over at least this long.
+const USAGE_OVER: Duration = Duration::from_secs(2);
+/// Things that may wait to be told.
+const NEWS_KEPT: usize = 64;
+
+/// What comes of launching, and of what is asked of processes.
+pub(super) enum News {
+    /// The hangars are open.
+    Opened(Arc<Hangars>),
+    /// All vehicles are launched; these are their links.
+    Launched(Vec<Berth>),
+    /// Something could not be done.
+    Failed(Text),
+}
+
+/// The processes of a session. Dropping it ends them.
+pub(super) struct Processes {
+    news: mpsc::Receiver<News>,
+    sender: mpsc::Sender<News>,
+    hangars: Option<Arc<Hangars>>,
+    seen: Option<watch::Receiver<Seen>>,
+    usage: BTreeMap<Place, Usage>,
+}
+
+/// Processor time that a process has taken.
+#[derive(Debug, Clone, Copy)]
+struct Usage {
+    at: Duration,
+    cpu_ms: u64,
+    percent: Option<f32>,
+}
+
+/// Processes that are being ended.
+#[derive(Debug, Default)]
+pub(in crate::console) struct Ending(Option<watch::Receiver<Seen>>);
+
+impl Ending {
+    /// Waits until they are gone, for a while.
+    pub async fn over(self, patience: Duration) {
+        if let Some(mut seen) = self.0 {
+            // They are gone too when nobody is left to tell of them.
+            let gone = seen.wait_for(|all| all.is_empty());
+            drop(tokio::time::timeout(patience, gone).await);
+        }
+    }
+}
+
+impl Processes {
+    /// Begins to launch vehicles, once the processes before them are gone.
+    pub fn launch(
+        source: Source,
+        launches: Vec<Launch>,
+        before: Ending,
+        cancel: CancellationToken,
+    ) -> Self {
+        let (sender, news) = mpsc::channel(NEWS_KEPT);
+        let told = sender.clone();
+        tokio::spawn(async move {
+            let launched = async {
+                before.over(ENDING_PATIENCE).await;
+                if let Err(reason) = open_and_launch(&source, launches, &told).await {
+                    drop(
+                        told.send(News::Failed(text!("hangar-failed", reason = reason)))
+                            .await,
+                    );
+                }
+            };
+            tokio::select! {
+                () = cancel.cancelled() => {}
+                () = launched => {}
+            }
+        });
+        Self {
+            news,
+            sender,
+            hangars: None,
+            seen: None,
+            usage: BTreeMap::new(),
+        }
+    }
+
+    /// What there is to tell.
+    pub fn hear(&mut self) -> Option<News> {
+        let news = self.news.try_recv().ok()?;
+        if let News::Opened(hangars) = &news {
+            self.seen = Some(hangars.instances());
+            self.hangars = Some(Arc::clone(hangars));
+        }
+        Some(news)
+    }
+
+    /// How the processes are doing, if that has changed.
+    pub fn changed(&mut self, now: Duration) -> Option<Vec<Instance>> {
+        let seen = self.seen.as_mut()?;
+        if !seen.has_changed().unwrap_or(false) {
+            return None;
+        }
+        let all = Arc::clone(&seen.borrow_and_update());
+        let names = self
+            .hangars
+            .as_ref()
+            .map(|hangars| hangars.names())
+            .unwrap_or_default();
+        let usage = &mut self.usage;
+        let mut shown: Vec<Instance> = all
+            .iter()
+            .map(|(place, instance)| {
+                let known = usage.entry(*place);
+                let used = known.or_insert(Usage {
+                    at: now,
+                    cpu_ms: instance.cpu_ms,
+                    percent: None,
+                });
+                used.note(instance.cpu_ms, now);
+                let host = names
+                    .get(place.hangar)
+                    .map(String::as_str)
+                    .unwrap_or_default();
+                shown(instance, host, used.percent)
+            })
+            .collect();
+        shown.sort_by_key(|instance| instance.vehicle);
+        Some(shown)
+    }
+
+    /// Has the process of a vehicle ended or started again; what fails is told.
+    pub fn order(&self, deed: HangarDeed, vehicle: VehicleId) {
+        let (Some(hangars), Some(seen)) = (self.hangars.clone(), &self.seen) else {
+            return;
+        };
+        let mine = |(_, instance): &&(Place, hangar::Instance)| {
+            VehicleId::from(instance.system) == vehicle
+        };
+        let Some((place, _)) = seen.borrow().iter().find(mine).cloned() else {
+            return;
+        };
+        let sender = self.sender.clone();
+        tokio::spawn(async move {
+            let outcome = match deed {
+                HangarDeed::Restart => hangars.restart(place).await,
+                HangarDeed::Stop => hangars.stop(place).await,
+            };
+            if let Err(refusal) = outcome {
+                drop(sender.send(News::Failed(Text::from(&refusal))).await);
+            }
+        });
+    }
+
+    /// Tells when the processes are gone, once this is dropped.
+    pub fn ending(&self) -> Ending {
+        Ending(self.seen.clone())
+    }
+}
+
+async fn open_and_launch(
+    source: &Source,
+    launches: Vec<Launch>,
+    told: &mpsc::Sender<News>,
+) -> Result<(), Text> {
+    let hangars = Arc::new(source.open()?);
+    // Whoever does not want to hear it any more has cancelled this too.
+    drop(told.send(News::Opened(Arc::clone(&hangars))).await);
+    let berths = hangars
+        .launch(launches)
+        .await
+        .map_err(|refusal| Text::from(&refusal))?;
+    drop(told.send(News::Launched(berths)).await);
+    Ok(())
+}
+
+impl Usage {
+    fn note(&mut self, cpu_ms: u64, now: Duration) {
+        let over = now.saturating_sub(self.at);
+        if cpu_ms < self.cpu_ms {
+            // Another process.
+            *self = Self {
+                at: now,
+                cpu_ms,
+                percent: None,
+            };
+        } else if over >= USAGE_OVER {
+            let spent_ms = (cpu_ms - self.cpu_ms) as f32;
+            let percent = Some(100.0 * spent_ms / over.as_millis() as f32);
+            *self = Self {
+                at: now,
+                cpu_ms,
+                percent,
+            };
+        }
+    }
+}
+
+fn shown(instance: &hangar::Instance, host: &str, processor_percent: Option<f32>) -> Instance {
+    Instance {
+        vehicle: instance.system.into(),
+        host: sanitised(host),
+        stage: stage(instance.stage),
+        parameters: instance.parameters,
+        pid: instance.pid,
+        restarts: instance.restarts,
+        memory_bytes: instance.memory_bytes,
+        processor_percent,
+        fault: instance.fault.as_deref().map(sanitised),
+        output: instance
+            .last_output
+            .iter()
+            .map(|line| sanitised(line))
+            .collect(),
+        folder: sanitised(&instance.folder),
+    }
+}
+
+fn stage(stage: hangar::Stage) -> Stage {
+    match stage {
+        hangar::Stage::Queued => Stage::Queued,
+        hangar::Stage::Process => Stage::Process,
+        hangar::Stage::Heartbeat => Stage::Heartbeat,
+        hangar::Stage::Parameters => Stage::Parameters,
+        hangar::Stage::Position => Stage::Position,
+        hangar::Stage::Ready => Stage::Ready,
+        hangar::Stage::Stopping => Stage::Stopping,
+        hangar::Stage::Ended => Stage::Ended,
+    }
+}

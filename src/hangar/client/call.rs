@@ -1,0 +1,172 @@
+//! One request over a connection of its own.
+
+use std::fmt::Write as _;
+use std::io;
+use std::net::ToSocketAddrs as _;
+use std::time::Duration;
+
+use http_body_util::{BodyExt as _, Full, Limited};
+use hyper::body::{Bytes, Incoming};
+use hyper::client::conn::http1;
+use hyper::{Method, Request, Response, StatusCode, header};
+use hyper_util::rt::TokioIo;
+use tokio::net::TcpStream;
+use tokio::time::timeout;
+
+use super::{ANSWER, ClientError, Remote};
+use crate::hangar::InstanceId;
+use crate::hangar::service::Problem;
+
+/// Bytes of an answer: a few hundred instances with their last output.
+const ANSWER_MAX: usize = 8 * 1024 * 1024;
+/// How long one without time waits for a connection.
+const HURRY: Duration = Duration::from_millis(500);
+/// Characters of a foreign answer that are shown.
+const SHOWN: usize = 60;
+
+impl Remote {
+    /// Sends a request and takes in the whole answer of one that was met.
+    pub(super) async fn exchange(
+        &self,
+        method: Method,
+        path: &str,
+        body: Option<Vec<u8>>,
+    ) -> Result<Bytes, ClientError> {
+        let whole = async {
+            let request = self.request(method, path, body)?;
+            let response = self.send(request).await?;
+            self.bytes(response).await
+        };
+        let late = |_| self.late(ANSWER);
+        timeout(ANSWER, whole).await.map_err(late)?
+    }
+
+    /// A request with what every request has.
+    pub(super) fn request(
+        &self,
+        method: Method,
+        path: &str,
+        body: Option<Vec<u8>>,
+    ) -> Result<Request<Full<Bytes>>, ClientError> {
+        let mut request = Request::builder()
+            .method(method)
+            .uri(path)
+            .header(header::HOST, self.address.authority())
+            .header(header::ACCEPT, "application/json");
+        if let Some(token) = &self.token {
+            request = request.header(header::AUTHORIZATION, token.authorization());
+        }
+        if let Some(life) = &self.life {
+            request = request.header(header::IF_MATCH, format!("\"{life}\""));
+        }
+        if body.is_some() {
+            request = request.header(header::CONTENT_TYPE, "application/json");
+        }
+        request
+            .body(Full::from(body.unwrap_or_default()))
+            .map_err(|error| self.unreachable(io::Error::other(error)))
+    }
+
+    /// Asks for the end of an instance without waiting for an answer, for those who have no time or no runtime left.
+    pub(in crate::hangar) fn stop_unheard(&self, id: InstanceId) -> io::Result<()> {
+        let place = (self.address.host.as_str(), self.address.port);
+        let place = place.to_socket_addrs()?.next();
+        let place = place.ok_or(io::ErrorKind::AddrNotAvailable)?;
+        let mut stream = std::net::TcpStream::connect_timeout(&place, HURRY)?;
+        stream.set_write_timeout(Some(HURRY))?;
+        let mut head = format!(
+            "DELETE /vehicles/{id} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n",
+            self.address.authority()
+        );
+        if let Some(token) = &self.token {
+            let _ = write!(head, "Authorization: {}\r\n", token.authorization());
+        }
+        if let Some(life) = &self.life {
+            let _ = write!(head, "If-Match: \"{life}\"\r\n");
+        }
+        head.push_str("\r\n");
+        io::Write::write_all(&mut stream, head.as_bytes())
+    }
+
+    /// Sends a request; what answers is a hangar and has met it.
+    pub(super) async fn send(
+        &self,
+        request: Request<Full<Bytes>>,
+    ) -> Result<Response<Incoming>, ClientError> {
+        let place = (self.address.host.as_str(), self.address.port);
+        let stream = TcpStream::connect(place)
+            .await
+            .map_err(|error| self.unreachable(error))?;
+        // Commands are small and must not wait for one another; failing that they only come later.
+        let _ = stream.set_nodelay(true);
+        let foreign = |error: hyper::Error| self.broken(&error);
+        let (mut sender, connection) = http1::handshake(TokioIo::new(stream))
+            .await
+            .map_err(foreign)?;
+        // Ends with the answer, or with the connection that it becomes.
+        tokio::spawn(connection.with_upgrades());
+        let response = sender.send_request(request).await.map_err(foreign)?;
+        let status = response.status();
+        if status.is_success() || status == StatusCode::SWITCHING_PROTOCOLS {
+            return Ok(response);
+        }
+        let bytes = self.bytes(response).await?;
+        Err(self.refusal(status, &bytes))
+    }
+
+    async fn bytes(&self, response: Response<Incoming>) -> Result<Bytes, ClientError> {
+        let body = Limited::new(response.into_body(), ANSWER_MAX);
+        let all = body.collect().await;
+        all.map(http_body_util::Collected::to_bytes)
+            .map_err(|error| self.unreachable(io::Error::other(error)))
+    }
+
+    fn refusal(&self, status: StatusCode, bytes: &[u8]) -> ClientError {
+        let Ok(mut problem) = serde_json::from_slice::<Problem>(bytes) else {
+            let text = String::from_utf8_lossy(bytes);
+            let text: String = text
+                .chars()
+                .filter(|c| !c.is_control())
+                .take(SHOWN)
+                .collect();
+            return ClientError::NotAHangar {
+                address: self.address.clone(),
+                why: format!("{status} {text}").trim().to_owned(),
+            };
+        };
+        problem.set_status(status);
+        if status == StatusCode::UNAUTHORIZED {
+            return ClientError::Unauthorised {
+                address: self.address.clone(),
+                why: problem.error,
+            };
+        }
+        let status = status.as_u16();
+        ClientError::Refused { status, problem }
+    }
+
+    pub(super) fn unreachable(&self, source: io::Error) -> ClientError {
+        ClientError::Unreachable {
+            address: self.address.clone(),
+            source,
+        }
+    }
+
+    pub(super) fn late(&self, limit: Duration) -> ClientError {
+        ClientError::Late {
+            address: self.address.clone(),
+            seconds: limit.as_secs(),
+        }
+    }
+
+    /// A connection that says what no HTTP service says, or that ends in the middle.
+    fn broken(&self, error: &hyper::Error) -> ClientError {
+        if error.is_parse() {
+            return ClientError::NotAHangar {
+                address: self.address.clone(),
+                why: error.to_string(),
+            };
+        }
+        self.unreachable(io::Error::other(error.to_string()))
+    }
+}

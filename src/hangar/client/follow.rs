@@ -1,0 +1,210 @@
+//! Keeps up with what happens in a hangar.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use http_body_util::BodyExt as _;
+use hyper::Method;
+use hyper::body::Incoming;
+use serde::Deserialize;
+use tokio::sync::watch;
+use tokio::time::timeout;
+use tokio_util::sync::CancellationToken;
+
+use super::pump::Backoff;
+use super::{ANSWER, ClientError, Remote};
+use crate::hangar::service::Snapshot;
+use crate::hangar::{Instance, InstanceId, Instances};
+
+/// A hangar that has said nothing for so long is taken for dead: it says something at least every 10 s.
+const SILENCE: Duration = Duration::from_secs(25);
+/// Bytes of one event.
+const EVENT_MAX: usize = 8 * 1024 * 1024;
+
+/// What is known of a hangar.
+#[derive(Debug, Clone, Default)]
+pub struct View {
+    /// The run of the service; `None` before it was ever heard.
+    pub life: Option<String>,
+    /// Its instances as they were last heard of.
+    pub instances: Instances,
+    /// Why nothing is heard of it now.
+    pub lost: Option<Arc<ClientError>>,
+}
+
+/// Follows until cancelled or until nobody looks.
+pub(super) async fn run(remote: Remote, view: watch::Sender<View>, cancel: CancellationToken) {
+    let mut backoff = Backoff::default();
+    let following = async {
+        loop {
+            let error = follow(&remote, &view, &mut backoff).await;
+            view.send_modify(|view| view.lost = Some(Arc::new(error)));
+            backoff.pause().await;
+        }
+    };
+    tokio::select! {
+        () = following => {}
+        () = view.closed() => {}
+        () = cancel.cancelled() => {}
+    }
+}
+
+/// Follows one connection until it is lost, and tells how.
+async fn follow(remote: &Remote, view: &watch::Sender<View>, backoff: &mut Backoff) -> ClientError {
+    let opened = async {
+        let request = remote.request(Method::GET, "/events", None)?;
+        remote.send(request).await
+    };
+    let response = match timeout(ANSWER, opened).await {
+        Ok(Ok(response)) => response,
+        Ok(Err(error)) => return error,
+        Err(_) => return remote.late(ANSWER),
+    };
+    let mut body = response.into_body();
+    let mut events = Events::default();
+    loop {
+        let bytes = match timeout(SILENCE, next_bytes(&mut body)).await {
+            Ok(Ok(bytes)) => bytes,
+            Ok(Err(why)) => return remote.unreachable(std::io::Error::other(why)),
+            Err(_) => return remote.late(SILENCE),
+        };
+        for (name, data) in events.push(&bytes) {
+            if let Err(why) = take_in(view, &name, &data) {
+                let address = remote.address.clone();
+                return ClientError::NotAHangar { address, why };
+            }
+            backoff.reset();
+        }
+        if events.len() > EVENT_MAX {
+            let address = remote.address.clone();
+            let why = "an event of it never ends".to_owned();
+            return ClientError::NotAHangar { address, why };
+        }
+    }
+}
+
+async fn next_bytes(body: &mut Incoming) -> Result<Vec<u8>, String> {
+    loop {
+        match body.frame().await {
+            Some(Ok(frame)) => {
+                if let Ok(bytes) = frame.into_data() {
+                    return Ok(bytes.to_vec());
+                }
+            }
+            Some(Err(error)) => return Err(error.to_string()),
+            None => return Err("it has ended the connection".to_owned()),
+        }
+    }
+}
+
+fn take_in(view: &watch::Sender<View>, name: &str, data: &str) -> Result<(), String> {
+    #[derive(Deserialize)]
+    struct Gone {
+        id: InstanceId,
+    }
+    let wrong = |error: serde_json::Error| format!("its event {name} makes no sense: {error}");
+    match name {
+        "snapshot" => {
+            let Snapshot { life, vehicles } = serde_json::from_str(data).map_err(wrong)?;
+            let all: BTreeMap<_, _> = vehicles.into_iter().map(|one| (one.id, one)).collect();
+            view.send_replace(View {
+                life: Some(life),
+                instances: Arc::new(all),
+                lost: None,
+            });
+        }
+        "vehicle" => {
+            let instance: Instance = serde_json::from_str(data).map_err(wrong)?;
+            view.send_modify(|view| {
+                Arc::make_mut(&mut view.instances).insert(instance.id, instance);
+            });
+        }
+        "gone" => {
+            let Gone { id } = serde_json::from_str(data).map_err(wrong)?;
+            view.send_modify(|view| drop(Arc::make_mut(&mut view.instances).remove(&id)));
+        }
+        // Of a newer hangar.
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Finds the events in a stream of `text/event-stream`.
+#[derive(Debug, Default)]
+struct Events {
+    bytes: Vec<u8>,
+    name: String,
+    data: String,
+}
+
+impl Events {
+    /// Takes in bytes; returns the names and the data of events that are complete.
+    fn push(&mut self, bytes: &[u8]) -> Vec<(String, String)> {
+        let mut found = Vec::new();
+        self.bytes.extend_from_slice(bytes);
+        let mut from = 0;
+        while let Some(len) = self.bytes[from..].iter().position(|&byte| byte == b'\n') {
+            let line = String::from_utf8_lossy(&self.bytes[from..from + len]).into_owned();
+            from += len + 1;
+            if let Some(event) = self.line(line.trim_end_matches('\r')) {
+                found.push(event);
+            }
+        }
+        self.bytes.drain(..from);
+        found
+    }
+
+    /// Bytes of the event that is not complete.
+    fn len(&self) -> usize {
+        self.bytes.len() + self.data.len()
+    }
+
+    fn line(&mut self, line: &str) -> Option<(String, String)> {
+        if line.is_empty() {
+            let event = (
+                std::mem::take(&mut self.name),
+                std::mem::take(&mut self.data),
+            );
+            return (!event.1.is_empty()).then_some(event);
+        }
+        // A line that begins with a colon is a comment.
+        let (field, value) = line.split_once(':').unwrap_or((line, ""));
+        let value = value.strip_prefix(' ').unwrap_or(value);
+        match field {
+            "event" => value.clone_into(&mut self.name),
+            "data" => {
+                if !self.data.is_empty() {
+                    self.data.push('\n');
+                }
+                self.data.push_str(value);
+            }
+            _ => {}
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn events_are_found_however_the_bytes_are_cut() {
+        let stream = ": hello\n\nevent: a\ndata: 1\n\ndata:2\r\ndata: 3\r\n\r\nevent: b\n\nevent: c\ndata: \u{457}\n\n";
+        let expected = [("a", "1"), ("", "2\n3"), ("c", "\u{457}")];
+        let expected: Vec<_> = expected
+            .map(|(name, data)| (name.to_owned(), data.to_owned()))
+            .into();
+        for len in 1..stream.len() {
+            let mut events = Events::default();
+            let found: Vec<_> = stream
+                .as_bytes()
+                .chunks(len)
+                .flat_map(|bytes| events.push(bytes))
+                .collect();
+            assert_eq!(found, expected, "in pieces of {len}");
+            assert_eq!(events.len(), 0);
+        }
+    }
+}

@@ -1,0 +1,317 @@
+//! Hangars that are services.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
+use std::time::Duration;
+
+use futures_util::future::join_all;
+use tokio::sync::watch;
+use tokio_util::sync::CancellationToken;
+
+use super::spread::spread;
+use super::{Berth, Place, Seen};
+use crate::hangar::client::{ClientError, Remote, View};
+use crate::hangar::{Capacity, Instance, Launch, Refusal, Stage};
+
+/// What is launched ends when nobody has been attached to it for so long: the console was killed, or cut off.
+const IDLE_S: u32 = 60;
+/// How long a console that ends waits until the hangars have been told.
+const FAREWELL: Duration = Duration::from_secs(2);
+const SYSTEM_MAX: u8 = 254;
+
+/// Services, and what was launched by them.
+pub(super) struct Far {
+    services: Vec<Remote>,
+    fleet: Arc<Fleet>,
+    cancel: CancellationToken,
+}
+
+/// What was launched, and who is told of it.
+struct Fleet {
+    ours: Mutex<BTreeMap<Place, Ours>>,
+    seen: watch::Sender<Seen>,
+}
+
+/// An instance that was launched.
+struct Ours {
+    shown: Instance,
+    /// The service that has launched it, as long as it is the same run of it.
+    remote: Remote,
+    life: String,
+    /// Whether the service was heard to have it: what is not there before that may still come.
+    is_known: bool,
+    /// Whether it has gone, and its number may be somebody else's.
+    is_gone: bool,
+    tunnel: CancellationToken,
+}
+
+impl Far {
+    pub fn new(services: Vec<Remote>) -> Self {
+        let fleet = Arc::new(Fleet {
+            ours: Mutex::default(),
+            seen: watch::Sender::default(),
+        });
+        let cancel = CancellationToken::new();
+        for (hangar, remote) in services.iter().enumerate() {
+            let views = remote.follow(cancel.clone());
+            tokio::spawn(keep_up(hangar, views, Arc::clone(&fleet)));
+        }
+        Self {
+            services,
+            fleet,
+            cancel,
+        }
+    }
+
+    pub fn seen(&self) -> watch::Receiver<Seen> {
+        self.fleet.seen.subscribe()
+    }
+
+    pub fn names(&self) -> Vec<String> {
+        let name = |remote: &Remote| remote.address().authority();
+        self.services.iter().map(name).collect()
+    }
+
+    /// Launches all, or none.
+    pub async fn launch(&self, mut launches: Vec<Launch>) -> Result<Vec<Berth>, Refusal> {
+        let (plan, lives) = self.plan(launches.len()).await?;
+        self.number(&mut launches);
+        let at = |hangar: usize| {
+            let here = launches.iter().zip(&plan).enumerate();
+            here.filter(move |(_, (_, at))| **at == hangar)
+                .map(|(place, (launch, _))| (place, launch))
+        };
+        // Each hangar is asked for one after the other, and all of them at once.
+        let asked = (0..self.services.len()).map(async |hangar| {
+            let mut begun = Vec::new();
+            for (place, launch) in at(hangar) {
+                let one = self.launch_at(hangar, &lives[hangar], launch).await;
+                let is_over = one.is_err();
+                begun.push((place, one));
+                if is_over {
+                    break;
+                }
+            }
+            begun
+        });
+        let mut begun: Vec<_> = join_all(asked).await.into_iter().flatten().collect();
+        begun.sort_by_key(|(place, _)| *place);
+        let mut berths = Vec::new();
+        let mut refused = None;
+        for (_, one) in begun {
+            match one {
+                Ok(berth) => berths.push(berth),
+                Err(refusal) => refused = refused.or(Some(refusal)),
+            }
+        }
+        let Some(refusal) = refused else {
+            return Ok(berths);
+        };
+        // One that cannot be ended now ends by itself: nobody is attached to it.
+        join_all(berths.iter().map(|berth| self.stop(berth.place))).await;
+        Err(refusal)
+    }
+
+    /// A hangar for each vehicle, and the present life of each hangar. One that does not answer has no room.
+    async fn plan(&self, count: usize) -> Result<(Vec<usize>, Vec<String>), Refusal> {
+        let asked = self.services.iter().map(Remote::status);
+        let (mut rooms, mut lives, mut silent) = (Vec::new(), Vec::new(), None);
+        for (remote, status) in self.services.iter().zip(join_all(asked).await) {
+            match status {
+                Ok(status) => {
+                    rooms.push(status.capacity);
+                    lives.push(status.life);
+                }
+                Err(error) => {
+                    rooms.push(Capacity {
+                        running: 0,
+                        free: 0,
+                    });
+                    lives.push(String::new());
+                    silent = silent.or(Some(far(remote, error)));
+                }
+            }
+        }
+        if let Some(plan) = spread(&rooms, count) {
+            return Ok((plan, lives));
+        }
+        let running = rooms.iter().map(|room| room.running).sum();
+        Err(silent.unwrap_or(Refusal::Full(running)))
+    }
+
+    /// Gives system ids to those that have none, and what all need.
+    fn number(&self, launches: &mut [Launch]) {
+        let ours = self.fleet.ours();
+        let there = ours.values().filter(|one| !one.is_gone);
+        let mut taken: BTreeSet<u8> = there.map(|one| one.shown.system).collect();
+        taken.extend(launches.iter().filter_map(|launch| launch.system));
+        for launch in launches {
+            if launch.system.is_none() {
+                launch.system = (1..=SYSTEM_MAX).find(|system| !taken.contains(system));
+                taken.extend(launch.system);
+            }
+            // Others may have launched at a service as well.
+            launch.id = None;
+            launch.idle_s.get_or_insert(IDLE_S);
+        }
+    }
+
+    async fn launch_at(
+        &self,
+        hangar: usize,
+        life: &str,
+        launch: &Launch,
+    ) -> Result<Berth, Refusal> {
+        let remote = self.services[hangar].in_life(life);
+        let launched = remote.launch(launch).await;
+        let shown = launched.map_err(|error| far(&remote, error))?;
+        let id = shown.id;
+        let place = Place { hangar, id };
+        let tunnel = self.cancel.child_token();
+        let pipe = remote.tunnel(id, tunnel.clone());
+        let ours = Ours {
+            shown,
+            remote,
+            life: life.to_owned(),
+            is_known: false,
+            is_gone: false,
+            tunnel,
+        };
+        self.fleet.ours().insert(place, ours);
+        self.fleet.show();
+        Ok(Berth { place, pipe })
+    }
+
+    pub async fn restart(&self, place: Place) -> Result<(), Refusal> {
+        let remote = self.fleet.remote(place)?;
+        let asked = remote.restart(place.id).await;
+        asked.map_err(|error| far(&remote, error))
+    }
+
+    pub async fn stop(&self, place: Place) -> Result<(), Refusal> {
+        let remote = self.fleet.remote(place);
+        let ours = self.fleet.ours().remove(&place);
+        if let Some(ours) = ours {
+            ours.tunnel.cancel();
+        }
+        self.fleet.show();
+        let remote = remote?;
+        let asked = remote.stop(place.id).await;
+        asked.map_err(|error| far(&remote, error))
+    }
+
+    pub async fn close(self) {
+        let places: Vec<Place> = self.fleet.ours().keys().copied().collect();
+        join_all(places.into_iter().map(|place| self.stop(place))).await;
+    }
+}
+
+impl Drop for Far {
+    /// Tells the hangars, as far as that can be done in a moment; what they have not heard ends by itself.
+    fn drop(&mut self) {
+        self.cancel.cancel();
+        let ours = std::mem::take(&mut *self.fleet.ours());
+        let there = ours.into_iter().filter(|(_, one)| !one.is_gone);
+        let orders: Vec<_> = there.map(|(place, one)| (place.id, one.remote)).collect();
+        if orders.is_empty() {
+            return;
+        }
+        let (done, told) = mpsc::channel();
+        let thread = std::thread::Builder::new().name("farewell".to_owned());
+        let begun = thread.spawn(move || {
+            for (id, remote) in orders {
+                let _ = remote.stop_unheard(id);
+            }
+            let _ = done.send(());
+        });
+        if begun.is_ok() {
+            let _ = told.recv_timeout(FAREWELL);
+        }
+    }
+}
+
+impl Fleet {
+    fn ours(&self) -> MutexGuard<'_, BTreeMap<Place, Ours>> {
+        self.ours.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn remote(&self, place: Place) -> Result<Remote, Refusal> {
+        let ours = self.ours();
+        let there = ours.get(&place).filter(|one| !one.is_gone);
+        let remote = there.map(|one| one.remote.clone());
+        remote.ok_or(Refusal::Unknown(place.id))
+    }
+
+    /// Publishes what was launched.
+    fn show(&self) {
+        let ours = self.ours();
+        let all: Vec<_> = ours
+            .iter()
+            .map(|(place, one)| (*place, one.shown.clone()))
+            .collect();
+        self.seen.send_if_modified(|seen| {
+            let changed = **seen != all;
+            if changed {
+                *seen = Arc::new(all);
+            }
+            changed
+        });
+    }
+}
+
+/// Takes over what a service tells, until it is told no more.
+async fn keep_up(hangar: usize, mut views: watch::Receiver<View>, fleet: Arc<Fleet>) {
+    loop {
+        let view = views.borrow_and_update().clone();
+        for (place, ours) in &mut *fleet.ours() {
+            if place.hangar == hangar && !ours.is_gone {
+                ours.look(&view);
+            }
+        }
+        fleet.show();
+        if views.changed().await.is_err() {
+            return;
+        }
+    }
+}
+
+impl Ours {
+    fn look(&mut self, view: &View) {
+        if let Some(error) = &view.lost {
+            let name = self.remote.address().authority();
+            self.end(format!("hangar {name} does not answer: {error}"));
+            return;
+        }
+        if view.life.as_ref().is_some_and(|life| *life != self.life) {
+            self.forget("its hangar was started anew");
+            return;
+        }
+        match view.instances.get(&self.shown.id) {
+            Some(instance) => {
+                self.is_known = true;
+                self.shown = instance.clone();
+            }
+            None if self.is_known => self.forget("its hangar has it no more"),
+            None => {}
+        }
+    }
+
+    fn end(&mut self, why: String) {
+        self.shown.stage = Stage::Ended;
+        self.shown.fault = Some(why);
+        self.shown.attached = false;
+    }
+
+    fn forget(&mut self, why: &str) {
+        self.end(why.to_owned());
+        self.is_gone = true;
+        self.tunnel.cancel();
+    }
+}
+
+fn far(remote: &Remote, source: ClientError) -> Refusal {
+    Refusal::Far {
+        hangar: remote.address().authority(),
+        source,
+    }
+}

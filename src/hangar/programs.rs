@@ -1,0 +1,204 @@
+//! Finds the programs of SITL: those that the user has named, else those on the PATH and where they are usually built.
+
+use std::collections::BTreeMap;
+use std::env;
+use std::ffi::OsString;
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use crate::sitl::Kind;
+
+/// Where builds of `ArduPilot` put their programs, below the home folder and below the current one.
+const BUILDS_AT_HOME: [&str; 4] = [
+    "ardupilot",
+    "src/ardupilot",
+    "git/ardupilot",
+    "dev/ardupilot",
+];
+const BUILDS_HERE: [&str; 3] = ["", "ardupilot", "../ardupilot"];
+const BUILD_FOLDER: &str = "build/sitl/bin";
+
+/// A program that the user has named.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Named {
+    /// The file.
+    pub file: PathBuf,
+    /// Who has named it: a flag, a variable, a line of a file.
+    pub by: String,
+}
+
+/// Where programs that nobody has named are looked for.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Places {
+    /// The PATH.
+    pub path: Option<OsString>,
+    /// The home folder.
+    pub home: Option<PathBuf>,
+    /// The current folder.
+    pub here: PathBuf,
+}
+
+impl Places {
+    /// Those of the environment.
+    pub fn of_environment() -> Self {
+        Self {
+            path: env::var_os("PATH"),
+            home: env::home_dir(),
+            here: env::current_dir().unwrap_or_default(),
+        }
+    }
+
+    /// The folders, the first ones first, each with what it is.
+    fn folders(&self) -> Vec<(PathBuf, &'static str)> {
+        let path = self.path.iter().flat_map(env::split_paths);
+        // An empty entry means the current folder, which is no place for programs on a shared machine.
+        let path = path.filter(|folder| folder.is_absolute());
+        let mut folders: Vec<_> = path.map(|folder| (folder, "PATH")).collect();
+        for build in BUILDS_HERE {
+            let folder = self.here.join(build).join(BUILD_FOLDER);
+            folders.push((folder, "usual build folder"));
+        }
+        for build in self
+            .home
+            .iter()
+            .flat_map(|home| BUILDS_AT_HOME.map(|build| home.join(build)))
+        {
+            folders.push((build.join(BUILD_FOLDER), "usual build folder"));
+        }
+        folders
+    }
+}
+
+/// A program that was found.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Found {
+    /// The file, by its absolute path.
+    pub file: PathBuf,
+    /// Why it is this one: who has named it, or where it was found.
+    pub by: String,
+}
+
+/// A program that was not found.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, thiserror::Error)]
+pub enum Missing {
+    /// The user has named a file that is none, or cannot be started.
+    #[error("{by} names {}: {reason}", file.display())]
+    Named {
+        /// The file.
+        file: PathBuf,
+        /// Who has named it.
+        by: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// It is in none of these folders.
+    #[error("no {program} in {}", list(.tried))]
+    Nowhere {
+        /// What it is called.
+        program: &'static str,
+        /// Where it was looked for.
+        tried: Vec<PathBuf>,
+    },
+}
+
+fn list(folders: &[PathBuf]) -> String {
+    let names: Vec<_> = folders
+        .iter()
+        .map(|folder| folder.display().to_string())
+        .collect();
+    names.join(", ")
+}
+
+/// The program of each kind of vehicle, or why there is none.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Programs(BTreeMap<Kind, Result<Found, Missing>>);
+
+impl Programs {
+    /// Looks for the program of each kind: the one that is named, or the first one in those places.
+    pub fn find(named: &BTreeMap<Kind, Named>, places: &Places) -> Self {
+        let folders = places.folders();
+        let look = |kind: Kind| match named.get(&kind) {
+            Some(named) => named.checked(&places.here),
+            None => first_in(&folders, kind),
+        };
+        Self(
+            Kind::ALL
+                .into_iter()
+                .map(|kind| (kind, look(kind)))
+                .collect(),
+        )
+    }
+
+    /// What became of looking for the program of a kind.
+    ///
+    /// # Errors
+    /// It was not found.
+    pub fn of(&self, kind: Kind) -> Result<&Found, Missing> {
+        match self.0.get(&kind) {
+            Some(result) => result.as_ref().map_err(Clone::clone),
+            None => Err(Missing::Nowhere {
+                program: kind.program(),
+                tried: Vec::new(),
+            }),
+        }
+    }
+
+    /// Those that were found, as a hangar wants them.
+    pub fn paths(&self) -> BTreeMap<Kind, PathBuf> {
+        let found = self.0.iter();
+        found
+            .filter_map(|(&kind, result)| Some((kind, result.as_ref().ok()?.file.clone())))
+            .collect()
+    }
+}
+
+impl Named {
+    fn checked(&self, here: &Path) -> Result<Found, Missing> {
+        let file = here.join(&self.file);
+        match check(&file) {
+            Ok(()) => Ok(Found {
+                file,
+                by: self.by.clone(),
+            }),
+            Err(reason) => Err(Missing::Named {
+                file,
+                by: self.by.clone(),
+                reason,
+            }),
+        }
+    }
+}
+
+fn first_in(folders: &[(PathBuf, &str)], kind: Kind) -> Result<Found, Missing> {
+    for (folder, what) in folders {
+        let file = folder.join(kind.program());
+        if check(&file).is_ok() {
+            return Ok(Found {
+                file,
+                by: (*what).to_owned(),
+            });
+        }
+    }
+    let tried = folders.iter().map(|(folder, _)| folder.clone()).collect();
+    Err(Missing::Nowhere {
+        program: kind.program(),
+        tried,
+    })
+}
+
+/// Whether a file is one that can be started, else why not.
+fn check(file: &Path) -> Result<(), String> {
+    let about = file.metadata().map_err(|error| error.to_string())?;
+    if about.is_dir() {
+        return Err("it is a folder: name the program in it".to_owned());
+    }
+    if !about.is_file() {
+        return Err("it is no file".to_owned());
+    }
+    if about.permissions().mode() & 0o111 == 0 {
+        return Err(format!("it is not executable: chmod +x {}", file.display()));
+    }
+    Ok(())
+}

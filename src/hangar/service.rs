@@ -1,0 +1,247 @@
+//! The hangar as an HTTP service.
+//!
+//! - `accept` takes connections, as many as may be, and hangs up on those that are slow; `patient` watches what is sent.
+//! - `guard` lets in who may: by the token, or by whose program it is at the other end on loopback.
+//! - `vehicles`, `paper`, `about`, `events` and `tunnel` answer; `problem` is what they say when they cannot.
+//! - `openapi` describes it all; `expose` opens a port for each instance when asked to.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Router;
+use serde::{Deserialize, Serialize};
+use tokio::net::TcpListener;
+use tokio::sync::{Semaphore, watch};
+use tokio_util::sync::CancellationToken;
+use utoipa::ToSchema;
+
+use super::token::{Token, TokenError};
+use super::{Capacity, Hangar, Instance, InstanceId, Instances, Limits, Restart};
+use crate::sitl::Kind;
+
+mod about;
+mod accept;
+mod body;
+mod events;
+mod expose;
+mod guard;
+mod openapi;
+mod paper;
+mod patient;
+mod problem;
+mod tunnel;
+mod vehicles;
+
+pub use events::{Change, Snapshot, changes};
+pub use problem::Problem;
+
+/// The port that a hangar listens on unless told otherwise.
+pub const PORT: u16 = 5700;
+/// The protocol that a connection is upgraded to for a vehicle's bytes.
+pub const MAVLINK: &str = "mavlink";
+/// How long connections may take to end by themselves when the service ends.
+const GRACE: Duration = Duration::from_secs(1);
+
+/// Whose program is at the other end of a connection on this host, by its user id, if that can be found out:
+/// the other end's address and ours.
+pub type Owner = fn(SocketAddr, SocketAddr) -> Option<u32>;
+
+/// How a service is set up.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// What lets everybody in.
+    pub token: Token,
+    /// Whether the token is asked for also on loopback, of programs of the same user.
+    pub require_token: bool,
+    /// Whether each instance's MAVLink is also given on a TCP port on loopback.
+    pub expose: bool,
+    /// How much it takes of its clients.
+    pub bounds: Bounds,
+    /// Tells whose a connection is.
+    pub owner: Owner,
+    /// The programs, as people are told of them.
+    pub programs: Vec<Program>,
+    /// Processes of an earlier life that were found.
+    pub leftovers: Vec<String>,
+    /// What happens to instances that end by themselves.
+    pub restart: Restart,
+    /// What the hangar may use.
+    pub limits: Limits,
+}
+
+/// How much a service takes of its clients.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bounds {
+    /// Connections at once, tunnels not counted.
+    pub connections: usize,
+    /// Of these, those that wait for something to happen.
+    pub waiting: usize,
+    /// Bytes of a request's body.
+    pub request_bytes: usize,
+    /// How long a connection may say nothing, or take for a request's head.
+    pub head: Duration,
+    /// How long a request's body may take.
+    pub body: Duration,
+    /// How long a client may refuse to take what it has asked for.
+    pub stall: Duration,
+    /// How often one who follows the events hears that the service is there.
+    pub keep_alive: Duration,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self {
+            connections: 64,
+            waiting: 48,
+            request_bytes: 64 * 1024,
+            head: Duration::from_secs(10),
+            body: Duration::from_secs(10),
+            stall: Duration::from_secs(30),
+            keep_alive: Duration::from_secs(10),
+        }
+    }
+}
+
+/// A program that can be started.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct Program {
+    /// The vehicle.
+    pub kind: Kind,
+    /// The file.
+    pub file: String,
+    /// What it says that it is.
+    pub identity: String,
+}
+
+/// What a service says about itself.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct Status {
+    /// The version of the program.
+    pub version: String,
+    /// Names this run of the service; after a restart it is another.
+    pub life: String,
+    /// What can be started.
+    pub programs: Vec<Program>,
+    /// How full it is.
+    pub capacity: Capacity,
+    /// What it may use.
+    pub limits: Limits,
+    /// What happens to instances that end by themselves.
+    pub restart: Restart,
+    /// Processes of an earlier life that were found.
+    pub leftovers: Vec<String>,
+}
+
+/// What all handlers share.
+struct Desk {
+    hangar: Hangar,
+    setup: Setup,
+    life: String,
+    /// Whether only this host can reach us.
+    on_loopback: bool,
+    waiting: Arc<Semaphore>,
+    ports: watch::Sender<BTreeMap<InstanceId, u16>>,
+    cancel: CancellationToken,
+}
+
+/// Serves a hangar until cancelled; then ends its instances.
+///
+/// # Errors
+/// The listener's address cannot be told, or the system gives no random numbers.
+pub async fn serve(
+    listener: TcpListener,
+    hangar: Hangar,
+    setup: Setup,
+    cancel: CancellationToken,
+) -> io::Result<()> {
+    let address = listener.local_addr()?;
+    let random = |error: TokenError| io::Error::other(error.to_string());
+    let life = Token::random().map_err(random)?.authorization();
+    let desk = Arc::new(Desk {
+        on_loopback: address.ip().is_loopback(),
+        life: life[life.len() - 16..].to_owned(),
+        waiting: Arc::new(Semaphore::new(setup.bounds.waiting)),
+        ports: watch::Sender::default(),
+        cancel: cancel.child_token(),
+        hangar,
+        setup,
+    });
+    let mut connections = accept::run(&listener, &desk).await;
+    drop(listener);
+    desk.cancel.cancel();
+    let all = async { while connections.join_next().await.is_some() {} };
+    // Whoever is still busy after that is cut off.
+    let _ = tokio::time::timeout(GRACE, all).await;
+    connections.shutdown().await;
+    desk.hangar.end().await;
+    Ok(())
+}
+
+fn router(desk: &Arc<Desk>) -> Router {
+    let guard = axum::middleware::from_fn_with_state(Arc::clone(desk), guard::check);
+    table()
+        .into_iter()
+        .fold(Router::new(), |router, (path, methods)| {
+            router.route(path, methods)
+        })
+        .fallback(problem::no_such_path)
+        .method_not_allowed_fallback(problem::no_such_method)
+        .layer(guard)
+        .with_state(Arc::clone(desk))
+}
+
+/// Every path with what answers it.
+fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<Desk>>)> {
+    use axum::routing::{get, post};
+    vec![
+        ("/vehicles", get(vehicles::list).post(vehicles::launch)),
+        (
+            "/vehicles/{id}",
+            get(vehicles::one).delete(vehicles::remove),
+        ),
+        ("/vehicles/{id}/restart", post(vehicles::restart)),
+        ("/vehicles/{id}/ready", get(vehicles::ready)),
+        ("/vehicles/{id}/output", get(vehicles::output)),
+        ("/vehicles/{id}/mavlink", get(tunnel::open)),
+        ("/events", get(events::follow)),
+        ("/status", get(about::status)),
+        ("/openapi.json", get(about::openapi)),
+        ("/start/{id}", get(paper::start)),
+        ("/stop/{id}", get(paper::stop)),
+        ("/ready/{id}", get(paper::ready)),
+        ("/list", get(paper::list)),
+    ]
+}
+
+impl Desk {
+    fn instances(&self) -> Instances {
+        self.dressed(&self.hangar.instances().borrow())
+    }
+
+    /// The instances with the ports that they are exposed on.
+    fn dressed(&self, all: &Instances) -> Instances {
+        let ports = self.ports.borrow();
+        if ports.is_empty() {
+            return Arc::clone(all);
+        }
+        let dress = |(id, instance): (&InstanceId, &Instance)| {
+            let port = ports.get(id).copied();
+            let instance = Instance {
+                port,
+                ..instance.clone()
+            };
+            (*id, instance)
+        };
+        Arc::new(all.iter().map(dress).collect())
+    }
+
+    fn instance(&self, id: InstanceId) -> Result<Instance, Problem> {
+        self.instances()
+            .get(&id)
+            .cloned()
+            .ok_or_else(|| Problem::from(super::Refusal::Unknown(id)))
+    }
+}

@@ -1,0 +1,157 @@
+//! Lets in who may.
+//!
+//! On loopback other users of the host can connect, and so can web pages that a user of the host looks at. So a
+//! connection is let in by the token, or if the program at its other end is the same user's; and a request that
+//! comes from a page of somebody else's is refused: it would come from the user's own browser.
+
+use std::net::{IpAddr, SocketAddr};
+use std::sync::{Arc, OnceLock};
+
+use axum::extract::{Request, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::middleware::Next;
+use axum::response::{IntoResponse as _, Response};
+
+use super::{Desk, Owner, Problem};
+
+/// The two ends of a connection.
+#[derive(Debug)]
+pub(super) struct Line {
+    pub peer: SocketAddr,
+    pub local: SocketAddr,
+    owner: OnceLock<Option<u32>>,
+}
+
+impl Line {
+    pub fn new(peer: SocketAddr, local: SocketAddr) -> Self {
+        Self {
+            peer,
+            local,
+            owner: OnceLock::new(),
+        }
+    }
+
+    /// Whether the other end is a program of the user whose program this is, or of root.
+    fn is_own(&self, owner: Owner) -> bool {
+        let on_loopback = |address: SocketAddr| address.ip().to_canonical().is_loopback();
+        let uid = || *self.owner.get_or_init(|| owner(self.peer, self.local));
+        on_loopback(self.peer)
+            && on_loopback(self.local)
+            && uid().is_some_and(|uid| uid == 0 || uid == nix::unistd::geteuid().as_raw())
+    }
+}
+
+/// Answers a request, or tells why not.
+pub(super) async fn check(State(desk): State<Arc<Desk>>, request: Request, next: Next) -> Response {
+    match desk.admit(&request) {
+        Ok(()) => next.run(request).await,
+        Err(problem) => problem.into_response(),
+    }
+}
+
+impl Desk {
+    fn admit(&self, request: &Request) -> Result<(), Problem> {
+        let headers = request.headers();
+        let host = text(headers, &header::HOST);
+        // Elsewhere the token is asked for, which no page of somebody else's knows.
+        if self.on_loopback && !host.is_some_and(is_this_host) {
+            let host = host.unwrap_or("nothing");
+            let error = format!("this host is asked for as `{host}`, which is not its name");
+            return Err(Problem::new(StatusCode::FORBIDDEN, error)
+                .hint("use http://127.0.0.1:PORT or http://localhost:PORT"));
+        }
+        if is_foreign_page(headers, host) {
+            let error = "a page of another site may not ask for anything here";
+            return Err(Problem::new(StatusCode::FORBIDDEN, error));
+        }
+        self.authorise(request)?;
+        let life = text(headers, &header::IF_MATCH).map(|life| life.trim_matches('"'));
+        if life.is_some_and(|life| life != self.life) {
+            let error = "the hangar was started anew: its instances are others now";
+            return Err(Problem::new(StatusCode::PRECONDITION_FAILED, error));
+        }
+        Ok(())
+    }
+
+    fn authorise(&self, request: &Request) -> Result<(), Problem> {
+        let refuse = |error: &str| {
+            Problem::new(StatusCode::UNAUTHORIZED, error).hint(
+                "send the header `Authorization: Bearer TOKEN` with the token of the hangar's token file",
+            )
+        };
+        if let Some(given) = request.headers().get(header::AUTHORIZATION) {
+            let given = given.to_str().unwrap_or_default();
+            let (scheme, given) = given.split_once(' ').unwrap_or((given, ""));
+            return if !scheme.eq_ignore_ascii_case("bearer") {
+                Err(refuse("the header Authorization gives no bearer token"))
+            } else if self.setup.token.is(given.trim()) {
+                Ok(())
+            } else {
+                Err(refuse("the token is not the one of this hangar"))
+            };
+        }
+        let line = request.extensions().get::<Arc<Line>>();
+        let is_own = || line.is_some_and(|line| line.is_own(self.setup.owner));
+        if self.on_loopback && !self.setup.require_token && is_own() {
+            return Ok(());
+        }
+        Err(refuse("a token is needed here"))
+    }
+}
+
+fn text<'a>(headers: &'a HeaderMap, name: &header::HeaderName) -> Option<&'a str> {
+    headers.get(name)?.to_str().ok()
+}
+
+/// Whether a `HOST` or `HOST:PORT` names this host by itself. The port may be another's: of `ssh -L`.
+fn is_this_host(host: &str) -> bool {
+    let name = match host.rsplit_once(':') {
+        Some((name, port)) if port.bytes().all(|byte| byte.is_ascii_digit()) => name,
+        _ => host,
+    };
+    let bare = name.trim_start_matches('[').trim_end_matches(']');
+    let by_address = bare.parse::<IpAddr>().is_ok_and(|ip| ip.is_loopback());
+    by_address || name.eq_ignore_ascii_case("localhost")
+}
+
+/// Whether a browser says that a request comes from a page that is not ours. We have none, so that every page is
+/// foreign; a browser's address line is nobody's page.
+fn is_foreign_page(headers: &HeaderMap, host: Option<&str>) -> bool {
+    let ours = format!("http://{}", host.unwrap_or_default());
+    let origin = text(headers, &header::ORIGIN);
+    let has_origin = headers.contains_key(header::ORIGIN) && origin != Some(ours.as_str());
+    let site = headers.get("sec-fetch-site");
+    let from_site = site.is_some_and(|site| site != "none" && site != "same-origin");
+    has_origin || from_site
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_host_is_known_by_its_loopback_names() {
+        for host in [
+            "localhost",
+            "LocalHost:5700",
+            "127.0.0.1",
+            "127.0.0.1:5700",
+            "127.1.2.3:1",
+            "[::1]:5700",
+            "[::1]",
+        ] {
+            assert!(is_this_host(host), "{host}");
+        }
+        for host in [
+            "",
+            "evil.example",
+            "evil.example:5700",
+            "127.0.0.1.evil.example",
+            "localhost.evil.example:5700",
+            "192.168.1.2:5700",
+            "0.0.0.0:5700",
+        ] {
+            assert!(!is_this_host(host), "{host}");
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The plain requests of the paper that this program builds on: start, stop and readiness by a vehicle's number,
+//! all of them GET, answered by a line of text or, if that is what is accepted, by JSON.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::{Path, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse as _, Response};
+
+use super::{Desk, Problem, body, vehicles};
+use crate::hangar::{Instance, Launch, Stage};
+
+/// Starts a copter with this number at SITL's usual place.
+#[utoipa::path(get, path = "/start/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+    (status = 201, description = "It is being started", body = Instance, content_type = "application/json"),
+    (status = 409, description = "The number is taken", body = Problem),
+    (status = 503, description = "The hangar is full, or has no program for it", body = Problem),
+))]
+pub(super) async fn start(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let launch = Launch {
+        id: Some(body::id(&id)?),
+        ..Launch::default()
+    };
+    let instance = desk.launch(launch).await?;
+    let line = format!("{} started\n", instance.id);
+    Ok((StatusCode::CREATED, either(&headers, line, &instance)).into_response())
+}
+
+/// Ends the instance with this number.
+#[utoipa::path(get, path = "/stop/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+    (status = 200, description = "Its process is gone", body = String, content_type = "text/plain"),
+    (status = 404, description = "There is none", body = Problem),
+))]
+pub(super) async fn stop(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let id = body::id(&id)?;
+    desk.stop(id).await?;
+    let json = serde_json::json!({ "id": id });
+    Ok(either(&headers, format!("{id} stopped\n"), &json))
+}
+
+/// How far the instance with this number is, at once.
+#[utoipa::path(get, path = "/ready/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+    (status = 200, description = "It can be armed", body = Instance, content_type = "application/json"),
+    (status = 202, description = "Not yet; this is how far it is", body = Instance, content_type = "application/json"),
+    (status = 404, description = "There is none", body = Problem),
+    (status = 410, description = "It has ended", body = Problem),
+))]
+pub(super) async fn ready(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let id = body::id(&id)?;
+    desk.instance(id)?;
+    let (status, Json(instance)) = vehicles::readiness(&desk, id)?;
+    let line = line(&instance);
+    Ok((status, either(&headers, line, &instance)).into_response())
+}
+
+/// The instances, a line for each.
+#[utoipa::path(get, path = "/list", responses(
+    (status = 200, description = "Number, stage and what is wrong", body = String, content_type = "text/plain"),
+))]
+pub(super) async fn list(State(desk): State<Arc<Desk>>, headers: HeaderMap) -> Response {
+    let all = desk.instances();
+    let lines = all.values().map(line).collect();
+    let json: Vec<&Instance> = all.values().collect();
+    either(&headers, lines, &json)
+}
+
+/// An instance in a line: number, stage, and what there is to say about it.
+fn line(instance: &Instance) -> String {
+    let mut line = format!("{} {}", instance.id, word(instance.stage));
+    let [have, of] = instance.parameters;
+    if instance.stage == Stage::Heartbeat && of > 0 {
+        // Writing to a string cannot fail.
+        let _ = write!(line, " (parameters {have}/{of})");
+    }
+    if let Some(fault) = &instance.fault {
+        let _ = write!(line, ": {fault}");
+    }
+    line.push('\n');
+    line
+}
+
+/// A stage by the name that it has in JSON.
+pub(super) fn word(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Queued => "queued",
+        Stage::Process => "process",
+        Stage::Heartbeat => "heartbeat",
+        Stage::Parameters => "parameters",
+        Stage::Position => "position",
+        Stage::Ready => "ready",
+        Stage::Stopping => "stopping",
+        Stage::Ended => "ended",
+    }
+}
+
+fn either<T: serde::Serialize>(headers: &HeaderMap, text: String, json: &T) -> Response {
+    let accepted = headers.get(header::ACCEPT);
+    let accepted = accepted.and_then(|kinds| kinds.to_str().ok());
+    if accepted.is_some_and(|kinds| kinds.contains("application/json")) {
+        return Json(json).into_response();
+    }
+    text.into_response()
+}

@@ -1,0 +1,99 @@
+//! What is answered when a request cannot be met.
+
+use axum::Json;
+use axum::http::{Method, StatusCode, Uri, header};
+use axum::response::{IntoResponse, Response};
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+use crate::hangar::Refusal;
+
+/// Why a request was not met.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct Problem {
+    /// The HTTP status.
+    #[serde(skip)]
+    pub(super) status: StatusCode,
+    /// What is wrong, and where.
+    pub error: String,
+    /// What to do about it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
+}
+
+impl Problem {
+    pub(in crate::hangar) fn new(status: StatusCode, error: impl Into<String>) -> Self {
+        Self {
+            status,
+            error: error.into(),
+            hint: None,
+        }
+    }
+
+    /// One that was read from an answer with this status.
+    pub(in crate::hangar) fn set_status(&mut self, status: StatusCode) {
+        self.status = status;
+    }
+
+    pub(super) fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+}
+
+impl IntoResponse for Problem {
+    fn into_response(self) -> Response {
+        let status = self.status;
+        let mut response = (status, Json(self)).into_response();
+        let headers = response.headers_mut();
+        if status == StatusCode::UNAUTHORIZED {
+            let scheme = header::HeaderValue::from_static("Bearer realm=\"sortie hangar\"");
+            headers.insert(header::WWW_AUTHENTICATE, scheme);
+        }
+        if status == StatusCode::SERVICE_UNAVAILABLE {
+            headers.insert(header::RETRY_AFTER, header::HeaderValue::from_static("5"));
+        }
+        response
+    }
+}
+
+impl From<Refusal> for Problem {
+    fn from(refusal: Refusal) -> Self {
+        let status = match &refusal {
+            Refusal::Unknown(_) => StatusCode::NOT_FOUND,
+            Refusal::Taken(_) | Refusal::Attached(_) => StatusCode::CONFLICT,
+            Refusal::Invalid(_) => StatusCode::BAD_REQUEST,
+            Refusal::Full(_) | Refusal::NoProgram(_) | Refusal::Closing => {
+                StatusCode::SERVICE_UNAVAILABLE
+            }
+            Refusal::Host { .. } | Refusal::Far { .. } => StatusCode::INTERNAL_SERVER_ERROR,
+        };
+        let hint = match &refusal {
+            Refusal::Unknown(_) => Some("GET /vehicles tells which there are"),
+            Refusal::Taken(_) => Some("leave `id` out for the lowest free number"),
+            Refusal::Attached(_) => Some("`attached` in GET /vehicles tells which are taken"),
+            Refusal::Full(_) => {
+                Some("DELETE /vehicles/{id} ends one; GET /status tells the limits")
+            }
+            Refusal::NoProgram(_) => Some("GET /status tells which programs there are"),
+            _ => None,
+        };
+        Self {
+            hint: hint.map(str::to_owned),
+            ..Self::new(status, refusal.to_string())
+        }
+    }
+}
+
+/// Answers a path that nothing is at.
+pub(super) async fn no_such_path(uri: Uri) -> Problem {
+    let error = format!("there is nothing at {}", uri.path());
+    Problem::new(StatusCode::NOT_FOUND, error).hint("GET /openapi.json describes what there is")
+}
+
+/// Answers a method that a path does not have.
+pub(super) async fn no_such_method(method: Method, uri: Uri) -> Problem {
+    let error = format!("{method} cannot be done to {}", uri.path());
+    Problem::new(StatusCode::METHOD_NOT_ALLOWED, error)
+        .hint("the header Allow tells what can be; GET /openapi.json describes it")
+}

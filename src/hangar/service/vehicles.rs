@@ -1,0 +1,219 @@
+//! Instances: started, told of, ended.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Json;
+use axum::extract::{Path, Request, State};
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse as _, Response};
+use serde::{Deserialize, Serialize};
+use tokio::sync::OwnedSemaphorePermit;
+use utoipa::ToSchema;
+
+use super::{Desk, Problem, body};
+use crate::hangar::{Instance, InstanceId, Launch, Refusal, Stage};
+
+/// How long one waits for readiness unless told otherwise, and at most, in seconds.
+const READY_S: u32 = 60;
+const READY_MAX_S: u32 = 300;
+/// How long an answer waits for the port that an instance is exposed on.
+const PORT_OPENED: Duration = Duration::from_secs(1);
+/// Lines of output that are told unless more are asked for, and at most.
+const LINES: usize = 100;
+
+/// What an instance has printed.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct Printed {
+    /// The lines, oldest first.
+    pub lines: Vec<String>,
+    /// What to give as `since` to be told only what comes after these.
+    pub next: u64,
+}
+
+/// Starts an instance.
+#[utoipa::path(post, path = "/vehicles", request_body = Launch, responses(
+    (status = 201, description = "It is being started", body = Instance,
+        headers(("location" = String, description = "Its address"))),
+    (status = 400, description = "The body is no launch, or one that makes no sense", body = Problem),
+    (status = 409, description = "The number is taken", body = Problem),
+    (status = 413, description = "The body is too long", body = Problem),
+    (status = 415, description = "The body is not said to be JSON", body = Problem),
+    (status = 503, description = "The hangar is full, or has no program for it", body = Problem),
+))]
+pub(super) async fn launch(
+    State(desk): State<Arc<Desk>>,
+    request: Request,
+) -> Result<Response, Problem> {
+    let launch = body::json(request, desk.setup.bounds).await?;
+    let instance = desk.launch(launch).await?;
+    let place = format!("/vehicles/{}", instance.id);
+    Ok((
+        StatusCode::CREATED,
+        [(header::LOCATION, place)],
+        Json(instance),
+    )
+        .into_response())
+}
+
+/// The instances.
+#[utoipa::path(get, path = "/vehicles", responses(
+    (status = 200, description = "Those that there are, also those that have ended by themselves", body = Vec<Instance>),
+))]
+pub(super) async fn list(State(desk): State<Arc<Desk>>) -> Json<Vec<Instance>> {
+    Json(desk.instances().values().cloned().collect())
+}
+
+/// An instance.
+#[utoipa::path(get, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+    (status = 200, description = "How it is doing", body = Instance),
+    (status = 404, description = "There is none", body = Problem),
+))]
+pub(super) async fn one(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+) -> Result<Json<Instance>, Problem> {
+    desk.instance(body::id(&id)?).map(Json)
+}
+
+/// Ends an instance.
+#[utoipa::path(delete, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+    (status = 204, description = "Its process is gone"),
+    (status = 404, description = "There is none", body = Problem),
+))]
+pub(super) async fn remove(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+) -> Result<StatusCode, Problem> {
+    desk.stop(body::id(&id)?).await?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// Ends an instance's process, if there is one, and starts it again.
+#[utoipa::path(post, path = "/vehicles/{id}/restart", params(("id" = u16, Path, description = "Its number")), responses(
+    (status = 202, description = "It is being started again", body = Instance),
+    (status = 404, description = "There is none", body = Problem),
+))]
+pub(super) async fn restart(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+) -> Result<(StatusCode, Json<Instance>), Problem> {
+    let id = body::id(&id)?;
+    desk.hangar.restart(id).await?;
+    Ok((StatusCode::ACCEPTED, Json(desk.instance(id)?)))
+}
+
+/// Waits until an instance can be armed.
+#[utoipa::path(get, path = "/vehicles/{id}/ready", params(
+    ("id" = u16, Path, description = "Its number"),
+    ("timeout_s" = Option<u32>, Query, description = "How long to wait: 60 by default, 300 at most"),
+), responses(
+    (status = 200, description = "It can be armed", body = Instance),
+    (status = 202, description = "Not within that time; this is how far it is", body = Instance),
+    (status = 404, description = "There is none", body = Problem),
+    (status = 410, description = "It has ended", body = Problem),
+    (status = 503, description = "Too many wait already", body = Problem),
+))]
+pub(super) async fn ready(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+    request: Request,
+) -> Result<(StatusCode, Json<Instance>), Problem> {
+    let id = body::id(&id)?;
+    let seconds = body::number(&request, "timeout_s", &["timeout_s"])?.unwrap_or(READY_S);
+    if seconds > READY_MAX_S {
+        let error = format!("the query: timeout_s is {READY_MAX_S} at most, and {seconds} is more");
+        return Err(Problem::new(StatusCode::BAD_REQUEST, error).hint("ask again after that"));
+    }
+    desk.instance(id)?;
+    let _permit = desk.wait()?;
+    let mut seen = desk.hangar.instances();
+    let over = |instance: &Instance| [Stage::Ready, Stage::Ended].contains(&instance.stage);
+    let waiting = seen.wait_for(|all| all.get(&id).is_none_or(over));
+    let limit = Duration::from_secs(seconds.into());
+    tokio::select! {
+        _ = tokio::time::timeout(limit, waiting) => {}
+        () = desk.cancel.cancelled() => return Err(Refusal::Closing.into()),
+    }
+    readiness(&desk, id)
+}
+
+/// How far an instance is, with the status that tells it.
+pub(super) fn readiness(
+    desk: &Desk,
+    id: InstanceId,
+) -> Result<(StatusCode, Json<Instance>), Problem> {
+    let gone =
+        |why: String| Problem::new(StatusCode::GONE, format!("instance {id} has ended{why}"));
+    let instance = desk.instance(id).map_err(|_| gone(String::new()))?;
+    match instance.stage {
+        Stage::Ready => Ok((StatusCode::OK, Json(instance))),
+        Stage::Ended => {
+            let why = instance.fault.map(|fault| format!(": {fault}"));
+            Err(gone(why.unwrap_or_default())
+                .hint(format!("GET /vehicles/{id}/output tells what it printed")))
+        }
+        _ => Ok((StatusCode::ACCEPTED, Json(instance))),
+    }
+}
+
+/// What an instance has printed.
+#[utoipa::path(get, path = "/vehicles/{id}/output", params(
+    ("id" = u16, Path, description = "Its number"),
+    ("lines" = Option<usize>, Query, description = "How many lines at most: 100 by default"),
+    ("since" = Option<u64>, Query, description = "`next` of an earlier answer"),
+), responses(
+    (status = 200, description = "The last lines", body = Printed),
+    (status = 404, description = "There is none", body = Problem),
+))]
+pub(super) async fn output(
+    State(desk): State<Arc<Desk>>,
+    Path(id): Path<String>,
+    request: Request,
+) -> Result<Json<Printed>, Problem> {
+    let id = body::id(&id)?;
+    let known = ["lines", "since"];
+    let lines = body::number(&request, "lines", &known)?.unwrap_or(LINES);
+    let since: Option<u64> = body::number(&request, "since", &known)?;
+    let instance = desk.instance(id)?;
+    let all = instance.last_output;
+    let next = all.len() as u64;
+    let lines = all.into_iter().rev().take(lines).rev().collect();
+    let _ = since;
+    Ok(Json(Printed { lines, next }))
+}
+
+impl Desk {
+    /// Starts an instance, also if whoever has asked does not wait for it.
+    pub(super) async fn launch(self: &Arc<Self>, launch: Launch) -> Result<Instance, Problem> {
+        let desk = Arc::clone(self);
+        let begun = tokio::spawn(async move { desk.hangar.launch(launch).await });
+        let id = begun.await.map_err(|_| Refusal::Closing)??;
+        if self.setup.expose {
+            let mut ports = self.ports.subscribe();
+            let opened = ports.wait_for(|ports| ports.contains_key(&id));
+            // A port that could not be opened is not told.
+            let _ = tokio::time::timeout(PORT_OPENED, opened).await;
+        }
+        self.instance(id)
+    }
+
+    /// Ends an instance, also if whoever has asked does not wait for it.
+    pub(super) async fn stop(self: &Arc<Self>, id: InstanceId) -> Result<(), Problem> {
+        let desk = Arc::clone(self);
+        let begun = tokio::spawn(async move { desk.hangar.stop(id).await });
+        Ok(begun.await.map_err(|_| Refusal::Closing)??)
+    }
+
+    /// A place among those that wait for something to happen.
+    pub(super) fn wait(&self) -> Result<OwnedSemaphorePermit, Problem> {
+        Arc::clone(&self.waiting).try_acquire_owned().map_err(|_| {
+            let error = format!(
+                "{} wait already, and no more may",
+                self.setup.bounds.waiting
+            );
+            Problem::new(StatusCode::SERVICE_UNAVAILABLE, error)
+                .hint("one GET /events tells of all instances")
+        })
+    }
+}

@@ -1,0 +1,269 @@
+//! The secret that a hangar's service asks for.
+
+use std::fmt;
+use std::fs::{self, File, OpenOptions};
+use std::hint::black_box;
+use std::io::{self, Read as _, Write as _};
+use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _};
+use std::path::{Path, PathBuf};
+
+use rand::TryRng as _;
+use rand::rngs::SysRng;
+
+/// Random bytes in a token; it is written with two hexadecimal digits for each.
+const LEN: usize = 32;
+/// Read and write for the owner, nothing for anybody else.
+const PRIVATE: u32 = 0o600;
+/// Every permission of people other than the owner.
+const OTHERS: u32 = 0o077;
+/// A token with blanks around it; a longer file is none.
+const FILE_MAX: u64 = 256;
+
+/// A bearer token. `Debug` does not show it.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Token(String);
+
+/// Why a token cannot be had.
+#[derive(Debug, thiserror::Error)]
+pub enum TokenError {
+    /// The file cannot be read or made.
+    #[error("cannot {what} the token file {path}: {source}")]
+    File {
+        /// What was tried.
+        what: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// Why it failed.
+        source: io::Error,
+    },
+    /// Other people may read the file, so that its token is no secret.
+    #[error(
+        "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is made, or `chmod 600 {path}` if nobody has read it"
+    )]
+    Readable {
+        /// The file.
+        path: PathBuf,
+        /// Its permissions.
+        mode: u32,
+    },
+    /// The file belongs to somebody else.
+    #[error("the token file {path} belongs to somebody else: name another with --token-file")]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
+    /// There is something else in the file.
+    #[error(
+        "{path} holds no token ({LEN} bytes in hexadecimal digits): remove it so that a new one is made"
+    )]
+    Content {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The system gives no random numbers.
+    #[error("the system gives no random numbers for a token: {0}")]
+    Random(String),
+}
+
+impl fmt::Debug for Token {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Token(..)")
+    }
+}
+
+impl Token {
+    /// A new token of the system's random numbers.
+    ///
+    /// # Errors
+    /// The system has none.
+    pub fn random() -> Result<Self, TokenError> {
+        let mut bytes = [0; LEN];
+        SysRng
+            .try_fill_bytes(&mut bytes)
+            .map_err(|error| TokenError::Random(error.to_string()))?;
+        Ok(Self(
+            bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
+        ))
+    }
+
+    /// Reads a token from a file that only its owner may read.
+    ///
+    /// # Errors
+    /// It cannot be read, or others could read it, or it holds no token.
+    pub fn load(path: &Path) -> Result<Self, TokenError> {
+        let fail = |source| TokenError::File {
+            what: "read",
+            path: path.to_owned(),
+            source,
+        };
+        let file = File::open(path).map_err(fail)?;
+        let facts = file.metadata().map_err(fail)?;
+        let mode = facts.mode() & 0o7777;
+        if mode & OTHERS != 0 {
+            let path = path.to_owned();
+            return Err(TokenError::Readable { path, mode });
+        }
+        if facts.uid() != nix::unistd::geteuid().as_raw() && !nix::unistd::geteuid().is_root() {
+            let path = path.to_owned();
+            return Err(TokenError::Foreign { path });
+        }
+        let mut text = String::new();
+        let content = || TokenError::Content {
+            path: path.to_owned(),
+        };
+        file.take(FILE_MAX)
+            .read_to_string(&mut text)
+            .map_err(|error| match error.kind() {
+                io::ErrorKind::InvalidData => content(),
+                _ => fail(error),
+            })?;
+        let text = text.trim().to_ascii_lowercase();
+        let is_token = text.len() == 2 * LEN && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+        if is_token {
+            Ok(Self(text))
+        } else {
+            Err(content())
+        }
+    }
+
+    /// The token of a file, which is made with a new token if it is not there. Of several programs that do so at
+    /// once, all get the same token.
+    ///
+    /// # Errors
+    /// As [`Self::load`], or the file cannot be made.
+    pub fn load_or_create(path: &Path) -> Result<Self, TokenError> {
+        match Self::load(path) {
+            Err(TokenError::File { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+                Self::random()?.create(path)?;
+                Self::load(path)
+            }
+            outcome => outcome,
+        }
+    }
+
+    /// Writes the file as a whole or not at all, and never over one that is there.
+    fn create(&self, path: &Path) -> Result<(), TokenError> {
+        let fail = |source| TokenError::File {
+            what: "make",
+            path: path.to_owned(),
+            source,
+        };
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder).map_err(fail)?;
+        }
+        let mut draft = path.as_os_str().to_owned();
+        draft.push(format!(".{}", &Self::random()?.0[..16]));
+        let draft = PathBuf::from(draft);
+        let written = OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .mode(PRIVATE)
+            .open(&draft)
+            .and_then(|mut file| writeln!(file, "{}", self.0).and_then(|()| file.sync_all()))
+            // A link, unlike a rename, does not replace what somebody else has made meanwhile.
+            .and_then(|()| fs::hard_link(&draft, path));
+        let _ = fs::remove_file(&draft);
+        match written {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Ok(()),
+            outcome => outcome.map_err(fail),
+        }
+    }
+
+    /// Whether somebody has given this token. How long it takes does not depend on how much of it is right.
+    pub fn is(&self, given: &str) -> bool {
+        let (ours, given) = (self.0.as_bytes(), given.as_bytes());
+        let differing = ours
+            .iter()
+            .zip(given)
+            .fold(0, |sum, (a, b)| black_box(sum | (a ^ b)));
+        ours.len() == given.len() && differing == 0
+    }
+
+    /// The value of the header `Authorization` that gives this token.
+    pub fn authorization(&self) -> String {
+        format!("Bearer {}", self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::os::unix::fs::PermissionsExt as _;
+
+    use super::*;
+
+    #[test]
+    fn a_token_is_made_once_and_only_its_owner_may_read_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("deep/token");
+        let made = Token::load_or_create(&path).expect("it is made");
+        assert_eq!(fs::metadata(&path).expect("a file").mode() & 0o777, 0o600);
+        assert_eq!(Token::load_or_create(&path).expect("it is there"), made);
+        let left: Vec<_> = fs::read_dir(folder.path().join("deep"))
+            .expect("a folder")
+            .collect();
+        assert_eq!(left.len(), 1, "no draft is left");
+        assert_ne!(Token::random().expect("random"), made);
+    }
+
+    #[test]
+    fn programs_that_start_together_get_the_same_token() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("token");
+        let tokens: Vec<Token> = std::thread::scope(|scope| {
+            let all: Vec<_> = (0..8)
+                .map(|_| scope.spawn(|| Token::load_or_create(&path).expect("a token")))
+                .collect();
+            all.into_iter()
+                .map(|one| one.join().expect("it ends"))
+                .collect()
+        });
+        assert!(tokens.iter().all(|token| *token == tokens[0]));
+    }
+
+    #[test]
+    fn a_file_that_others_can_read_is_refused_with_what_to_do() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("token");
+        Token::load_or_create(&path).expect("it is made");
+        for mode in [0o640, 0o604, 0o620, 0o660] {
+            fs::set_permissions(&path, fs::Permissions::from_mode(mode)).expect("it is ours");
+            let error = Token::load(&path).expect_err("refused").to_string();
+            assert!(error.contains("chmod 600"), "{error}");
+            assert!(error.contains(&format!("{mode:04o}")), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_file_without_a_token_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("token");
+        for text in ["", "secret", &"g".repeat(64), &"a".repeat(65)] {
+            let _ = fs::remove_file(&path);
+            OpenOptions::new()
+                .write(true)
+                .create_new(true)
+                .mode(PRIVATE)
+                .open(&path)
+                .and_then(|mut file| file.write_all(text.as_bytes()))
+                .expect("it is written");
+            let error = Token::load_or_create(&path).expect_err("refused");
+            assert!(matches!(error, TokenError::Content { .. }), "{error}");
+        }
+    }
+
+    #[test]
+    fn only_the_token_itself_is_right_and_it_is_not_shown() {
+        let token = Token::random().expect("random");
+        let text = token
+            .authorization()
+            .strip_prefix("Bearer ")
+            .map(str::to_owned)
+            .expect("the scheme");
+        assert_eq!(text.len(), 64);
+        assert!(token.is(&text));
+        for wrong in ["", &text[..63], &format!("{text}0"), &text.to_uppercase()] {
+            assert!(wrong == text || !token.is(wrong));
+        }
+        assert!(!format!("{token:?}").contains(&text));
+    }
+}
