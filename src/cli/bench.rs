@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use clap::Subcommand;
 
 use super::Failure;
+use super::settings::Settings;
 
 mod decode;
 mod fidelity;
@@ -31,13 +32,13 @@ pub(super) enum Bench {
 }
 
 /// Measures and prints.
-pub(super) fn bench(bench: &Bench) -> Result<ExitCode, Failure> {
+pub(super) fn bench(bench: &Bench, settings: &Settings) -> Result<ExitCode, Failure> {
     match bench {
         Bench::Decode(options) => decode::decode(options),
         Bench::Fidelity(options) => fidelity::fidelity(options),
         Bench::Frame(options) => frame::frame(options),
         Bench::Load(options) => load::load(options),
-        Bench::Scale(options) => scale::scale(options),
+        Bench::Scale(options) => scale::scale(options, settings),
         Bench::Sim(options) => sim::sim(options),
     }
 }

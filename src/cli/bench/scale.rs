@@ -7,9 +7,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use super::super::Failure;
+use super::super::backend::{Simulator, missing_program};
+use super::super::programs::ProgramOptions;
+use super::super::settings::Settings;
+use crate::sitl::Kind;
 use crate::terminal::Environment;
 use progress::Progress;
 use sample::Row;
@@ -61,12 +65,11 @@ pub(in crate::cli) struct ScaleArguments {
     /// The time between two kinds of commands, in seconds.
     #[arg(long, default_value_t = 4.0, value_parser = parse_seconds)]
     spacing: f64,
-    /// Who simulates.
-    #[arg(long, value_enum, default_value_t)]
-    backend: BackendName,
-    /// The `ArduPilot` program; by default the one that SORTIE_ARDUCOPTER names.
-    #[arg(long, value_name = "FILE")]
-    arducopter: Option<PathBuf>,
+    /// Who simulates; embedded unless a program is named.
+    #[arg(long, value_enum)]
+    backend: Option<Simulator>,
+    #[command(flatten)]
+    programs: ProgramOptions,
     /// Afterwards, doubles the number until real time is no longer held, and says what gave way.
     #[arg(long)]
     beyond: bool,
@@ -78,15 +81,6 @@ pub(in crate::cli) struct ScaleArguments {
     json: bool,
 }
 
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-enum BackendName {
-    /// This program.
-    #[default]
-    Embedded,
-    /// `ArduPilot`'s SITL.
-    Ardupilot,
-}
-
 fn parse_seconds(text: &str) -> Result<f64, String> {
     text.parse()
         .ok()
@@ -95,8 +89,11 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Measures and prints.
-pub(in crate::cli) fn scale(options: &ScaleArguments) -> Result<ExitCode, Failure> {
-    let simulators = simulators(options)?;
+pub(in crate::cli) fn scale(
+    options: &ScaleArguments,
+    settings: &Settings,
+) -> Result<ExitCode, Failure> {
+    let simulators = simulators(options, settings)?;
     if let Some(path) = &options.svg {
         // Better now than after half an hour.
         fs::write(path, "").map_err(|error| {
@@ -133,15 +130,17 @@ pub(in crate::cli) fn scale(options: &ScaleArguments) -> Result<ExitCode, Failur
     Ok(ExitCode::from(u8::from(!all_good)))
 }
 
-fn simulators(options: &ScaleArguments) -> Result<Simulators, Failure> {
-    let named = || std::env::var_os("SORTIE_ARDUCOPTER").map(PathBuf::from);
-    match (options.backend, options.arducopter.clone().or_else(named)) {
-        (BackendName::Embedded, _) => Ok(Simulators::Embedded),
-        (BackendName::Ardupilot, Some(program)) => Ok(Simulators::ArduPilot(program)),
-        (BackendName::Ardupilot, None) => Err(Failure::Invalid(
-            "sortie: no arducopter was found: name one with --arducopter or SORTIE_ARDUCOPTER"
-                .to_owned(),
-        )),
+fn simulators(options: &ScaleArguments, settings: &Settings) -> Result<Simulators, Failure> {
+    let is_named = options.programs.is_given();
+    match options.backend {
+        Some(Simulator::Embedded) => Ok(Simulators::Embedded),
+        None if !is_named => Ok(Simulators::Embedded),
+        _ => {
+            let programs = options.programs.find(settings);
+            let found = programs.of(Kind::Copter);
+            let found = found.map_err(|missing| missing_program(&missing))?;
+            Ok(Simulators::ArduPilot(found.file.clone()))
+        }
     }
 }
 

@@ -31,6 +31,9 @@ impl Counted {
             })
             .enable_all()
             .build()?;
+        // A task that has run has had a thread, which is known by then.
+        let first = runtime.spawn(async {});
+        runtime.block_on(first).map_err(io::Error::other)?;
         Ok(Self { runtime, threads })
     }
 

@@ -14,6 +14,8 @@ pub(super) const PAPER_US_PER_MESSAGE: f64 = 24.5;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Figure {
     pub title: &'static str,
+    /// Of all vehicles together, and not of each.
+    pub is_total: bool,
     /// Numbers of vehicles and percent of a core.
     pub measured: Vec<(f64, f64)>,
     /// The paper's least and most at a vehicle number of 0 and at the highest.
@@ -43,6 +45,7 @@ pub(super) fn figures(rows: &[Row]) -> [Figure; 4] {
         let top = values.map(|(_, value)| *value).fold(0.0, f64::max);
         Figure {
             title,
+            is_total,
             measured,
             paper,
             most_vehicles: most,
@@ -75,6 +78,19 @@ pub(super) fn figures(rows: &[Row]) -> [Figure; 4] {
             false,
         ),
     ]
+}
+
+/// What each further vehicle costs, in percent of a core: the slope of the straight line that fits best.
+pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
+    let count = points.len() as f64;
+    let mean = |part: fn(&(f64, f64)) -> f64| points.iter().map(part).sum::<f64>() / count;
+    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
+    let spread: f64 = points.iter().map(|point| (point.0 - x).powi(2)).sum();
+    let together: f64 = points
+        .iter()
+        .map(|point| (point.0 - x) * (point.1 - y))
+        .sum();
+    (spread > 0.0).then(|| together / spread)
 }
 
 /// The next 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.

@@ -9,7 +9,7 @@ use tokio::io::DuplexStream;
 use tokio::sync::watch;
 
 use super::cost::{self, Counted};
-use crate::hangar::{Config, Hangar, Hangars, Home, Launch, Limits, Place, Restart, Seen, Stage};
+use crate::hangar::{Config, Hangar, Hangars, Home, Launch, Limits, Restart, Seen, Stage};
 use crate::sim::{SYSTEMS, Start};
 use crate::sitl::Kind;
 
@@ -17,7 +17,6 @@ use crate::sitl::Kind;
 pub(super) struct Instances {
     counted: Counted,
     hangars: Hangars,
-    places: Vec<Place>,
     seen: watch::Receiver<Seen>,
     folder: PathBuf,
 }
@@ -58,15 +57,11 @@ impl Instances {
                 return Err(error);
             }
         };
-        let (places, pipes) = berths
-            .into_iter()
-            .map(|berth| (berth.place, berth.pipe))
-            .unzip();
+        let pipes = berths.into_iter().map(|berth| berth.pipe).collect();
         let instances = Self {
             seen: hangars.instances(),
             counted,
             hangars,
-            places,
             folder,
         };
         Ok((instances, pipes))
@@ -106,14 +101,7 @@ impl Instances {
 
     /// Ends them and waits until they are gone.
     pub fn end(self) {
-        let (hangars, places) = (&self.hangars, &self.places);
-        self.counted.runtime.block_on(async {
-            for &place in places {
-                // One that is not there has ended already.
-                drop(hangars.stop(place).await);
-            }
-        });
-        drop(self.hangars);
+        self.counted.runtime.block_on(self.hangars.close());
         remove(&self.folder);
     }
 }

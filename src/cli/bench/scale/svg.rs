@@ -76,7 +76,11 @@ fn draw(panel: &Panel<'_>, figure: &Figure) -> Result<(), Box<dyn std::error::Er
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
+        .position(if figure.is_total {
+            SeriesLabelPosition::UpperLeft
+        } else {
+            SeriesLabelPosition::MiddleRight
+        })
         .background_style(WHITE.mix(0.85))
         .label_font(("sans-serif", 13))
         .draw()?;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::figure::{PAPER_MODEL, PAPER_SIM, PAPER_US_PER_MESSAGE};
+use super::figure::{PAPER_MODEL, PAPER_SIM, PAPER_US_PER_MESSAGE, slope};
 use super::sample::Row;
 
 /// Of what the tables are.
@@ -61,6 +61,7 @@ fn simulator(text: &mut String, rows: &[Row], heading: &Heading<'_>) {
         );
         line_end(text, &line);
     }
+    further(text, rows, |row| row.sim_core_percent);
     if heading.is_ardupilot {
         line_end(
             text,
@@ -89,6 +90,19 @@ fn model(text: &mut String, rows: &[Row]) {
             optional(row.us_per_message, 1),
             paper(row, &format!("{least} to {most}, {PAPER_US_PER_MESSAGE}")),
         );
+        line_end(text, &line);
+    }
+    further(text, rows, |row| row.model_percent);
+}
+
+/// What is left when the cost that there is without any vehicle does not count.
+fn further(text: &mut String, rows: &[Row], value: fn(&Row) -> f64) {
+    let points: Vec<_> = flown(rows)
+        .map(|row| (f64::from(row.vehicles), value(row)))
+        .collect();
+    if let Some(slope) = slope(&points) {
+        let line =
+            format!("Each further drone takes {slope:.4} % (the straight line that fits best).");
         line_end(text, &line);
     }
 }

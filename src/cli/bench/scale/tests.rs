@@ -1,3 +1,4 @@
+use super::figure::slope;
 use super::sample::{Gaps, Row, Sample};
 use super::strain::Strain;
 use super::{chart, svg, table};
@@ -63,6 +64,13 @@ fn shares_are_of_a_core_and_of_a_vehicle() {
         (none.model_percent_per_vehicle, none.us_per_message),
         (None, None)
     );
+}
+
+#[test]
+fn a_further_vehicle_costs_what_the_line_rises() {
+    let points = [(0.0, 0.5), (1.0, 0.7), (2.0, 0.9), (32.0, 6.9)];
+    assert!(slope(&points).is_some_and(|slope| (slope - 0.2).abs() < 1e-9));
+    assert_eq!((slope(&points[..1]), slope(&[])), (None, None));
 }
 
 #[test]
