@@ -23,6 +23,7 @@ mod backend;
 mod bench;
 mod check;
 mod config;
+mod doctor;
 mod fly;
 mod hangar;
 mod manual;
@@ -80,8 +81,10 @@ enum Command {
     Run(run::RunArguments),
     /// The embedded simulator as a server for any ground station.
     Sim(sim::SimArguments),
+    /// What works on this machine, what is missing, and how to mend it: terminal, folders, SITL, ports.
+    Doctor(doctor::DoctorArguments),
     /// SITL processes on this host: a service that starts, watches and ends them, and how to start one by hand.
-    Hangar(hangar::HangarArguments),
+    Hangar(Box<hangar::HangarArguments>),
     /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
     /// column.
     #[command(after_help = "Examples:\n  \
@@ -167,6 +170,10 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
         Some(Command::Sim(options)) => {
             settings.complain();
             sim::serve(&options)
+        }
+        Some(Command::Doctor(options)) => {
+            settings.complain();
+            doctor::doctor(&options, &settings)
         }
         Some(Command::Hangar(options)) => {
             settings.complain();

@@ -5,13 +5,26 @@
 
 use core::net::SocketAddr;
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use crate::sim::Start;
+use crate::sim::{Airframe, Start};
+use models::Model;
 
 mod defaults;
+mod formation;
+mod models;
+mod shell;
+mod unfit;
+
+#[cfg(test)]
+mod tests;
+
+pub use formation::{Formation, Offset, Shape};
+pub use shell::{line, quoted};
+pub use unfit::Unfit;
 
 /// The file of parameters that an instance is started with, in its folder.
 const PARAMETER_FILE: &str = "vehicle.parm";
@@ -39,6 +52,16 @@ impl Kind {
     /// Every kind.
     pub const ALL: [Self; 4] = [Self::Copter, Self::Plane, Self::Rover, Self::Sub];
 
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Copter => "copter",
+            Self::Plane => "plane",
+            Self::Rover => "rover",
+            Self::Sub => "sub",
+        }
+    }
+
     /// What its program is usually called.
     pub fn program(self) -> &'static str {
         match self {
@@ -48,16 +71,6 @@ impl Kind {
             Self::Sub => "ardusub",
         }
     }
-
-    /// SITL's simplest model of it; `quad` means plus.
-    fn model(self) -> &'static str {
-        match self {
-            Self::Copter => "quad",
-            Self::Plane => "plane",
-            Self::Rover => "rover",
-            Self::Sub => "vectored",
-        }
-    }
 }
 
 /// What an instance is to be.
@@ -65,7 +78,8 @@ impl Kind {
 pub struct Recipe {
     /// The vehicle.
     pub kind: Kind,
-    /// SITL's name of a model (`quad`, `x`, `hexa`); by default what suits the kind and the airframe.
+    /// SITL's name of a model (`quad`, which means plus, `x`, `hexa`); by default what suits the kind, the airframe and
+    /// the parameters.
     pub model: Option<String>,
     /// A frame file in the JSON of `SIM_Frame`; multicopters only.
     pub airframe: Option<String>,
@@ -98,13 +112,35 @@ pub struct CommandLine {
     pub files: Vec<(&'static str, String)>,
 }
 
+/// The system ids that a vehicle may have: 255 is the ground station's.
+const SYSTEMS: RangeInclusive<u8> = 1..=254;
+/// Simulated seconds per second that make sense.
+const SPEEDUPS: RangeInclusive<f64> = 0.01..=1000.0;
+/// Metres above mean sea level that make sense.
+const ALTITUDES_M: RangeInclusive<f64> = -1000.0..=20_000.0;
+/// SITL takes a home nearer than this to latitude 0, longitude 0 for none, and starts near Canberra.
+const NOWHERE_DEG: f64 = 1e-7;
+/// The longest name of a parameter.
+const LONGEST_NAME: usize = 16;
+/// Serial 0 listens on the first port, serial 1 and 2 on those 2 and 3 above.
+const SERIALS: u16 = 3;
+const FIRST_PORT: u16 = 5760;
+const PORTS_PER_INSTANCE: u16 = 10;
+
 impl Recipe {
     /// The command line of this instance.
-    pub fn command_line(&self, door: Door) -> CommandLine {
-        let model = self.model.as_deref().unwrap_or(self.kind.model());
-        let model = match &self.airframe {
-            Some(_) => format!("{model}:{AIRFRAME_FILE}"),
-            None => model.to_owned(),
+    ///
+    /// # Errors
+    /// What SITL would misunderstand, or die of, or spin on for ever, with what to do.
+    pub fn command_line(&self, door: Door) -> Result<CommandLine, Unfit> {
+        self.check()?;
+        let airframe = self.airframe()?;
+        let motors = airframe.as_ref().map(Airframe::motors);
+        let asked = |name: &str| self.parameters.get(name).copied();
+        let model = models::choose(self.kind, self.model.as_deref(), motors, asked)?;
+        let word = match &self.airframe {
+            Some(_) => format!("{}:{AIRFRAME_FILE}", model.name),
+            None => model.name.to_owned(),
         };
         let Start {
             at,
@@ -115,25 +151,68 @@ impl Recipe {
             "{:.7},{:.7},{altitude_amsl_m},{heading_deg}",
             at.lat_deg, at.lon_deg
         );
-        let mut arguments: Vec<String> = [
-            ("--model", model),
+        let mut arguments = words([
+            ("--model", word),
             ("--speedup", self.speedup.to_string()),
             ("--slave", "0".to_owned()),
             ("--defaults", PARAMETER_FILE.to_owned()),
             ("--home", home),
             ("--sysid", self.system.to_string()),
-        ]
-        .into_iter()
-        .flat_map(|(option, value)| [option.to_owned(), value])
-        .collect();
-        arguments.extend(door.arguments());
-        let mut files = vec![(PARAMETER_FILE, self.parameter_file())];
+        ]);
+        arguments.extend(door.arguments()?);
+        let mut files = vec![(PARAMETER_FILE, self.parameter_file(model, airframe))];
         files.extend(self.airframe.clone().map(|json| (AIRFRAME_FILE, json)));
-        CommandLine { arguments, files }
+        Ok(CommandLine { arguments, files })
     }
 
-    fn parameter_file(&self) -> String {
-        let mut parameters = defaults::of(self.kind);
+    fn check(&self) -> Result<(), Unfit> {
+        let Start {
+            at,
+            altitude_amsl_m,
+            heading_deg,
+        } = self.start;
+        if !SYSTEMS.contains(&self.system) {
+            return Err(Unfit::System(self.system));
+        }
+        if !SPEEDUPS.contains(&self.speedup) {
+            return Err(Unfit::Speedup(self.speedup));
+        }
+        let is_somewhere = at.lat_deg.abs() >= NOWHERE_DEG || at.lon_deg.abs() >= NOWHERE_DEG;
+        let is_home = at.is_valid() && is_somewhere && heading_deg.is_finite();
+        if !is_home || !ALTITUDES_M.contains(&altitude_amsl_m) {
+            return Err(Unfit::Home);
+        }
+        let is_name = |name: &str| {
+            let good =
+                |byte: u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_';
+            (1..=LONGEST_NAME).contains(&name.len()) && name.bytes().all(good)
+        };
+        for (name, value) in &self.parameters {
+            if !is_name(name) {
+                return Err(Unfit::ParameterName(name.clone()));
+            }
+            if !(*value as f32).is_finite() {
+                return Err(Unfit::ParameterValue(name.clone(), *value));
+            }
+        }
+        Ok(())
+    }
+
+    fn airframe(&self) -> Result<Option<Airframe>, Unfit> {
+        match &self.airframe {
+            Some(_) if self.kind != Kind::Copter => Err(Unfit::AirframeOf(self.kind)),
+            Some(json) => Ok(Some(Airframe::from_json(json)?.0)),
+            None => Ok(None),
+        }
+    }
+
+    fn parameter_file(&self, model: &Model, airframe: Option<Airframe>) -> String {
+        let mut parameters: BTreeMap<String, f64> = defaults::of(self.kind).into_iter().collect();
+        if self.kind == Kind::Copter {
+            parameters.extend(defaults::of_airframe(&airframe.unwrap_or_default()));
+        }
+        let model = model.parameters.iter();
+        parameters.extend(model.map(|&(name, value)| (name.to_owned(), value)));
         parameters.extend(self.parameters.clone());
         let line = |(name, value): (&String, &f64)| format!("{name} {value}\n");
         parameters.iter().map(line).collect()
@@ -141,10 +220,26 @@ impl Recipe {
 }
 
 impl Door {
-    fn arguments(self) -> Vec<String> {
-        match self {
+    /// The ports of serial 0, 1 and 2 on which it listens.
+    ///
+    /// # Errors
+    /// The instance's number is too large for any.
+    pub fn ports(self) -> Result<Vec<u16>, Unfit> {
+        let Self::Listening(instance) = self else {
+            return Ok(Vec::new());
+        };
+        let first = instance.checked_mul(PORTS_PER_INSTANCE);
+        let first = first.and_then(|above| above.checked_add(FIRST_PORT));
+        let last = first.and_then(|first| first.checked_add(SERIALS));
+        let (first, last) = first.zip(last).ok_or(Unfit::Instance(instance))?;
+        Ok(vec![first, last - 1, last])
+    }
+
+    fn arguments(self) -> Result<Vec<String>, Unfit> {
+        self.ports()?;
+        Ok(match self {
             // A port of 0 lets the system choose: the only socket that SITL cannot be kept from opening.
-            Self::Outwards(address) => [
+            Self::Outwards(address) => words([
                 (
                     "--serial0",
                     format!("tcpclient:{}:{}", address.ip(), address.port()),
@@ -152,11 +247,15 @@ impl Door {
                 ("--serial1", "none:".to_owned()),
                 ("--serial2", "none:".to_owned()),
                 ("--rc-in-port", "0".to_owned()),
-            ]
-            .into_iter()
-            .flat_map(|(option, value)| [option.to_owned(), value])
-            .collect(),
-            Self::Listening(instance) => vec!["-I".to_owned(), instance.to_string()],
-        }
+            ]),
+            Self::Listening(instance) => words([("-I", instance.to_string())]),
+        })
     }
+}
+
+fn words<const N: usize>(options: [(&str, String); N]) -> Vec<String> {
+    let options = options.into_iter();
+    options
+        .flat_map(|(option, value)| [option.to_owned(), value])
+        .collect()
 }

@@ -10,6 +10,11 @@ use super::settings::Settings;
 mod command;
 mod identify;
 mod serve;
+mod services;
+mod status;
+
+pub(super) use services::ServiceOptions;
+use services::token_file;
 
 /// Options of `sortie hangar`.
 #[derive(Debug, Args)]
@@ -28,6 +33,8 @@ enum Task {
     Command(command::CommandArguments),
     /// Asks SITL programs what they are: which vehicle, which version.
     Identify(identify::IdentifyArguments),
+    /// Tells how services are doing: what they can start, how full they are, what runs.
+    Status(status::StatusArguments),
 }
 
 /// Serves, or does what else is asked.
@@ -36,5 +43,6 @@ pub(super) fn hangar(options: &HangarArguments, settings: &Settings) -> Result<E
         None => serve::serve(&options.serve, settings),
         Some(Task::Command(options)) => command::command(options, settings),
         Some(Task::Identify(options)) => identify::identify(options, settings),
+        Some(Task::Status(options)) => status::status(options, settings),
     }
 }

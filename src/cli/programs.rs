@@ -9,21 +9,22 @@ use super::settings::Settings;
 use crate::config::Origin;
 use crate::hangar::programs::{Named, Places, Programs};
 use crate::sitl::Kind;
+use crate::store;
 
 /// Options of commands that start SITL.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct ProgramOptions {
-    /// SITL's program of multirotors; by default the one of the configuration, of SORTIE_ARDUCOPTER, on the PATH or in
+    /// SITL's program of multirotors; by default the one of the configuration, of `SORTIE_ARDUCOPTER`, on the PATH or in
     /// a usual build folder.
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arducopter: Option<PathBuf>,
-    /// The one of planes (SORTIE_ARDUPLANE).
+    /// The one of planes (`SORTIE_ARDUPLANE`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     arduplane: Option<PathBuf>,
-    /// The one of rovers and boats (SORTIE_ARDUROVER).
+    /// The one of rovers and boats (`SORTIE_ARDUROVER`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardurover: Option<PathBuf>,
-    /// The one of submarines (SORTIE_ARDUSUB).
+    /// The one of submarines (`SORTIE_ARDUSUB`).
     #[arg(long, value_name = "FILE", help_heading = "Programs")]
     ardusub: Option<PathBuf>,
 }
@@ -77,11 +78,7 @@ fn within(path: &str, origin: &Origin, config_file: Option<&Path>, places: &Plac
     if !matches!(origin, Origin::File { .. }) {
         return PathBuf::from(path);
     }
-    match (path.strip_prefix("~/"), &places.home) {
-        (Some(rest), Some(home)) => home.join(rest),
-        _ => {
-            let folder = config_file.and_then(Path::parent);
-            places.here.join(folder.unwrap_or(Path::new(""))).join(path)
-        }
-    }
+    let folder = config_file.and_then(Path::parent);
+    let folder = places.here.join(folder.unwrap_or(Path::new("")));
+    folder.join(store::user_path(path))
 }

@@ -1,112 +1,168 @@
 //! One instance's task: its process, its connection, its stages and its end.
 
-use std::collections::VecDeque;
 use std::io;
-use std::path::PathBuf;
-use std::process::ExitStatus;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use tokio::io::{AsyncBufReadExt as _, AsyncRead, BufReader};
-use tokio::net::TcpListener;
-use tokio::process::Child;
+use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{mpsc, oneshot};
-use tokio::time::{Instant as Moment, interval};
+use tokio::time::{Instant as Moment, sleep_until};
 
-use super::probe::Probe;
-use super::relay::{Read, Relay};
-use super::{Instance, InstanceId, Refusal, Request, Shared, Stage, launcher};
+use super::endurance::Endurance;
+use super::launcher::{LaunchError, Order, Running};
+use super::output::Output;
+use super::process::{Belongs, Connection};
+use super::progress::Progress;
+use super::relay::{Passed, Relay};
+use super::roster::Taken;
+use super::{Instance, Launch, Refusal, Request, Shared, Stage};
 use crate::sitl::{Door, Recipe};
+
+mod ending;
+mod meter;
+
+use ending::words;
+use meter::Meter;
 
 /// How often an instance that boots is asked how far it is.
 const PROBE_EVERY: Duration = Duration::from_millis(50);
+/// How often anything else is looked at.
+const LOOK_EVERY: Duration = Duration::from_secs(1);
 /// Simulated seconds per second until an instance is ready: a real boot takes 42 s.
 const BOOT_SPEEDUP: f64 = 10.0;
-/// Lines of output that are kept for telling why an instance has ended.
-const LINES_KEPT: usize = 50;
+/// Lines of output that are shown when an instance has ended.
+const LINES_SHOWN: usize = 20;
+/// Where SITL keeps its parameters, in its folder.
+const MEMORY: &str = "eeprom.bin";
 
 /// Starts an instance and its task.
 ///
 /// # Errors
 /// Its folder or its listener cannot be made.
 pub(super) async fn begin(
-    id: InstanceId,
-    recipe: Recipe,
+    launch: Launch,
+    taken: Taken,
     program: PathBuf,
     requests: mpsc::Receiver<Request>,
     shared: Arc<Shared>,
 ) -> Result<(), Refusal> {
-    let folder = shared.config.folder.join(format!("vehicle-{id:03}"));
+    let id = taken.id;
     let refuse = |what: String| move |source: io::Error| Refusal::Host { id, what, source };
-    std::fs::create_dir_all(&folder).map_err(refuse(format!("make {}", folder.display())))?;
+    let folder = shared.run.vehicle(id).map_err(|error| Refusal::Host {
+        id,
+        what: "its folder".to_owned(),
+        source: io::Error::other(error),
+    })?;
+    let listen = "listen on 127.0.0.1";
     let listener = TcpListener::bind(("127.0.0.1", 0))
         .await
-        .map_err(refuse("listen on 127.0.0.1".to_owned()))?;
+        .map_err(refuse(listen.to_owned()))?;
+    let address = listener.local_addr().map_err(refuse(listen.to_owned()))?;
+    let recipe = launch.recipe(taken.system);
     let boot = Recipe {
         speedup: recipe.speedup.max(BOOT_SPEEDUP),
-        ..recipe.clone()
+        ..recipe
     };
-    let address = listener
-        .local_addr()
-        .map_err(refuse("listen on 127.0.0.1".to_owned()))?;
-    let command = boot.command_line(Door::Outwards(address));
+    let command = boot
+        .command_line(Door::Outwards(address))
+        .map_err(|unfit| Refusal::Invalid(unfit.to_string()))?;
+    forget_earlier(&folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
     for (name, text) in &command.files {
         let path = folder.join(name);
         std::fs::write(&path, text).map_err(refuse(format!("write {}", path.display())))?;
     }
-    let shown = Instance {
-        id,
-        kind: recipe.kind,
-        system: recipe.system,
-        stage: Stage::Queued,
-        parameters: [0, 0],
-        pid: None,
-        restarts: 0,
-        attached: false,
-        memory_bytes: 0,
-        cpu_ms: 0,
-        fault: None,
-        last_output: Vec::new(),
-        folder: folder.display().to_string(),
-        port: None,
-    };
-    shared.show(&shown);
-    let order = Order {
-        program,
-        arguments: command.arguments,
-        folder,
-    };
+    let output = Output::new(folder.clone());
+    shared.roster.keep_output(id, output.clone());
+    let shown = Instance::new(&launch, taken, &folder);
+    shared.roster.show(&shown);
     let task = Task {
         shown,
-        order,
-        speedup: recipe.speedup,
-        listener,
+        order: Order {
+            program,
+            arguments: command.arguments,
+            folder,
+        },
+        speedup: launch.speedup,
+        idle: launch.idle_s.map(|s| Duration::from_secs(s.into())),
+        unattended_since: Moment::now(),
+        endurance: Endurance::new(shared.config.restart),
         relay: Relay::default(),
+        listener,
+        output,
+        requests,
         shared,
     };
-    tokio::spawn(task.run(requests));
+    tokio::spawn(task.run());
     Ok(())
 }
 
-struct Order {
-    program: PathBuf,
-    arguments: Vec<String>,
-    folder: PathBuf,
+/// An instance that had this number before leaves nothing that a new one would take for its own.
+fn forget_earlier(folder: &Path) -> io::Result<()> {
+    match std::fs::remove_file(folder.join(MEMORY)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+impl Instance {
+    fn new(launch: &Launch, taken: Taken, folder: &Path) -> Self {
+        Self {
+            id: taken.id,
+            kind: launch.kind,
+            system: taken.system,
+            stage: Stage::Queued,
+            parameters: [0, 0],
+            pid: None,
+            restarts: 0,
+            attached: false,
+            memory_bytes: 0,
+            cpu_ms: 0,
+            fault: None,
+            hint: None,
+            refused: 0,
+            last_output: Vec::new(),
+            folder: folder.display().to_string(),
+            port: None,
+        }
+    }
 }
 
 struct Task {
     shown: Instance,
     order: Order,
     speedup: f64,
+    /// How long it may be without anybody attached.
+    idle: Option<Duration>,
+    unattended_since: Moment,
+    endurance: Endurance,
     listener: TcpListener,
     relay: Relay,
+    output: Output,
+    requests: mpsc::Receiver<Request>,
     shared: Arc<Shared>,
 }
 
-/// Why a process is no more.
+/// What has happened.
+enum Event {
+    /// It is to be ended for good; whoever asked for it waits.
+    Over(Option<oneshot::Sender<()>>),
+    /// It is to be started again.
+    Restart,
+    /// Bytes were passed on.
+    Passed(Passed),
+    /// Somebody has connected.
+    Connected(TcpStream),
+    /// Nothing else, for as long as was waited, or nothing that needs more doing.
+    Nothing,
+}
+
+/// What becomes of a process, or of the attempt to start it.
 enum End {
-    /// It has ended by itself.
-    Fault(String),
+    /// It has ended by itself, after having been ready for so long.
+    Fault(String, Duration),
+    /// It cannot be started, and trying again will not help.
+    Hopeless(String),
     /// It was ended for good.
     Stopped(Option<oneshot::Sender<()>>),
     /// It was ended to be started again.
@@ -114,179 +170,252 @@ enum End {
 }
 
 impl Task {
-    async fn run(mut self, mut requests: mpsc::Receiver<Request>) {
+    async fn run(mut self) {
         let done = loop {
             let end = match self.start().await {
-                Ok(child) => self.live(child, &mut requests).await,
-                Err(error) => End::Fault(format!(
-                    "cannot start {}: {error}",
-                    self.order.program.display()
-                )),
+                Ok(running) => self.live(running).await,
+                Err(end) => end,
             };
-            self.relay.disconnect();
-            self.shown.pid = None;
-            match end {
+            self.forget_process();
+            let wait = match end {
                 End::Stopped(done) => break done,
-                End::Restart => self.shown.restarts += 1,
-                End::Fault(reason) => {
-                    self.shown.fault = Some(reason);
-                    self.set_stage(Stage::Ended);
-                    match self.lie(&mut requests).await {
-                        Some(done) => break done,
-                        None => self.shown.restarts += 1,
-                    }
+                End::Restart => {
+                    self.shown.restarts += 1;
+                    continue;
                 }
+                End::Fault(reason, ready_for) => {
+                    self.shown.fault = Some(reason);
+                    self.endurance.failed(ready_for)
+                }
+                End::Hopeless(reason) => {
+                    self.shown.fault = Some(reason);
+                    None
+                }
+            };
+            match self.lie(wait).await {
+                Some(done) => break done,
+                None => self.shown.restarts += 1,
             }
         };
-        self.shared.forget(self.shown.id);
+        self.shared.roster.forget(self.shown.id);
         if let Some(done) = done {
             // Whoever asked may have left.
             let _ = done.send(());
         }
     }
 
-    async fn start(&mut self) -> io::Result<Child> {
+    /// Starts the process, once it is its turn.
+    async fn start(&mut self) -> Result<Running, End> {
         self.shown.fault = None;
+        self.shown.hint = None;
         self.shown.last_output.clear();
-        self.set_stage(Stage::Queued);
-        let order = launcher::Order {
-            program: self.order.program.clone(),
-            arguments: self.order.arguments.clone(),
-            folder: self.order.folder.clone(),
-        };
-        let child = self.shared.launcher.launch(order).await?;
-        self.shown.pid = child.id();
-        self.set_stage(Stage::Process);
-        Ok(child)
+        self.show(Stage::Queued);
+        let shared = Arc::clone(&self.shared);
+        let launching = shared.launcher.launch(self.order.clone());
+        tokio::pin!(launching);
+        loop {
+            let event = tokio::select! {
+                begun = &mut launching => return self.started(begun),
+                event = self.event(Moment::now() + LOOK_EVERY) => event,
+            };
+            match event {
+                Event::Over(done) => return Err(End::Stopped(done)),
+                // It is being started.
+                Event::Restart | Event::Passed(_) | Event::Connected(_) | Event::Nothing => {}
+            }
+            self.show(Stage::Queued);
+        }
+    }
+
+    fn started(&mut self, begun: Result<Running, LaunchError>) -> Result<Running, End> {
+        match begun {
+            Ok(running) => {
+                self.shown.pid = Some(running.pid());
+                self.note_process(running.pid());
+                self.show(Stage::Process);
+                Ok(running)
+            }
+            Err(LaunchError::Closed) => Err(End::Stopped(None)),
+            Err(error) if error.may_pass() => Err(End::Fault(error.to_string(), Duration::ZERO)),
+            Err(error) => Err(End::Hopeless(error.to_string())),
+        }
+    }
+
+    /// So that the next hangar finds it should this one not end it.
+    fn note_process(&self, pid: u32) {
+        let (id, program) = (self.shown.id, &self.order.program);
+        if let Err(error) = self.shared.run.note(id, pid, program) {
+            self.output.note(&format!("sortie: {error}"));
+        }
+    }
+
+    fn forget_process(&mut self) {
+        self.shared.run.forget(self.shown.id);
+        self.relay.disconnect();
+        self.shown.pid = None;
+        self.shown.memory_bytes = 0;
+        self.shown.hint = None;
     }
 
     /// Waits for what becomes of a process that runs.
-    async fn live(&mut self, mut child: Child, requests: &mut mpsc::Receiver<Request>) -> End {
+    async fn live(&mut self, mut running: Running) -> End {
         let begun = Moment::now();
-        let mut probe = Probe::new(self.shown.system, self.speedup, begun.elapsed());
-        let mut lines = Lines::of(&mut child);
-        let mut ticks = interval(PROBE_EVERY);
+        let pid = running.pid();
+        let following = self.output.follow(&mut running);
+        let mut progress = Progress::new(self.shown.system, self.speedup, Duration::ZERO);
+        let mut meter = Meter::new(pid);
         loop {
-            tokio::select! {
-                () = self.shared.cancel.cancelled() => {
-                    end(&mut child).await;
-                    return End::Stopped(None);
+            let every = if progress.is_asking() {
+                PROBE_EVERY
+            } else {
+                LOOK_EVERY
+            };
+            let event = tokio::select! {
+                status = running.wait() => {
+                    following.finish().await;
+                    return End::Fault(words(status), progress.ready_for(begun.elapsed()));
                 }
-                request = requests.recv() => match request {
-                    Some(Request::Attach(answer)) => drop(answer.send(self.relay.attach())),
-                    Some(Request::Restart) => {
-                        end(&mut child).await;
-                        return End::Restart;
+                event = self.event(Moment::now() + every) => event,
+            };
+            let now = begun.elapsed();
+            match event {
+                Event::Over(done) => {
+                    self.end(&mut running).await;
+                    return End::Stopped(done);
+                }
+                Event::Restart => {
+                    self.end(&mut running).await;
+                    self.endurance.forgive();
+                    return End::Restart;
+                }
+                Event::Connected(stream) => {
+                    if self.admit(stream, pid) {
+                        progress.connected(now);
                     }
-                    Some(Request::Stop(done)) => {
-                        self.set_stage(Stage::Stopping);
-                        end(&mut child).await;
-                        return End::Stopped(Some(done));
-                    }
-                    None => return End::Stopped(None),
-                },
-                status = child.wait() => {
-                    self.shown.last_output = lines.last();
-                    return End::Fault(reason(status));
                 }
-                Ok((stream, _)) = self.listener.accept() => {
-                    self.relay.connect(stream);
-                    probe = Probe::new(self.shown.system, self.speedup, begun.elapsed());
-                }
-                read = self.relay.read() => if let Ok(Read::Instance(bytes)) = read {
-                    probe.hear(&bytes, begun.elapsed());
-                },
-                _ = ticks.tick() => {}
-                () = lines.read() => {}
+                Event::Passed(Passed::Instance) => progress.hear(self.relay.said(), now),
+                Event::Passed(Passed::InstanceGone) => progress.disconnected(now),
+                Event::Passed(_) | Event::Nothing => {}
             }
-            if probe.stage() < Stage::Ready {
-                let bytes = probe.say(begun.elapsed());
-                self.relay.send(&bytes);
+            let bytes = progress.say(self.relay.is_attached(), now);
+            self.relay.send(&bytes);
+            if meter.read(now) {
+                self.shown.memory_bytes = meter.memory_bytes();
+                self.shown.cpu_ms = meter.cpu_ms();
+                self.shown.hint = progress.lack(now).map(|lack| self.diagnosis(lack, &meter));
             }
-            self.shown.parameters = probe.parameters();
-            self.shown.attached = self.relay.is_attached();
-            self.set_stage(probe.stage());
+            self.shown.parameters = progress.parameters();
+            self.show(progress.stage(now));
         }
     }
 
-    /// Waits for somebody to start or to stop it; `None` if it is to be started.
-    async fn lie(
-        &mut self,
-        requests: &mut mpsc::Receiver<Request>,
-    ) -> Option<Option<oneshot::Sender<()>>> {
-        loop {
-            tokio::select! {
-                () = self.shared.cancel.cancelled() => return Some(None),
-                request = requests.recv() => match request {
-                    Some(Request::Attach(answer)) => drop(answer.send(self.relay.attach())),
-                    Some(Request::Restart) => return None,
-                    Some(Request::Stop(done)) => return Some(Some(done)),
-                    None => return Some(None),
-                },
-            }
-        }
-    }
-
-    fn set_stage(&mut self, stage: Stage) {
-        self.shown.stage = stage;
-        self.shared.show(&self.shown);
-    }
-}
-
-/// Ends a process and waits until it is gone.
-async fn end(child: &mut Child) {
-    // Failing means that it has ended.
-    drop(child.kill().await);
-}
-
-fn reason(status: io::Result<ExitStatus>) -> String {
-    match status {
-        Ok(status) => format!("it has ended ({status})"),
-        Err(error) => format!("it cannot be watched: {error}"),
-    }
-}
-
-type Reader = tokio::io::Lines<BufReader<Box<dyn AsyncRead + Send + Unpin>>>;
-
-/// What a process prints.
-struct Lines {
-    readers: Vec<Reader>,
-    last: VecDeque<String>,
-}
-
-impl Lines {
-    fn of(child: &mut Child) -> Self {
-        let mut readers = Vec::new();
-        let mut add =
-            |pipe: Box<dyn AsyncRead + Send + Unpin>| readers.push(BufReader::new(pipe).lines());
-        if let Some(out) = child.stdout.take() {
-            add(Box::new(out));
-        }
-        if let Some(err) = child.stderr.take() {
-            add(Box::new(err));
-        }
-        Self {
-            readers,
-            last: VecDeque::new(),
-        }
-    }
-
-    fn last(&mut self) -> Vec<String> {
-        self.last.iter().cloned().collect()
-    }
-
-    async fn read(&mut self) {
-        let Some(reader) = self.readers.first_mut() else {
-            return std::future::pending().await;
+    /// Waits for what happens next. Losing the future loses nothing.
+    async fn event(&mut self, until: Moment) -> Event {
+        let idle_at = match self.idle {
+            Some(idle) if !self.relay.is_attached() => Some(self.unattended_since + idle),
+            _ => None,
         };
-        match reader.next_line().await {
-            Ok(Some(line)) => {
-                if self.last.len() == LINES_KEPT {
-                    self.last.pop_front();
+        tokio::select! {
+            () = self.shared.cancel.cancelled() => Event::Over(None),
+            request = self.requests.recv() => match request {
+                Some(Request::Attach(answer)) => {
+                    drop(answer.send(self.relay.attach()));
+                    Event::Nothing
                 }
-                self.last.push_back(line);
+                Some(Request::Restart) => Event::Restart,
+                Some(Request::Stop(done)) => Event::Over(Some(done)),
+                None => Event::Over(None),
+            },
+            passed = self.relay.pass() => {
+                if passed == Passed::AttachedGone {
+                    self.unattended_since = Moment::now();
+                }
+                Event::Passed(passed)
             }
-            _ => drop(self.readers.remove(0)),
+            Ok((stream, _)) = self.listener.accept() => Event::Connected(stream),
+            () = sleep_until(idle_at.map_or(until, |at| at.min(until))) => {
+                if idle_at.is_some_and(|at| at <= Moment::now()) {
+                    Event::Over(None)
+                } else {
+                    Event::Nothing
+                }
+            }
         }
+    }
+
+    /// Takes a connection if it is the instance's own.
+    fn admit(&mut self, stream: TcpStream, pid: u32) -> bool {
+        let belongs = Connection::of(&stream).map(|connection| connection.is_of_process(pid));
+        let is_own = match belongs {
+            Some(Belongs::Yes) => true,
+            // Some systems do not tell; what is there already is not given up for it.
+            Some(Belongs::Unknown) => !self.relay.is_connected(),
+            Some(Belongs::No) | None => false,
+        };
+        if is_own {
+            // What runs now may be another program than what was started: a script that became it.
+            self.note_process(pid);
+            self.relay.connect(stream);
+        } else {
+            self.shown.refused += 1;
+        }
+        is_own
+    }
+
+    async fn end(&mut self, running: &mut Running) {
+        self.show(Stage::Stopping);
+        // Failing means that it has ended.
+        drop(running.end().await);
+    }
+
+    /// Waits until it is started again; `Some` if it is to be forgotten.
+    async fn lie(&mut self, wait: Option<Duration>) -> Option<Option<oneshot::Sender<()>>> {
+        let last = self.output.last(LINES_SHOWN);
+        self.shown.last_output = last.into_iter().map(|line| line.text).collect();
+        let again_at = wait.map(|wait| Moment::now() + wait);
+        self.shown.hint = match wait {
+            Some(wait) => Some(format!("is started again in {} s", wait.as_secs())),
+            None if self.endurance.is_given_up() => {
+                Some("has failed five times in a row and is not started again".to_owned())
+            }
+            None => None,
+        };
+        if wait.is_none() {
+            self.shared.roster.lay_down(self.shown.id);
+        }
+        loop {
+            self.show(Stage::Ended);
+            let now = Moment::now();
+            if again_at.is_some_and(|at| at <= now) {
+                return None;
+            }
+            let until = now + LOOK_EVERY;
+            match self.event(again_at.map_or(until, |at| at.min(until))).await {
+                Event::Over(done) => return Some(done),
+                Event::Restart => {
+                    self.endurance.forgive();
+                    return None;
+                }
+                Event::Passed(_) | Event::Connected(_) | Event::Nothing => {}
+            }
+        }
+    }
+
+    fn diagnosis(&self, lack: String, meter: &Meter) -> String {
+        let mut told = lack;
+        if let Some(busy) = meter.busy() {
+            told.push_str(&busy);
+        }
+        if let Some(line) = self.output.last(1).pop() {
+            told.push_str("; its last output: ");
+            told.push_str(&line.text);
+        }
+        told
+    }
+
+    fn show(&mut self, stage: Stage) {
+        self.shown.stage = stage;
+        self.shown.attached = self.relay.is_attached();
+        self.shared.roster.show(&self.shown);
     }
 }

@@ -3,42 +3,89 @@
 //! A process is told by the kernel when the *thread* that made it ends, so one thread lives as long as the hangar
 //! and makes them all. What it makes is this program again, which asks for that signal, limits itself, and becomes
 //! the program that is wanted: SITL's parent is then the hangar itself, which SITL wants alive as well.
+//!
+//! The two talk over a socket that is the child's standard input until it becomes the program: it closes by itself
+//! then, and says why when it does not come to that. So a program that was started is known to run.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io;
-use std::os::unix::process::CommandExt as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::os::fd::OwnedFd;
+use std::os::unix::net::UnixStream as Socket;
+use std::path::PathBuf;
+use std::process::Stdio;
 use std::sync::mpsc;
+use std::time::Duration;
 
-use nix::sys::resource::{Resource, setrlimit};
-use nix::sys::signal::Signal;
-use nix::unistd::{getppid, setsid};
-use tokio::process::Child;
-use tokio::sync::oneshot;
+use tokio::io::AsyncReadExt as _;
+use tokio::net::UnixStream;
+use tokio::process::Command;
+use tokio::sync::{Mutex, MutexGuard, oneshot};
+use tokio::time::{Instant, sleep_until};
 
 use super::Limits;
+
+mod fault;
+mod running;
+mod stub;
+#[cfg(test)]
+mod tests;
+
+pub(super) use fault::LaunchError;
+pub(super) use running::Running;
+pub use stub::launch_stub;
 
 /// The hidden subcommand of this program that becomes another.
 pub const LAUNCH: &str = "hangar-launch";
 const BYTES_PER_MIB: u64 = 1024 * 1024;
+/// More than a child ever says about why it did not become the program.
+const REPORT_LEN: u64 = 64;
+
+/// What a program gets to know of its surroundings. The rest stays here: keys and tokens that lie in somebody's
+/// environment are nothing to a simulator, which runs scripts of others.
+const PASSED_ON: [&str; 9] = [
+    "PATH",
+    "HOME",
+    "USER",
+    "LOGNAME",
+    "LANG",
+    "TZ",
+    "TMPDIR",
+    "LD_LIBRARY_PATH",
+    "DYLD_LIBRARY_PATH",
+];
+const PASSED_ON_PREFIX: &str = "LC_";
 
 /// What to start.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Order {
+    /// A path; a relative one is taken from where this program runs.
     pub program: PathBuf,
     pub arguments: Vec<String>,
+    /// Where it runs.
     pub folder: PathBuf,
 }
 
-type Answer = oneshot::Sender<io::Result<Child>>;
+type Begun = (Running, UnixStream);
+type Answer = oneshot::Sender<Result<Begun, LaunchError>>;
 
-/// The thread that starts processes.
-pub(super) struct Launcher(mpsc::Sender<(Order, Answer)>);
+/// The thread that starts processes, in the order in which they are asked for.
+pub(super) struct Launcher {
+    orders: mpsc::Sender<(Order, Answer)>,
+    pace: Pace,
+    memory_mib: u64,
+}
 
 impl Launcher {
-    /// Starts the thread; it ends with the launcher.
+    /// Starts the thread; it ends with the launcher. Must be called inside a tokio runtime.
+    ///
+    /// # Errors
+    /// The system allows no more threads.
     pub fn start(sortie: PathBuf, limits: Limits) -> io::Result<Self> {
+        Self::with_stub(vec![sortie.into(), LAUNCH.into()], limits)
+    }
+
+    /// With the words that start the program which becomes another.
+    fn with_stub(stub: Vec<OsString>, limits: Limits) -> io::Result<Self> {
         let (orders, inbox) = mpsc::channel::<(Order, Answer)>();
         let runtime = tokio::runtime::Handle::current();
         std::thread::Builder::new()
@@ -46,79 +93,101 @@ impl Launcher {
             .spawn(move || {
                 let _inside = runtime.enter();
                 while let Ok((order, answer)) = inbox.recv() {
-                    drop(answer.send(launch(&sortie, limits, &order)));
+                    // Whoever has stopped waiting wants none.
+                    if !answer.is_closed() {
+                        drop(answer.send(begin(&stub, limits, &order)));
+                    }
                 }
             })?;
-        Ok(Self(orders))
+        Ok(Self {
+            orders,
+            pace: Pace::new(limits.starts_per_s),
+            memory_mib: limits.memory_mib,
+        })
     }
 
-    /// Starts a process whose output is piped.
-    pub async fn launch(&self, order: Order) -> io::Result<Child> {
-        let (answer, child) = oneshot::channel();
-        let gone = || io::Error::other("the thread that starts processes has ended");
-        self.0.send((order, answer)).map_err(|_| gone())?;
-        child.await.map_err(|_| gone())?
+    /// Starts a process whose output is piped, once those that were asked for before it are started. It runs the
+    /// program when this returns. Losing the future ends what it has started.
+    ///
+    /// # Errors
+    /// Why it does not run.
+    pub async fn launch(&self, order: Order) -> Result<Running, LaunchError> {
+        let (answer, begun) = oneshot::channel();
+        let turn = self.pace.turn().await;
+        self.orders
+            .send((order.clone(), answer))
+            .map_err(|_| LaunchError::Closed)?;
+        drop(turn);
+        let (mut running, report) = begun.await.map_err(|_| LaunchError::Closed)??;
+        let mut words = Vec::new();
+        // A socket that breaks is one that is closed.
+        drop(report.take(REPORT_LEN).read_to_end(&mut words).await);
+        if words.is_empty() {
+            return Ok(running);
+        }
+        drop(running.end().await);
+        let report = String::from_utf8_lossy(&words);
+        Err(LaunchError::of_report(&report, &order, self.memory_mib))
     }
 }
 
-fn launch(sortie: &Path, limits: Limits, order: &Order) -> io::Result<Child> {
-    tokio::process::Command::new(sortie)
-        .arg(LAUNCH)
+fn begin(stub: &[OsString], limits: Limits, order: &Order) -> Result<Begun, LaunchError> {
+    let [sortie, first @ ..] = stub else {
+        return Err(LaunchError::Closed);
+    };
+    let failed = |source| LaunchError::of_spawn(sortie.into(), source);
+    let program = std::path::absolute(&order.program).map_err(failed)?;
+    let (ours, theirs) = Socket::pair().map_err(failed)?;
+    ours.set_nonblocking(true).map_err(failed)?;
+    let report = UnixStream::from_std(ours).map_err(failed)?;
+    let child = Command::new(sortie)
+        .args(first)
         .arg(std::process::id().to_string())
         .arg((limits.memory_mib * BYTES_PER_MIB).to_string())
-        .arg(&order.program)
+        .arg(&order.folder)
+        .arg(program)
         .args(&order.arguments)
-        .current_dir(&order.folder)
-        .stdin(Stdio::null())
+        .env_clear()
+        .envs(std::env::vars_os().filter(|(name, _)| is_passed_on(name)))
+        .stdin(Stdio::from(OwnedFd::from(theirs)))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .kill_on_drop(true)
         .spawn()
+        .map_err(failed)?;
+    let running = Running::new(child).ok_or(LaunchError::Closed)?;
+    Ok((running, report))
 }
 
-/// What the hidden subcommand does: `OWNER MEMORY PROGRAM ARGUMENT...`. Returns only if the program cannot be
-/// started.
-pub fn launch_stub(words: &[OsString]) -> ExitCode {
-    let error = match words {
-        [owner, memory, program, arguments @ ..] => {
-            become_program(owner, memory, program, arguments)
+fn is_passed_on(name: &OsStr) -> bool {
+    name.to_str()
+        .is_some_and(|name| PASSED_ON.contains(&name) || name.starts_with(PASSED_ON_PREFIX))
+}
+
+/// Lets one after the other go, at most so many a second.
+struct Pace {
+    every: Duration,
+    /// When the next may go. The lock is a queue: whoever asks first goes first.
+    next: Mutex<Option<Instant>>,
+}
+
+impl Pace {
+    /// One a second at least: with none nothing would ever start.
+    fn new(per_s: u16) -> Self {
+        Self {
+            every: Duration::from_secs(1) / u32::from(per_s.max(1)),
+            next: Mutex::default(),
         }
-        _ => io::Error::new(
-            io::ErrorKind::InvalidInput,
-            "it is for the hangar's own use",
-        ),
-    };
-    eprintln!("sortie: cannot start: {error}");
-    ExitCode::from(127)
-}
+    }
 
-fn become_program(
-    owner: &OsString,
-    memory: &OsString,
-    program: &OsString,
-    arguments: &[OsString],
-) -> io::Error {
-    let number = |word: &OsString| word.to_str().and_then(|word| word.parse::<u64>().ok());
-    let Some((owner, memory)) = number(owner).zip(number(memory)) else {
-        return io::Error::new(
-            io::ErrorKind::InvalidInput,
-            "it is for the hangar's own use",
-        );
-    };
-    #[cfg(target_os = "linux")]
-    if let Err(error) = nix::sys::prctl::set_pdeathsig(Signal::SIGKILL) {
-        return error.into();
+    /// Waits for one's turn. The next one's begins when the guard is gone and the time has come; who stops waiting
+    /// costs the others nothing.
+    async fn turn(&self) -> MutexGuard<'_, Option<Instant>> {
+        let mut next = self.next.lock().await;
+        if let Some(at) = *next {
+            sleep_until(at).await;
+        }
+        *next = Some(Instant::now() + self.every);
+        next
     }
-    // Whoever has ended before the line above sends no signal.
-    if getppid().as_raw() as u64 != owner {
-        return io::Error::other("its owner has ended");
-    }
-    // A terminal's Ctrl-C is for the owner. Failing to lead a session is no reason not to start.
-    let _ = setsid();
-    let limited = setrlimit(Resource::RLIMIT_AS, memory, memory)
-        .and_then(|()| setrlimit(Resource::RLIMIT_CORE, 0, 0));
-    if let Err(error) = limited {
-        return error.into();
-    }
-    Command::new(program).args(arguments).exec()
 }

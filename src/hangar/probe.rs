@@ -1,23 +1,39 @@
 //! Asks an instance how far it is, until it can be armed.
+//!
+//! Somebody may be attached and speak to the instance at the same time, so the probe keeps itself small: it is a
+//! component of its own, sends no heartbeats (a ground station's failsafe must not depend on it), asks for the two
+//! messages that readiness is judged by and for the list of parameters, and is quiet once the instance is ready.
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavMessage, MavParamType, PARAM_SET_DATA};
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_LONG_DATA, MavCmd, MavMessage, MavParamType, PARAM_SET_DATA,
+};
 
 use super::Stage;
 use crate::parameters::Fetching;
 use crate::session::Session;
 use crate::vehicle::EkfFlags;
 use crate::wire::{
-    AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
-    SystemId, ground_station_heartbeat,
+    AUTOPILOT_COMPONENT, ComponentId, Content, Decoder, Encoder, Frame, GROUND_STATION_SYSTEM,
+    Outgoing, SystemId,
 };
 
-/// How often a ground station says that it is there.
-const HEARTBEAT_EVERY: Duration = Duration::from_secs(1);
+/// `MAV_COMP_ID_ONBOARD_COMPUTER2`: nobody's on a console.
+const COMPONENT: ComponentId = 192;
 /// How often the speed is set until the vehicle says that it is.
 const SPEED_EVERY: Duration = Duration::from_millis(500);
 const SPEED: &str = "SIM_SPEEDUP";
+/// How often the messages are asked for until they come.
+const STREAMS_EVERY: Duration = Duration::from_secs(1);
+/// `SYS_STATUS` and `EKF_STATUS_REPORT`.
+const STREAMS: [f32; 2] = [1.0, 193.0];
+/// Twice per simulated second.
+const INTERVAL_US: f32 = 500_000.0;
+/// Whatever the vehicle does by itself: nothing, usually.
+const USUAL_INTERVAL: f32 = 0.0;
+/// What begins a text that says why the vehicle cannot be armed.
+const PREARM: &str = "PreArm: ";
 
 /// A conversation with an instance that boots.
 pub(super) struct Probe {
@@ -26,11 +42,12 @@ pub(super) struct Probe {
     decoder: Decoder,
     encoder: Encoder,
     speedup: f64,
-    said_at: Option<Duration>,
     speed_set_at: Option<Duration>,
+    streams_asked_at: Option<Duration>,
     stage: Stage,
     asked: bool,
     can_arm: bool,
+    complaint: Option<String>,
 }
 
 impl Probe {
@@ -40,13 +57,14 @@ impl Probe {
             system,
             session: Session::new(system, AUTOPILOT_COMPONENT, now),
             decoder: Decoder::new(),
-            encoder: Encoder::new(GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT),
+            encoder: Encoder::new(GROUND_STATION_SYSTEM, COMPONENT),
             speedup,
-            said_at: None,
             speed_set_at: None,
+            streams_asked_at: None,
             stage: Stage::Process,
             asked: false,
             can_arm: false,
+            complaint: None,
         }
     }
 
@@ -61,12 +79,23 @@ impl Probe {
         [list.received(), list.count().unwrap_or(0)]
     }
 
+    /// What the vehicle said last about why it cannot be armed.
+    pub fn complaint(&self) -> Option<&str> {
+        self.complaint.as_deref()
+    }
+
+    /// How often the vehicle has booted within this conversation.
+    pub fn reboots(&self) -> u32 {
+        self.session.vehicle().link.reboots
+    }
+
     /// Takes in what the instance said.
     pub fn hear(&mut self, bytes: &[u8], now: Duration) {
         self.decoder.push(bytes);
         while let Some(frame) = self.decoder.next_frame() {
             if frame.system == self.system {
                 self.session.receive(&frame, now);
+                self.note_complaint(&frame);
             }
         }
         self.judge(now);
@@ -75,30 +104,73 @@ impl Probe {
     /// What there is to say to it now.
     pub fn say(&mut self, now: Duration) -> Vec<u8> {
         let mut bytes = Vec::new();
-        if self.said_at.is_none_or(|at| now >= at + HEARTBEAT_EVERY) {
-            self.said_at = Some(now);
-            self.encoder.encode(&ground_station_heartbeat(), &mut bytes);
-        }
         self.session.poll(now);
+        drop(self.session.take_reports());
         for message in self.session.take_outgoing() {
-            self.encoder.encode(&message, &mut bytes);
+            // Whoever is attached asks for the rest, if it wants it.
+            if let Outgoing::Message(
+                MavMessage::PARAM_REQUEST_LIST(_) | MavMessage::PARAM_REQUEST_READ(_),
+            ) = message
+            {
+                self.encoder.encode(&message, &mut bytes);
+            }
+        }
+        if self.is_short_of_messages() && is_due(&mut self.streams_asked_at, STREAMS_EVERY, now) {
+            self.ask_for_messages(INTERVAL_US, &mut bytes);
         }
         if self.can_arm
             && self.stage < Stage::Ready
-            && self.speed_set_at.is_none_or(|at| now >= at + SPEED_EVERY)
+            && is_due(&mut self.speed_set_at, SPEED_EVERY, now)
         {
-            self.speed_set_at = Some(now);
-            let message = MavMessage::PARAM_SET(PARAM_SET_DATA {
+            self.encoder.encode_message(&self.speed(), &mut bytes);
+        }
+        bytes
+    }
+
+    /// What leaves the vehicle as it was before: nobody else needs these messages.
+    pub fn take_leave(&mut self) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        self.ask_for_messages(USUAL_INTERVAL, &mut bytes);
+        bytes
+    }
+
+    fn is_short_of_messages(&self) -> bool {
+        let vehicle = self.session.vehicle();
+        vehicle.heartbeat.is_some() && (vehicle.ekf.is_none() || vehicle.health.is_none())
+    }
+
+    fn ask_for_messages(&mut self, interval_us: f32, bytes: &mut Vec<u8>) {
+        for message in STREAMS {
+            let request = MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
                 target_system: self.system,
                 target_component: AUTOPILOT_COMPONENT,
-                param_id: SPEED.into(),
-                param_value: self.speedup as f32,
-                param_type: MavParamType::MAV_PARAM_TYPE_REAL32,
+                command: MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL,
+                param1: message,
+                param2: interval_us,
+                ..COMMAND_LONG_DATA::default()
             });
-            self.encoder.encode_message(&message, &mut bytes);
+            self.encoder.encode_message(&request, bytes);
         }
-        drop(self.session.take_reports());
-        bytes
+    }
+
+    fn speed(&self) -> MavMessage {
+        MavMessage::PARAM_SET(PARAM_SET_DATA {
+            target_system: self.system,
+            target_component: AUTOPILOT_COMPONENT,
+            param_id: SPEED.into(),
+            param_value: self.speedup as f32,
+            param_type: MavParamType::MAV_PARAM_TYPE_REAL32,
+        })
+    }
+
+    fn note_complaint(&mut self, frame: &Frame) {
+        if let Content::Message(MavMessage::STATUSTEXT(said)) = &frame.content {
+            let text = String::from_utf8_lossy(&said.text[..]);
+            let text = text.trim_end_matches('\0');
+            if text.starts_with(PREARM) {
+                self.complaint = Some(text.to_owned());
+            }
+        }
     }
 
     fn judge(&mut self, now: Duration) {
@@ -125,4 +197,13 @@ impl Probe {
             _ => Stage::Heartbeat,
         };
     }
+}
+
+/// Whether something is to be done again; it then has been.
+fn is_due(last: &mut Option<Duration>, every: Duration, now: Duration) -> bool {
+    let is_due = last.is_none_or(|at| now >= at + every);
+    if is_due {
+        *last = Some(now);
+    }
+    is_due
 }

@@ -10,6 +10,14 @@ use serde::Serialize;
 
 use crate::sitl::Kind;
 
+mod identity;
+mod scratch;
+
+#[cfg(test)]
+mod tests;
+
+pub use identity::{Identity, PATIENCE, Unknown, identify};
+
 /// Where builds of `ArduPilot` put their programs, below the home folder and below the current one.
 const BUILDS_AT_HOME: [&str; 4] = [
     "ardupilot",

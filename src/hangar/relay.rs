@@ -1,37 +1,109 @@
-//! Carries bytes between an instance and whoever is attached to it.
+//! Carries bytes between an instance and whoever is attached to it. Neither side ever waits for the other: what one
+//! does not take is lost, in whole pieces, as on a radio.
 
-use std::io;
+use std::future::poll_fn;
+use std::pin::Pin;
+use std::task::{Context, Poll, ready};
 
-use futures_util::FutureExt as _;
-use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, DuplexStream};
+use tokio::io::{AsyncRead, AsyncWrite, DuplexStream, ReadBuf};
 use tokio::net::TcpStream;
 
-/// How much waits for one who is attached and does not read; beyond that bytes are lost, as on a radio.
+/// How much waits for one who is attached and does not read.
 const PIPE_LEN: usize = 64 * 1024;
-const READ_LEN: usize = 4096;
+/// How much waits for an instance that does not read.
+const BACKLOG_LEN: usize = 64 * 1024;
+/// As much as a pipe holds: what was put into it in one go is taken out in one go, so that a frame is not cut by what
+/// the hangar itself says in between.
+const READ_LEN: usize = PIPE_LEN;
 
-/// What the relay has read.
-pub(super) enum Read {
-    /// Bytes of the instance.
-    Instance(Vec<u8>),
+/// What the relay has done.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Passed {
+    /// The instance has said so many bytes, which are in [`Relay::said`].
+    Instance,
     /// The instance has closed its connection.
     InstanceGone,
-    /// Bytes of the one who is attached; they have been passed on.
+    /// The one who is attached has said something.
     Attached,
     /// Nobody is attached any more.
     AttachedGone,
 }
 
+/// An end, and what waits to be written to it.
+struct End<S> {
+    stream: S,
+    waiting: Vec<u8>,
+    room: usize,
+}
+
+impl<S: AsyncRead + AsyncWrite + Unpin> End<S> {
+    fn new(stream: S, room: usize) -> Self {
+        Self {
+            stream,
+            waiting: Vec::new(),
+            room,
+        }
+    }
+
+    /// Takes bytes for writing: all of them, or none where too many wait.
+    fn put(&mut self, bytes: &[u8]) {
+        if self.waiting.len() + bytes.len() <= self.room.max(bytes.len()) {
+            self.waiting.extend_from_slice(bytes);
+        }
+    }
+
+    /// Writes what waits as far as it is taken; an error means that nobody is there any more.
+    fn poll_flush(&mut self, context: &mut Context<'_>) -> Result<(), ()> {
+        while !self.waiting.is_empty() {
+            match Pin::new(&mut self.stream).poll_write(context, &self.waiting) {
+                Poll::Ready(Ok(len)) if len > 0 => drop(self.waiting.drain(..len)),
+                Poll::Ready(_) => return Err(()),
+                Poll::Pending => return Ok(()),
+            }
+        }
+        Ok(())
+    }
+
+    /// What can be read into `space`; nothing at the end, and after an error.
+    fn poll_read<'a>(
+        &mut self,
+        context: &mut Context<'_>,
+        space: &'a mut [u8],
+    ) -> Poll<Option<&'a [u8]>> {
+        let mut buffer = ReadBuf::new(space);
+        let read = ready!(Pin::new(&mut self.stream).poll_read(context, &mut buffer));
+        let len = read.map_or(0, |()| buffer.filled().len());
+        Poll::Ready((len > 0).then(|| &space[..len]))
+    }
+}
+
 /// The two ends, each of which may be missing.
-#[derive(Default)]
 pub(super) struct Relay {
-    instance: Option<TcpStream>,
-    attached: Option<DuplexStream>,
+    instance: Option<End<TcpStream>>,
+    attached: Option<End<DuplexStream>>,
+    space: Vec<u8>,
+    said: usize,
+}
+
+impl Default for Relay {
+    fn default() -> Self {
+        Self {
+            instance: None,
+            attached: None,
+            space: vec![0; READ_LEN],
+            said: 0,
+        }
+    }
 }
 
 impl Relay {
     pub fn is_attached(&self) -> bool {
         self.attached.is_some()
+    }
+
+    /// Whether the instance has connected.
+    pub fn is_connected(&self) -> bool {
+        self.instance.is_some()
     }
 
     /// A new other end for whoever wants to be attached; `None` if somebody is.
@@ -40,7 +112,8 @@ impl Relay {
             return None;
         }
         let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
-        self.attached = Some(ours);
+        // What waits for the pipe is only what did not fit into it as a whole.
+        self.attached = Some(End::new(ours, 0));
         Some(theirs)
     }
 
@@ -48,7 +121,7 @@ impl Relay {
     pub fn connect(&mut self, stream: TcpStream) {
         // Commands are small and must not wait for one another; failing that they only come later.
         let _ = stream.set_nodelay(true);
-        self.instance = Some(stream);
+        self.instance = Some(End::new(stream, BACKLOG_LEN));
     }
 
     /// Forgets the instance's connection.
@@ -56,52 +129,68 @@ impl Relay {
         self.instance = None;
     }
 
-    /// Sends bytes to the instance, if it is there and takes them.
+    /// Says something to the instance, if it is there and takes it.
     pub fn send(&mut self, bytes: &[u8]) {
-        if let Some(instance) = &self.instance {
-            let _ = instance.try_write(bytes);
+        if let Some(instance) = &mut self.instance {
+            instance.put(bytes);
         }
     }
 
-    /// Waits for bytes from either end, and passes them on. Losing the future loses no bytes.
-    pub async fn read(&mut self) -> io::Result<Read> {
-        let (mut from_instance, mut from_attached) = ([0; READ_LEN], [0; READ_LEN]);
-        let instance = async {
-            match &mut self.instance {
-                Some(instance) => instance.read(&mut from_instance).await,
-                None => std::future::pending().await,
+    /// What the instance has said last.
+    pub fn said(&self) -> &[u8] {
+        self.space.get(..self.said).unwrap_or_default()
+    }
+
+    /// Writes what waits, and passes on what comes next from either end. Losing the future loses no bytes.
+    pub async fn pass(&mut self) -> Passed {
+        poll_fn(|context| self.poll_pass(context)).await
+    }
+
+    fn poll_pass(&mut self, context: &mut Context<'_>) -> Poll<Passed> {
+        let Self {
+            instance,
+            attached,
+            space,
+            said,
+        } = self;
+        if let Some(there) = instance
+            && let Poll::Ready(bytes) = there.poll_read(context, space)
+        {
+            let Some(bytes) = bytes else {
+                *instance = None;
+                return Poll::Ready(Passed::InstanceGone);
+            };
+            *said = bytes.len();
+            if let Some(attached) = attached {
+                attached.put(bytes);
+                // Whether somebody is there is seen when it is read from.
+                let _ = attached.poll_flush(context);
             }
-        };
-        let attached = async {
-            match &mut self.attached {
-                Some(attached) => attached.read(&mut from_attached).await,
-                None => std::future::pending().await,
+            return Poll::Ready(Passed::Instance);
+        }
+        if let Some(there) = attached
+            && let Poll::Ready(bytes) = there.poll_read(context, space)
+        {
+            let Some(bytes) = bytes else {
+                *attached = None;
+                return Poll::Ready(Passed::AttachedGone);
+            };
+            if let Some(instance) = instance {
+                instance.put(bytes);
+                let _ = instance.poll_flush(context);
             }
-        };
-        let (len, is_instance) = tokio::select! {
-            len = instance => (len.unwrap_or(0), true),
-            len = attached => (len.unwrap_or(0), false),
-        };
-        Ok(match (len, is_instance) {
-            (0, true) => {
-                self.instance = None;
-                Read::InstanceGone
-            }
-            (0, false) => {
-                self.attached = None;
-                Read::AttachedGone
-            }
-            (len, true) => {
-                let bytes = &from_instance[..len];
-                if let Some(attached) = &mut self.attached {
-                    let _ = attached.write(bytes).now_or_never();
-                }
-                Read::Instance(bytes.to_vec())
-            }
-            (len, false) => {
-                self.send(&from_attached[..len]);
-                Read::Attached
-            }
-        })
+            *said = 0;
+            return Poll::Ready(Passed::Attached);
+        }
+        if let Some(instance) = instance {
+            let _ = instance.poll_flush(context);
+        }
+        if let Some(attached) = attached {
+            let _ = attached.poll_flush(context);
+        }
+        Poll::Pending
     }
 }
+
+#[cfg(test)]
+mod tests;

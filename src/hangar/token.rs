@@ -65,6 +65,13 @@ pub enum TokenError {
     Random(String),
 }
 
+impl TokenError {
+    /// Whether the file is simply not there.
+    pub fn is_missing(&self) -> bool {
+        matches!(self, Self::File { source, .. } if source.kind() == io::ErrorKind::NotFound)
+    }
+}
+
 impl fmt::Debug for Token {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Token(..)")
@@ -133,7 +140,7 @@ impl Token {
     /// As [`Self::load`], or the file cannot be made.
     pub fn load_or_create(path: &Path) -> Result<Self, TokenError> {
         match Self::load(path) {
-            Err(TokenError::File { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+            Err(error) if error.is_missing() => {
                 Self::random()?.create(path)?;
                 Self::load(path)
             }

@@ -132,6 +132,16 @@ impl Airframe {
         self.figures.mass_kg
     }
 
+    /// How far the motors are from the centre, in metres (`diagonal_size`, which `SIM_Frame` takes as their lever arm).
+    pub fn diagonal_m(&self) -> f64 {
+        self.figures.diagonal_m
+    }
+
+    /// How far thrust follows the square of a motor's command, 0 to 1 (`propExpo`).
+    pub fn thrust_expo(&self) -> f64 {
+        self.figures.expo
+    }
+
     /// From one end of the propellers to the other, in metres. They reach beyond the motors: SITL's default quad of
     /// 0.35 m is half a metre wide.
     pub fn size_m(&self) -> f64 {
@@ -191,12 +201,12 @@ impl Airframe {
     }
 
     /// Volts of the full battery.
-    pub(super) fn full_voltage_v(&self) -> f64 {
+    pub fn full_voltage_v(&self) -> f64 {
         self.figures.full_voltage_v
     }
 
     /// Ampere hours; zero: never runs down.
-    pub(super) fn battery_capacity_ah(&self) -> f64 {
+    pub fn battery_capacity_ah(&self) -> f64 {
         self.figures.battery_capacity_ah
     }
 
@@ -331,7 +341,7 @@ impl Airframe {
     }
 
     /// Share of the thrust range that carries the weight at the reference.
-    pub(super) fn hover_share(&self) -> f64 {
+    pub fn hover_share(&self) -> f64 {
         self.figures.hover_throttle
     }
 }

@@ -1,35 +1,103 @@
 //! What a new vehicle lacks before it lets itself be armed, as parameters.
-
-use std::collections::BTreeMap;
+//!
+//! Tried on copter, plane, rover and sub of an `ArduPilot` 4.6: with these each arms in GUIDED (a sub in MANUAL) as soon
+//! as it knows where it is. Names that a version does not know are left out by it without a word.
 
 use super::Kind;
+use crate::sim::Airframe;
 
-/// The parameters that every vehicle of a kind is started with: a frame, and calibrations that are not all zero.
-pub(super) fn of(kind: Kind) -> BTreeMap<String, f64> {
-    let mut all = BTreeMap::new();
-    let mut set = |name: String, value: f64| {
-        all.insert(name, value);
-    };
-    if kind == Kind::Copter {
-        set("FRAME_CLASS".to_owned(), 1.0);
-        set("FRAME_TYPE".to_owned(), 0.0);
-    }
-    set("BATT_MONITOR".to_owned(), 4.0);
+/// Pulses of the radio and of the throttle's output, microseconds.
+const PULSE_US: [(&str, f64); 3] = [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1500.0)];
+/// Volts of a full cell.
+const CELL_FULL_V: f64 = 4.2;
+/// Volts of a cell at which a pack under load is called low.
+const CELL_LOW_V: f64 = 3.5;
+/// Over which voltages the thrust is kept the same, as shares of the full battery: 9.6 and 12.8 V of three cells.
+const COMPENSATED: (f64, f64) = (9.6 / 12.6, 12.8 / 12.6);
+
+/// Lever arm times hover throttle of the default quad, whose gains are the autopilot's defaults.
+const USUAL_AUTHORITY: f64 = 0.35 * 0.39;
+
+/// The parameters that every vehicle of a kind is started with: calibrations that are not all zero, and a copter's
+/// settings as the embedded simulator has them.
+pub(super) fn of(kind: Kind) -> Vec<(String, f64)> {
+    let mut all = vec![("BATT_MONITOR".to_owned(), 4.0)];
     for compass in ["", "2", "3"] {
         for (axis, offset) in [("X", 5.0), ("Y", 13.0), ("Z", -18.0)] {
-            set(format!("COMPASS_OFS{compass}_{axis}"), offset);
+            all.push((format!("COMPASS_OFS{compass}_{axis}"), offset));
         }
     }
     for sensor in ["", "2"] {
         for axis in ["X", "Y", "Z"] {
-            set(format!("INS_ACC{sensor}OFFS_{axis}"), 0.001);
-            set(format!("INS_ACC{sensor}SCAL_{axis}"), 1.001);
+            all.push((format!("INS_ACC{sensor}OFFS_{axis}"), 0.001));
+            all.push((format!("INS_ACC{sensor}SCAL_{axis}"), 1.001));
         }
     }
     for channel in 1..=8 {
-        for (end, pulse_us) in [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1500.0)] {
-            set(format!("RC{channel}_{end}"), pulse_us);
-        }
+        let pulses = PULSE_US.map(|(end, pulse_us)| (format!("RC{channel}_{end}"), pulse_us));
+        all.extend(pulses);
     }
+    let own: &[(&str, f64)] = match kind {
+        Kind::Copter => &[
+            ("ATC_RAT_YAW_P", 0.3),
+            ("ATC_RAT_YAW_I", 0.02),
+            ("FENCE_RADIUS", 150.0),
+            ("FS_THR_ENABLE", 1.0),
+            ("SIM_BARO_RND", 0.0),
+        ],
+        // A throttle's rest is at its lower end.
+        Kind::Plane => &[
+            ("RC3_TRIM", 1000.0),
+            ("SERVO3_MIN", 1000.0),
+            ("SERVO3_MAX", 2000.0),
+        ],
+        Kind::Rover => &[
+            ("SERVO1_MIN", 1000.0),
+            ("SERVO1_MAX", 2000.0),
+            ("SERVO3_MIN", 1000.0),
+            ("SERVO3_MAX", 2000.0),
+        ],
+        Kind::Sub => &[],
+    };
+    all.extend(own.iter().map(|&(name, value)| (name.to_owned(), value)));
     all
+}
+
+/// What follows from a multirotor's airframe: its battery, the thrust of its motors, and gains that go with how much
+/// torque they have.
+pub(super) fn of_airframe(airframe: &Airframe) -> Vec<(String, f64)> {
+    let full_v = airframe.full_voltage_v();
+    let mut all = vec![
+        ("MOT_BAT_VOLT_MIN", full_v * COMPENSATED.0),
+        ("MOT_BAT_VOLT_MAX", full_v * COMPENSATED.1),
+        ("MOT_THST_EXPO", airframe.thrust_expo()),
+        (
+            "MOT_THST_HOVER",
+            airframe.hover_share().clamp(0.125, 0.6875),
+        ),
+    ];
+    let capacity_ah = airframe.battery_capacity_ah();
+    if capacity_ah > 0.0 {
+        let cells = (full_v / CELL_FULL_V).round().max(1.0);
+        all.push(("BATT_CAPACITY", capacity_ah * 1000.0));
+        all.push(("BATT_LOW_VOLT", cells * CELL_LOW_V));
+    }
+    let gain = airframe.diagonal_m() * airframe.hover_share() / USUAL_AUTHORITY;
+    let gain = gain.clamp(0.25, 2.0);
+    for axis in [
+        "ATC_RAT_RLL_P",
+        "ATC_RAT_RLL_I",
+        "ATC_RAT_PIT_P",
+        "ATC_RAT_PIT_I",
+    ] {
+        all.push((axis, 0.135 * gain));
+    }
+    for axis in ["ATC_RAT_RLL_D", "ATC_RAT_PIT_D"] {
+        all.push((axis, 0.0036 * gain));
+    }
+    let places = 1e5;
+    let rounded = |value: f64| (value * places).round() / places;
+    all.into_iter()
+        .map(|(name, value)| (name.to_owned(), rounded(value)))
+        .collect()
 }

@@ -11,6 +11,7 @@ use crate::harness::Console;
 mod alerts;
 mod command_line;
 mod commands;
+pub mod hangar;
 mod keymap;
 mod map;
 mod palette;

@@ -74,6 +74,12 @@ impl Console {
             .expect("the fleet runs");
     }
 
+    pub fn attach(&self, pipe: tokio::io::DuplexStream) {
+        self.fleet
+            .connect(Transport::Pipe(pipe))
+            .expect("the fleet runs");
+    }
+
     /// Lets the fleet run until something is true.
     pub async fn until(&mut self, what: &str, mut is_true: impl FnMut(&Self) -> bool) {
         let waiting = async {
@@ -174,7 +180,7 @@ impl Console {
         );
     }
 
-    async fn until_ready(&mut self, ids: &[VehicleId]) {
+    pub async fn until_ready(&mut self, ids: &[VehicleId]) {
         self.until("all are ready to arm", |console| {
             ids.iter().all(|&id| {
                 console

@@ -1,45 +1,320 @@
-//! The hangar with a real ArduCopter, where `SORTIE_ARDUCOPTER` names one.
+//! The hangar against a stand-in for `arducopter`, and against a real one where `SORTIE_ARDUCOPTER` names one.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-use sortie::hangar::{Config, Hangar, Launch, Limits, Restart, Stage};
+use mavlink::dialects::ardupilotmega::{COMMAND_LONG_DATA, MavCmd, MavMessage};
+use nix::errno::Errno;
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+use sortie::hangar::{
+    Config, Hangar, Instance, InstanceId, Instances, Launch, Limits, Refusal, Restart, Stage,
+};
 use sortie::sitl::Kind;
+use sortie::wire::{
+    AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
+};
+use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, DuplexStream};
+use tokio::time::{sleep, timeout};
 
-fn config(folder: &tempfile::TempDir, program: PathBuf) -> Config {
+use crate::stand_in::{Behaviour, StandIn};
+
+mod disk;
+mod faults;
+mod owner;
+mod real;
+mod restarts;
+
+/// How long anything may take before a test gives up.
+const PATIENCE: Duration = Duration::from_secs(120);
+/// MAVLink id of `HEARTBEAT`.
+const HEARTBEAT: u32 = 0;
+
+fn config(folder: &Path, program: PathBuf) -> Config {
     Config {
         programs: BTreeMap::from([(Kind::Copter, program)]),
-        folder: folder.path().to_owned(),
+        folder: folder.to_owned(),
         limits: Limits::default(),
         restart: Restart::Never,
         sortie: PathBuf::from(env!("CARGO_BIN_EXE_sortie")),
     }
 }
 
-#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-async fn a_real_arducopter_becomes_ready() {
-    let Some(program) = std::env::var_os("SORTIE_ARDUCOPTER") else {
-        eprintln!("skipped: SORTIE_ARDUCOPTER names no arducopter");
-        return;
+/// A hangar of a test, with what its instances run.
+struct Stand {
+    hangar: Hangar,
+    _folder: tempfile::TempDir,
+    _stand_in: Option<StandIn>,
+}
+
+impl Stand {
+    fn of(behaviour: Behaviour) -> Self {
+        Self::with(behaviour, |config| config)
+    }
+
+    fn with(behaviour: Behaviour, change: impl FnOnce(Config) -> Config) -> Self {
+        let stand_in = StandIn::new(behaviour);
+        let mut stand = Self::running(stand_in.program(), change);
+        stand._stand_in = Some(stand_in);
+        stand
+    }
+
+    fn running(program: PathBuf, change: impl FnOnce(Config) -> Config) -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let config = change(config(folder.path(), program));
+        Self {
+            hangar: Hangar::open(config).expect("it opens"),
+            _folder: folder,
+            _stand_in: None,
+        }
+    }
+
+    /// Launches the default vehicle.
+    async fn launch(&self) -> InstanceId {
+        let launched = self.hangar.launch(Launch::default()).await;
+        launched.expect("it can be launched")
+    }
+
+    /// Waits until something is true of all instances together.
+    async fn until(&self, what: &str, is_true: impl FnMut(&Instances) -> bool) -> Instances {
+        let mut instances = self.hangar.instances();
+        let waited = timeout(PATIENCE, instances.wait_for(is_true)).await;
+        match waited {
+            Ok(all) => all.expect("it is open").clone(),
+            Err(_) => panic!(
+                "waited in vain until {what}: {:#?}",
+                self.hangar.instances().borrow()
+            ),
+        }
+    }
+
+    /// Waits until something is true of one instance, and returns it.
+    async fn until_one(
+        &self,
+        id: InstanceId,
+        what: &str,
+        mut is_true: impl FnMut(&Instance) -> bool,
+    ) -> Instance {
+        let all = self.until(what, |all| all.get(&id).is_some_and(&mut is_true));
+        all.await[&id].clone()
+    }
+
+    async fn until_ready(&self, id: InstanceId) -> Instance {
+        self.until_one(id, "it is ready", |one| one.stage == Stage::Ready)
+            .await
+    }
+
+    async fn until_ended(&self, id: InstanceId) -> Instance {
+        self.until_one(id, "it has ended", |one| one.stage == Stage::Ended)
+            .await
+    }
+
+    async fn attach(&self, id: InstanceId) -> Attached {
+        Attached {
+            pipe: self.hangar.attach(id).await.expect("nobody is attached"),
+            decoder: Decoder::new(),
+            encoder: Encoder::new(GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT),
+        }
+    }
+}
+
+/// Somebody who is attached to an instance.
+struct Attached {
+    pipe: DuplexStream,
+    decoder: Decoder,
+    encoder: Encoder,
+}
+
+impl Attached {
+    /// Waits for the next heartbeat, and returns whose it is.
+    async fn heartbeat(&mut self) -> u8 {
+        let heard = async {
+            loop {
+                while let Some(frame) = self.decoder.next_frame() {
+                    if frame.content.id() == HEARTBEAT {
+                        return frame.system;
+                    }
+                }
+                let mut bytes = [0; 4096];
+                let len = self.pipe.read(&mut bytes).await.expect("it is open");
+                assert!(len > 0, "the pipe lasts");
+                self.decoder.push(&bytes[..len]);
+            }
+        };
+        timeout(PATIENCE, heard).await.expect("a heartbeat comes")
+    }
+
+    /// Forgets all that has come so far.
+    async fn forget(&mut self) {
+        let mut bytes = [0; 65536];
+        let read = timeout(Duration::from_millis(1), self.pipe.read(&mut bytes));
+        drop(read.await);
+        self.decoder = Decoder::new();
+    }
+
+    async fn reboot(&mut self, system: u8) {
+        let reboot = MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
+            target_system: system,
+            target_component: AUTOPILOT_COMPONENT,
+            command: MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN,
+            param1: 1.0,
+            ..COMMAND_LONG_DATA::default()
+        });
+        let mut bytes = Vec::new();
+        self.encoder.encode_message(&reboot, &mut bytes);
+        self.pipe.write_all(&bytes).await.expect("it is taken");
+    }
+}
+
+fn signal(pid: u32, signal: Signal) {
+    kill(Pid::from_raw(pid as i32), signal).expect("it is ours");
+}
+
+/// Whether a process is gone, or has ended and only waits to be asked how.
+fn is_gone(pid: u32) -> bool {
+    let is_zombie = || {
+        let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
+        status.contains("State:\tZ")
     };
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let hangar = Hangar::open(config(&folder, program.into())).expect("it opens");
-    let first = hangar.launch(Launch::default()).await.expect("it starts");
-    let second = hangar.launch(Launch::default()).await.expect("it starts");
-    assert_eq!((first, second), (1, 2));
-    let mut seen = hangar.instances();
-    seen.wait_for(|all| {
-        eprintln!(
-            "{:?}",
-            all.values()
-                .map(|i| (i.stage, i.parameters, i.fault.clone()))
-                .collect::<Vec<_>>()
-        );
-        all.values().all(|instance| instance.stage == Stage::Ready)
-    })
-    .await
-    .expect("it is open");
-    hangar.stop(first).await.expect("it is there");
-    assert_eq!(hangar.instances().borrow().len(), 1);
-    hangar.close().await;
+    kill(Pid::from_raw(pid as i32), None) == Err(Errno::ESRCH) || is_zombie()
+}
+
+async fn until_gone(pid: u32) {
+    let gone = async {
+        while !is_gone(pid) {
+            sleep(Duration::from_millis(20)).await;
+        }
+    };
+    let waited = timeout(PATIENCE, gone).await;
+    assert!(waited.is_ok(), "process {pid} is still there");
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn thirty_two_are_started_at_once_and_no_more_where_that_is_the_limit() {
+    let stand = Stand::with(Behaviour::Normal, |config| Config {
+        limits: Limits {
+            instances: 32,
+            starts_per_s: 1000,
+            ..Limits::default()
+        },
+        ..config
+    });
+    for id in 1..=32 {
+        assert_eq!(stand.launch().await, id);
+    }
+    let one_more = stand.hangar.launch(Launch::default()).await;
+    assert!(matches!(one_more, Err(Refusal::Full(32))));
+    assert_eq!(stand.hangar.capacity().free, 0);
+    let all = stand
+        .until("all are ready", |all| {
+            all.values().all(|one| one.stage == Stage::Ready)
+        })
+        .await;
+    for (id, one) in all.iter() {
+        assert_eq!(u16::from(one.system), *id);
+        let [received, count] = one.parameters;
+        assert!(received == count && count > 1000, "{:?}", one.parameters);
+        assert_eq!((one.fault.as_ref(), one.hint.as_ref()), (None, None));
+    }
+    stand.hangar.close().await;
+    for one in all.values() {
+        assert!(is_gone(one.pid.expect("it runs")));
+    }
+    let late = stand.hangar.launch(Launch::default()).await;
+    assert!(matches!(late, Err(Refusal::Closing)));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn an_instance_is_what_was_asked_for_and_shows_what_it_uses() {
+    let stand = Stand::of(Behaviour::Normal);
+    let launch = Launch {
+        id: Some(300),
+        system: Some(42),
+        speedup: 3.0,
+        parameters: BTreeMap::from([("WPNAV_SPEED".to_owned(), 777.0)]),
+        ..Launch::default()
+    };
+    let id = stand.hangar.launch(launch).await.expect("it starts");
+    assert_eq!(id, 300);
+    let mut attached = stand.attach(id).await;
+    assert_eq!(attached.heartbeat().await, 42);
+    stand.until_ready(id).await;
+    let one = stand
+        .until_one(id, "its use is known", |one| {
+            one.memory_bytes > 0 && one.cpu_ms > 0 && one.attached
+        })
+        .await;
+    let written = std::fs::read_to_string(Path::new(&one.folder).join("vehicle.parm"));
+    assert!(written.expect("it is there").contains("WPNAV_SPEED 777"));
+    assert!(matches!(
+        stand.hangar.attach(id).await,
+        Err(Refusal::Attached(300))
+    ));
+    assert!(matches!(
+        stand.hangar.attach(1).await,
+        Err(Refusal::Unknown(1))
+    ));
+    drop(attached);
+    stand
+        .until_one(id, "nobody is attached", |one| !one.attached)
+        .await;
+    stand.hangar.stop(id).await.expect("it is there");
+    assert!(stand.hangar.instances().borrow().is_empty());
+    assert!(is_gone(one.pid.expect("it ran")));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_to_whom_nobody_is_attached_is_ended_where_that_was_asked_for() {
+    let stand = Stand::of(Behaviour::Normal);
+    let launch = Launch {
+        idle_s: Some(1),
+        ..Launch::default()
+    };
+    let id = stand.hangar.launch(launch).await.expect("it starts");
+    let attached = stand.attach(id).await;
+    let one = stand.until_ready(id).await;
+    drop(attached);
+    stand.until("it is gone", |all| all.is_empty()).await;
+    assert!(is_gone(one.pid.expect("it ran")));
+}
+
+/// Nobody's ports matter, as an instance listens on none: it connects to one that the system has chosen.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn ports_that_others_have_taken_do_not_matter() {
+    // Taken by us, or else by somebody else.
+    let _taken: Vec<_> = [5760, 5762, 5763, 5770, 5501]
+        .into_iter()
+        .map(|port| std::net::TcpListener::bind(("127.0.0.1", port)))
+        .collect();
+    let stands = [Behaviour::Normal, Behaviour::Normal].map(Stand::of);
+    for stand in &stands {
+        let id = stand.launch().await;
+        assert_eq!(id, 1);
+        stand.until_ready(id).await;
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_stranger_who_connects_to_an_instances_listener_is_shown_out() {
+    let stand = Stand::of(Behaviour::Normal);
+    let id = stand.launch().await;
+    let one = stand.until_ready(id).await;
+    let environment = std::fs::read(format!("/proc/{}/environ", one.pid.expect("it runs")));
+    let environment = String::from_utf8_lossy(&environment.expect("it is ours")).into_owned();
+    let (_, door) = environment.split_once("tcpclient:").expect("it has one");
+    let door = door.split(['\n', '\0']).next().expect("an address");
+    let mut stranger = tokio::net::TcpStream::connect(door)
+        .await
+        .expect("it listens");
+    let mut said = [0; 16];
+    let heard = timeout(PATIENCE, stranger.read(&mut said)).await;
+    assert!(
+        matches!(heard.expect("it is closed"), Ok(0) | Err(_)),
+        "nothing is said to a stranger"
+    );
+    stand
+        .until_one(id, "it is counted", |one| one.refused == 1)
+        .await;
+    assert_eq!(stand.attach(id).await.heartbeat().await, 1);
 }

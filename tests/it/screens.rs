@@ -11,6 +11,7 @@ use crate::fixtures;
 use crate::harness::Console;
 
 mod fly;
+mod hangar;
 mod inspector;
 mod link_room;
 mod map;

@@ -48,6 +48,8 @@ pub enum Behaviour {
     NeverReady,
     /// It works and has started a child, whose pid it prints as `child PID`.
     HasChildren,
+    /// It works and does not end with whoever has started it.
+    OutlivesItsOwner,
     /// It ends at once for its first so many starts in a folder, and then works.
     FailsAtFirst(u32),
 }
@@ -65,6 +67,7 @@ impl Behaviour {
             Self::IgnoresTermination => "ignores-termination".to_owned(),
             Self::NeverReady => "never-ready".to_owned(),
             Self::HasChildren => "has-children".to_owned(),
+            Self::OutlivesItsOwner => "outlives".to_owned(),
             Self::FailsAtFirst(times) => format!("fails {times}"),
         }
     }
@@ -83,6 +86,7 @@ impl Behaviour {
             "ignores-termination" => Self::IgnoresTermination,
             "never-ready" => Self::NeverReady,
             "has-children" => Self::HasChildren,
+            "outlives" => Self::OutlivesItsOwner,
             "fails" => Self::FailsAtFirst(number),
             other => panic!("no behaviour {other}"),
         }

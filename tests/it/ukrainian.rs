@@ -20,7 +20,7 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
     "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB",
-    "sortie tlog heartbeat ok",
+    "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
     "Ctrl Enter Esc Tab R1 w3",
     // Units that no argument has.
@@ -30,7 +30,7 @@ const NAMES: &[&str] = &[
     // Parts of names in MAVLink and of parameters.
     "COMMAND_INT COMMAND_LONG MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV",
     // Addresses, options and files.
-    "features file serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
+    "features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.
     "air alert bat invert status",
     // Words in files of the user's: themes, keymaps, missions.

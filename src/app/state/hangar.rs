@@ -30,8 +30,8 @@ pub enum Stage {
 pub struct Instance {
     /// The vehicle.
     pub vehicle: VehicleId,
-    /// The host or service that it runs on.
-    pub host: String,
+    /// The service that it runs by; `None` is this program.
+    pub host: Option<String>,
     /// How far it has come.
     pub stage: Stage,
     /// How many parameters have come, and how many there are; 0 while that is unknown.

@@ -1,18 +1,170 @@
 //! `sortie hangar command`: how to start SITL by hand.
 
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::net::{SocketAddr, ToSocketAddrs as _};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use serde::Serialize;
 
-use super::super::Failure;
 use super::super::programs::ProgramOptions;
 use super::super::settings::Settings;
+use super::super::sim::Home;
+use super::super::{Failure, parse_speedup};
+use crate::parameters;
+use crate::sitl::{CommandLine, Door, Formation, Kind, Recipe, Shape, quoted};
+use crate::store;
 
 /// Options of `sortie hangar command`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie hangar command | sh                                one copter on port 5760; Ctrl-C ends it\n  \
+    sortie hangar command --vehicles 3 --formation wedge      three of them, to paste into a shell\n  \
+    sortie hangar command --frame hexa.json --param RTL_ALT=3000\n  \
+    sortie hangar command --kind rover --connect-out 127.0.0.1:5760")]
 pub(super) struct CommandArguments {
+    /// The vehicle.
+    #[arg(long, value_enum, default_value = "copter")]
+    kind: KindWord,
+    /// SITL's name of a model: quad (which means plus), x, hexa; by default what suits the kind and the frame.
+    #[arg(long, value_name = "NAME")]
+    model: Option<String>,
+    /// The airframe of a multirotor: a frame file of SITL, in JSON.
+    #[arg(long, value_name = "FILE")]
+    frame: Option<PathBuf>,
+    /// Where the first vehicle stands: latitude, longitude, height above sea level in metres, heading in degrees.
+    #[arg(
+        long,
+        default_value = "-35.363262,149.165237,584,0",
+        allow_hyphen_values = true
+    )]
+    home: Home,
+    /// The system id of the first vehicle; the others count on.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
+    system: u8,
+    /// Simulated seconds per second.
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = parse_speedup)]
+    speedup: f64,
+    /// How many vehicles.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
+    vehicles: u8,
+    /// How they stand, the first one at the home and all looking its way.
+    #[arg(long, value_enum, default_value = "row")]
+    formation: ShapeWord,
+    /// Metres between neighbours.
+    #[arg(long, value_name = "METRES", default_value_t = 5.0, value_parser = parse_spacing)]
+    spacing: f64,
+    /// A parameter; give the option once for each. Names that the vehicle does not know are left out by it without a
+    /// word: 4.7 has `SIM_GPS1_NUMSATS` for `SIM_GPS_NUMSATS` of 4.6.
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parse_parameter)]
+    set: Vec<(String, f64)>,
+    /// A file of parameters, `NAME VALUE` a line.
+    #[arg(long, value_name = "FILE")]
+    params: Option<PathBuf>,
+    /// SITL's number of the first instance: it listens on port 5760 + 10 * this.
+    #[arg(
+        long,
+        value_name = "I",
+        default_value_t = 0,
+        conflicts_with = "connect_out"
+    )]
+    listen_instance: u16,
+    /// Connect to a ground station that listens there, instead of listening.
+    #[arg(long, value_name = "HOST:PORT", value_parser = parse_address)]
+    connect_out: Option<SocketAddr>,
+    /// One JSON document instead of a script.
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     programs: ProgramOptions,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum KindWord {
+    Copter,
+    Plane,
+    Rover,
+    Sub,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum ShapeWord {
+    Row,
+    Column,
+    Grid,
+    Circle,
+    Wedge,
+}
+
+impl From<KindWord> for Kind {
+    fn from(word: KindWord) -> Self {
+        match word {
+            KindWord::Copter => Self::Copter,
+            KindWord::Plane => Self::Plane,
+            KindWord::Rover => Self::Rover,
+            KindWord::Sub => Self::Sub,
+        }
+    }
+}
+
+impl From<ShapeWord> for Shape {
+    fn from(word: ShapeWord) -> Self {
+        match word {
+            ShapeWord::Row => Self::Row,
+            ShapeWord::Column => Self::Column,
+            ShapeWord::Grid => Self::Grid,
+            ShapeWord::Circle => Self::Circle,
+            ShapeWord::Wedge => Self::Wedge,
+        }
+    }
+}
+
+fn parse_spacing(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok();
+    number
+        .filter(|metres: &f64| (0.1..=10_000.0).contains(metres))
+        .ok_or_else(|| "expected a number of metres from 0.1 to 10000".to_owned())
+}
+
+fn parse_parameter(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text
+        .split_once('=')
+        .ok_or("expected NAME=VALUE, such as RTL_ALT=3000")?;
+    let value = value
+        .parse()
+        .map_err(|_| format!("`{value}` is no number"))?;
+    Ok((name.to_uppercase(), value))
+}
+
+/// SITL takes an address in figures only.
+fn parse_address(text: &str) -> Result<SocketAddr, String> {
+    let mut found = text
+        .to_socket_addrs()
+        .map_err(|error| format!("{error}: expected HOST:PORT, such as 127.0.0.1:5760"))?;
+    found
+        .find(|address| address.is_ipv4() && address.port() > 0)
+        .ok_or_else(|| "SITL connects to IPv4 addresses and ports above 0 only".to_owned())
+}
+
+/// One instance to start.
+#[derive(Debug, Serialize)]
+struct Order {
+    system: u8,
+    folder: String,
+    program: String,
+    arguments: Vec<String>,
+    /// Names and contents.
+    files: BTreeMap<&'static str, String>,
+    /// What a ground station is told.
+    connect: String,
+    /// Ports on which it listens, on all interfaces unless it was built otherwise.
+    ports: Vec<u16>,
+    /// The command line, for a shell in the folder.
+    command: String,
+    #[serde(skip)]
+    preparation: String,
 }
 
 /// Prints.
@@ -20,6 +172,163 @@ pub(super) fn command(
     options: &CommandArguments,
     settings: &Settings,
 ) -> Result<ExitCode, Failure> {
-    drop(options.programs.find(settings));
+    let kind = Kind::from(options.kind);
+    let programs = options.programs.find(settings);
+    let (program, missing) = match programs.of(kind) {
+        Ok(found) => (found.file.display().to_string(), None),
+        Err(missing) => (kind.program().to_owned(), Some(missing.to_string())),
+    };
+    let orders = orders(options, &program)?;
+    if options.json {
+        say!("{}", serde_json::to_string_pretty(&orders)?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    if let Some(missing) = missing {
+        eprintln!("sortie: {missing}");
+        eprintln!(
+            "sortie: the script says `{program}`: put it on the PATH, or name it with --{program}"
+        );
+    }
+    say!("{}", script(options, &orders).trim_end())?;
     Ok(ExitCode::SUCCESS)
+}
+
+fn orders(options: &CommandArguments, program: &str) -> Result<Vec<Order>, Failure> {
+    let wrong = |what: String| Failure::Invalid(format!("sortie: {what}"));
+    let vehicles = usize::from(options.vehicles);
+    let last = usize::from(options.system) + vehicles - 1;
+    if last > 254 {
+        return Err(wrong(format!(
+            "{vehicles} vehicles from system id {} on end at {last}, and 254 is the last: begin lower",
+            options.system
+        )));
+    }
+    let read =
+        |path: &PathBuf, what| store::read(path, what).map_err(|error| wrong(error.to_string()));
+    let airframe = options.frame.as_ref().map(|path| read(path, "file-frame"));
+    let airframe = airframe.transpose()?.map(|source| source.text);
+    let parameters = given_parameters(options)?;
+    let formation = Formation {
+        shape: options.formation.into(),
+        spacing_m: options.spacing,
+    };
+    let starts = formation.starts(vehicles, options.home.0);
+    let places = (0_u16..).zip(starts);
+    places
+        .map(|(place, start)| {
+            let recipe = Recipe {
+                kind: options.kind.into(),
+                model: options.model.clone(),
+                airframe: airframe.clone(),
+                start,
+                system: options.system + place as u8,
+                speedup: options.speedup,
+                parameters: parameters.clone(),
+            };
+            let door = match options.connect_out {
+                Some(address) => Door::Outwards(address),
+                None => Door::Listening(options.listen_instance.saturating_add(place)),
+            };
+            order(&recipe, door, program).map_err(|unfit| wrong(unfit.to_string()))
+        })
+        .collect()
+}
+
+fn order(recipe: &Recipe, door: Door, program: &str) -> Result<Order, crate::sitl::Unfit> {
+    let line = recipe.command_line(door)?;
+    let ports = door.ports()?;
+    let folder = format!("sitl-{}", recipe.system);
+    let connect = match door {
+        Door::Outwards(address) => format!("tcpin:{address}"),
+        Door::Listening(_) => format!("tcp:127.0.0.1:{}", ports.first().unwrap_or(&0)),
+    };
+    let command = line.line(program);
+    let preparation = line.preparation(&folder);
+    let CommandLine { arguments, files } = line;
+    Ok(Order {
+        system: recipe.system,
+        folder,
+        program: program.to_owned(),
+        arguments,
+        files: files.into_iter().collect(),
+        connect,
+        ports,
+        command,
+        preparation,
+    })
+}
+
+/// Those of the file, and over them those of the command line.
+fn given_parameters(options: &CommandArguments) -> Result<BTreeMap<String, f64>, Failure> {
+    let mut all = BTreeMap::new();
+    if let Some(path) = &options.params {
+        all.extend(parameter_file(path)?);
+    }
+    all.extend(options.set.iter().cloned());
+    Ok(all)
+}
+
+fn parameter_file(path: &Path) -> Result<Vec<(String, f64)>, Failure> {
+    let source = store::read(path, "file-parameters")
+        .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
+    let values = parameters::parse(&source.text).map_err(|faults| {
+        let faults = faults.iter();
+        let lines: Vec<_> = faults
+            .map(|fault| format!("sortie: {}", fault.one_line(&source.name, &source.text)))
+            .collect();
+        Failure::Invalid(lines.join("\n"))
+    })?;
+    // By way of the shortest decimal: 0.1 stays 0.1.
+    let exact = |value: f32| value.to_string().parse().unwrap_or(f64::from(value));
+    Ok(values
+        .into_iter()
+        .map(|(name, value)| (name.to_uppercase(), exact(value)))
+        .collect())
+}
+
+/// Everything for a POSIX shell: in a subshell, so that nothing of the shell that it is pasted into changes, and
+/// which stays the parent of the instances, because SITL ends when its parent does.
+fn script(options: &CommandArguments, orders: &[Order]) -> String {
+    let mut text = String::from("(\n");
+    for order in orders {
+        let folder = quoted(&order.folder);
+        text.push_str(&order.preparation);
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "(cd {folder} && exec {}) > {folder}/output.log 2>&1 &\npids=\"$pids $!\"",
+            order.command
+        );
+    }
+    for remark in remarks(options, orders) {
+        let _ = writeln!(text, "# {remark}");
+    }
+    text.push_str("trap 'kill $pids 2>/dev/null' EXIT\ntrap 'exit 130' HUP INT TERM\nwait\n)\n");
+    text
+}
+
+fn remarks(options: &CommandArguments, orders: &[Order]) -> Vec<String> {
+    let mut lines = Vec::new();
+    let connect: Vec<&str> = orders.iter().map(|order| order.connect.as_str()).collect();
+    if let Some(address) = options.connect_out {
+        lines.push(format!(
+            "Before this is run, something must listen on {address}: sortie connect tcpin:{address}"
+        ));
+        lines.push("An instance that finds nobody there ends; it never connects again.".to_owned());
+    } else {
+        lines.push(format!(
+            "Each boots once somebody has connected: sortie connect {}",
+            connect.join(" ")
+        ));
+        let all = orders.iter().flat_map(|order| &order.ports);
+        let (first, last) = (all.clone().min().unwrap_or(&0), all.max().unwrap_or(&0));
+        lines.push(format!(
+            "TCP ports {first} to {last} are open on all interfaces, to anybody who reaches this machine."
+        ));
+    }
+    lines.push("UDP ports for RC input are open likewise: SITL cannot be kept from it.".to_owned());
+    lines.push(
+        "Ctrl-C ends them all; what they print is in output.log of their folders.".to_owned(),
+    );
+    lines
 }

@@ -1,35 +1,127 @@
 //! `sortie hangar identify`: what the programs of SITL are.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
+use serde::Serialize;
 
-use super::super::Failure;
 use super::super::programs::ProgramOptions;
 use super::super::settings::Settings;
+use super::super::{Failure, runtime};
+use crate::hangar::programs::{self, Identity, PATIENCE};
 use crate::sitl::Kind;
 
 /// Options of `sortie hangar identify`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie hangar identify\n  \
+    sortie hangar identify ~/ardupilot/build/sitl/bin/arducopter")]
 pub(super) struct IdentifyArguments {
-    /// The programs; by default those that would be started.
+    /// Programs; by default those that would be started.
+    #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
+    /// One JSON document instead of lines.
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     programs: ProgramOptions,
 }
 
-/// Asks and prints.
+#[derive(Debug, Serialize)]
+struct Answer {
+    /// The vehicle that it is meant to be, if it was looked for as such.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wanted: Option<Kind>,
+    file: Option<PathBuf>,
+    /// Why it is this file.
+    by: Option<String>,
+    identity: Option<Identity>,
+    fault: Option<String>,
+}
+
+/// Asks and prints; exit code 1 if a program is not what it should be, or none was found.
 pub(super) fn identify(
     options: &IdentifyArguments,
     settings: &Settings,
 ) -> Result<ExitCode, Failure> {
-    let programs = options.programs.find(settings);
-    for kind in Kind::ALL {
-        match programs.of(kind) {
-            Ok(found) => say!("{} ({})", found.file.display(), found.by)?,
-            Err(missing) => say!("{missing}")?,
+    let answers = runtime()?.block_on(async {
+        let mut answers = Vec::new();
+        for file in &options.files {
+            answers.push(ask(file, None, None).await);
+        }
+        if options.files.is_empty() {
+            let programs = options.programs.find(settings);
+            for kind in Kind::ALL {
+                answers.push(match programs.of(kind) {
+                    Ok(found) => ask(&found.file, Some(kind), Some(found.by.clone())).await,
+                    Err(missing) => Answer {
+                        wanted: Some(kind),
+                        file: None,
+                        by: None,
+                        identity: None,
+                        fault: Some(missing.to_string()),
+                    },
+                });
+            }
+        }
+        answers
+    });
+    if options.json {
+        say!("{}", serde_json::to_string_pretty(&answers)?)?;
+    } else {
+        for answer in &answers {
+            say!("{}", line(answer))?;
         }
     }
-    Ok(ExitCode::SUCCESS)
+    // Not everybody has all four: without any of them, there is nothing to start.
+    let is_wrong = |it: &Answer| it.file.is_some() && it.fault.is_some();
+    let is_bad = answers.iter().any(is_wrong) || answers.iter().all(|it| it.file.is_none());
+    Ok(ExitCode::from(u8::from(is_bad)))
+}
+
+async fn ask(file: &Path, wanted: Option<Kind>, by: Option<String>) -> Answer {
+    let (identity, mut fault) = match programs::identify(file, PATIENCE).await {
+        Ok(identity) => (Some(identity), None),
+        Err(unknown) => (None, Some(unknown.to_string())),
+    };
+    if let (Some(wanted), Some(identity)) = (wanted, &identity)
+        && wanted != identity.kind
+    {
+        fault = Some(format!(
+            "it is a {}, and stands where a {} is expected",
+            identity.kind.name(),
+            wanted.name()
+        ));
+    }
+    Answer {
+        wanted,
+        file: Some(file.to_owned()),
+        by,
+        identity,
+        fault,
+    }
+}
+
+fn line(answer: &Answer) -> String {
+    let mut words = Vec::new();
+    if let Some(wanted) = answer.wanted {
+        words.push(format!("{:<7}", wanted.name()));
+    }
+    if let (Some(file), Some(identity)) = (&answer.file, &answer.identity) {
+        let Identity {
+            kind,
+            version,
+            hash,
+            ..
+        } = identity;
+        words.push(format!(
+            "{}: {} {version} ({hash})",
+            file.display(),
+            kind.name()
+        ));
+        words.extend(answer.by.as_ref().map(|by| format!("[{by}]")));
+    }
+    words.extend(answer.fault.as_ref().map(|fault| format!("FAULT {fault}")));
+    words.join(" ")
 }

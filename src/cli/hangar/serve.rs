@@ -1,25 +1,267 @@
 //! `sortie hangar` without a subcommand: the service.
 
+use std::io::{self, Write as _};
+use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use tokio::net::TcpListener;
+use tokio::signal::unix::{SignalKind, signal};
+use tokio::sync::watch;
+use tokio_util::sync::CancellationToken;
 
-use super::super::Failure;
 use super::super::programs::ProgramOptions;
 use super::super::settings::Settings;
+use super::super::{Failure, runtime};
+use crate::hangar::service::{self, Bounds, Change, PORT, Program, Setup, changes};
+use crate::hangar::{Config, Hangar, Instance, Instances, Limits, Restart, Stage, Token};
+use crate::sitl::Kind;
 
 /// Options of the service.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Service")]
 pub(super) struct ServeArguments {
+    /// Where to listen; with port 0 the system chooses one, which is printed.
+    #[arg(long, value_name = "HOST:PORT", default_value_t = format!("127.0.0.1:{PORT}"), value_parser = parse_listen)]
+    listen: String,
+    /// Instances at once.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=254))]
+    instances: Option<u16>,
+    /// Address space of one instance, in mebibytes.
+    #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(64..=65_536))]
+    memory: Option<u64>,
+    /// What happens to instances that end by themselves.
+    #[arg(long, value_name = "WHEN")]
+    restart: Option<RestartWhen>,
+    /// Where the instances' folders are made.
+    #[arg(long, value_name = "FOLDER")]
+    folder: Option<PathBuf>,
+    /// The file with the token; made if it is not there.
+    #[arg(long, value_name = "FILE")]
+    token_file: Option<PathBuf>,
+    /// Ask for the token also on loopback, of programs of the same user.
+    #[arg(long)]
+    require_token: bool,
+    /// Give each vehicle's MAVLink also on a TCP port on loopback, for other ground stations. Every user of this
+    /// machine can then fly it.
+    #[arg(long)]
+    expose: bool,
     #[command(flatten)]
     programs: ProgramOptions,
 }
 
+/// When an instance that has ended by itself is started again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum RestartWhen {
+    /// It stays down until somebody asks.
+    Never,
+    /// At once, and then later and later, until it has failed five times in a row.
+    Always,
+}
+
+impl From<RestartWhen> for Restart {
+    fn from(when: RestartWhen) -> Self {
+        match when {
+            RestartWhen::Never => Self::Never,
+            RestartWhen::Always => Self::Always,
+        }
+    }
+}
+
+fn parse_listen(text: &str) -> Result<String, String> {
+    let (host, port) = text
+        .rsplit_once(':')
+        .filter(|(host, _)| !host.is_empty())
+        .ok_or_else(|| format!("expected HOST:PORT, such as 127.0.0.1:{PORT}"))?;
+    if port.parse::<u16>().is_err() {
+        return Err(format!("`{port}` is not a port: expected 0 to 65535"));
+    }
+    Ok(format!("{host}:{port}"))
+}
+
+/// Says something to whoever looks after the service; nobody may be there.
+fn log(words: std::fmt::Arguments<'_>) {
+    let _ = writeln!(io::stderr(), "sortie hangar: {words}");
+}
+
 /// Serves until interrupted.
 pub(super) fn serve(options: &ServeArguments, settings: &Settings) -> Result<ExitCode, Failure> {
-    let programs = options.programs.find(settings);
-    Err(Failure::Invalid(format!(
-        "sortie: the service is not there yet ({} programs)",
-        programs.paths().len()
-    )))
+    settings.complain();
+    let config = config(options, settings)?;
+    let token_file = super::token_file(options.token_file.as_deref(), settings)?;
+    let token = Token::load_or_create(&token_file)
+        .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
+    let setup = Setup {
+        token,
+        require_token: options.require_token,
+        expose: options.expose,
+        bounds: Bounds::default(),
+        owner: service::owner,
+        programs: programs(options, settings),
+        leftovers: Vec::new(),
+        restart: config.restart,
+        limits: config.limits,
+    };
+    runtime()?.block_on(async {
+        let cancel = CancellationToken::new();
+        let ended = end_by_signal(cancel.clone())?;
+        let listener = listen(&options.listen).await?;
+        let hangar = Hangar::open(config)?;
+        let address = listener.local_addr()?;
+        say!("listening on http://{address}")?;
+        warn(address, options);
+        log(format_args!("the token is in {}", token_file.display()));
+        let reporting = tokio::spawn(report(hangar.instances()));
+        service::serve(listener, hangar, setup, cancel).await?;
+        ended.abort();
+        // What there was to say has been said when nobody can say more.
+        let _ = reporting.await;
+        log(format_args!("ended"));
+        Ok(ExitCode::SUCCESS)
+    })
+}
+
+fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failure> {
+    let set = &settings.config.hangar;
+    let folder = options
+        .folder
+        .clone()
+        .or_else(|| set.folder.clone().map(PathBuf::from));
+    let in_state = || Some(settings.folders.as_ref()?.state.join("hangar"));
+    let folder = folder.or_else(in_state).ok_or_else(|| {
+        Failure::Invalid("sortie: there is no home folder: name one with --folder".to_owned())
+    })?;
+    let limits = Limits {
+        instances: options.instances.unwrap_or(set.instances),
+        memory_mib: options.memory.unwrap_or(set.memory),
+        ..Limits::default()
+    };
+    let restart = match set.restart {
+        crate::config::Restart::Never => Restart::Never,
+        crate::config::Restart::Always => Restart::Always,
+    };
+    Ok(Config {
+        programs: options.programs.find(settings).paths(),
+        folder,
+        limits,
+        restart: options.restart.map_or(restart, Restart::from),
+        sortie: std::env::current_exe()?,
+    })
+}
+
+/// What can be started, as people are told of it; what cannot is told now.
+fn programs(options: &ServeArguments, settings: &Settings) -> Vec<Program> {
+    let found = options.programs.find(settings);
+    if found.paths().is_empty() {
+        log(format_args!(
+            "no SITL program was found, so that nothing can be started: name one with --arducopter FILE"
+        ));
+    }
+    let program = |kind: Kind| {
+        let found = found.of(kind).ok()?;
+        Some(Program {
+            kind,
+            file: found.file.display().to_string(),
+            identity: found.by.clone(),
+        })
+    };
+    Kind::ALL.into_iter().filter_map(program).collect()
+}
+
+async fn listen(address: &str) -> Result<TcpListener, Failure> {
+    TcpListener::bind(address).await.map_err(|error| {
+        let advice = match error.kind() {
+            io::ErrorKind::AddrInUse => {
+                ": something listens there already, perhaps another `sortie hangar`; choose another port with --listen"
+            }
+            io::ErrorKind::PermissionDenied => ": choose a port above 1023 with --listen",
+            _ => ": choose another address with --listen",
+        };
+        anyhow::anyhow!("cannot listen on {address}: {error}{advice}").into()
+    })
+}
+
+fn warn(address: SocketAddr, options: &ServeArguments) {
+    if !address.ip().is_loopback() {
+        log(format_args!(
+            "warning: {address} can be reached from other machines, and HTTP is not encrypted: the token and the \
+             vehicles' MAVLink can be read on the way. Listen on 127.0.0.1 and use `ssh -L {PORT}:127.0.0.1:{PORT}` \
+             where that matters"
+        ));
+    }
+    if options.expose {
+        log(format_args!(
+            "warning: --expose lets every user of this machine fly the vehicles: their ports ask for no token"
+        ));
+    }
+}
+
+/// Cancels on any of the usual signals.
+fn end_by_signal(cancel: CancellationToken) -> io::Result<tokio::task::JoinHandle<()>> {
+    let mut terminate = signal(SignalKind::terminate())?;
+    let mut interrupt = signal(SignalKind::interrupt())?;
+    let mut hangup = signal(SignalKind::hangup())?;
+    Ok(tokio::spawn(async move {
+        let name = tokio::select! {
+            _ = terminate.recv() => "SIGTERM",
+            _ = interrupt.recv() => "SIGINT",
+            _ = hangup.recv() => "SIGHUP",
+        };
+        log(format_args!("{name}: ending all vehicles"));
+        cancel.cancel();
+    }))
+}
+
+/// Tells of instances that start, are ready, and end, until the hangar is gone.
+async fn report(mut seen: watch::Receiver<Instances>) {
+    let mut before = Instances::default();
+    loop {
+        let now = Arc::clone(&seen.borrow_and_update());
+        for change in changes(&before, &now) {
+            match change {
+                Change::Gone(id) => log(format_args!("vehicle {id}: ended")),
+                Change::Vehicle(instance) => {
+                    if let Some(words) = words(before.get(&instance.id), &instance) {
+                        log(format_args!("vehicle {}: {words}", instance.id));
+                    }
+                }
+            }
+        }
+        before = now;
+        if seen.changed().await.is_err() {
+            return;
+        }
+    }
+}
+
+/// What is worth a line of what has changed about an instance.
+fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
+    let is_new = before.is_none_or(|before| before.pid != now.pid);
+    if let Some(pid) = now.pid.filter(|_| is_new) {
+        let (kind, system) = (now.kind.program(), now.system);
+        let again = match now.restarts {
+            0 => String::new(),
+            times => format!(", start {}", times + 1),
+        };
+        return Some(format!(
+            "started {kind} (system {system}, pid {pid}{again})"
+        ));
+    }
+    if before.is_some_and(|before| before.stage == now.stage) {
+        return None;
+    }
+    match now.stage {
+        Stage::Ready => Some("ready to arm".to_owned()),
+        Stage::Ended => {
+            let fault = now.fault.as_deref().unwrap_or("it has ended");
+            let last = now
+                .last_output
+                .last()
+                .map(|line| format!("; its last words: {line}"));
+            Some(format!("crashed: {fault}{}", last.unwrap_or_default()))
+        }
+        _ => None,
+    }
 }

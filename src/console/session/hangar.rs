@@ -19,6 +19,8 @@ use crate::vehicle::VehicleId;
 const ENDING_PATIENCE: Duration = Duration::from_secs(5);
 /// Processor time is looked at over at least this long.
 const USAGE_OVER: Duration = Duration::from_secs(2);
+/// What the hangar within this program is called.
+const OWN: &str = "here";
 /// Things that may wait to be told.
 const NEWS_KEPT: usize = 64;
 
@@ -212,7 +214,7 @@ impl Usage {
 fn shown(instance: &hangar::Instance, host: &str, processor_percent: Option<f32>) -> Instance {
     Instance {
         vehicle: instance.system.into(),
-        host: sanitised(host),
+        host: (host != OWN).then(|| sanitised(host)),
         stage: stage(instance.stage),
         parameters: instance.parameters,
         pid: instance.pid,

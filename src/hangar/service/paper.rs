@@ -80,7 +80,7 @@ pub(super) async fn list(State(desk): State<Arc<Desk>>, headers: HeaderMap) -> R
 
 /// An instance in a line: number, stage, and what there is to say about it.
 fn line(instance: &Instance) -> String {
-    let mut line = format!("{} {}", instance.id, word(instance.stage));
+    let mut line = format!("{} {}", instance.id, instance.stage.word());
     let [have, of] = instance.parameters;
     if instance.stage == Stage::Heartbeat && of > 0 {
         // Writing to a string cannot fail.
@@ -91,20 +91,6 @@ fn line(instance: &Instance) -> String {
     }
     line.push('\n');
     line
-}
-
-/// A stage by the name that it has in JSON.
-pub(super) fn word(stage: Stage) -> &'static str {
-    match stage {
-        Stage::Queued => "queued",
-        Stage::Process => "process",
-        Stage::Heartbeat => "heartbeat",
-        Stage::Parameters => "parameters",
-        Stage::Position => "position",
-        Stage::Ready => "ready",
-        Stage::Stopping => "stopping",
-        Stage::Ended => "ended",
-    }
 }
 
 fn either<T: serde::Serialize>(headers: &HeaderMap, text: String, json: &T) -> Response {

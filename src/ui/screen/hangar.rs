@@ -131,7 +131,11 @@ fn line(instance: &Instance, host: usize, look: &Look) -> Line<'static> {
     let memory = measured.map_or_else(unknown, |_| megabytes(instance.memory_bytes));
     let processor = instance.processor_percent.filter(|_| measured.is_some());
     let processor = processor.map_or_else(unknown, |percent| format!("{percent:.1} %"));
-    let name = aligned(&clip(&instance.host, host), host, false);
+    let name = match &instance.host {
+        Some(url) => url.trim_start_matches("http://").to_owned(),
+        None => look.say("hangar-here"),
+    };
+    let name = aligned(&clip(&name, host), host, false);
     Line::from(vec![
         Span::raw(format!("{:>3} {name} ", instance.vehicle)),
         Span::styled(bar, look.style(role)),

@@ -50,10 +50,10 @@ pub fn surveyed() -> Console {
         },
         places: [("street".to_owned(), fixtures::HOME.moved(0.0, -40.0))].into(),
         areas: vec![
-            processes: None,
             area("fence", AreaKind::Geofence, 160.0),
             area("yard", AreaKind::Task, 60.0),
         ],
+        processes: None,
     })));
     for id in 3..=6 {
         console.vehicle(fixtures::parked(id));

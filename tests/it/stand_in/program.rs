@@ -93,6 +93,10 @@ impl Program {
                 let child = child.arg("300").stdout(Stdio::null()).spawn();
                 println!("child {}", child.expect("it starts").id());
             }
+            #[cfg(target_os = "linux")]
+            Behaviour::OutlivesItsOwner => {
+                nix::sys::prctl::set_pdeathsig(None).expect("it may");
+            }
             Behaviour::FloodsItsOutput => drop(thread::spawn(flood)),
             _ => {}
         }

@@ -1,0 +1,110 @@
+//! `sortie doctor`: what works on this machine, what is missing, and how to mend it.
+
+use std::process::ExitCode;
+
+use clap::Args;
+use serde::Serialize;
+
+use super::programs::ProgramOptions;
+use super::settings::Settings;
+use super::{Failure, runtime};
+
+mod host;
+mod sitl;
+mod terminal;
+
+/// Options of `sortie doctor`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie doctor\n  \
+    sortie doctor --json | jq '.[] | select(.verdict == \"fault\")'")]
+pub(super) struct DoctorArguments {
+    /// One JSON document instead of lines.
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    programs: ProgramOptions,
+}
+
+/// How good it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Verdict {
+    /// It works.
+    Ok,
+    /// It works, and there is something to know.
+    Note,
+    /// Something does not work.
+    Fault,
+}
+
+/// What was found out about one thing.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+struct Finding {
+    /// What was looked at.
+    about: String,
+    verdict: Verdict,
+    /// What it is like.
+    found: String,
+    /// What to do about it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mend: Option<String>,
+}
+
+impl Finding {
+    fn ok(about: &str, found: impl Into<String>) -> Self {
+        Self {
+            about: about.to_owned(),
+            verdict: Verdict::Ok,
+            found: found.into(),
+            mend: None,
+        }
+    }
+
+    fn note(about: &str, found: impl Into<String>, mend: impl Into<String>) -> Self {
+        Self {
+            verdict: Verdict::Note,
+            mend: Some(mend.into()),
+            ..Self::ok(about, found)
+        }
+    }
+
+    fn fault(about: &str, found: impl Into<String>, mend: impl Into<String>) -> Self {
+        Self {
+            verdict: Verdict::Fault,
+            ..Self::note(about, found, mend)
+        }
+    }
+
+    fn lines(&self) -> String {
+        let verdict = match self.verdict {
+            Verdict::Ok => "ok   ",
+            Verdict::Note => "note ",
+            Verdict::Fault => "FAULT",
+        };
+        let mend = self.mend.as_ref();
+        let mend = mend.map_or_else(String::new, |mend| format!("\n{:20}-> {mend}", ""));
+        format!("{verdict} {:<13} {}{mend}", self.about, self.found)
+    }
+}
+
+/// Looks at everything and prints; exit code 1 if something does not work.
+pub(super) fn doctor(options: &DoctorArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+    let mut findings = terminal::findings();
+    findings.extend(host::folders(settings));
+    findings.extend(host::machine());
+    let programs = options.programs.find(settings);
+    findings.extend(runtime()?.block_on(sitl::programs(&programs)));
+    findings.extend(sitl::ports());
+    findings.extend(sitl::leftovers(settings));
+    findings.extend(host::token(settings));
+    if options.json {
+        say!("{}", serde_json::to_string_pretty(&findings)?)?;
+    } else {
+        for finding in &findings {
+            say!("{}", finding.lines())?;
+        }
+    }
+    let is_faulty = findings.iter().any(|it| it.verdict == Verdict::Fault);
+    Ok(ExitCode::from(u8::from(is_faulty)))
+}

@@ -1,0 +1,220 @@
+//! Whether folders can be written, and how much the machine can carry.
+
+use std::fs;
+use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _};
+use std::path::{Path, PathBuf};
+
+use nix::sys::resource::{Resource, getrlimit};
+
+use super::super::settings::Settings;
+use super::Finding;
+
+/// What one idle or flying `ArduCopter` 4.6 takes, measured with up to 32 of them: per cent of a core, and resident
+/// memory in kibibytes.
+const CORE_PERCENT: f64 = 3.1;
+const MEMORY_KIB: u64 = 8 * 1024;
+/// Below so much free space, logs soon fill a disk: an instance that flies writes about a megabyte a minute.
+const LEAST_FREE_MIB: u64 = 512;
+/// Files that one instance keeps open in this program: its connection, its listener, its output.
+const FILES_EACH: u64 = 4;
+/// Files that this program has open besides.
+const FILES_OWN: u64 = 64;
+
+/// The folders of the configuration, of the data and of the state.
+pub(super) fn folders(settings: &Settings) -> Vec<Finding> {
+    let Some(folders) = &settings.folders else {
+        return vec![Finding::fault(
+            "folders",
+            "there is no home folder",
+            "set HOME, or XDG_CONFIG_HOME, XDG_DATA_HOME and XDG_STATE_HOME",
+        )];
+    };
+    let state = hangar_folder(settings).unwrap_or_else(|| folders.state.clone());
+    let mut all = Vec::from([
+        ("config", folders.config.as_path()),
+        ("data", &folders.data),
+        ("state", &folders.state),
+    ]);
+    if !state.starts_with(&folders.state) {
+        all.push(("hangar folder", &state));
+    }
+    all.into_iter()
+        .map(|(about, path)| folder(about, path))
+        .collect()
+}
+
+/// Where instances run.
+pub(super) fn hangar_folder(settings: &Settings) -> Option<PathBuf> {
+    let set = settings.config.hangar.folder.as_ref().map(PathBuf::from);
+    set.or_else(|| Some(settings.folders.as_ref()?.state.join("hangar")))
+}
+
+fn folder(about: &str, path: &Path) -> Finding {
+    // What is not there yet is made when it is needed.
+    let there = path
+        .ancestors()
+        .find(|folder| folder.exists())
+        .unwrap_or(Path::new("/"));
+    let name = path.display();
+    let made = if there == path {
+        ""
+    } else {
+        " (made when it is needed)"
+    };
+    if !there.is_dir() {
+        let mend = format!("move {} away: it is no folder", there.display());
+        return Finding::fault(about, format!("{name} cannot be made"), mend);
+    }
+    if let Err(error) = nix::unistd::access(
+        there,
+        nix::unistd::AccessFlags::W_OK | nix::unistd::AccessFlags::X_OK,
+    ) {
+        let mend = format!(
+            "chmod u+wx {}, or name another by the XDG variables",
+            there.display()
+        );
+        return Finding::fault(about, format!("{name} cannot be written: {error}"), mend);
+    }
+    match free_mib(there) {
+        Some(free) if free < LEAST_FREE_MIB => Finding::note(
+            about,
+            format!("{name}{made}, {free} MiB free"),
+            "make room: the logs of SITL soon fill it",
+        ),
+        Some(free) => Finding::ok(about, format!("{name}{made}, {} GiB free", free / 1024)),
+        None => Finding::ok(about, format!("{name}{made}")),
+    }
+}
+
+fn free_mib(path: &Path) -> Option<u64> {
+    let facts = nix::sys::statvfs::statvfs(path).ok()?;
+    Some(facts.blocks_available() * facts.fragment_size() / 1024 / 1024)
+}
+
+/// Processors, memory and limits, and how many instances fit.
+pub(super) fn machine() -> Vec<Finding> {
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let by_cores = (cores as f64 * 100.0 / CORE_PERCENT) as u64;
+    let mut all = vec![Finding::ok(
+        "processors",
+        format!("{cores}: room for about {by_cores} SITL ({CORE_PERCENT} % of a core each)"),
+    )];
+    let text = fs::read_to_string("/proc/meminfo").unwrap_or_default();
+    if let Some(free_kib) = available_kib(&text) {
+        let (free_mib, fit) = (free_kib / 1024, free_kib / MEMORY_KIB);
+        let found = format!("{free_mib} MiB free: room for about {fit} SITL (8 MiB each)");
+        all.push(if fit < 4 {
+            Finding::note("memory", found, "end something else first")
+        } else {
+            Finding::ok("memory", found)
+        });
+    }
+    all.push(limit(
+        "open files",
+        Resource::RLIMIT_NOFILE,
+        "ulimit -n",
+        |files| files.saturating_sub(FILES_OWN) / FILES_EACH,
+    ));
+    // Each instance has two threads, which count as processes.
+    all.push(limit(
+        "processes",
+        Resource::RLIMIT_NPROC,
+        "ulimit -u",
+        |processes| processes / 2,
+    ));
+    all
+}
+
+fn limit(about: &str, what: Resource, command: &str, fit: fn(u64) -> u64) -> Finding {
+    match getrlimit(what) {
+        Ok((_, hard)) if fit(hard) < 32 => Finding::note(
+            about,
+            format!("{hard} at most: room for about {} SITL", fit(hard)),
+            format!("raise the limit ({command}) for more"),
+        ),
+        Ok((_, hard)) if hard == nix::sys::resource::RLIM_INFINITY => {
+            Finding::ok(about, "no limit")
+        }
+        Ok((_, hard)) => Finding::ok(
+            about,
+            format!("{hard} at most: room for about {} SITL", fit(hard)),
+        ),
+        Err(error) => Finding::note(
+            about,
+            format!("unknown: {error}"),
+            "nothing needs to be done",
+        ),
+    }
+}
+
+/// `MemAvailable` of `/proc/meminfo`.
+fn available_kib(text: &str) -> Option<u64> {
+    let line = text
+        .lines()
+        .find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    line.split_ascii_whitespace().next()?.parse().ok()
+}
+
+/// Whether the token of the services is one's own secret.
+pub(super) fn token(settings: &Settings) -> Option<Finding> {
+    let set = settings
+        .config
+        .hangar
+        .token_file
+        .as_ref()
+        .map(PathBuf::from);
+    let is_named = set.is_some();
+    let path = set.or_else(|| Some(settings.folders.as_ref()?.state.join("hangar.token")))?;
+    let name = path.display();
+    let about = "hangar token";
+    Some(match fs::metadata(&path) {
+        Err(_) if !is_named => Finding::ok(
+            about,
+            format!("{name} is not there: made when the service needs it"),
+        ),
+        Err(error) => Finding::note(
+            about,
+            format!("{name}: {error}"),
+            "start `sortie hangar`, which makes it",
+        ),
+        Ok(facts) if facts.permissions().mode() & 0o077 != 0 => Finding::fault(
+            about,
+            format!("others can read {name}, and start and stop vehicles with it"),
+            format!("rm {name}, so that a new one is made"),
+        ),
+        Ok(facts) if facts.uid() != nix::unistd::geteuid().as_raw() => Finding::fault(
+            about,
+            format!("{name} belongs to somebody else"),
+            "name another with the setting hangar.token_file",
+        ),
+        Ok(_) => Finding::ok(about, format!("{name}, for you alone")),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Verdict;
+    use super::*;
+
+    #[test]
+    fn memory_is_read() {
+        let text = "MemTotal: 100 kB\nMemAvailable:   81920 kB\n";
+        assert_eq!(available_kib(text), Some(81_920));
+        assert_eq!(available_kib(""), None);
+    }
+
+    #[test]
+    fn a_folder_is_judged_by_what_is_there_of_it() {
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let within = home.path().join("a/b");
+        let finding = folder("state", &within);
+        assert_ne!(finding.verdict, Verdict::Fault);
+        assert!(
+            finding.found.contains("made when it is needed"),
+            "{}",
+            finding.found
+        );
+        fs::write(home.path().join("a"), "").expect("it is written");
+        assert_eq!(folder("state", &within).verdict, Verdict::Fault);
+    }
+}

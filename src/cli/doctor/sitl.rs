@@ -1,0 +1,172 @@
+//! Whether SITL can be started here, and what others could do with it.
+
+use std::collections::BTreeSet;
+
+use super::super::settings::Settings;
+use super::{Finding, host};
+use crate::hangar::programs::{self, Identity, Missing, PATIENCE, Programs};
+use crate::hangar::sockets::{self, Protocol, Socket};
+use crate::sitl::Kind;
+
+/// The first ports of SITL's TCP listeners and RC inputs, and how far apart those of two instances are.
+const FIRST_TCP: u16 = 5760;
+const FIRST_RC: u16 = 5501;
+const APART: u16 = 10;
+/// Instances that are looked for.
+const INSTANCES: u16 = 64;
+
+const GET: &str = "https://ardupilot.org/dev/docs/building-setup-linux.html, then ./waf configure --board sitl && \
+                   ./waf copter; or fly on the embedded simulator, which needs nothing";
+
+/// The programs: where they are, what they are, and what they open to others.
+pub(super) async fn programs(all: &Programs) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for kind in Kind::ALL {
+        match all.of(kind) {
+            Ok(found) => findings.extend(program(kind, &found.file, &found.by).await),
+            Err(Missing::Nowhere { program, tried }) => {
+                // Multirotors are what missions are made for.
+                let found = format!("not found in {} folders", tried.len());
+                findings.push(if kind == Kind::Copter {
+                    let mend = format!("name one with --{program}, SORTIE_ARDUCOPTER or the configuration; to get one: {GET}");
+                    Finding::note(program, found, mend)
+                } else {
+                    Finding::ok(program, found)
+                });
+            }
+            Err(missing) => findings.push(Finding::fault(
+                kind.program(),
+                missing.to_string(),
+                "name another, or nothing so that one is looked for",
+            )),
+        }
+    }
+    findings
+}
+
+async fn program(kind: Kind, file: &std::path::Path, by: &str) -> Vec<Finding> {
+    let about = kind.program();
+    let identity = match programs::identify(file, PATIENCE).await {
+        Ok(identity) => identity,
+        Err(unknown) => {
+            let mend = format!("named by {by}: name an {about} built for SITL");
+            return vec![Finding::fault(about, unknown.to_string(), mend)];
+        }
+    };
+    let Identity {
+        kind: is,
+        version,
+        hash,
+        sockets,
+    } = identity;
+    let what = format!(
+        "{} is a {} {version} ({hash}) [{by}]",
+        file.display(),
+        is.name()
+    );
+    if is != kind {
+        let mend = format!("name an {about}; this one would be started as the wrong vehicle");
+        return vec![Finding::fault(about, what, mend)];
+    }
+    let mut findings = vec![Finding::ok(about, what)];
+    if !sockets.is_empty() {
+        let list: Vec<_> = sockets.iter().map(purpose).collect();
+        findings.push(Finding::note(
+            "open to others",
+            format!("each {about} opens {}", list.join(", ")),
+            "SITL cannot be kept from it: whoever reaches this machine could steer vehicles whose failsafes heed RC; \
+             a firewall rule closes it",
+        ));
+    }
+    findings
+}
+
+fn purpose(socket: &Socket) -> String {
+    match socket.protocol {
+        Protocol::Udp => {
+            "a UDP port for RC input on all interfaces (its number differs every time)".to_owned()
+        }
+        Protocol::Tcp => format!("TCP port {} on all interfaces", socket.at.port()),
+    }
+}
+
+/// Who has the ports that SITL takes when it is started by hand.
+pub(super) fn ports() -> Vec<Finding> {
+    let own = nix::unistd::geteuid().as_raw();
+    let all = sockets::open();
+    let taken: Vec<&Socket> = all.iter().filter(|socket| is_usual(socket)).collect();
+    if taken.is_empty() {
+        let found = format!(
+            "TCP {FIRST_TCP}, {} … and UDP {FIRST_RC} … are free",
+            FIRST_TCP + APART
+        );
+        return vec![Finding::ok("ports", found)];
+    }
+    let users: BTreeSet<u32> = taken.iter().map(|socket| socket.uid).collect();
+    let user = |uid: u32| {
+        let of_user = taken.iter().filter(|socket| socket.uid == uid);
+        let ports: Vec<_> = of_user
+            .clone()
+            .map(|socket| socket.at.port().to_string())
+            .collect();
+        let whose = if uid == own {
+            "yours".to_owned()
+        } else {
+            format!("of user {uid}")
+        };
+        let found = format!("in use, {whose}: {}", ports.join(", "));
+        let is_open = of_user.clone().any(|socket| !socket.is_loopback());
+        if uid == own && is_open {
+            let mend = "whoever reaches this machine can connect to them: the hangar's vehicles have no such ports";
+            Finding::note("ports", format!("{found}, open to others"), mend)
+        } else {
+            Finding::note(
+                "ports",
+                found,
+                "start SITL by hand with another --listen-instance; the hangar needs none",
+            )
+        }
+    };
+    users.into_iter().map(user).collect()
+}
+
+fn is_usual(socket: &Socket) -> bool {
+    let (first, offsets): (u16, &[u16]) = match socket.protocol {
+        Protocol::Tcp => (FIRST_TCP, &[0, 2, 3]),
+        Protocol::Udp => (FIRST_RC, &[0]),
+    };
+    let above = socket.at.port().checked_sub(first);
+    above.is_some_and(|above| above < INSTANCES * APART && offsets.contains(&(above % APART)))
+}
+
+/// What earlier hangars have left running.
+pub(super) fn leftovers(settings: &Settings) -> Vec<Finding> {
+    let Some(folder) = host::hangar_folder(settings) else {
+        return Vec::new();
+    };
+    let (found, skipped) = crate::hangar::leftovers(&folder);
+    let mut findings: Vec<_> = found
+        .iter()
+        .map(|leftover| {
+            Finding::fault(
+                "leftovers",
+                format!(
+                    "process {} ({}) of a hangar that is gone still runs in {}",
+                    leftover.pid, leftover.program, leftover.folder
+                ),
+                format!("kill {}; the next hangar ends it too", leftover.pid),
+            )
+        })
+        .collect();
+    findings.extend(skipped.into_iter().map(|text| {
+        Finding::note(
+            "leftovers",
+            text,
+            "look at it and remove it, if it is yours",
+        )
+    }));
+    if findings.is_empty() {
+        findings.push(Finding::ok("leftovers", "none of earlier hangars"));
+    }
+    findings
+}

@@ -1,0 +1,121 @@
+//! Whether the terminal can show the console.
+
+use std::env;
+use std::io::IsTerminal as _;
+
+use super::Finding;
+
+/// The least that the screens are made for, columns and rows.
+const LEAST: (u16, u16) = (80, 24);
+
+/// What there is to say about it.
+pub(super) fn findings() -> Vec<Finding> {
+    let term = variable("TERM");
+    let size = std::io::stdout()
+        .is_terminal()
+        .then(crossterm::terminal::size)
+        .and_then(Result::ok);
+    vec![
+        kind(term.as_deref()),
+        room(size),
+        colours(term.as_deref(), variable("COLORTERM").as_deref()),
+        locale(
+            ["LC_ALL", "LC_CTYPE", "LANG"]
+                .into_iter()
+                .find_map(variable),
+        ),
+    ]
+}
+
+fn variable(name: &str) -> Option<String> {
+    env::var(name).ok().filter(|value| !value.is_empty())
+}
+
+fn kind(term: Option<&str>) -> Finding {
+    match term {
+        None | Some("dumb") => Finding::note(
+            "terminal",
+            format!(
+                "TERM is {}: no screen can be drawn",
+                term.unwrap_or("not set")
+            ),
+            "use a terminal, or `sortie connect --plain` for lines of text",
+        ),
+        Some(term) => Finding::ok("terminal", format!("TERM is {term}")),
+    }
+}
+
+fn room(size: Option<(u16, u16)>) -> Finding {
+    match size {
+        None => Finding::ok("size", "standard output is no terminal"),
+        Some((columns, rows)) if columns < LEAST.0 || rows < LEAST.1 => Finding::note(
+            "size",
+            format!("{columns} columns, {rows} rows"),
+            format!(
+                "make it {} by {} or larger: less hides columns and curves",
+                LEAST.0, LEAST.1
+            ),
+        ),
+        Some((columns, rows)) => Finding::ok("size", format!("{columns} columns, {rows} rows")),
+    }
+}
+
+fn colours(term: Option<&str>, more: Option<&str>) -> Finding {
+    let found = match (term, more) {
+        (_, Some("truecolor" | "24bit")) => "16 million",
+        (Some(term), _) if term.contains("256") => "256",
+        (Some(term), _) if term == "dumb" || term.contains("mono") || term.starts_with("vt1") => {
+            return Finding::note(
+                "colours",
+                "none",
+                "the theme monochrome does without: --theme monochrome",
+            );
+        }
+        _ => "16, or what the terminal does not tell",
+    };
+    Finding::ok("colours", found)
+}
+
+fn locale(found: Option<String>) -> Finding {
+    let name = found.unwrap_or_default();
+    let lower = name.to_lowercase();
+    if lower.contains("utf-8") || lower.contains("utf8") {
+        return Finding::ok("locale", name);
+    }
+    let said = if name.is_empty() {
+        "is not set"
+    } else {
+        name.as_str()
+    };
+    Finding::note(
+        "locale",
+        format!("{said}: no UTF-8, so that maps and curves are drawn with ASCII"),
+        "export LC_ALL=C.UTF-8, also on the side of ssh",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Verdict;
+    use super::*;
+
+    #[test]
+    fn what_a_terminal_lacks_is_told() {
+        let cases = [
+            (kind(Some("xterm")), Verdict::Ok),
+            (kind(Some("dumb")), Verdict::Note),
+            (kind(None), Verdict::Note),
+            (room(Some((80, 24))), Verdict::Ok),
+            (room(Some((79, 24))), Verdict::Note),
+            (room(None), Verdict::Ok),
+            (colours(Some("xterm-256color"), None), Verdict::Ok),
+            (colours(Some("vt100"), None), Verdict::Note),
+            (locale(Some("uk_UA.UTF-8".to_owned())), Verdict::Ok),
+            (locale(Some("C".to_owned())), Verdict::Note),
+            (locale(None), Verdict::Note),
+        ];
+        for (finding, expected) in cases {
+            assert_eq!(finding.verdict, expected, "{}", finding.found);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! The options that name hangars elsewhere.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::super::Failure;
+use super::super::settings::Settings;
+use crate::hangar::Token;
+use crate::hangar::client::{HangarAddress, Remote};
+
+/// The token of the hangars, in the folder of the state.
+const TOKEN_FILE: &str = "hangar-token";
+
+/// Options of commands that start SITL by hangars elsewhere.
+#[derive(Debug, Default, Args)]
+pub(in crate::cli) struct ServiceOptions {
+    /// Start the vehicles by this `sortie hangar`; give it several times to spread them over several machines.
+    #[arg(long = "hangar", value_name = "http://HOST:PORT")]
+    hangars: Vec<HangarAddress>,
+    /// The file with the token of the hangars; by default the one of the configuration, or the one that `sortie hangar`
+    /// makes on this machine.
+    #[arg(long, value_name = "FILE")]
+    hangar_token: Option<PathBuf>,
+}
+
+impl ServiceOptions {
+    /// The hangars that are named by these options, or else by the configuration; none if nobody names one.
+    pub fn remotes(&self, settings: &Settings) -> Result<Vec<Remote>, Failure> {
+        let invalid = |error: &dyn std::fmt::Display| Failure::Invalid(format!("sortie: {error}"));
+        let mut addresses = self.hangars.clone();
+        if addresses.is_empty() {
+            for url in &settings.config.hangar.urls {
+                addresses.push(url.parse().map_err(|error| invalid(&error))?);
+            }
+        }
+        if addresses.is_empty() {
+            return Ok(Vec::new());
+        }
+        let is_named = self.hangar_token.is_some() || settings.config.hangar.token_file.is_some();
+        let file = token_file(self.hangar_token.as_deref(), settings)?;
+        let token = match Token::load(&file) {
+            Ok(token) => Some(token),
+            // A hangar of this user on this machine wants none.
+            Err(error) if error.is_missing() && !is_named => None,
+            Err(error) => return Err(invalid(&error)),
+        };
+        let remote = |address| Remote::new(address, token.clone());
+        Ok(addresses.into_iter().map(remote).collect())
+    }
+}
+
+/// The file of the token: as named, as set, or in the folder of the state.
+pub(super) fn token_file(named: Option<&Path>, settings: &Settings) -> Result<PathBuf, Failure> {
+    let set = settings.config.hangar.token_file.as_deref();
+    let in_state = || Some(settings.folders.as_ref()?.state.join(TOKEN_FILE));
+    named
+        .or(set.map(Path::new))
+        .map(Path::to_owned)
+        .or_else(in_state)
+        .ok_or_else(|| {
+            let words = "sortie: there is no home folder: name the file of the hangar's token";
+            Failure::Invalid(words.to_owned())
+        })
+}

@@ -1,0 +1,85 @@
+//! Whether and when an instance that has ended by itself is started again.
+
+use std::time::Duration;
+
+use super::Restart;
+
+/// Failures in a row after which it is given up.
+const FAILURES: u32 = 5;
+/// Once it was ready for this long, earlier failures do not count.
+const GOOD_FOR: Duration = Duration::from_secs(60);
+/// The wait before the first attempt; each further one is twice as long.
+const FIRST_WAIT: Duration = Duration::from_secs(1);
+
+/// Counts the failures of one instance.
+#[derive(Debug)]
+pub(super) struct Endurance {
+    policy: Restart,
+    failures: u32,
+}
+
+impl Endurance {
+    /// None so far.
+    pub fn new(policy: Restart) -> Self {
+        Self {
+            policy,
+            failures: 0,
+        }
+    }
+
+    /// Somebody has asked for a new start: it may fail anew.
+    pub fn forgive(&mut self) {
+        self.failures = 0;
+    }
+
+    /// It has ended by itself after being ready for so long. How long to wait before it is started again, or `None`
+    /// if it is not.
+    pub fn failed(&mut self, ready_for: Duration) -> Option<Duration> {
+        if ready_for >= GOOD_FOR {
+            self.forgive();
+        }
+        self.failures += 1;
+        (self.policy == Restart::Always && self.failures < FAILURES)
+            .then(|| FIRST_WAIT * 2u32.pow(self.failures - 1))
+    }
+
+    /// Whether it was tried often enough.
+    pub fn is_given_up(&self) -> bool {
+        self.policy == Restart::Always && self.failures >= FAILURES
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn waits(endurance: &mut Endurance, ready_for_s: u64, times: usize) -> Vec<Option<u64>> {
+        let ready_for = Duration::from_secs(ready_for_s);
+        let wait = |_| endurance.failed(ready_for).map(|wait| wait.as_secs());
+        (0..times).map(wait).collect()
+    }
+
+    #[test]
+    fn it_is_started_later_and_later_and_given_up_after_five_failures() {
+        let mut endurance = Endurance::new(Restart::Always);
+        let expected = [Some(1), Some(2), Some(4), Some(8), None, None];
+        assert_eq!(waits(&mut endurance, 59, 6), expected);
+        assert!(endurance.is_given_up());
+        endurance.forgive();
+        assert_eq!(waits(&mut endurance, 0, 1), [Some(1)]);
+    }
+
+    #[test]
+    fn a_minute_of_being_ready_makes_up_for_the_failures_before() {
+        let mut endurance = Endurance::new(Restart::Always);
+        waits(&mut endurance, 0, 4);
+        assert_eq!(waits(&mut endurance, 60, 3), [Some(1), Some(1), Some(1)]);
+    }
+
+    #[test]
+    fn without_the_policy_it_stays_down() {
+        let mut endurance = Endurance::new(Restart::Never);
+        assert_eq!(waits(&mut endurance, 100, 1), [None]);
+        assert!(!endurance.is_given_up());
+    }
+}

@@ -1,0 +1,286 @@
+//! The folders in which instances run, and what an earlier life of a hangar has left in them.
+//!
+//! Below the root, each hangar has a folder of its own: `run-PID-N`, and in it one for each instance. A lock on
+//! [`OWNER`] is held by the hangar as long as it lives; the kernel takes it away however it ends. So a run whose lock
+//! is free is one whose owner is gone, and what still runs of it is left over.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Write as _};
+use std::os::unix::fs::{
+    DirBuilderExt as _, MetadataExt as _, OpenOptionsExt as _, PermissionsExt as _,
+};
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::InstanceId;
+use super::process;
+
+mod leftover;
+#[cfg(test)]
+mod tests;
+
+pub use leftover::Leftover;
+pub(super) use leftover::end;
+
+/// Says whose a run is, and is locked by it.
+const OWNER: &str = "owner.json";
+/// Says which process an instance is.
+const INSTANCE: &str = "instance.json";
+/// Is locked while runs are looked through or added.
+const GATE: &str = ".lock";
+const RUN: &str = "run-";
+/// Runs of hangars that are gone whose folders are kept.
+const RUNS_KEPT: usize = 5;
+/// What others may do to a folder that decides which processes are ended: change nothing.
+const WRITABLE_BY_OTHERS: u32 = 0o022;
+
+/// Why a folder cannot be used.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot {what} {}: {source}: {}", .path.display(), advice(.source))]
+pub struct FolderError {
+    what: &'static str,
+    path: PathBuf,
+    source: io::Error,
+}
+
+fn advice(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "make room on that disk, or choose another folder for the hangar"
+        }
+        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
+            "a file is in the way: move it, or choose another folder for the hangar"
+        }
+        _ => "choose a folder for the hangar that is yours to write",
+    }
+}
+
+fn cannot(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> FolderError {
+    let path = path.to_owned();
+    move |source| FolderError { what, path, source }
+}
+
+/// The folder of one life of a hangar. Dropping it lets the next one see that it is over.
+#[derive(Debug)]
+pub(super) struct Run {
+    path: PathBuf,
+    _lock: File,
+}
+
+/// A run, and what was found beside it.
+#[derive(Debug)]
+pub(super) struct Opened {
+    pub run: Run,
+    /// Processes of hangars that are gone; [`end`] ends them.
+    pub leftovers: Vec<Leftover>,
+    /// Files that could not be understood, and why.
+    pub skipped: Vec<String>,
+}
+
+impl Run {
+    /// Adds a run below the root, finds what is left of others, and removes the oldest of those that are over.
+    ///
+    /// # Errors
+    /// The root cannot be made or written, or others could write into it.
+    pub fn open(root: &Path) -> Result<Opened, FolderError> {
+        make(root, true).map_err(cannot("make the folder", root))?;
+        let is_safe = is_own(root).and_then(|own| if own { Ok(()) } else { Err(foreign()) });
+        is_safe.map_err(cannot("trust the folder", root))?;
+        let gate = root.join(GATE);
+        let gate = lockable(&gate)
+            .and_then(|file| file.lock().map(|()| file))
+            .map_err(cannot("lock the file", &gate))?;
+        let (mut leftovers, mut skipped) = (Vec::new(), Vec::new());
+        let mut over = Vec::new();
+        for run in runs(root).map_err(cannot("list the folder", root))? {
+            if is_over(&run) {
+                let found = leftover::find(&run, &mut skipped);
+                if found.is_empty() {
+                    over.push(run);
+                }
+                leftovers.extend(found);
+            }
+        }
+        prune(over, &mut skipped);
+        let run = Self::add(root)?;
+        drop(gate);
+        Ok(Opened {
+            run,
+            leftovers,
+            skipped,
+        })
+    }
+
+    fn add(root: &Path) -> Result<Self, FolderError> {
+        let me = std::process::id();
+        let mut number = 0_u32;
+        let path = loop {
+            let path = root.join(format!("{RUN}{me}-{number}"));
+            match make(&path, false) {
+                Ok(()) => break path,
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+                Err(error) => return Err(cannot("make the folder", &path)(error)),
+            }
+        };
+        let owner = path.join(OWNER);
+        let lock = write(&owner, &process::identity(me))
+            .and_then(|()| lockable(&owner))
+            .and_then(|file| file.lock().map(|()| file))
+            .map_err(cannot("write the file", &owner))?;
+        Ok(Self { path, _lock: lock })
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The folder of an instance, made if it is not there.
+    ///
+    /// # Errors
+    /// It cannot be made.
+    pub fn vehicle(&self, id: InstanceId) -> Result<PathBuf, FolderError> {
+        let path = self.path.join(format!("vehicle-{id:03}"));
+        make(&path, true).map_err(cannot("make the folder", &path))?;
+        Ok(path)
+    }
+
+    /// Notes which process an instance is, so that the next hangar finds it should this one not end it. To be called
+    /// as soon as it runs.
+    ///
+    /// # Errors
+    /// It cannot be written: the instance runs, and would not be found.
+    pub fn note(&self, id: InstanceId, pid: u32, program: &Path) -> Result<(), FolderError> {
+        let path = self.vehicle(id)?.join(INSTANCE);
+        let Some(record) = leftover::Record::of(pid, program) else {
+            return Ok(());
+        };
+        write(&path, &record).map_err(cannot("write the file", &path))
+    }
+
+    /// Notes that an instance's process is gone.
+    pub fn forget(&self, id: InstanceId) {
+        // A file that stays names a process that is gone, and that will be seen.
+        drop(fs::remove_file(
+            self.path.join(format!("vehicle-{id:03}")).join(INSTANCE),
+        ));
+    }
+}
+
+/// Makes a folder into which nobody else can look.
+fn make(path: &Path, with_parents: bool) -> io::Result<()> {
+    fs::DirBuilder::new()
+        .mode(0o700)
+        .recursive(with_parents)
+        .create(path)
+}
+
+/// Whether a folder belongs to this user, and only this user can write into it.
+fn is_own(folder: &Path) -> io::Result<bool> {
+    let data = fs::metadata(folder)?;
+    let is_shared = data.permissions().mode() & WRITABLE_BY_OTHERS != 0;
+    Ok(data.uid() == process::own_user() && !is_shared)
+}
+
+fn foreign() -> io::Error {
+    io::Error::new(
+        io::ErrorKind::PermissionDenied,
+        "it belongs to another user, or others may write into it (chmod go-w changes that)",
+    )
+}
+
+fn lockable(path: &Path) -> io::Result<File> {
+    OpenOptions::new()
+        .create(true)
+        .append(true)
+        .mode(0o600)
+        .open(path)
+}
+
+/// Writes a file whole or not at all.
+fn write(path: &Path, contents: &impl Serialize) -> io::Result<()> {
+    let beside = path.with_extension("part");
+    let text = serde_json::to_string(contents)?;
+    let written = OpenOptions::new()
+        .create(true)
+        .write(true)
+        .truncate(true)
+        .mode(0o600)
+        .open(&beside)
+        .and_then(|mut file| file.write_all(text.as_bytes()))
+        .and_then(|()| fs::rename(&beside, path));
+    if written.is_err() {
+        drop(fs::remove_file(&beside));
+    }
+    written
+}
+
+/// The runs below a root that are this user's own, oldest first.
+fn runs(root: &Path) -> io::Result<Vec<PathBuf>> {
+    let is_number = |word: &str| word.parse::<u32>().is_ok();
+    let mut found = Vec::new();
+    for entry in fs::read_dir(root)?.flatten() {
+        let name = entry.file_name();
+        let numbers = name
+            .to_str()
+            .and_then(|name| name.strip_prefix(RUN)?.split_once('-'));
+        let is_run = numbers.is_some_and(|(pid, number)| is_number(pid) && is_number(number));
+        // Not of what a link leads to.
+        if let Ok(data) = entry.metadata()
+            && is_run
+            && data.is_dir()
+            && data.uid() == process::own_user()
+        {
+            found.push((begun(&entry.path()), entry.path()));
+        }
+    }
+    found.sort();
+    Ok(found.into_iter().map(|(_, path)| path).collect())
+}
+
+/// When a run began: its owner's file is written once.
+fn begun(run: &Path) -> Option<std::time::SystemTime> {
+    let data = fs::metadata(run.join(OWNER)).or_else(|_| fs::metadata(run));
+    data.and_then(|data| data.modified()).ok()
+}
+
+/// What still runs of hangars below a root that are gone, and what could not be looked at. Changes nothing.
+pub fn leftovers(root: &Path) -> (Vec<Leftover>, Vec<String>) {
+    let mut skipped = Vec::new();
+    let all = match runs(root) {
+        Ok(all) => all,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
+        Err(error) => {
+            skipped.push(format!("cannot list {}: {error}", root.display()));
+            Vec::new()
+        }
+    };
+    let over = all.iter().filter(|run| is_over(run));
+    let found = over
+        .flat_map(|run| leftover::find(run, &mut skipped))
+        .collect();
+    (found, skipped)
+}
+
+/// Whether a run's owner is gone. Where that cannot be told it is taken to live.
+fn is_over(run: &Path) -> bool {
+    let path = run.join(OWNER);
+    match OpenOptions::new().append(true).open(&path) {
+        Ok(file) => match file.try_lock() {
+            Ok(()) => true,
+            Err(TryLockError::WouldBlock | TryLockError::Error(_)) => false,
+        },
+        // It ended before it could write the file: whoever writes one holds the gate.
+        Err(error) => error.kind() == io::ErrorKind::NotFound,
+    }
+}
+
+fn prune(over: Vec<PathBuf>, skipped: &mut Vec<String>) {
+    let too_many = over.len().saturating_sub(RUNS_KEPT);
+    for run in over.into_iter().take(too_many) {
+        if let Err(error) = fs::remove_dir_all(&run) {
+            skipped.push(format!("cannot remove {}: {error}", run.display()));
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Processes of a hangar that is gone.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+use serde::{Deserialize, Serialize};
+use tokio::time::{Instant, sleep};
+use utoipa::ToSchema;
+
+use super::INSTANCE;
+use crate::hangar::process::{self, Identity};
+
+/// How long a process may take to end by itself when it is told to, and to be gone when it is killed.
+const GRACE: Duration = Duration::from_secs(2);
+/// How often is looked whether a process is gone: it is no child of this one, so nothing tells.
+const LOOK_EVERY: Duration = Duration::from_millis(20);
+/// More than any such file is long.
+const LARGEST_FILE: u64 = 64 * 1024;
+
+/// What a hangar notes about an instance's process.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Record {
+    process: Identity,
+    /// The file that it runs: of a script, its interpreter.
+    executable: PathBuf,
+    /// What was started.
+    program: PathBuf,
+}
+
+impl Record {
+    /// `None` if there is no such process, or the system does not tell processes apart.
+    pub fn of(pid: u32, program: &Path) -> Option<Self> {
+        Some(Self {
+            process: process::identity(pid)?,
+            executable: process::executable(pid)?,
+            program: program.to_owned(),
+        })
+    }
+
+    /// Whether the process runs that was noted, and not another that has its number now.
+    fn is_running(&self) -> bool {
+        let pid = self.process.pid;
+        process::is_running(&self.process)
+            && process::user(pid) == Some(process::own_user())
+            && process::executable(pid).as_ref() == Some(&self.executable)
+    }
+
+    fn signal(&self, signal: Signal) {
+        if let Ok(pid) = i32::try_from(self.process.pid)
+            && pid > 1
+            && self.is_running()
+        {
+            // Failing means that it is gone.
+            let _ = kill(Pid::from_raw(pid), signal);
+        }
+    }
+
+    /// Waits until it is gone, at most as long as it has time to.
+    async fn is_gone(&self) -> bool {
+        let begun = Instant::now();
+        // One that is ending has no file any more, and is not gone yet.
+        while process::is_running(&self.process) {
+            if begun.elapsed() >= GRACE {
+                return false;
+            }
+            sleep(LOOK_EVERY).await;
+        }
+        true
+    }
+}
+
+/// A process that a hangar which is gone has left behind.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
+pub struct Leftover {
+    /// What was started.
+    pub program: String,
+    /// The process.
+    pub pid: u32,
+    /// The folder in which it ran.
+    pub folder: String,
+    /// Whether it was ended.
+    pub ended: bool,
+    #[serde(skip)]
+    #[schema(ignore)]
+    record: Record,
+}
+
+/// What still runs of a run whose owner is gone.
+pub(super) fn find(run: &Path, skipped: &mut Vec<String>) -> Vec<Leftover> {
+    let mut found = Vec::new();
+    let entries = match fs::read_dir(run) {
+        Ok(entries) => entries,
+        Err(error) => {
+            skipped.push(format!("cannot list {}: {error}", run.display()));
+            return found;
+        }
+    };
+    let mut folders: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    folders.sort();
+    for folder in folders.into_iter().filter(|folder| folder.is_dir()) {
+        match read(&folder.join(INSTANCE)) {
+            Ok(record) if record.is_running() => found.push(Leftover {
+                program: record.program.display().to_string(),
+                pid: record.process.pid,
+                folder: folder.display().to_string(),
+                ended: false,
+                record,
+            }),
+            Ok(_) => {}
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            Err(error) => {
+                skipped.push(format!(
+                    "cannot read {}: {error}",
+                    folder.join(INSTANCE).display()
+                ));
+            }
+        }
+    }
+    found
+}
+
+fn read(path: &Path) -> io::Result<Record> {
+    let data = fs::symlink_metadata(path)?;
+    if !data.is_file() || data.len() > LARGEST_FILE {
+        return Err(io::Error::new(
+            io::ErrorKind::InvalidData,
+            "it is no file of a hangar",
+        ));
+    }
+    Ok(serde_json::from_slice(&fs::read(path)?)?)
+}
+
+/// Tells leftovers to end, all at once, kills those that do not within two seconds, and notes which are gone.
+pub(in crate::hangar) async fn end(leftovers: &mut [Leftover]) {
+    for signal in [Signal::SIGTERM, Signal::SIGKILL] {
+        for leftover in leftovers.iter().filter(|leftover| !leftover.ended) {
+            leftover.record.signal(signal);
+            // One that is stopped hears of it only when it goes on.
+            leftover.record.signal(Signal::SIGCONT);
+        }
+        for leftover in leftovers.iter_mut() {
+            leftover.ended = leftover.ended || leftover.record.is_gone().await;
+        }
+    }
+}

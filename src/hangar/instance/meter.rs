@@ -1,0 +1,64 @@
+//! What an instance uses.
+
+use std::time::Duration;
+
+use crate::hangar::process::{self, Usage};
+
+/// How often it is read.
+const EVERY: Duration = Duration::from_secs(1);
+/// One that lacks something and uses this much of a core spins.
+const BUSY: f64 = 0.5;
+
+/// Reads what a process uses about once a second.
+pub(super) struct Meter {
+    pid: u32,
+    last: Option<(Duration, Usage)>,
+    /// Cores in use between the last two readings.
+    cores: f64,
+}
+
+impl Meter {
+    /// Of a process.
+    pub fn new(pid: u32) -> Self {
+        Self {
+            pid,
+            last: None,
+            cores: 0.0,
+        }
+    }
+
+    /// Reads it if it is time to; whether it was.
+    pub fn read(&mut self, now: Duration) -> bool {
+        if self.last.is_some_and(|(at, _)| now < at + EVERY) {
+            return false;
+        }
+        let nothing = Usage {
+            memory_bytes: 0,
+            cpu: Duration::ZERO,
+        };
+        let usage = process::usage(self.pid).unwrap_or(nothing);
+        if let Some((at, before)) = self.last {
+            let used = usage.cpu.saturating_sub(before.cpu);
+            self.cores = used.as_secs_f64() / now.saturating_sub(at).as_secs_f64();
+        }
+        self.last = Some((now, usage));
+        true
+    }
+
+    /// Resident memory.
+    pub fn memory_bytes(&self) -> u64 {
+        self.last.map_or(0, |(_, usage)| usage.memory_bytes)
+    }
+
+    /// Processor time since it was started.
+    pub fn cpu_ms(&self) -> u64 {
+        self.last
+            .map_or(0, |(_, usage)| usage.cpu.as_millis() as u64)
+    }
+
+    /// What to add to a remark if it spins.
+    pub fn busy(&self) -> Option<String> {
+        let percent = 100.0 * self.cores;
+        (self.cores >= BUSY).then(|| format!(", using {percent:.0} % of a core"))
+    }
+}

@@ -1,0 +1,136 @@
+//! Why a program does not run.
+
+use std::io;
+use std::path::PathBuf;
+
+use nix::errno::Errno;
+
+use super::Order;
+use super::stub::Step;
+
+/// Why a process could not be started.
+#[derive(Debug, thiserror::Error)]
+pub(in crate::hangar) enum LaunchError {
+    /// The path leads nowhere.
+    #[error("there is no program {0}: name the one to start, or build it")]
+    NoProgram(PathBuf),
+    /// The path leads to a folder.
+    #[error("{0} is a folder: name the program in it")]
+    Folder(PathBuf),
+    /// The file is no program, or one for another machine.
+    #[error(
+        "{0} is not a program that this machine can run: it may be built for another one, or damaged"
+    )]
+    NotAProgram(PathBuf),
+    /// What the program needs to be started is missing.
+    #[error("{0} is there, but not what runs it: its interpreter or its loader is missing")]
+    NoInterpreter(PathBuf),
+    /// The system does not allow it.
+    #[error(
+        "{0} must not be run by this user: allow it with chmod +x, and look whether its disk is mounted noexec"
+    )]
+    NotAllowed(PathBuf),
+    /// It is being written.
+    #[error("{0} is being written: try again when its build is over")]
+    Busy(PathBuf),
+    /// It does not fit.
+    #[error(
+        "{program} does not fit into {memory_mib} MiB: raise the limit of an instance's memory"
+    )]
+    Memory {
+        /// What was to be started.
+        program: PathBuf,
+        /// The limit.
+        memory_mib: u64,
+    },
+    /// Its folder cannot be entered.
+    #[error("its folder {folder} cannot be entered: {source}")]
+    NoFolder {
+        /// The folder.
+        folder: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The system has no room for another process.
+    #[error(
+        "the system allows no more processes or open files ({0}): stop some, or raise ulimit -u and ulimit -n"
+    )]
+    Exhausted(io::Error),
+    /// The program that becomes the other one cannot be started itself.
+    #[error(
+        "{sortie}, which starts the others, cannot be started itself: {source}; was it replaced while it runs?"
+    )]
+    Stub {
+        /// The path of this program.
+        sortie: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// Something else.
+    #[error("{program} cannot be started: {what}: {source}")]
+    Other {
+        /// What was to be started.
+        program: PathBuf,
+        /// What was tried.
+        what: &'static str,
+        /// Why it failed.
+        source: io::Error,
+    },
+    /// The hangar is being closed.
+    #[error("the hangar is closing")]
+    Closed,
+}
+
+impl LaunchError {
+    /// Whether trying again later may help without anybody's doing.
+    pub fn may_pass(&self) -> bool {
+        matches!(self, Self::Busy(_) | Self::Exhausted(_))
+    }
+
+    pub(super) fn of_spawn(sortie: PathBuf, source: io::Error) -> Self {
+        let errno = source.raw_os_error().map(Errno::from_raw);
+        match errno {
+            Some(Errno::EAGAIN | Errno::ENOMEM | Errno::EMFILE | Errno::ENFILE) => {
+                Self::Exhausted(source)
+            }
+            _ => Self::Stub { sortie, source },
+        }
+    }
+
+    /// Of what the child said: the step that failed, and the system's number of the error.
+    pub(super) fn of_report(report: &str, order: &Order, memory_mib: u64) -> Self {
+        let (step, errno) = report.trim_end().split_once(' ').unwrap_or_default();
+        let errno = errno.parse().unwrap_or_default();
+        let source = io::Error::from_raw_os_error(errno);
+        let program = order.program.clone();
+        match Step::named(step) {
+            Some(Step::Enter) => Self::NoFolder {
+                folder: order.folder.clone(),
+                source,
+            },
+            Some(Step::Become) => match Errno::from_raw(errno) {
+                Errno::ENOENT | Errno::ENOTDIR if !program.exists() => Self::NoProgram(program),
+                Errno::ENOENT => Self::NoInterpreter(program),
+                Errno::EACCES | Errno::EPERM if program.is_dir() => Self::Folder(program),
+                Errno::EACCES | Errno::EPERM => Self::NotAllowed(program),
+                Errno::ENOEXEC | Errno::ELIBBAD => Self::NotAProgram(program),
+                Errno::ETXTBSY => Self::Busy(program),
+                Errno::EAGAIN => Self::Exhausted(source),
+                Errno::ENOMEM => Self::Memory {
+                    program,
+                    memory_mib,
+                },
+                _ => Self::Other {
+                    program,
+                    what: "run it",
+                    source,
+                },
+            },
+            step => Self::Other {
+                program,
+                what: step.map_or("understand what its start says", Step::attempt),
+                source,
+            },
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! A process that runs, and its end.
+
+use std::io;
+use std::process::ExitStatus;
+use std::time::Duration;
+
+use nix::sys::signal::{Signal, kill, killpg};
+use nix::unistd::Pid;
+use tokio::process::{Child, ChildStderr, ChildStdout};
+use tokio::time::timeout;
+
+/// How long a process may take to end by itself when it is told to.
+const GRACE: Duration = Duration::from_secs(2);
+
+/// A process that was started, with the processes that it makes: they are one group. Dropping it kills them.
+#[derive(Debug)]
+pub(in crate::hangar) struct Running {
+    child: Child,
+    pid: Pid,
+    #[cfg(target_os = "linux")]
+    changes: Option<tokio::signal::unix::Signal>,
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // The number is its own only as long as nobody has fetched how it ended.
+        if self.child.id().is_some() {
+            self.signal(Signal::SIGKILL);
+        }
+    }
+}
+
+impl Running {
+    /// `None` if the child has ended and that is known already.
+    pub(super) fn new(child: Child) -> Option<Self> {
+        Some(Self {
+            pid: Pid::from_raw(child.id()? as i32),
+            child,
+            #[cfg(target_os = "linux")]
+            changes: None,
+        })
+    }
+
+    /// Its number.
+    pub fn pid(&self) -> u32 {
+        self.pid.as_raw() as u32
+    }
+
+    /// What it prints; only once.
+    pub fn take_output(&mut self) -> (Option<ChildStdout>, Option<ChildStderr>) {
+        (self.child.stdout.take(), self.child.stderr.take())
+    }
+
+    /// Waits until it has ended, and kills what it leaves behind in its group. Losing the future loses nothing.
+    ///
+    /// # Errors
+    /// It cannot be waited for.
+    pub async fn wait(&mut self) -> io::Result<ExitStatus> {
+        if self.child.id().is_some() {
+            self.ended().await;
+            // It is still there to be asked how it ended, so nobody else can have its number.
+            #[cfg(target_os = "linux")]
+            self.signal(Signal::SIGKILL);
+        }
+        self.child.wait().await
+    }
+
+    /// Tells it and all of its group to end, kills them if they do not within two seconds, and waits until it is
+    /// gone.
+    ///
+    /// # Errors
+    /// It cannot be waited for.
+    pub async fn end(&mut self) -> io::Result<ExitStatus> {
+        if self.child.id().is_some() {
+            self.signal(Signal::SIGTERM);
+            // One that is stopped hears of it only when it goes on.
+            self.signal(Signal::SIGCONT);
+            if let Ok(status) = timeout(GRACE, self.wait()).await {
+                return status;
+            }
+            self.signal(Signal::SIGKILL);
+        }
+        self.wait().await
+    }
+
+    /// To its group; to itself if it does not lead one yet.
+    fn signal(&self, signal: Signal) {
+        // Failing means that it is gone.
+        if killpg(self.pid, signal).is_err() {
+            let _ = kill(self.pid, signal);
+        }
+    }
+
+    /// Waits until it has ended, and leaves it to be asked how.
+    #[cfg(target_os = "linux")]
+    async fn ended(&mut self) {
+        use nix::errno::Errno;
+        use nix::sys::wait::{Id, WaitPidFlag, WaitStatus, waitid};
+        use tokio::signal::unix::{SignalKind, signal};
+
+        let flags = WaitPidFlag::WEXITED | WaitPidFlag::WNOHANG | WaitPidFlag::WNOWAIT;
+        if self.changes.is_none() {
+            self.changes = signal(SignalKind::child()).ok();
+        }
+        // Listened for before it is looked at, so that no end is missed.
+        let Some(changes) = &mut self.changes else {
+            return;
+        };
+        while let Ok(WaitStatus::StillAlive) | Err(Errno::EINTR) = waitid(Id::Pid(self.pid), flags)
+        {
+            if changes.recv().await.is_none() {
+                return;
+            }
+        }
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    #[expect(clippy::unused_async, reason = "it waits on Linux")]
+    async fn ended(&mut self) {}
+}

@@ -1,0 +1,129 @@
+//! The hidden subcommand: it becomes another program.
+
+use std::ffi::{CString, OsString};
+use std::fs::File;
+use std::io::Write as _;
+use std::os::fd::AsFd as _;
+use std::os::unix::ffi::OsStrExt as _;
+use std::process::ExitCode;
+
+use nix::errno::Errno;
+use nix::sys::resource::{Resource, setrlimit};
+use nix::unistd::{chdir, dup2_stdin, execv, getppid, setsid};
+
+/// The exit code of shells for what cannot be run.
+const CANNOT_RUN: u8 = 127;
+
+/// What is done before the program runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Step {
+    Understand,
+    EndWithOwner,
+    Enter,
+    Limit,
+    Become,
+}
+
+impl Step {
+    const NAMES: [(Self, &'static str, &'static str); 5] = [
+        (Self::Understand, "understand", "understand its order"),
+        (Self::EndWithOwner, "owner", "make it end with its owner"),
+        (Self::Enter, "enter", "enter its folder"),
+        (Self::Limit, "limit", "limit what it may use"),
+        (Self::Become, "become", "run it"),
+    ];
+
+    pub fn named(name: &str) -> Option<Self> {
+        let mut steps = Self::NAMES.iter();
+        steps.find(|step| step.1 == name).map(|step| step.0)
+    }
+
+    fn name(self) -> &'static str {
+        Self::NAMES
+            .iter()
+            .find(|step| step.0 == self)
+            .map_or("", |step| step.1)
+    }
+
+    /// What the step tries, for people.
+    pub fn attempt(self) -> &'static str {
+        Self::NAMES
+            .iter()
+            .find(|step| step.0 == self)
+            .map_or("", |step| step.2)
+    }
+}
+
+/// What the hidden subcommand does: `OWNER MEMORY FOLDER PROGRAM ARGUMENT...`. Returns only if the program cannot
+/// be started.
+pub fn launch_stub(words: &[OsString]) -> ExitCode {
+    ExitCode::from(run(words))
+}
+
+/// As [`launch_stub`].
+pub(super) fn run(words: &[OsString]) -> u8 {
+    // A copy that closes when this becomes the program.
+    let report = std::io::stdin().as_fd().try_clone_to_owned();
+    let (step, errno) = become_program(words);
+    let written = report.and_then(|report| {
+        File::from(report).write_all(format!("{} {}\n", step.name(), errno as i32).as_bytes())
+    });
+    if step == Step::Understand || written.is_err() {
+        eprintln!(
+            "sortie: cannot {}: {errno}; this is for a hangar's own use",
+            step.attempt()
+        );
+    }
+    CANNOT_RUN
+}
+
+fn become_program(words: &[OsString]) -> (Step, Errno) {
+    let [owner, memory, folder, program @ ..] = words else {
+        return (Step::Understand, Errno::EINVAL);
+    };
+    let number = |word: &OsString| word.to_str().and_then(|word| word.parse::<u64>().ok());
+    let text = |word: &OsString| CString::new(word.as_bytes());
+    let program: Result<Vec<CString>, _> = program.iter().map(text).collect();
+    let (Some(owner), Some(memory), Ok([path, ..])) =
+        (number(owner), number(memory), program.as_deref())
+    else {
+        return (Step::Understand, Errno::EINVAL);
+    };
+    let words = program.as_deref().unwrap_or_default();
+    let prepared = end_with(owner)
+        .map_err(|errno| (Step::EndWithOwner, errno))
+        .and_then(|()| chdir(folder.as_os_str()).map_err(|errno| (Step::Enter, errno)))
+        .and_then(|()| limit(memory).map_err(|errno| (Step::Limit, errno)));
+    if let Err(fault) = prepared {
+        return fault;
+    }
+    // A terminal's Ctrl-C is for the owner. Failing to lead a session is no reason not to start.
+    let _ = setsid();
+    let run = File::open("/dev/null")
+        .map_err(|error| Errno::from_raw(error.raw_os_error().unwrap_or_default()))
+        .and_then(dup2_stdin)
+        // Not by way of the standard library, which makes a shell read whatever is no program.
+        .and_then(|()| execv(path, words));
+    (Step::Become, run.err().unwrap_or(Errno::UnknownErrno))
+}
+
+/// Has this process killed when the thread that made it ends.
+fn end_with(owner: u64) -> nix::Result<()> {
+    #[cfg(target_os = "linux")]
+    nix::sys::prctl::set_pdeathsig(nix::sys::signal::Signal::SIGKILL)?;
+    // Whoever has ended before the line above sends no signal.
+    if getppid().as_raw() as u64 == owner {
+        Ok(())
+    } else {
+        Err(Errno::ESRCH)
+    }
+}
+
+fn limit(memory: u64) -> nix::Result<()> {
+    let limited = setrlimit(Resource::RLIMIT_AS, memory, memory);
+    // Elsewhere the system may not know this limit.
+    if cfg!(target_os = "linux") {
+        limited?;
+    }
+    setrlimit(Resource::RLIMIT_CORE, 0, 0)
+}

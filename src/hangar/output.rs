@@ -1,0 +1,170 @@
+//! What an instance prints: the last lines in memory, more of them in files of its folder.
+//!
+//! It is read as fast as it comes, whatever becomes of it, because a process whose output nobody reads stands still.
+//! What it costs is bounded: in memory by lines and their length, on the disk by the size and number of files.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+use tokio::io::{AsyncRead, AsyncReadExt as _};
+use tokio::sync::watch;
+use tokio::task::JoinHandle;
+use tokio::time::{Instant, timeout};
+use utoipa::ToSchema;
+
+use super::launcher::Running;
+
+mod file;
+mod lines;
+#[cfg(test)]
+mod tests;
+
+use file::LogFile;
+use lines::Cutter;
+
+/// Lines that are kept in memory.
+const LINES_KEPT: usize = 200;
+const READ_LEN: usize = 64 * 1024;
+/// How long the last words of a process that is gone may take.
+const LAST_WORDS: Duration = Duration::from_secs(1);
+
+/// A line that an instance has printed.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct Line {
+    /// Its number, from 1; it goes on when the instance is started again.
+    pub number: u64,
+    /// The line without control characters, at most 400 characters of it.
+    pub text: String,
+}
+
+/// The output of one instance, also when it is started again. Clones show the same.
+#[derive(Debug, Clone)]
+pub struct Output(Arc<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    kept: Mutex<VecDeque<Line>>,
+    /// The number of the last line.
+    last: watch::Sender<u64>,
+    file: Mutex<LogFile>,
+}
+
+impl Output {
+    /// Of an instance that has printed nothing yet, and whose files go to this folder.
+    pub(super) fn new(folder: PathBuf) -> Self {
+        Self(Arc::new(Inner {
+            kept: Mutex::default(),
+            last: watch::Sender::new(0),
+            file: Mutex::new(LogFile::new(folder)),
+        }))
+    }
+
+    /// Reads what a process prints until it prints no more. Must be called inside a tokio runtime.
+    pub(super) fn follow(&self, process: &mut Running) -> Following {
+        let (out, err) = process.take_output();
+        let read = |pipe: Option<Box<dyn AsyncRead + Send + Unpin>>| {
+            let output = self.clone();
+            pipe.map(|pipe| tokio::spawn(output.read(pipe)))
+        };
+        let out = read(out.map(|pipe| Box::new(pipe) as _));
+        let err = read(err.map(|pipe| Box::new(pipe) as _));
+        Following(out.into_iter().chain(err).collect())
+    }
+
+    /// Adds a line that is the hangar's own.
+    pub(super) fn note(&self, text: &str) {
+        let mut cutter = Cutter::default();
+        let mut lines = cutter.push(text.as_bytes());
+        lines.extend(cutter.finish());
+        self.add(lines);
+    }
+
+    /// The last lines, at most so many, oldest first.
+    pub fn last(&self, count: usize) -> Vec<Line> {
+        let kept = locked(&self.0.kept);
+        let from = kept.len().saturating_sub(count);
+        kept.range(from..).cloned().collect()
+    }
+
+    /// The lines from this number on, as far as they are kept, oldest first. With 0 it is all of them.
+    pub fn since(&self, number: u64) -> Vec<Line> {
+        let kept = locked(&self.0.kept);
+        let from = kept.partition_point(|line| line.number < number);
+        kept.range(from..).cloned().collect()
+    }
+
+    /// The number of the last line, now and from now on; 0 before there is one.
+    pub fn watch(&self) -> watch::Receiver<u64> {
+        self.0.last.subscribe()
+    }
+
+    async fn read(self, mut pipe: Box<dyn AsyncRead + Send + Unpin>) {
+        let mut bytes = vec![0; READ_LEN];
+        let mut cutter = Cutter::default();
+        // A pipe that breaks is one that has ended.
+        while let Ok(len @ 1..) = pipe.read(&mut bytes).await {
+            self.add(cutter.push(&bytes[..len]));
+        }
+        self.add(cutter.finish().into_iter().collect());
+    }
+
+    fn add(&self, lines: Vec<String>) {
+        if lines.is_empty() {
+            return;
+        }
+        let note = locked(&self.0.file).write(&lines, Instant::now());
+        let mut kept = locked(&self.0.kept);
+        let mut number = *self.0.last.borrow();
+        // Of very many only the last would stay.
+        let total = lines.len() + usize::from(note.is_some());
+        number += total.saturating_sub(LINES_KEPT) as u64;
+        for text in lines
+            .into_iter()
+            .chain(note)
+            .skip(total.saturating_sub(LINES_KEPT))
+        {
+            number += 1;
+            if kept.len() == LINES_KEPT {
+                kept.pop_front();
+            }
+            kept.push_back(Line { number, text });
+        }
+        // Before the lock goes: the next number is counted from it.
+        self.0.last.send_replace(number);
+    }
+}
+
+/// A lock is never left in the midst of a change.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The reading of one process's output. Dropping it ends the reading.
+#[derive(Debug)]
+#[must_use = "dropping it ends the reading"]
+pub(super) struct Following(Vec<JoinHandle<()>>);
+
+impl Following {
+    /// Waits until all is read that a process printed before it ended. Another process may still hold its pipes:
+    /// that one is not waited for long.
+    pub async fn finish(mut self) {
+        let all = async {
+            for reading in &mut self.0 {
+                // It ends, or it was ended.
+                drop(reading.await);
+            }
+        };
+        drop(timeout(LAST_WORDS, all).await);
+    }
+}
+
+impl Drop for Following {
+    fn drop(&mut self) {
+        for reading in &self.0 {
+            reading.abort();
+        }
+    }
+}

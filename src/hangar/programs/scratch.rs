@@ -1,0 +1,43 @@
+//! A folder that is there for a moment.
+
+use std::fs::{self, DirBuilder};
+use std::os::unix::fs::DirBuilderExt as _;
+use std::path::{Path, PathBuf};
+use std::{env, io, process};
+
+/// How many names are tried.
+const TRIES: u32 = 1000;
+
+/// A folder of this process alone, below that for temporary files; it goes with all that is in it.
+pub(super) struct ScratchFolder(PathBuf);
+
+impl ScratchFolder {
+    /// Makes one.
+    pub fn new(name: &str) -> io::Result<Self> {
+        let mut last = io::Error::from(io::ErrorKind::AlreadyExists);
+        for number in 0..TRIES {
+            let path = env::temp_dir().join(format!("{name}-{}-{number}", process::id()));
+            // Fails if anything of that name is there, a link of somebody else's too.
+            match DirBuilder::new().mode(0o700).create(&path) {
+                Ok(()) => return Ok(Self(path)),
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => last = error,
+                Err(error) => {
+                    let what = format!("make the folder {}: {error}", path.display());
+                    return Err(io::Error::new(error.kind(), what));
+                }
+            }
+        }
+        Err(last)
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for ScratchFolder {
+    fn drop(&mut self) {
+        // What cannot be removed lies with other temporary files.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}

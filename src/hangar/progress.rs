@@ -1,0 +1,119 @@
+//! How far an instance has come, from the bytes that it says, the time, and nothing else.
+
+use std::time::Duration;
+
+use super::Stage;
+use super::probe::Probe;
+use super::stages::Stages;
+
+/// The progress of an instance whose process runs.
+pub(super) struct Progress {
+    system: u8,
+    speedup: f64,
+    stages: Stages,
+    /// As long as it is not ready.
+    probe: Option<Probe>,
+    parameters: [u16; 2],
+    reboots: u32,
+    ready_since: Option<Duration>,
+}
+
+impl Progress {
+    /// Of a process that has just been started. Once it is ready, it is to go at `speedup`.
+    pub fn new(system: u8, speedup: f64, now: Duration) -> Self {
+        Self {
+            system,
+            speedup,
+            stages: Stages::new(speedup, now),
+            probe: None,
+            parameters: [0, 0],
+            reboots: 0,
+            ready_since: None,
+        }
+    }
+
+    /// It has connected: it boots, for the first time or again.
+    pub fn connected(&mut self, now: Duration) {
+        self.stages.connected(now);
+        self.probe = Some(Probe::new(self.system, self.speedup, now));
+        self.forget();
+    }
+
+    /// It has closed its connection.
+    pub fn disconnected(&mut self, now: Duration) {
+        self.stages.disconnected(now);
+        self.probe = None;
+        self.forget();
+    }
+
+    /// Takes in what it said.
+    pub fn hear(&mut self, bytes: &[u8], now: Duration) {
+        self.stages.heard(now);
+        let Some(probe) = &mut self.probe else {
+            return;
+        };
+        probe.hear(bytes, now);
+        let reboots = probe.reboots();
+        if reboots > self.reboots {
+            self.stages.again(now);
+            self.reboots = reboots;
+        }
+        self.parameters = probe.parameters();
+        self.stages.probed(probe.stage(), self.parameters[0], now);
+        if self.stages.reached() == Stage::Ready {
+            self.ready_since.get_or_insert(now);
+        }
+    }
+
+    /// What there is to say to it. Once it is ready that is nothing any more.
+    pub fn say(&mut self, is_attached: bool, now: Duration) -> Vec<u8> {
+        let Some(probe) = &mut self.probe else {
+            return Vec::new();
+        };
+        if self.ready_since.is_none() {
+            return probe.say(now);
+        }
+        // Whoever is attached may have asked for the same.
+        let last = (!is_attached).then(|| probe.take_leave());
+        self.probe = None;
+        last.unwrap_or_default()
+    }
+
+    /// Whether it has to be asked how far it is.
+    pub fn is_asking(&self) -> bool {
+        self.probe.is_some()
+    }
+
+    /// How far it is.
+    pub fn stage(&self, now: Duration) -> Stage {
+        self.stages.stage(now)
+    }
+
+    /// How many parameters have come, of how many.
+    pub fn parameters(&self) -> [u16; 2] {
+        self.parameters
+    }
+
+    /// For how long it has been ready since it booted last.
+    pub fn ready_for(&self, now: Duration) -> Duration {
+        self.ready_since
+            .map_or(Duration::ZERO, |since| now.saturating_sub(since))
+    }
+
+    /// What it has lacked for too long, in words.
+    pub fn lack(&self, now: Duration) -> Option<String> {
+        let (lack, waited) = self.stages.lack(now)?;
+        let mut told = lack.told(waited);
+        if let Some(complaint) = self.probe.as_ref().and_then(Probe::complaint) {
+            told.push_str("; it says: ");
+            told.push_str(complaint);
+        }
+        Some(told)
+    }
+
+    fn forget(&mut self) {
+        self.parameters = [0, 0];
+        self.reboots = 0;
+        self.ready_since = None;
+    }
+}

@@ -1,0 +1,79 @@
+//! Why a hangar does not do what it is asked.
+
+use std::io;
+
+use super::InstanceId;
+use super::client::ClientError;
+use crate::text;
+use crate::text::Text;
+
+/// Why a hangar does not do what it is asked.
+#[derive(Debug, thiserror::Error)]
+pub enum Refusal {
+    /// No instance has that number.
+    #[error("there is no instance {0}: the list has those that there are")]
+    Unknown(InstanceId),
+    /// The number is taken.
+    #[error("instance {0} is there already: stop it first, or choose another number")]
+    Taken(InstanceId),
+    /// There are as many as there may be.
+    #[error("{0} instances run, and no more may: stop some, or raise the limit")]
+    Full(u16),
+    /// No program for this kind of vehicle is known.
+    #[error(
+        "no {0} was found: name one with --arducopter or SORTIE_ARDUCOPTER, or put it on the PATH"
+    )]
+    NoProgram(&'static str),
+    /// The request makes no sense.
+    #[error("{0}")]
+    Invalid(String),
+    /// Somebody is attached to the instance already.
+    #[error("somebody is attached to instance {0} already")]
+    Attached(InstanceId),
+    /// The host does not allow it.
+    #[error("cannot start instance {id}: {what}: {source}")]
+    Host {
+        /// The instance.
+        id: InstanceId,
+        /// What was tried.
+        what: String,
+        /// Why it failed.
+        source: io::Error,
+    },
+    /// The hangar is being closed.
+    #[error("the hangar is closing")]
+    Closing,
+    /// A hangar elsewhere does not do it.
+    #[error("hangar {hangar}: {source}")]
+    Far {
+        /// What it is called.
+        hangar: String,
+        /// What it says, or why it says nothing.
+        source: ClientError,
+    },
+}
+
+impl From<&Refusal> for Text {
+    fn from(refusal: &Refusal) -> Self {
+        match refusal {
+            Refusal::Unknown(id) => text!("hangar-unknown", id = *id),
+            Refusal::Taken(id) => text!("hangar-taken", id = *id),
+            Refusal::Full(limit) => text!("hangar-full", limit = *limit),
+            Refusal::NoProgram(program) => text!("hangar-no-program", program = *program),
+            Refusal::Invalid(reason) => Self::verbatim(reason.clone()),
+            Refusal::Attached(id) => text!("hangar-attached", id = *id),
+            Refusal::Host { id, what, source } => {
+                text!(
+                    "hangar-host",
+                    id = *id,
+                    what = what,
+                    error = source.to_string()
+                )
+            }
+            Refusal::Closing => text!("hangar-closing"),
+            Refusal::Far { hangar, source } => {
+                text!("hangar-far", hangar = hangar, error = Text::from(source))
+            }
+        }
+    }
+}

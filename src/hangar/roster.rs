@@ -1,0 +1,234 @@
+//! Who is in the hangar, which numbers and system ids are taken, and how everybody is.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use tokio::sync::{mpsc, watch};
+
+use super::{Capacity, Instance, InstanceId, Instances, Launch, Output, Refusal, Request};
+use crate::sim::SYSTEMS;
+
+/// An instance, from the moment it has a number.
+struct Entry {
+    requests: mpsc::Sender<Request>,
+    system: u8,
+    output: Option<Output>,
+    /// It has ended and nothing starts it again by itself: it takes nobody's place.
+    is_down: bool,
+}
+
+/// What an instance was given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Taken {
+    pub id: InstanceId,
+    pub system: u8,
+}
+
+/// The instances.
+pub(super) struct Roster {
+    limit: u16,
+    entries: Mutex<BTreeMap<InstanceId, Entry>>,
+    seen: watch::Sender<Instances>,
+}
+
+impl Roster {
+    /// Of a hangar that may have so many.
+    pub fn new(limit: u16) -> Self {
+        Self {
+            limit,
+            entries: Mutex::default(),
+            seen: watch::Sender::default(),
+        }
+    }
+
+    /// Takes a number and a system id for an instance: those that were asked for, else the lowest free ones.
+    ///
+    /// # Errors
+    /// They are taken, or there are as many as there may be.
+    pub fn take(&self, launch: &Launch, requests: mpsc::Sender<Request>) -> Result<Taken, Refusal> {
+        let mut entries = self.entries();
+        if running(&entries) >= self.limit {
+            return Err(Refusal::Full(self.limit));
+        }
+        let is_free = |id: &InstanceId| !entries.contains_key(id);
+        let id = match launch.id {
+            Some(id) if !is_free(&id) => return Err(Refusal::Taken(id)),
+            Some(id) => id,
+            None => (1..=InstanceId::MAX)
+                .find(is_free)
+                .ok_or(Refusal::Full(self.limit))?,
+        };
+        let system = free_system(&entries, launch.system, id)?;
+        let entry = Entry {
+            requests,
+            system,
+            output: None,
+            is_down: false,
+        };
+        entries.insert(id, entry);
+        Ok(Taken { id, system })
+    }
+
+    /// From now on an instance that had ended counts again.
+    ///
+    /// # Errors
+    /// There is none, or others have taken its place.
+    pub fn revive(&self, id: InstanceId) -> Result<(), Refusal> {
+        let mut entries = self.entries();
+        let is_full = running(&entries) >= self.limit;
+        let entry = entries.get_mut(&id).ok_or(Refusal::Unknown(id))?;
+        if entry.is_down && is_full {
+            return Err(Refusal::Full(self.limit));
+        }
+        entry.is_down = false;
+        Ok(())
+    }
+
+    /// An instance has ended, and nothing starts it again by itself.
+    pub fn lay_down(&self, id: InstanceId) {
+        if let Some(entry) = self.entries().get_mut(&id) {
+            entry.is_down = true;
+        }
+    }
+
+    /// Where an instance's output is.
+    pub fn keep_output(&self, id: InstanceId, output: Output) {
+        if let Some(entry) = self.entries().get_mut(&id) {
+            entry.output = Some(output);
+        }
+    }
+
+    /// What an instance has printed.
+    pub fn output(&self, id: InstanceId) -> Option<Output> {
+        self.entries().get(&id)?.output.clone()
+    }
+
+    /// Where requests to an instance go.
+    pub fn task(&self, id: InstanceId) -> Option<mpsc::Sender<Request>> {
+        Some(self.entries().get(&id)?.requests.clone())
+    }
+
+    /// The instances as they are now and will be.
+    pub fn watch(&self) -> watch::Receiver<Instances> {
+        self.seen.subscribe()
+    }
+
+    /// How full it is.
+    pub fn capacity(&self) -> Capacity {
+        let running = running(&self.entries());
+        Capacity {
+            running,
+            free: self.limit.saturating_sub(running),
+        }
+    }
+
+    /// Publishes a change of an instance.
+    pub fn show(&self, instance: &Instance) {
+        self.seen.send_if_modified(|all| {
+            let changed = all.get(&instance.id) != Some(instance);
+            if changed {
+                Arc::make_mut(all).insert(instance.id, instance.clone());
+            }
+            changed
+        });
+    }
+
+    /// An instance is gone.
+    pub fn forget(&self, id: InstanceId) {
+        self.entries().remove(&id);
+        self.seen
+            .send_if_modified(|all| Arc::make_mut(all).remove(&id).is_some());
+    }
+
+    /// A lock is never left in the midst of a change.
+    fn entries(&self) -> MutexGuard<'_, BTreeMap<InstanceId, Entry>> {
+        self.entries.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn running(entries: &BTreeMap<InstanceId, Entry>) -> u16 {
+    entries.values().filter(|entry| !entry.is_down).count() as u16
+}
+
+/// The system id that was asked for; else the instance's number, and if that cannot be the lowest free one.
+fn free_system(
+    entries: &BTreeMap<InstanceId, Entry>,
+    asked: Option<u8>,
+    id: InstanceId,
+) -> Result<u8, Refusal> {
+    let holder = |system: u8| entries.iter().find(|(_, entry)| entry.system == system);
+    if let Some(system) = asked {
+        return match holder(system) {
+            Some((other, _)) => Err(Refusal::Invalid(format!(
+                "instance {other} has system id {system} already: choose another one"
+            ))),
+            None => Ok(system),
+        };
+    }
+    let all = 1..=SYSTEMS as u8;
+    let own = u8::try_from(id).ok().filter(|own| all.contains(own));
+    own.into_iter()
+        .chain(all)
+        .find(|system| holder(*system).is_none())
+        .ok_or_else(|| Refusal::Invalid(format!("all {SYSTEMS} system ids are taken")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn take(roster: &Roster, id: Option<InstanceId>, system: Option<u8>) -> Result<Taken, String> {
+        let launch = Launch {
+            id,
+            system,
+            ..Launch::default()
+        };
+        let (requests, _) = mpsc::channel(1);
+        roster
+            .take(&launch, requests)
+            .map_err(|refusal| refusal.to_string())
+    }
+
+    #[test]
+    fn numbers_and_system_ids_are_the_lowest_free_ones_unless_they_are_asked_for() {
+        let roster = Roster::new(10);
+        for (id, system, expected) in [
+            (None, None, (1, 1)),
+            (None, Some(3), (2, 3)),
+            // Its own number is somebody's system id.
+            (None, None, (3, 2)),
+            (Some(300), None, (300, 4)),
+            (None, None, (4, 5)),
+        ] {
+            let taken = take(&roster, id, system).expect("it is free");
+            assert_eq!((taken.id, taken.system), expected);
+        }
+        let taken = take(&roster, Some(300), None).expect_err("it is taken");
+        assert!(taken.contains("instance 300 is there already"), "{taken}");
+        let taken = take(&roster, None, Some(3)).expect_err("it is taken");
+        assert!(taken.contains("instance 2 has system id 3"), "{taken}");
+        roster.forget(2);
+        assert!(take(&roster, None, Some(3)).is_ok());
+    }
+
+    #[test]
+    fn those_that_have_ended_take_no_place_until_they_are_started_again() {
+        let roster = Roster::new(1);
+        take(&roster, None, None).expect("it is empty");
+        assert!(take(&roster, None, None).is_err());
+        roster.lay_down(1);
+        assert_eq!(roster.capacity().free, 1);
+        take(&roster, None, None).expect("there is room");
+        assert!(matches!(roster.revive(1), Err(Refusal::Full(1))));
+        assert!(matches!(roster.revive(7), Err(Refusal::Unknown(7))));
+        roster.forget(2);
+        assert!(roster.revive(1).is_ok());
+        assert_eq!(
+            roster.capacity(),
+            Capacity {
+                running: 1,
+                free: 0
+            }
+        );
+    }
+}

@@ -1,0 +1,242 @@
+//! How far an instance is, from what is seen of it; and what it lacks when it takes too long.
+
+use std::time::Duration;
+
+use super::Stage;
+
+/// A stage that has not come after this long is remarked upon; nothing is ended for being slow.
+const PATIENCE: Duration = Duration::from_secs(20);
+/// The same for what takes longer: navigation filters settle in 42 simulated seconds, at ten times the speed where
+/// the machine allows it.
+const PATIENCE_FOR_READINESS: Duration = Duration::from_secs(90);
+/// Simulated time after which an instance that says nothing has lost its heartbeat; one comes every second.
+const SILENCE: Duration = Duration::from_secs(10);
+
+/// What an instance lacks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Lack {
+    /// It has not connected.
+    Connection,
+    /// It had connected and has closed the connection.
+    Reconnection,
+    /// It is connected and nothing of it is a heartbeat.
+    Heartbeat,
+    /// It is connected and says nothing any more.
+    Sound,
+    /// The list of parameters does not go on.
+    Parameters,
+    /// It does not find out where it is.
+    Position,
+    /// It cannot be armed.
+    Readiness,
+}
+
+/// The stages of an instance whose process runs: they only go on, until it boots again.
+#[derive(Debug)]
+pub(super) struct Stages {
+    /// How long an instance may be silent: it may be slow on purpose.
+    silence: Duration,
+    connected: Option<bool>,
+    stage: Stage,
+    parameters: u16,
+    /// Since when there has been no progress.
+    since: Duration,
+    heard: Duration,
+}
+
+impl Stages {
+    /// Of a process that has just been started, at so many simulated seconds per second.
+    pub fn new(speedup: f64, now: Duration) -> Self {
+        Self {
+            silence: SILENCE.div_f64(speedup.clamp(0.001, 1.0)),
+            connected: None,
+            stage: Stage::Process,
+            parameters: 0,
+            since: now,
+            heard: now,
+        }
+    }
+
+    /// It has connected: it boots.
+    pub fn connected(&mut self, now: Duration) {
+        self.connected = Some(true);
+        self.again(now);
+    }
+
+    /// Its connection is closed: it is about to boot again, or something is wrong.
+    pub fn disconnected(&mut self, now: Duration) {
+        self.connected = Some(false);
+        self.again(now);
+    }
+
+    /// It boots again within its connection.
+    pub fn again(&mut self, now: Duration) {
+        self.stage = Stage::Process;
+        self.parameters = 0;
+        self.since = now;
+        self.heard = now;
+    }
+
+    /// It has said something.
+    pub fn heard(&mut self, now: Duration) {
+        self.heard = now;
+    }
+
+    /// What its answers amount to.
+    pub fn probed(&mut self, stage: Stage, parameters: u16, now: Duration) {
+        if stage > self.stage || parameters > self.parameters {
+            self.since = now;
+        }
+        self.stage = self.stage.max(stage);
+        self.parameters = self.parameters.max(parameters);
+    }
+
+    /// How far it has come, silent or not.
+    pub fn reached(&self) -> Stage {
+        self.stage
+    }
+
+    /// How far it is: one whose heartbeat is lost is no more than a process.
+    pub fn stage(&self, now: Duration) -> Stage {
+        if self.is_silent(now) {
+            Stage::Process
+        } else {
+            self.stage
+        }
+    }
+
+    /// What it has lacked for too long, and for how long.
+    pub fn lack(&self, now: Duration) -> Option<(Lack, Duration)> {
+        if self.is_silent(now) && self.stage > Stage::Process {
+            return Some((Lack::Sound, now.saturating_sub(self.heard)));
+        }
+        let waited = now.saturating_sub(self.since);
+        let (lack, patience) = match (self.stage, self.connected) {
+            (Stage::Process, None) => (Lack::Connection, PATIENCE),
+            (Stage::Process, Some(false)) => (Lack::Reconnection, PATIENCE),
+            (Stage::Process, Some(true)) => (Lack::Heartbeat, PATIENCE),
+            (Stage::Heartbeat, _) => (Lack::Parameters, PATIENCE),
+            (Stage::Parameters, _) => (Lack::Position, PATIENCE_FOR_READINESS),
+            (Stage::Position, _) => (Lack::Readiness, PATIENCE_FOR_READINESS),
+            _ => return None,
+        };
+        (waited >= patience).then_some((lack, waited))
+    }
+
+    fn is_silent(&self, now: Duration) -> bool {
+        self.connected == Some(true) && now.saturating_sub(self.heard) >= self.silence
+    }
+}
+
+impl Lack {
+    /// In words, after so long.
+    pub fn told(self, waited: Duration) -> String {
+        let seconds = waited.as_secs();
+        match self {
+            Self::Connection => format!("runs but has not connected for {seconds} s"),
+            Self::Reconnection => {
+                format!("has closed its connection and not come back for {seconds} s")
+            }
+            Self::Heartbeat => format!("is connected but has sent no heartbeat for {seconds} s"),
+            Self::Sound => format!("has said nothing for {seconds} s"),
+            Self::Parameters => format!("has sent no further parameters for {seconds} s"),
+            Self::Position => format!("has not found out where it is for {seconds} s"),
+            Self::Readiness => format!("knows where it is but cannot be armed for {seconds} s"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const fn s(seconds: u64) -> Duration {
+        Duration::from_secs(seconds)
+    }
+
+    fn ready(speedup: f64) -> Stages {
+        let mut stages = Stages::new(speedup, s(0));
+        stages.connected(s(1));
+        stages.probed(Stage::Ready, 10, s(2));
+        stages.heard(s(2));
+        stages
+    }
+
+    #[test]
+    fn stages_only_go_on_until_it_boots_again() {
+        let mut stages = Stages::new(1.0, s(0));
+        stages.connected(s(0));
+        for (probed, shown) in [
+            (Stage::Heartbeat, Stage::Heartbeat),
+            (Stage::Position, Stage::Position),
+            (Stage::Parameters, Stage::Position),
+            (Stage::Ready, Stage::Ready),
+            (Stage::Position, Stage::Ready),
+        ] {
+            stages.probed(probed, 0, s(1));
+            assert_eq!(stages.stage(s(1)), shown);
+        }
+        stages.disconnected(s(2));
+        assert_eq!(stages.stage(s(2)), Stage::Process);
+        stages.connected(s(3));
+        stages.probed(Stage::Heartbeat, 0, s(4));
+        assert_eq!(stages.stage(s(4)), Stage::Heartbeat);
+    }
+
+    #[test]
+    fn a_silent_instance_is_only_a_process_until_it_is_heard_again() {
+        let mut stages = ready(1.0);
+        assert_eq!(stages.stage(s(11)), Stage::Ready);
+        assert_eq!(stages.stage(s(12)), Stage::Process);
+        assert_eq!(stages.lack(s(13)), Some((Lack::Sound, s(11))));
+        stages.heard(s(14));
+        assert_eq!(
+            (stages.stage(s(14)), stages.lack(s(14))),
+            (Stage::Ready, None)
+        );
+    }
+
+    #[test]
+    fn one_that_is_slow_on_purpose_may_be_silent_for_longer() {
+        assert_eq!(ready(0.1).stage(s(101)), Stage::Ready);
+        assert_eq!(ready(0.1).stage(s(102)), Stage::Process);
+        assert_eq!(ready(100.0).stage(s(11)), Stage::Ready);
+    }
+
+    #[test]
+    fn what_takes_too_long_is_named() {
+        let mut stages = Stages::new(1.0, s(0));
+        assert_eq!(stages.lack(s(19)), None);
+        assert_eq!(stages.lack(s(20)), Some((Lack::Connection, s(20))));
+        stages.connected(s(30));
+        assert_eq!(stages.lack(s(49)), None);
+        assert_eq!(stages.lack(s(50)), Some((Lack::Heartbeat, s(20))));
+        for (stage, at, patience_s, lack) in [
+            (Stage::Heartbeat, 100, 20, Lack::Parameters),
+            (Stage::Parameters, 200, 90, Lack::Position),
+            (Stage::Position, 400, 90, Lack::Readiness),
+        ] {
+            stages.probed(stage, 0, s(at));
+            stages.heard(s(at + patience_s));
+            assert_eq!(stages.lack(s(at + patience_s - 1)), None);
+            let named = stages.lack(s(at + patience_s));
+            assert_eq!(named, Some((lack, s(patience_s))));
+        }
+        stages.probed(Stage::Ready, 0, s(600));
+        stages.heard(s(900));
+        assert_eq!(stages.lack(s(900)), None);
+        stages.disconnected(s(1000));
+        assert_eq!(stages.lack(s(1020)), Some((Lack::Reconnection, s(20))));
+    }
+
+    #[test]
+    fn every_parameter_that_comes_is_progress() {
+        let mut stages = Stages::new(1.0, s(0));
+        stages.connected(s(0));
+        stages.probed(Stage::Heartbeat, 1, s(1));
+        stages.probed(Stage::Heartbeat, 2, s(15));
+        stages.heard(s(34));
+        assert_eq!(stages.lack(s(34)), None);
+        assert_eq!(stages.lack(s(35)), Some((Lack::Parameters, s(20))));
+    }
+}

@@ -1,0 +1,112 @@
+//! Where the vehicles of a swarm stand when they are switched on.
+
+use serde::{Deserialize, Serialize};
+
+use crate::sim::Start;
+
+/// How vehicles stand to each other. The first one stands at the home, and all look the same way.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Shape {
+    /// Side by side, the others to the right of the first.
+    #[default]
+    Row,
+    /// One behind the other.
+    Column,
+    /// Rows behind each other, about as many as there are in a row.
+    Grid,
+    /// On a circle that begins at the home and goes clockwise, its centre behind the first.
+    Circle,
+    /// The first at the tip, the others behind it to the right and to the left in turns.
+    Wedge,
+}
+
+impl Shape {
+    /// Every shape.
+    pub const ALL: [Self; 5] = [
+        Self::Row,
+        Self::Column,
+        Self::Grid,
+        Self::Circle,
+        Self::Wedge,
+    ];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Row => "row",
+            Self::Column => "column",
+            Self::Grid => "grid",
+            Self::Circle => "circle",
+            Self::Wedge => "wedge",
+        }
+    }
+}
+
+/// A place in a formation, from the first vehicle and the way that it looks.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Offset {
+    /// Metres ahead of it.
+    pub forward_m: f64,
+    /// Metres to the right of it.
+    pub right_m: f64,
+}
+
+/// How vehicles stand to each other, and how far apart neighbours are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Formation {
+    /// The shape.
+    pub shape: Shape,
+    /// Metres between neighbours, and at least so many between any two.
+    pub spacing_m: f64,
+}
+
+impl Formation {
+    /// The place of a vehicle, counted from 0, among so many.
+    pub fn place(self, index: usize, of: usize) -> Offset {
+        let nth = index as f64;
+        let (back, right) = match self.shape {
+            Shape::Row => (0.0, nth),
+            Shape::Column => (nth, 0.0),
+            Shape::Grid => {
+                let wide = (1..=of).find(|wide| wide * wide >= of).unwrap_or(1);
+                ((index / wide) as f64, (index % wide) as f64)
+            }
+            Shape::Circle => {
+                let angle = std::f64::consts::TAU / (of.max(1) as f64);
+                // The chord between neighbours is the spacing.
+                let radius = if of < 2 {
+                    0.0
+                } else {
+                    0.5 / (angle * 0.5).sin()
+                };
+                let (sin, cos) = (angle * nth).sin_cos();
+                (radius - radius * cos, radius * sin)
+            }
+            Shape::Wedge => {
+                let rank = index.div_ceil(2) as f64 * std::f64::consts::FRAC_1_SQRT_2;
+                let side = if index % 2 == 1 { 1.0 } else { -1.0 };
+                (rank, rank * side)
+            }
+        };
+        Offset {
+            forward_m: -back * self.spacing_m,
+            right_m: right * self.spacing_m,
+        }
+    }
+
+    /// Where each of so many vehicles stands, the first one at `first`.
+    pub fn starts(self, of: usize, first: Start) -> Vec<Start> {
+        let (sin, cos) = first.heading_deg.to_radians().sin_cos();
+        let start = |index: usize| {
+            let Offset { forward_m, right_m } = self.place(index, of);
+            let north_m = forward_m * cos - right_m * sin;
+            let east_m = forward_m * sin + right_m * cos;
+            Start {
+                at: first.at.moved(north_m, east_m),
+                ..first
+            }
+        };
+        (0..of).map(start).collect()
+    }
+}

@@ -1,0 +1,95 @@
+//! Why an instance cannot be started as it is asked for.
+
+use super::Kind;
+use crate::sim::AirframeError;
+
+/// What is wrong with a recipe, and what to do.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Unfit {
+    /// The system id.
+    #[error("system id {0} cannot be a vehicle's: use 1 to 254")]
+    System(u8),
+    /// The speedup.
+    #[error("SITL cannot go {0} times as fast: use 0.01 to 1000")]
+    Speedup(f64),
+    /// The home.
+    #[error(
+        "a home is a latitude and longitude on earth, -1000 to 20000 m above sea level, and a heading; latitude 0 and \
+         longitude 0 together mean none to SITL"
+    )]
+    Home,
+    /// The instance's number.
+    #[error("instance {0} would need a port above 65535: use 0 to 5977")]
+    Instance(u16),
+    /// The name of a parameter.
+    #[error("`{0}` is no name of a parameter: at most 16 capital letters, digits and underscores")]
+    ParameterName(String),
+    /// The value of a parameter: with one that is no number, SITL spins for ever.
+    #[error("{0} cannot be {1}: a value is a finite number that fits a float")]
+    ParameterValue(String, f64),
+    /// A frame file for what is no multirotor.
+    #[error("only multirotors take a frame file, and this is a {}: leave it out", .0.name())]
+    AirframeOf(Kind),
+    /// The frame file.
+    #[error("the frame file, {0}")]
+    Airframe(#[from] AirframeError),
+    /// There is no such model.
+    #[error("no model of a {} is called `{name}`: use {}", .kind.name(), .known.join(", "))]
+    UnknownModel {
+        /// What was asked for.
+        name: String,
+        /// The vehicle.
+        kind: Kind,
+        /// The models that there are.
+        known: Vec<&'static str>,
+    },
+    /// No model agrees with the airframe and the parameters.
+    #[error(
+        "no model of a {}{} has the frame that the parameters ask for: leave FRAME_CLASS and FRAME_TYPE to the model",
+        .kind.name(), .motors.map_or_else(String::new, |motors| format!(" with {motors} motors"))
+    )]
+    NoModel {
+        /// The vehicle.
+        kind: Kind,
+        /// The airframe's motors.
+        motors: Option<usize>,
+    },
+    /// The model has another number of motors than the airframe.
+    #[error(
+        "the model {model} has {has} motors and the frame file {motors}: {}", advice(.fitting)
+    )]
+    Motors {
+        /// The model.
+        model: &'static str,
+        /// Its motors.
+        has: usize,
+        /// The airframe's.
+        motors: usize,
+        /// The models that fit.
+        fitting: Vec<&'static str>,
+    },
+    /// The model needs another value of a parameter than is asked for.
+    #[error(
+        "the model {model} flies with {parameter} {needed} and would turn over with {asked}: leave {parameter} out, or {}",
+        advice(.fitting)
+    )]
+    Frame {
+        /// The model.
+        model: &'static str,
+        /// The parameter.
+        parameter: &'static str,
+        /// What the model needs.
+        needed: f64,
+        /// What is asked for.
+        asked: f64,
+        /// The models that fit.
+        fitting: Vec<&'static str>,
+    },
+}
+
+fn advice(fitting: &[&str]) -> String {
+    match fitting {
+        [] => "no model fits".to_owned(),
+        models => format!("use the model {}", models.join(" or ")),
+    }
+}

@@ -1,0 +1,269 @@
+//! The vehicles' processes: until they are ready, when one crashes, and what can be done with them.
+
+use sortie::app::effect::{Effect, HangarDeed};
+use sortie::app::event::{Event, Started};
+use sortie::app::state::{Activity, AlertKind, Instance, Overlay, Room, Stage};
+use sortie::vehicle::Severity;
+
+use crate::fixtures;
+use crate::harness::Console;
+
+/// A vehicle's process at a stage.
+pub fn instance(vehicle: u16, stage: Stage) -> Instance {
+    Instance {
+        vehicle,
+        host: None,
+        stage,
+        parameters: if stage < Stage::Heartbeat {
+            [0, 0]
+        } else {
+            [552, 1382]
+        },
+        pid: (stage < Stage::Ended).then_some(41_000 + u32::from(vehicle)),
+        restarts: 0,
+        memory_bytes: 8_400_000,
+        processor_percent: Some(3.06),
+        fault: None,
+        output: Vec::new(),
+        folder: format!("/home/trainee/hangar/vehicle-00{vehicle}"),
+    }
+}
+
+/// One that has ended by itself.
+pub fn crashed(vehicle: u16) -> Instance {
+    let output = [
+        "Starting sketch 'ArduCopter'",
+        "bind failed on port 5760",
+        "panic: it is over",
+        "",
+    ];
+    Instance {
+        fault: Some("killed by signal 9 (KILL)".to_owned()),
+        output: output.map(str::to_owned).to_vec(),
+        ..instance(vehicle, Stage::Ended)
+    }
+}
+
+/// A session whose vehicles have to be started first.
+pub fn starting(activity: Activity, processes: usize) -> Console {
+    let mut console = Console::new();
+    let is_mission = matches!(activity, Activity::Mission { .. });
+    console.hear(Event::Started(Box::new(Started {
+        mission: is_mission.then(|| Box::new(fixtures::listing())),
+        activity,
+        places: std::collections::BTreeMap::new(),
+        areas: Vec::new(),
+        processes: Some(processes),
+    })));
+    console
+}
+
+pub fn hear(console: &mut Console, instances: Vec<Instance>) {
+    console.hear(Event::Hangar(instances));
+}
+
+/// Two that are ready and parked.
+fn ready() -> Console {
+    let mut console = starting(Activity::Free, 2);
+    hear(
+        &mut console,
+        vec![instance(1, Stage::Ready), instance(2, Stage::Ready)],
+    );
+    for id in 1..=2 {
+        console.vehicle(fixtures::parked(id));
+    }
+    console
+}
+
+fn last_notice(console: &Console) -> (Severity, Option<u16>, String) {
+    let line = console.state.notices.lines().next_back().expect("a notice");
+    let notice = &line.notice;
+    (notice.severity, notice.vehicle, notice.text.to_string())
+}
+
+#[test]
+fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
+    let mut console = starting(Activity::Free, 2);
+    assert_eq!(console.state.room, Room::Hangar);
+    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    assert_eq!(
+        console.state.room,
+        Room::Hangar,
+        "the other is not even there"
+    );
+    hear(
+        &mut console,
+        vec![instance(1, Stage::Ready), instance(2, Stage::Position)],
+    );
+    assert_eq!(console.state.room, Room::Hangar);
+    console.at(7);
+    hear(
+        &mut console,
+        vec![instance(1, Stage::Ready), instance(2, Stage::Ready)],
+    );
+    assert_eq!(console.state.room, Room::Fly);
+    assert_eq!(console.state.session.began_at.as_secs(), 7);
+    assert_eq!(last_notice(&console).2, "all 2 vehicles are ready to arm");
+}
+
+#[test]
+fn who_has_gone_elsewhere_stays_there() {
+    let mut console = starting(Activity::Free, 1);
+    console.press("P");
+    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    assert_eq!(console.state.room, Room::Parameters);
+}
+
+#[test]
+fn escape_cancels_what_has_not_begun_without_a_question() {
+    let activity = Activity::Mission {
+        id: "01-air-sample".to_owned(),
+        title: "Air".into(),
+    };
+    let mut console = starting(activity, 2);
+    hear(&mut console, vec![instance(1, Stage::Process)]);
+    console.press("esc");
+    assert_eq!(console.effects, [Effect::LeaveSession]);
+    assert_eq!(console.state.room, Room::Home);
+}
+
+#[test]
+fn a_mission_takes_no_commands_before_it_begins() {
+    let activity = Activity::Mission {
+        id: "01-air-sample".to_owned(),
+        title: "Air".into(),
+    };
+    let mut console = starting(activity, 2);
+    console.vehicle(fixtures::parked(1));
+    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    console.give("1 arm");
+    assert!(console.effects.is_empty());
+    hear(
+        &mut console,
+        vec![instance(1, Stage::Ready), instance(2, Stage::Ready)],
+    );
+    console.press("esc").give("1 arm");
+    assert_eq!(console.sent_to(), [1]);
+}
+
+#[test]
+fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
+    let mut console = ready();
+    hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
+    let (severity, vehicle, text) = last_notice(&console);
+    assert_eq!((severity, vehicle), (Severity::Critical, Some(2)));
+    assert!(
+        text.contains("signal 9") && text.contains("it is over"),
+        "{text}"
+    );
+    assert!(text.contains("G, then r"), "{text}");
+    let worst = console.state.session.alarms.worst(2).expect("it alarms");
+    assert_eq!(worst.alert.kind, AlertKind::Process);
+    assert_eq!(console.effects, [Effect::Bell]);
+    let count = console.state.notices.lines().len();
+    hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
+    assert_eq!(
+        console.state.notices.lines().len(),
+        count,
+        "it is told once"
+    );
+    console.press("G").press("r");
+    assert_eq!(console.effects, [Effect::Hangar(HangarDeed::Restart, 2)]);
+    let again = |stage| Instance {
+        restarts: 1,
+        ..instance(2, stage)
+    };
+    hear(
+        &mut console,
+        vec![instance(1, Stage::Ready), again(Stage::Process)],
+    );
+    assert_eq!(last_notice(&console).2, "its process is started again (1)");
+    hear(
+        &mut console,
+        vec![instance(1, Stage::Ready), again(Stage::Ready)],
+    );
+    assert_eq!(last_notice(&console).2, "is ready to arm again");
+    assert!(
+        console
+            .state
+            .session
+            .alarms
+            .of(2)
+            .all(|one| one.alert.kind != AlertKind::Process)
+    );
+}
+
+#[test]
+fn an_armed_vehicle_is_not_restarted_or_ended_without_a_question() {
+    let mut console = ready();
+    console.vehicle(fixtures::airborne(1, 0.0, 20.0));
+    for (key, line) in [("r", "hangar restart 1"), ("x", "hangar stop 1")] {
+        console.press("G").press(key);
+        assert!(
+            matches!(console.state.overlay, Some(Overlay::Confirm(_))),
+            "{key}"
+        );
+        console.press("n").give(line);
+        assert!(
+            matches!(console.state.overlay, Some(Overlay::Confirm(_))),
+            "{line}"
+        );
+        console.press("n");
+    }
+    console.give("hangar stop 1").press("y");
+    assert_eq!(console.effects, [Effect::Hangar(HangarDeed::Stop, 1)]);
+    console.give("hangar stop 2");
+    assert_eq!(console.effects, [Effect::Hangar(HangarDeed::Stop, 2)]);
+}
+
+#[test]
+fn the_mission_does_not_wait_for_one_that_was_ended() {
+    let mut console = starting(Activity::Free, 2);
+    hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
+    console.press("j").press("x");
+    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    assert_eq!(console.state.room, Room::Fly);
+}
+
+#[test]
+fn lines_about_processes_that_are_not_there_are_explained() {
+    let mut console = Console::flying(1);
+    console.give("hangar restart 9");
+    assert!(console.effects.is_empty());
+    let said = console.state.message().expect("an answer").text.to_string();
+    assert_eq!(said, "there is no process of vehicle 9");
+    console.give("hangar");
+    assert_eq!(console.state.room, Room::Hangar);
+}
+
+#[test]
+fn output_opens_and_scrolls() {
+    let mut console = ready();
+    let output = (1..=50).map(|line| format!("line {line}")).collect();
+    hear(
+        &mut console,
+        vec![
+            Instance {
+                output,
+                ..crashed(1)
+            },
+            instance(2, Stage::Ready),
+        ],
+    );
+    console.press("G").press("enter");
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("line 50") && !screen.contains("line 20\n"),
+        "{screen}"
+    );
+    console.press("page-up").press("page-up");
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("line 30\n") && !screen.contains("line 31"),
+        "{screen}"
+    );
+    console.press("esc");
+    assert_eq!(console.state.room, Room::Hangar);
+    console.press("esc");
+    assert_eq!(console.state.room, Room::Fly);
+}

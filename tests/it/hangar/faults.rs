@@ -1,0 +1,193 @@
+//! Programs that are none, and instances that do not do what they should.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::Path;
+
+use nix::sys::signal::Signal;
+use sortie::hangar::{Launch, Refusal, Stage};
+use sortie::sitl::Kind;
+
+use super::{PATIENCE, Stand, is_gone, signal, until_gone};
+use crate::stand_in::{Behaviour, CRASH_FILE};
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn what_is_no_arducopter_ends_with_the_reason() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = |name: &str, text: &str, mode: u32| {
+        let path = folder.path().join(name);
+        fs::write(&path, text).expect("written");
+        fs::set_permissions(&path, fs::Permissions::from_mode(mode)).expect("it is ours");
+        path
+    };
+    let text = file("text", "I am a text.\n", 0o755);
+    let locked = file("locked", "#!/bin/sh\n", 0o600);
+    let lost = file("lost", "#!/no/such/shell\n", 0o755);
+    for (program, reason) in [
+        (Path::new("/bin/ls"), "it has exited with code 2"),
+        (&text, "is not a program that this machine can run"),
+        (&locked, "must not be run by this user"),
+        (&lost, "its interpreter or its loader is missing"),
+        (folder.path(), "is a folder"),
+        (Path::new("/no/such/arducopter"), "there is no program"),
+    ] {
+        let stand = Stand::running(program.to_owned(), |config| config);
+        let id = stand.launch().await;
+        let one = stand.until_ended(id).await;
+        let fault = one.fault.expect("it has a reason");
+        assert!(fault.contains(reason), "{fault}");
+        assert_eq!(one.pid, None);
+        if program == Path::new("/bin/ls") {
+            assert!(one.last_output.join("\n").contains("--model"));
+        }
+        // One that has ended takes nobody's place, and can be taken away.
+        assert_eq!(stand.hangar.capacity().running, 0);
+        stand.hangar.stop(id).await.expect("it is there");
+        assert!(stand.hangar.instances().borrow().is_empty());
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn what_makes_no_sense_is_refused_before_anything_is_started() {
+    let stand = Stand::of(Behaviour::Normal);
+    let plane = Launch {
+        kind: Kind::Plane,
+        ..Launch::default()
+    };
+    let refused = stand.hangar.launch(plane).await;
+    assert!(matches!(refused, Err(Refusal::NoProgram("arduplane"))));
+    let backwards = Launch {
+        speedup: -1.0,
+        ..Launch::default()
+    };
+    let refused = stand.hangar.launch(backwards).await;
+    assert!(matches!(refused, Err(Refusal::Invalid(_))));
+    assert!(matches!(
+        stand.hangar.stop(1).await,
+        Err(Refusal::Unknown(1))
+    ));
+    assert!(stand.hangar.instances().borrow().is_empty());
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_that_exits_before_it_has_connected_is_shown_with_its_last_words() {
+    let stand = Stand::of(Behaviour::ExitsBeforeConnecting);
+    let id = stand.launch().await;
+    let one = stand.until_ended(id).await;
+    assert_eq!(one.fault.as_deref(), Some("it has exited with code 3"));
+    assert!(one.last_output.join("\n").contains("the stand-in gives up"));
+    let printed = stand.hangar.output(id, 0).expect("it is there");
+    let last = printed.last().expect("it has printed").number;
+    assert_eq!(stand.hangar.output(id, last).expect("it is").len(), 1);
+    assert!(stand.hangar.output(id, last + 1).expect("it is").is_empty());
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_crash_is_noticed_and_told_by_its_signal() {
+    let stand = Stand::of(Behaviour::Normal);
+    let id = stand.launch().await;
+    let one = stand.until_ready(id).await;
+    fs::write(Path::new(&one.folder).join(CRASH_FILE), "").expect("written");
+    let one = stand.until_ended(id).await;
+    assert_eq!(one.fault.as_deref(), Some("it has crashed (SIGABRT)"));
+    let last = one.last_output.join("\n");
+    assert!(last.contains("Floating point exception"), "{last}");
+}
+
+/// Nothing is ended for being slow; what is known is told, and it can be stopped.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn those_that_hang_are_told_with_what_they_lack() {
+    let stands = [Behaviour::NeverConnects, Behaviour::StaysSilent].map(Stand::of);
+    let hints = [
+        "runs but has not connected for",
+        "is connected but has sent no heartbeat for",
+    ];
+    for stand in &stands {
+        stand.launch().await;
+    }
+    for (stand, expected) in stands.iter().zip(hints) {
+        let one = stand
+            .until_one(1, "it is diagnosed", |one| one.hint.is_some())
+            .await;
+        let hint = one.hint.expect("it has one");
+        assert!(hint.starts_with(expected), "{hint}");
+        assert!(hint.ends_with("its last output: Starting sketch 'ArduCopter'"));
+        assert_eq!(hint.contains("of a core"), expected.contains("heartbeat"));
+        assert_eq!((one.stage, one.fault), (Stage::Process, None));
+        stand.hangar.stop(1).await.expect("it is there");
+        assert!(is_gone(one.pid.expect("it ran")));
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_that_never_knows_where_it_is_stays_at_its_stage() {
+    let stand = Stand::of(Behaviour::NeverReady);
+    let id = stand.launch().await;
+    let one = stand
+        .until_one(id, "its parameters are there", |one| {
+            one.stage == Stage::Parameters
+        })
+        .await;
+    assert_eq!(one.parameters[0], one.parameters[1]);
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_megabyte_of_output_a_second_disturbs_nobody() {
+    let stand = Stand::of(Behaviour::FloodsItsOutput);
+    let id = stand.launch().await;
+    stand.until_ready(id).await;
+    let mut numbers = stand.hangar.prints(id).expect("it is there").watch();
+    let printed = timeout_of(numbers.wait_for(|last| *last > 3000)).await;
+    printed.expect("it is open");
+    let kept = stand.hangar.output(id, 0).expect("it is there");
+    let len: usize = kept.iter().map(|line| line.text.len()).sum();
+    assert!(len < 200_000, "{len}");
+    stand.hangar.close().await;
+}
+
+async fn timeout_of<T>(future: impl Future<Output = T>) -> T {
+    tokio::time::timeout(PATIENCE, future)
+        .await
+        .expect("it comes to that")
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_that_is_stopped_or_ignores_the_request_is_ended_all_the_same() {
+    let stopped = Stand::of(Behaviour::Normal);
+    let stubborn = Stand::of(Behaviour::IgnoresTermination);
+    for stand in [&stopped, &stubborn] {
+        stand.launch().await;
+    }
+    let pid = stopped.until_ready(1).await.pid.expect("it runs");
+    signal(pid, Signal::SIGSTOP);
+    stopped.hangar.stop(1).await.expect("it is there");
+    assert!(is_gone(pid));
+    let pid = stubborn.until_ready(1).await.pid.expect("it runs");
+    stubborn.hangar.close().await;
+    assert!(is_gone(pid));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn what_an_instance_has_started_ends_with_it() {
+    let stand = Stand::of(Behaviour::HasChildren);
+    let id = stand.launch().await;
+    stand.until_ready(id).await;
+    let printed = stand.hangar.output(id, 0).expect("it is there");
+    let child = printed
+        .iter()
+        .find_map(|line| line.text.strip_prefix("child "))
+        .and_then(|pid| pid.parse().ok())
+        .expect("it says so");
+    assert!(!is_gone(child));
+    stand.hangar.stop(id).await.expect("it is there");
+    until_gone(child).await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn dropping_the_hangar_ends_everything() {
+    let stand = Stand::of(Behaviour::Normal);
+    let id = stand.launch().await;
+    let pid = stand.until_ready(id).await.pid.expect("it runs");
+    drop(stand);
+    until_gone(pid).await;
+}

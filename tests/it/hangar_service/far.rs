@@ -1,0 +1,229 @@
+//! Several hangars elsewhere, and a console that spreads its vehicles over them.
+
+use std::sync::Arc;
+
+use sortie::hangar::client::{ClientError, Remote};
+use sortie::hangar::{Hangars, Launch, Refusal, Seen, Stage, Token};
+use sortie::text::Text;
+use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
+use tokio::net::TcpListener;
+use tokio::sync::watch;
+
+use super::{PATIENCE, Served};
+
+async fn until(
+    seen: &mut watch::Receiver<Seen>,
+    what: &str,
+    is_true: impl Fn(&Seen) -> bool,
+) -> Seen {
+    let waiting = tokio::time::timeout(PATIENCE, seen.wait_for(|all| is_true(all)));
+    let now = waiting
+        .await
+        .unwrap_or_else(|_| panic!("in vain until {what}"));
+    Arc::clone(&now.expect("it goes on"))
+}
+
+fn launches(count: usize) -> Vec<Launch> {
+    vec![Launch::default(); count]
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn vehicles_are_spread_by_room_and_a_hangar_that_dies_hurts_no_other() {
+    let (first, second) = (Served::start(1).await, Served::start(3).await);
+    let hangars = Hangars::far(vec![first.remote(), second.remote()]);
+    assert_eq!(
+        hangars.names(),
+        [first.address.to_string(), second.address.to_string()]
+    );
+    let mut berths = hangars.launch(launches(3)).await.expect("there is room");
+    let at: Vec<usize> = berths.iter().map(|berth| berth.place.hangar).collect();
+    assert_eq!(at, [0, 1, 1]);
+    let mut seen = hangars.instances();
+    let all = until(&mut seen, "all are ready", |all| {
+        all.len() == 3 && all.iter().all(|(_, one)| one.stage == Stage::Ready)
+    })
+    .await;
+    let mut systems: Vec<u8> = all.iter().map(|(_, one)| one.system).collect();
+    systems.sort_unstable();
+    assert_eq!(systems, [1, 2, 3]);
+    let mut some = [0; 16];
+    for berth in &mut berths {
+        berth.pipe.read_exact(&mut some).await.expect("it speaks");
+    }
+    first.end().await;
+    let all = until(&mut seen, "the first hangar is lost", |all| {
+        all.iter()
+            .any(|(place, one)| place.hangar == 0 && one.stage == Stage::Ended)
+    })
+    .await;
+    let lost = all[0].1.fault.clone().expect("a reason");
+    assert!(lost.contains("does not answer"), "{lost}");
+    assert!(all[1..].iter().all(|(_, one)| one.stage == Stage::Ready));
+    for _ in 0..200 {
+        berths[1]
+            .pipe
+            .read_exact(&mut some)
+            .await
+            .expect("it goes on");
+    }
+    hangars.restart(berths[1].place).await.expect("it is there");
+    until(&mut seen, "it was started again", |all| {
+        all.iter().any(|(_, one)| one.restarts == 1)
+    })
+    .await;
+    hangars.stop(berths[2].place).await.expect("it is there");
+    assert!(matches!(
+        hangars.restart(berths[2].place).await,
+        Err(Refusal::Unknown(_))
+    ));
+    hangars.close().await;
+    assert_eq!(second.ask("GET", "/vehicles").await.body, "[]");
+    second.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn all_are_launched_or_none() {
+    let (first, second) = (Served::start(2).await, Served::with(2, None, |_| ()).await);
+    let hangars = Hangars::far(vec![first.remote(), second.remote()]);
+    let error = hangars
+        .launch(launches(5))
+        .await
+        .expect_err("there is no room");
+    assert!(matches!(error, Refusal::Full(0)), "{error}");
+    // The second one has nothing to start.
+    let error = hangars
+        .launch(launches(2))
+        .await
+        .expect_err("one of them fails");
+    assert!(matches!(error, Refusal::Far { .. }), "{error}");
+    assert!(
+        error.to_string().contains("no arducopter was found"),
+        "{error}"
+    );
+    assert_eq!(first.ask("GET", "/vehicles").await.body, "[]");
+    assert!(hangars.instances().borrow().is_empty());
+    let dead = second.remote();
+    second.end().await;
+    let hangars = Hangars::far(vec![dead, first.remote()]);
+    let berths = hangars
+        .launch(launches(2))
+        .await
+        .expect("the other has room");
+    assert!(berths.iter().all(|berth| berth.place.hangar == 1));
+    let error = hangars
+        .launch(launches(1))
+        .await
+        .expect_err("there is no room");
+    assert!(error.to_string().contains("cannot be reached"), "{error}");
+    first.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn what_was_launched_ends_with_the_console() {
+    let served = Served::start(2).await;
+    let by_another = served
+        .remote()
+        .launch(&Launch::default())
+        .await
+        .expect("there is room");
+    let hangars = Hangars::far(vec![served.remote()]);
+    let berths = hangars.launch(launches(1)).await.expect("there is room");
+    assert_ne!(berths[0].place.id, by_another.id);
+    drop(hangars);
+    let gone = async {
+        while served.remote().instances().await.expect("it answers").len() > 1 {
+            tokio::task::yield_now().await;
+        }
+    };
+    tokio::time::timeout(PATIENCE, gone)
+        .await
+        .expect("it is ended");
+    let left = served.remote().instances().await.expect("it answers");
+    assert_eq!(left[0].id, by_another.id);
+    served.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_hangar_that_was_started_anew_has_none_of_the_vehicles() {
+    let first = Served::start(1).await;
+    let hangars = Hangars::far(vec![first.remote()]);
+    let berths = hangars.launch(launches(1)).await.expect("there is room");
+    let mut seen = hangars.instances();
+    until(&mut seen, "it is known", |all| {
+        all[0].1.stage > Stage::Queued
+    })
+    .await;
+    let second = first.again().await;
+    let other = second
+        .remote()
+        .launch(&Launch::default())
+        .await
+        .expect("there is room");
+    assert_eq!(other.id, berths[0].place.id);
+    let all = until(&mut seen, "that is noticed", |all| {
+        all[0]
+            .1
+            .fault
+            .as_ref()
+            .is_some_and(|fault| fault.contains("started anew"))
+    })
+    .await;
+    assert_eq!(all[0].1.stage, Stage::Ended);
+    assert!(hangars.stop(berths[0].place).await.is_err());
+    drop(hangars);
+    assert_eq!(
+        second.remote().instances().await.expect("it answers").len(),
+        1
+    );
+    second.end().await;
+}
+
+#[tokio::test]
+async fn what_is_no_hangar_is_told_from_one_that_is_not_there() {
+    let listener = TcpListener::bind("127.0.0.1:0").await.expect("a port");
+    let address = format!("http://{}", listener.local_addr().expect("it is bound"));
+    let remote = Remote::new(address.parse().expect("an address"), None);
+    let answers = [
+        "SSH-2.0-OpenSSH_9.6\r\n",
+        "HTTP/1.1 404 Not Found\r\nContent-Length: 5\r\n\r\nnginx",
+        "HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}",
+    ];
+    let server = tokio::spawn(async move {
+        for answer in answers {
+            let (mut stream, _) = listener.accept().await.expect("it listens");
+            let mut head = [0; 4096];
+            let _ = stream.read(&mut head).await;
+            stream
+                .write_all(answer.as_bytes())
+                .await
+                .expect("it is open");
+            let _ = stream.shutdown().await;
+        }
+    });
+    for answer in answers {
+        let error = remote.status().await.expect_err("it is none");
+        assert!(
+            matches!(error, ClientError::NotAHangar { .. }),
+            "{answer}: {error}"
+        );
+    }
+    server.await.expect("no panic");
+    let error = remote.status().await.expect_err("nobody listens");
+    assert!(matches!(error, ClientError::Unreachable { .. }), "{error}");
+    let text = Text::from(&error);
+    assert_eq!(text.id(), Some("hangar-far-unreachable"));
+    assert!(error.to_string().contains("ssh -L"));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_wrong_token_is_told_as_such() {
+    let served = Served::start(1).await;
+    let wrong = Token::random().expect("random numbers");
+    let remote = Remote::new(served.remote().address().clone(), Some(wrong));
+    let error = remote.status().await.expect_err("it is wrong");
+    assert!(matches!(error, ClientError::Unauthorised { .. }), "{error}");
+    let hangars = Hangars::far(vec![remote]);
+    let error = hangars.launch(launches(1)).await.expect_err("it is wrong");
+    assert!(error.to_string().contains("--hangar-token FILE"), "{error}");
+    served.end().await;
+}

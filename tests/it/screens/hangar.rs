@@ -1,0 +1,67 @@
+//! The room of the vehicles' processes.
+
+use std::sync::Arc;
+
+use sortie::app::state::{Activity, Instance, Stage};
+use sortie::text::{Language, Locale};
+
+use crate::console::hangar::{crashed, hear, instance, starting};
+use crate::harness::Console;
+
+/// Every stage at once.
+fn all_stages(language: Language) -> Console {
+    let mut console = starting(Activity::Free, 8);
+    console.state.locale = Arc::new(Locale::new(language));
+    let complete = |vehicle, stage| Instance {
+        parameters: [1382, 1382],
+        ..instance(vehicle, stage)
+    };
+    let early = |vehicle, stage| Instance {
+        memory_bytes: 0,
+        ..instance(vehicle, stage)
+    };
+    let again = Instance {
+        restarts: 2,
+        ..instance(4, Stage::Heartbeat)
+    };
+    let far = Instance {
+        host: Some("http://lab-2:5700".to_owned()),
+        ..complete(6, Stage::Position)
+    };
+    hear(
+        &mut console,
+        vec![
+            Instance {
+                pid: None,
+                ..early(1, Stage::Queued)
+            },
+            early(2, Stage::Process),
+            Instance {
+                parameters: [0, 0],
+                ..instance(3, Stage::Heartbeat)
+            },
+            again,
+            complete(5, Stage::Parameters),
+            far,
+            complete(7, Stage::Ready),
+            crashed(8),
+        ],
+    );
+    console
+}
+
+#[test]
+fn the_stages_of_vehicles_that_are_started() {
+    for language in Language::ALL {
+        let mut console = all_stages(language);
+        console.press("end");
+        for (width, height) in [(80, 24), (120, 40), (200, 50)] {
+            let name = format!("hangar_{}_{width}x{height}", language.code());
+            insta::assert_snapshot!(name, console.screen(width, height));
+        }
+    }
+    let mut console = all_stages(Language::English);
+    assert!(console.screen(60, 20).contains("80x24"));
+    console.press("end").press("enter");
+    insta::assert_snapshot!("hangar_output_80x24", console.screen(80, 24));
+}
