@@ -33,16 +33,15 @@ pub(super) fn chart(rows: &[Row], is_ascii: bool) -> String {
         ascii::map(&mut buffer);
     }
     let point = if is_ascii { POINT_ASCII } else { POINT };
-    let mut text: String = (0..buffer.area.height)
-        .map(|row| {
-            let cells = (0..buffer.area.width).map(|column| buffer[(column, row)].symbol());
-            format!("{}\n", cells.collect::<String>().trim_end())
-        })
-        .collect();
-    text.push_str(&format!(
+    let line = |row| {
+        let cells = (0..buffer.area.width).map(|column| buffer[(column, row)].symbol());
+        cells.collect::<String>().trim_end().to_owned()
+    };
+    let mut lines: Vec<String> = (0..buffer.area.height).map(line).collect();
+    lines.push(format!(
         "{point} measured    lines: the paper's least and most    across: number of drones\n"
     ));
-    text
+    lines.join("\n")
 }
 
 fn draw(figure: &Figure, area: Rect, buffer: &mut Buffer) {

@@ -27,8 +27,9 @@ pub(super) struct Sample {
     pub void: Option<String>,
 }
 
-/// Pauses in milliseconds; 0 if there was none.
+/// Pauses; 0 if there was none.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs into the name")]
 pub(super) struct Gaps {
     pub p50_ms: f64,
     pub p99_ms: f64,
