@@ -14,7 +14,7 @@ const MODEL_AT_ITS_END_PERCENT: f64 = 98.0;
 const MEMORY_SHORT_PERCENT: f64 = 3.0;
 
 /// How hard everything worked during a measurement.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Strain {
     pub cores: usize,
     /// Share of all processors that was at work, other programs included.
@@ -119,13 +119,13 @@ mod tests {
     fn whatever_could_not_keep_up_is_named_with_its_figures() {
         let calm = Strain::default();
         let cases = [
-            (0.99, calm.clone(), None),
+            (0.99, calm, None),
             (
                 0.5,
                 Strain {
                     sim_thread_percent: Some(99.0),
                     machine_busy_percent: 60.0,
-                    ..calm.clone()
+                    ..calm
                 },
                 Some("0.500 of real time: the simulator's thread takes 99 % of a core"),
             ),
@@ -133,7 +133,7 @@ mod tests {
                 1.0,
                 Strain {
                     model_thread_percent: 99.0,
-                    ..calm.clone()
+                    ..calm
                 },
                 Some("the console's model update takes 99 % of a core in one thread"),
             ),
@@ -142,7 +142,7 @@ mod tests {
                 Strain {
                     lost_in_console: 50,
                     model_thread_percent: 40.0,
-                    ..calm.clone()
+                    ..calm
                 },
                 Some("4.8 % of the messages were lost: the console's queues dropped 50 messages"),
             ),
@@ -151,7 +151,7 @@ mod tests {
                 Strain {
                     machine_busy_percent: 100.0,
                     sim_percent: 190.0,
-                    ..calm.clone()
+                    ..calm
                 },
                 Some(
                     "0.800 of real time: processor time: the simulator takes 190 % of a core, and the machine has 200 %",
@@ -162,7 +162,7 @@ mod tests {
                 Strain {
                     machine_busy_percent: 100.0,
                     sim_percent: 20.0,
-                    ..calm.clone()
+                    ..calm
                 },
                 Some("which other programs take"),
             ),
@@ -170,7 +170,7 @@ mod tests {
                 0.9,
                 Strain {
                     memory_available_percent: Some(1.0),
-                    ..calm.clone()
+                    ..calm
                 },
                 Some("memory (1.0 % of it is free)"),
             ),
