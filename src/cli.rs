@@ -181,7 +181,7 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
         }
         Some(Command::Check { files }) => check::check(&files),
         Some(Command::Config(options)) => config::config(&options, &settings),
-        Some(Command::Bench(bench)) => bench::bench(&bench),
+        Some(Command::Bench(bench)) => bench::bench(&bench, &settings),
         Some(Command::Completions { shell }) => manual::completions(shell),
         Some(Command::Man) => manual::man(),
     }

@@ -14,7 +14,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
-use crate::session::{Order, Report};
+use crate::session::{Order, Report, Stream, WANTED_STREAMS};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -76,9 +76,24 @@ pub struct Fleet {
 impl Fleet {
     /// Starts an empty fleet. Must be called inside a tokio runtime.
     pub fn start(clock: Clock, cancel: CancellationToken) -> (Self, mpsc::Receiver<FleetEvent>) {
+        Self::start_wanting(WANTED_STREAMS, clock, cancel)
+    }
+
+    /// Starts an empty fleet that asks its vehicles for other telemetry than what the console shows.
+    pub fn start_wanting(
+        streams: &'static [Stream],
+        clock: Clock,
+        cancel: CancellationToken,
+    ) -> (Self, mpsc::Receiver<FleetEvent>) {
         let (requests, requests_in) = mpsc::channel(REQUESTS_KEPT);
         let (events, events_out) = mpsc::channel(EVENTS_KEPT);
-        tokio::spawn(hub::run(clock, requests_in, events, cancel.clone()));
+        let surroundings = hub::Surroundings {
+            clock,
+            streams,
+            events,
+            cancel: cancel.clone(),
+        };
+        tokio::spawn(hub::run(surroundings, requests_in));
         (Self { requests, cancel }, events_out)
     }
 

@@ -96,7 +96,7 @@ impl Session {
             vehicle: Vehicle::new(system, component),
             inbox: Inbox::new(),
             loss: LossMeter::default(),
-            streams: Streams::new(now),
+            streams: Streams::new(WANTED_STREAMS, now),
             timesync: Timesync::default(),
             plans: PlanReader::default(),
             queue: VecDeque::new(),
@@ -107,6 +107,13 @@ impl Session {
             download: Download::new(),
             output: Output::default(),
         }
+    }
+
+    /// Asks for other telemetry than what the console shows.
+    #[must_use]
+    pub fn wanting(mut self, streams: &'static [Stream], now: Duration) -> Self {
+        self.streams = Streams::new(streams, now);
+        self
     }
 
     /// The model as it is now.

@@ -134,7 +134,7 @@ fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure
     })))
 }
 
-fn missing_program(missing: &Missing) -> Failure {
+pub(super) fn missing_program(missing: &Missing) -> Failure {
     Failure::Invalid(format!(
         "sortie: {missing}\n  name it with --arducopter FILE or SORTIE_ARDUCOPTER, or build it, in a checkout of ArduPilot:\n    \
          ./waf configure --board sitl && ./waf copter   makes build/sitl/bin/arducopter\n  \

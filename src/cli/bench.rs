@@ -5,11 +5,13 @@ use std::process::ExitCode;
 use clap::Subcommand;
 
 use super::Failure;
+use super::settings::Settings;
 
 mod decode;
 mod fidelity;
 mod frame;
 mod load;
+mod scale;
 mod sim;
 
 /// What to measure.
@@ -23,17 +25,20 @@ pub(super) enum Bench {
     Frame(frame::FrameArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.
     Load(load::LoadArguments),
+    /// What a growing number of vehicles costs the simulator and the console, as the paper measured it.
+    Scale(scale::ScaleArguments),
     /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
     Sim(sim::SimArguments),
 }
 
 /// Measures and prints.
-pub(super) fn bench(bench: &Bench) -> Result<ExitCode, Failure> {
+pub(super) fn bench(bench: &Bench, settings: &Settings) -> Result<ExitCode, Failure> {
     match bench {
         Bench::Decode(options) => decode::decode(options),
         Bench::Fidelity(options) => fidelity::fidelity(options),
         Bench::Frame(options) => frame::frame(options),
         Bench::Load(options) => load::load(options),
+        Bench::Scale(options) => scale::scale(options, settings),
         Bench::Sim(options) => sim::sim(options),
     }
 }

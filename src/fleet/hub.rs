@@ -14,7 +14,7 @@ use crate::ledger::RowState;
 use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
-use crate::session::{LOST_AFTER, Order, Report, Session};
+use crate::session::{LOST_AFTER, Order, Report, Session, Stream};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -60,8 +60,18 @@ impl Route {
     }
 }
 
+/// What a hub works with from the start.
+pub(super) struct Surroundings {
+    pub clock: Clock,
+    /// Telemetry that vehicles are asked for.
+    pub streams: &'static [Stream],
+    pub events: mpsc::Sender<FleetEvent>,
+    pub cancel: CancellationToken,
+}
+
 struct Hub {
     clock: Clock,
+    streams: &'static [Stream],
     links: Vec<LinkHandle>,
     routes: BTreeMap<SystemId, Route>,
     inbound: mpsc::Sender<Inbound>,
@@ -70,15 +80,17 @@ struct Hub {
 }
 
 /// Runs the hub until cancelled or until the console has let go of it.
-pub(super) async fn run(
-    clock: Clock,
-    mut requests: mpsc::Receiver<Request>,
-    events: mpsc::Sender<FleetEvent>,
-    cancel: CancellationToken,
-) {
+pub(super) async fn run(surroundings: Surroundings, mut requests: mpsc::Receiver<Request>) {
+    let Surroundings {
+        clock,
+        streams,
+        events,
+        cancel,
+    } = surroundings;
     let (inbound, mut inbound_out) = mpsc::channel(INBOUND_KEPT);
     let mut hub = Hub {
         clock,
+        streams,
         links: Vec::new(),
         routes: BTreeMap::new(),
         inbound,
@@ -221,7 +233,7 @@ impl Hub {
         let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
         let (parameters, parameters_out) = watch::channel(Snapshot::default());
-        let mut session = Session::new(system, component, now);
+        let mut session = Session::new(system, component, now).wanting(self.streams, now);
         session.heard_via(link_id.0, now);
         let task = VehicleTask {
             session,

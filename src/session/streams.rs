@@ -64,6 +64,7 @@ const GOOD_ENOUGH: f64 = 0.7;
 /// Watches the rates of one vehicle.
 #[derive(Debug)]
 pub(super) struct Streams {
+    wanted: &'static [Stream],
     arrived: BTreeMap<u32, u32>,
     asked: BTreeMap<u32, u32>,
     window_start: Duration,
@@ -72,8 +73,9 @@ pub(super) struct Streams {
 
 impl Streams {
     /// Nothing asked yet.
-    pub fn new(now: Duration) -> Self {
+    pub fn new(wanted: &'static [Stream], now: Duration) -> Self {
         Self {
+            wanted,
             arrived: BTreeMap::new(),
             asked: BTreeMap::new(),
             window_start: now,
@@ -83,7 +85,7 @@ impl Streams {
 
     /// Starts again: the link or the vehicle has, and rates may be gone.
     pub fn forget(&mut self, now: Duration) {
-        *self = Self::new(now);
+        *self = Self::new(self.wanted, now);
     }
 
     /// Takes note of a message that arrived.
@@ -98,7 +100,7 @@ impl Streams {
         }
         let window_s = now.saturating_sub(self.window_start).as_secs_f64();
         let mut commands = Vec::new();
-        for wanted in WANTED_STREAMS {
+        for wanted in self.wanted {
             let arrived = self.arrived.get(&wanted.message).copied().unwrap_or(0);
             if f64::from(arrived) < wanted.rate_hz * window_s * GOOD_ENOUGH
                 && self.may_ask(wanted.message)
@@ -149,7 +151,7 @@ mod tests {
     #[test]
     fn a_home_that_stays_unknown_is_asked_for_ever_more_seldom_but_never_given_up() {
         let vehicle = Vehicle::new(1, 1);
-        let mut streams = Streams::new(Duration::ZERO);
+        let mut streams = Streams::new(WANTED_STREAMS, Duration::ZERO);
         let is_for_home = |(message, _): &(Outgoing, u16)| match message {
             Outgoing::Message(MavMessage::COMMAND_LONG(long)) => {
                 long.param1.to_bits() == 242f32.to_bits()

@@ -1,6 +1,7 @@
 //! The one integration-test binary.
 
 mod arducopter;
+mod bench_scale;
 mod clients;
 mod command_line;
 mod console;

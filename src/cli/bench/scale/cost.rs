@@ -1,0 +1,144 @@
+//! What threads, processes and the machine have spent, as Linux tells it below `/proc`.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use tokio::runtime::{Builder, Runtime};
+
+/// A runtime whose threads are known, so that what runs on it can be told from everything else in this program.
+pub(super) struct Counted {
+    pub runtime: Runtime,
+    /// The folder of each thread below `/proc`.
+    threads: Arc<Mutex<Vec<PathBuf>>>,
+}
+
+impl Counted {
+    /// A runtime with so many threads.
+    pub fn start(name: &str, workers: usize) -> io::Result<Self> {
+        let threads = Arc::new(Mutex::new(Vec::new()));
+        let known = Arc::clone(&threads);
+        let runtime = Builder::new_multi_thread()
+            .worker_threads(workers.max(1))
+            .thread_name(name)
+            .on_thread_start(move || {
+                if let Ok(own) = fs::read_link("/proc/thread-self") {
+                    let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+                    known.push(Path::new("/proc").join(own));
+                }
+            })
+            .enable_all()
+            .build()?;
+        // A task that has run has had a thread, which is known by then.
+        let first = runtime.spawn(async {});
+        runtime.block_on(first).map_err(io::Error::other)?;
+        Ok(Self { runtime, threads })
+    }
+
+    /// Processor time of each thread so far.
+    pub fn spent(&self) -> io::Result<Vec<Duration>> {
+        let threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);
+        if threads.is_empty() {
+            return Err(io::Error::other(
+                "this system does not tell a thread its processor time in /proc/thread-self: it can only be \
+                 measured on Linux",
+            ));
+        }
+        threads.iter().map(|thread| on_processor(thread)).collect()
+    }
+}
+
+/// Processor time of a thread: the first number of its `schedstat`, nanoseconds.
+fn on_processor(thread: &Path) -> io::Result<Duration> {
+    let text = fs::read_to_string(thread.join("schedstat"))?;
+    let nanoseconds = text.split(' ').next().and_then(|first| first.parse().ok());
+    let nanoseconds = nanoseconds.ok_or_else(|| io::Error::other("schedstat has no number"))?;
+    Ok(Duration::from_nanos(nanoseconds))
+}
+
+/// Processor time of all threads of a process.
+pub(super) fn of_process(pid: u32) -> io::Result<Duration> {
+    let mut total = Duration::ZERO;
+    for thread in fs::read_dir(format!("/proc/{pid}/task"))? {
+        total += on_processor(&thread?.path())?;
+    }
+    Ok(total)
+}
+
+/// Resident memory of a process in bytes.
+pub(super) fn memory_of_process(pid: u32) -> Option<u64> {
+    let status = fs::read_to_string(format!("/proc/{pid}/status")).ok()?;
+    Some(kibibytes(&status, "VmRSS:")? * 1024)
+}
+
+/// Share of the machine's memory that is still to be had, in percent.
+pub(super) fn memory_available_percent() -> Option<f64> {
+    let told = fs::read_to_string("/proc/meminfo").ok()?;
+    let available = kibibytes(&told, "MemAvailable:")?;
+    let all = kibibytes(&told, "MemTotal:")?;
+    Some(available as f64 / all as f64 * 100.0)
+}
+
+fn kibibytes(text: &str, name: &str) -> Option<u64> {
+    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+    line.split_whitespace().next()?.parse().ok()
+}
+
+/// How long the processors have been at work, all programs together, in ticks.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Machine {
+    busy: u64,
+    all: u64,
+}
+
+impl Machine {
+    /// As it is now.
+    pub fn now() -> Option<Self> {
+        Self::read(&fs::read_to_string("/proc/stat").ok()?)
+    }
+
+    fn read(stat: &str) -> Option<Self> {
+        let numbers: Vec<u64> = stat
+            .lines()
+            .next()?
+            .split_whitespace()
+            .skip(1)
+            .take(8)
+            .map(|number| number.parse().unwrap_or(0))
+            .collect();
+        let all = numbers.iter().sum();
+        // The fourth and fifth are idle and waiting for disks.
+        let idle: u64 = numbers.iter().skip(3).take(2).sum();
+        Some(Self {
+            busy: all - idle,
+            all,
+        })
+    }
+
+    /// Share of all processors that was at work since then, in percent.
+    pub fn busy_percent_since(self, before: Self) -> f64 {
+        let all = self.all.saturating_sub(before.all).max(1);
+        self.busy.saturating_sub(before.busy) as f64 / all as f64 * 100.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_processors_did_is_read_as_linux_tells_it() {
+        let before = Machine::read("cpu  100 0 50 800 50 0 0 0 0 0\ncpu0 1 2 3").expect("a line");
+        let after = Machine::read("cpu  160 10 80 850 100 0 0 0 0 0\n").expect("a line");
+        assert!((after.busy_percent_since(before) - 50.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn memory_is_read_in_bytes() {
+        let status = "Name:\tx\nVmRSS:\t    8104 kB\nThreads:\t2\n";
+        assert_eq!(kibibytes(status, "VmRSS:"), Some(8104));
+        assert_eq!(kibibytes(status, "VmSwap:"), None);
+    }
+}
