@@ -150,26 +150,23 @@ fn running(entries: &BTreeMap<InstanceId, Entry>) -> u16 {
     entries.values().filter(|entry| !entry.is_down).count() as u16
 }
 
-/// The system id that was asked for; else the instance's number, and if that cannot be the lowest free one.
+/// The system id that was asked for, also if another instance has it: each is reached by a way of its own, and two
+/// consoles on one hangar both number their vehicles from 1. Else the instance's number, and if that cannot be the
+/// lowest free one.
 fn free_system(
     entries: &BTreeMap<InstanceId, Entry>,
     asked: Option<u8>,
     id: InstanceId,
 ) -> Result<u8, Refusal> {
-    let holder = |system: u8| entries.iter().find(|(_, entry)| entry.system == system);
     if let Some(system) = asked {
-        return match holder(system) {
-            Some((other, _)) => Err(Refusal::Invalid(format!(
-                "instance {other} has system id {system} already: choose another one"
-            ))),
-            None => Ok(system),
-        };
+        return Ok(system);
     }
+    let is_free = |system: &u8| entries.values().all(|entry| entry.system != *system);
     let all = 1..=SYSTEMS as u8;
     let own = u8::try_from(id).ok().filter(|own| all.contains(own));
     own.into_iter()
         .chain(all)
-        .find(|system| holder(*system).is_none())
+        .find(is_free)
         .ok_or_else(|| Refusal::Invalid(format!("all {SYSTEMS} system ids are taken")))
 }
 

@@ -186,6 +186,7 @@ impl Swarm {
             verb: "scale",
             retry: RETRY,
             command,
+            renamed: None,
         };
         // A fleet that cannot take it shows in the vehicles, which do not move.
         let _ = self.parts[part].fleet.order(vehicle, order);
