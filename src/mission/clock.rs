@@ -38,6 +38,10 @@ pub struct Clock {
 
 /// What a vehicle's clock says.
 #[derive(Debug, Clone, Copy)]
+#[expect(
+    clippy::struct_field_names,
+    reason = "the unit of each, which is wire time"
+)]
 struct Reading {
     boot_ms: u32,
     /// Mission time by it.
@@ -89,7 +93,7 @@ impl Clock {
                 self.note(id, boot_ms);
             }
         }
-        let limit = (self.stepped - begun).mul_f64(self.speedup) + TICK;
+        let limit = self.stepped.saturating_sub(begun).mul_f64(self.speedup) + TICK;
         let ahead = self.vehicles.values().map(|reading| reading.claim_ms).max();
         let ahead = Duration::from_millis(ahead.unwrap_or(0).unsigned_abs());
         if ahead > self.elapsed {
@@ -135,7 +139,7 @@ impl Clock {
         let (at, elapsed) = self.mark;
         let over = self.stepped.saturating_sub(at);
         if over >= RATE_EVERY {
-            self.rate = (self.elapsed - elapsed).as_secs_f64() / over.as_secs_f64();
+            self.rate = self.elapsed.saturating_sub(elapsed).as_secs_f64() / over.as_secs_f64();
             self.mark = (self.stepped, self.elapsed);
         }
     }
@@ -247,7 +251,7 @@ mod tests {
                 let readings = (1..).zip(readings).chain([(9, Some(boot))]);
                 let elapsed = clock.step(now, readings);
                 prop_assert!(elapsed >= before);
-                let limit = (now - Duration::from_secs(5)).mul_f64(speedup) + TICK;
+                let limit = now.saturating_sub(Duration::from_secs(5)).mul_f64(speedup) + TICK;
                 prop_assert!(elapsed <= limit, "{elapsed:?} of {limit:?}");
                 before = elapsed;
             }

@@ -35,7 +35,10 @@ fn a_word_that_is_neither_vehicle_nor_kind_of_alert_is_told_both() {
     };
     let (message, help) = fault("ack foo");
     assert_eq!(message, "`foo` is neither a vehicle nor a kind of alert");
-    assert!(help.starts_with("kinds: crash link-lost "), "{help}");
+    assert!(
+        help.starts_with("kinds: crash process link-lost "),
+        "{help}"
+    );
     assert_eq!(fault("ack batery").1, "did you mean `battery`?");
     assert_eq!(fault("sort -battery").1, "did you mean `bat`?");
     for line in ["ack", "ack 3", "ack @red", "ack all", "ack gps"] {

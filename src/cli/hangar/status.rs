@@ -13,6 +13,9 @@ use crate::hangar::{Instance, Token};
 
 /// Options of `sortie hangar status`.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie hangar status\n  \
+    sortie hangar status --hangar http://127.0.0.1:5700 --json")]
 pub(super) struct StatusArguments {
     #[command(flatten)]
     services: ServiceOptions,

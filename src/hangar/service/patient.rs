@@ -109,7 +109,7 @@ mod tests {
         // More than all buffers between the two hold.
         let error = async {
             loop {
-                if let Err(error) = here.write_all(&[0; 65_536]).await {
+                if let Err(error) = here.write_all(&vec![0; 65_536]).await {
                     return error;
                 }
             }
@@ -123,7 +123,7 @@ mod tests {
         let mut here = Patient::new(here, Duration::from_secs(60));
         let sent = tokio::spawn(async move {
             for _ in 0..200 {
-                here.write_all(&[7; 65_536]).await?;
+                here.write_all(&vec![7; 65_536]).await?;
             }
             here.shutdown().await
         });
