@@ -5,10 +5,12 @@ use std::net::SocketAddr;
 use super::{Served, ours};
 use sortie::hangar::service::{Owner, Setup};
 
+#[expect(clippy::unnecessary_wraps, reason = "one of several of its type")]
 fn stranger(_: SocketAddr, _: SocketAddr) -> Option<u32> {
     Some(nix::unistd::geteuid().as_raw() + 4242)
 }
 
+#[expect(clippy::unnecessary_wraps, reason = "one of several of its type")]
 fn root(_: SocketAddr, _: SocketAddr) -> Option<u32> {
     Some(0)
 }

@@ -79,7 +79,7 @@ async fn an_exposed_vehicle_has_a_port_of_its_own() {
     served.ask("DELETE", "/vehicles/1").await;
     let closed = async {
         while TcpStream::connect(("127.0.0.1", port)).await.is_ok() {
-            tokio::task::yield_now().await
+            tokio::task::yield_now().await;
         }
     };
     tokio::time::timeout(super::PATIENCE, closed)
