@@ -229,9 +229,7 @@ impl Remote {
         body: Option<Vec<u8>>,
     ) -> Result<T, ClientError> {
         let bytes = self.exchange(method, path, body).await?;
-        serde_json::from_slice(&bytes).map_err(|error| ClientError::NotAHangar {
-            address: self.address.clone(),
-            why: format!("its answer makes no sense: {error}"),
-        })
+        serde_json::from_slice(&bytes)
+            .map_err(|error| self.not_a_hangar(format!("its answer makes no sense: {error}")))
     }
 }

@@ -122,19 +122,15 @@ impl Remote {
     }
 
     fn refusal(&self, status: StatusCode, bytes: &[u8]) -> ClientError {
-        let Ok(mut problem) = serde_json::from_slice::<Problem>(bytes) else {
+        let Ok(problem) = serde_json::from_slice::<Problem>(bytes) else {
             let text = String::from_utf8_lossy(bytes);
             let text: String = text
                 .chars()
                 .filter(|c| !c.is_control())
                 .take(SHOWN)
                 .collect();
-            return ClientError::NotAHangar {
-                address: self.address.clone(),
-                why: format!("{status} {text}").trim().to_owned(),
-            };
+            return self.not_a_hangar(format!("{status} {text}").trim().to_owned());
         };
-        problem.set_status(status);
         if status == StatusCode::UNAUTHORIZED {
             return ClientError::Unauthorised {
                 address: self.address.clone(),
@@ -152,6 +148,13 @@ impl Remote {
         }
     }
 
+    pub(super) fn not_a_hangar(&self, why: String) -> ClientError {
+        ClientError::NotAHangar {
+            address: self.address.clone(),
+            why,
+        }
+    }
+
     pub(super) fn late(&self, limit: Duration) -> ClientError {
         ClientError::Late {
             address: self.address.clone(),
@@ -162,10 +165,7 @@ impl Remote {
     /// A connection that says what no HTTP service says, or that ends in the middle.
     fn broken(&self, error: &hyper::Error) -> ClientError {
         if error.is_parse() {
-            return ClientError::NotAHangar {
-                address: self.address.clone(),
-                why: error.to_string(),
-            };
+            return self.not_a_hangar(error.to_string());
         }
         self.unreachable(io::Error::other(error.to_string()))
     }

@@ -43,6 +43,12 @@ async fn vehicles_are_spread_by_room_and_a_hangar_that_dies_hurts_no_other() {
         all.len() == 3 && all.iter().all(|(_, one)| one.stage == Stage::Ready)
     })
     .await;
+    let place = berths[0].place;
+    let printed = hangars.output(place, 0).await.expect("it is there");
+    assert_eq!(printed[0].number, 1);
+    let last = printed[printed.len() - 1].number;
+    let rest = hangars.output(place, last).await.expect("it is there");
+    assert_eq!(rest[0].number, last);
     let mut systems: Vec<u8> = all.iter().map(|(_, one)| one.system).collect();
     systems.sort_unstable();
     assert_eq!(systems, [1, 2, 3]);
