@@ -13,8 +13,8 @@ use tokio::io::DuplexStream;
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
-use super::service::{Problem, Status};
-use super::{Instance, InstanceId, Launch, Token};
+use super::service::{Printed, Problem, Status};
+use super::{Instance, InstanceId, Launch, Line, Token};
 use crate::text;
 use crate::text::Text;
 
@@ -195,6 +195,16 @@ impl Remote {
     pub async fn restart(&self, id: InstanceId) -> Result<(), ClientError> {
         let path = format!("/vehicles/{id}/restart");
         self.exchange(Method::POST, &path, None).await.map(drop)
+    }
+
+    /// What an instance has printed, from the line with this number on, as far as it is kept.
+    ///
+    /// # Errors
+    /// Why it does not tell.
+    pub async fn output(&self, id: InstanceId, since: u64) -> Result<Vec<Line>, ClientError> {
+        let path = format!("/vehicles/{id}/output?since={since}&lines={}", u16::MAX);
+        let Printed { lines, .. } = self.ask(Method::GET, &path, None).await?;
+        Ok(lines)
     }
 
     /// Follows the instances until cancelled; connects again when the connection is lost.

@@ -38,6 +38,7 @@ mod vehicles;
 
 pub use events::{Change, Snapshot, changes};
 pub use problem::Problem;
+pub use vehicles::Printed;
 
 /// The port that a hangar listens on unless told otherwise.
 pub const PORT: u16 = 5700;

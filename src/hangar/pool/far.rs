@@ -11,7 +11,7 @@ use tokio_util::sync::CancellationToken;
 use super::spread::spread;
 use super::{Berth, Place, Seen};
 use crate::hangar::client::{ClientError, Remote, View};
-use crate::hangar::{Capacity, Instance, Launch, Refusal, Stage};
+use crate::hangar::{Capacity, Instance, Launch, Line, Refusal, Stage};
 
 /// What is launched ends when nobody has been attached to it for so long: the console was killed, or cut off.
 const IDLE_S: u32 = 60;
@@ -198,6 +198,12 @@ impl Far {
         let remote = remote?;
         let asked = remote.stop(place.id).await;
         asked.map_err(|error| far(&remote, error))
+    }
+
+    pub async fn output(&self, place: Place, since: u64) -> Result<Vec<Line>, Refusal> {
+        let remote = self.fleet.remote(place)?;
+        let told = remote.output(place.id, since).await;
+        told.map_err(|error| far(&remote, error))
     }
 
     pub async fn close(self) {
