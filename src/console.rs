@@ -12,7 +12,7 @@ use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
 use crate::app::event::Event;
-use crate::app::room::messages;
+use crate::app::room::{hangar, messages};
 use crate::app::state::State;
 use crate::app::update;
 use crate::fleet::{Clock, Unreachable};
@@ -281,6 +281,10 @@ impl Console {
             self.feed(event).await;
         }
         self.look_at_messages(now).await;
+        let wanted = hangar::wanted(&self.state);
+        if let Some(running) = &mut self.running {
+            running.look_at_output(wanted, now);
+        }
         // The mission sees what has just been collected.
         let flown = match &mut self.running {
             Some(running) => running.fly(now, &self.state.session),

@@ -148,12 +148,7 @@ impl Inbox {
 
     /// The autopilot was started anew, and nothing that it said before is true any more. A heartbeat tells its mode and
     /// whether it is armed.
-    pub fn restarted(
-        &mut self,
-        vehicle: &mut Vehicle,
-        now: Duration,
-        notices: &mut Vec<Notice>,
-    ) {
+    pub fn restarted(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = Report {
             vehicle: vehicle.id,
             now,

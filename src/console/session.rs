@@ -204,6 +204,13 @@ impl Running {
         }
     }
 
+    /// Looks at what the process of a vehicle prints, if one is wanted.
+    pub fn look_at_output(&mut self, wanted: Option<VehicleId>, now: Duration) {
+        if let Some((processes, _)) = &mut self.processes {
+            processes.look(wanted, now);
+        }
+    }
+
     /// What has become of the vehicles' processes.
     fn hear_processes(&mut self, now: Duration) -> Vec<Event> {
         let Some((processes, _)) = &mut self.processes else {
@@ -211,17 +218,26 @@ impl Running {
         };
         let mut events = Vec::new();
         while let Some(news) = processes.hear() {
-            let failed = match news {
+            let event = match news {
                 News::Opened(_) => None,
                 News::Launched(berths) => {
                     let mut pipes = berths.into_iter().map(|berth| Transport::Pipe(berth.pipe));
-                    pipes.find_map(|pipe| self.fleet.connect(pipe).err().map(Text::from))
+                    let refused = pipes.find_map(|pipe| self.fleet.connect(pipe).err());
+                    refused.map(|reason| Event::Failed(reason.into()))
                 }
-                News::Failed(text) => Some(text),
+                News::NotLaunched(text) => Some(Event::NotLaunched(text)),
+                News::Failed(text) => Some(Event::Failed(text)),
+                News::Printed(vehicle, from, lines) => processes.printed(vehicle, from, &lines),
             };
-            events.extend(failed.map(Event::Failed));
+            events.extend(event);
         }
-        events.extend(processes.changed(now).map(Event::Hangar));
+        if let Some(instances) = processes.changed(now) {
+            for vehicle in processes.started_again(&instances) {
+                // A fleet that cannot keep up sees it by the vehicle's clock.
+                let _ = self.fleet.restarted(vehicle);
+            }
+            events.push(Event::Hangar(instances));
+        }
         events
     }
 

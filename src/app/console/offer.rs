@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::swarm::{self, SwarmVerb};
+use super::swarm;
 use super::{CONSOLE_VERBS, HANGAR_DEEDS, Kind, find};
 use crate::app::room::Room;
 use crate::app::setting::Setting;

@@ -54,7 +54,10 @@ impl LinkNews {
 }
 
 /// The shortest round trip of the vehicles that are heard by a link.
-pub(super) fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Option<Duration> {
+pub(super) fn round_trip(
+    vehicles: &[watch::Receiver<Arc<Vehicle>>],
+    link: LinkId,
+) -> Option<Duration> {
     let quality = |vehicle: &watch::Receiver<Arc<Vehicle>>| vehicle.borrow().link;
     vehicles
         .iter()
