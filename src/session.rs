@@ -171,13 +171,27 @@ impl Session {
         }
         self.advance(now);
         if self.vehicle.link.reboots > reboots {
-            self.streams.forget(now);
-            self.plans.forget();
-            self.forget_parameters();
-            // What was meant for the vehicle before must not reach the one that has just booted.
-            self.clear_the_line(&text!("outcome-the-reboot"), now);
-            self.supersede_movements(&text!("outcome-the-reboot"), now);
+            self.begin_anew(now);
         }
+    }
+
+    /// Says that the autopilot was started anew: whoever has done that need not wait until its clock tells so, and
+    /// what it said before is forgotten, with its mode and whether it is armed.
+    pub fn restarted(&mut self, now: Duration) {
+        let mut notices = Vec::new();
+        self.inbox.restarted(&mut self.vehicle, now, &mut notices);
+        self.say(notices);
+        self.begin_anew(now);
+    }
+
+    /// Asks again for all that was asked of the autopilot before it rebooted.
+    fn begin_anew(&mut self, now: Duration) {
+        self.streams.forget(now);
+        self.plans.forget();
+        self.forget_parameters();
+        // What was meant for the vehicle before must not reach the one that has just booted.
+        self.clear_the_line(&text!("outcome-the-reboot"), now);
+        self.supersede_movements(&text!("outcome-the-reboot"), now);
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
