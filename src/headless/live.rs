@@ -98,11 +98,13 @@ impl Live {
         self.gather();
     }
 
-    /// A vehicle is no more: its process has ended and will not be started again.
-    pub fn lose(&mut self, index: usize) {
-        if !std::mem::replace(&mut self.lost[index], true) {
+    /// A vehicle is no more: its process has ended and will not be started again. False if that was known.
+    pub fn lose(&mut self, index: usize) -> bool {
+        let is_new = !std::mem::replace(&mut self.lost[index], true);
+        if is_new {
             self.crew.lose(index);
         }
+        is_new
     }
 
     /// What is to be sent to a vehicle; it is gone then.
