@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use tokio::io::DuplexStream;
@@ -31,6 +32,8 @@ const RETRY: Retry = Retry {
     every: Duration::from_millis(1500),
     deadline: Duration::from_secs(6),
 };
+/// A fleet that has not taken a command by then is not working.
+const TAKEN_WITHIN: Duration = Duration::from_secs(10);
 
 const fn stream(message: u32, rate_hz: f64) -> Stream {
     Stream { message, rate_hz }
@@ -54,10 +57,7 @@ struct Part {
 }
 
 enum Running<'a> {
-    Embedded {
-        counted: Counted,
-        _end: DropGuard,
-    },
+    Embedded { counted: Counted, _end: DropGuard },
     ArduPilot(Instances<'a>, &'a Bay),
 }
 
@@ -154,10 +154,12 @@ impl<'a> Swarm<'a> {
     }
 
     /// Gives all vehicles a command of their own.
-    pub fn order(&self, command: impl Fn(&Vehicle) -> Command) {
+    pub fn order(&mut self, command: impl Fn(&Vehicle) -> Command) {
         for (&(part, id), vehicle) in &self.vehicles {
             let command = command(&vehicle.borrow());
-            self.parts[part].order(id, command);
+            if !self.parts[part].order(id, command) {
+                self.refusal = Some("the console's queue is full".to_owned());
+            }
         }
     }
 
@@ -218,7 +220,8 @@ impl Part {
         })
     }
 
-    fn order(&self, vehicle: VehicleId, command: Command) {
+    /// Gives a vehicle a command, as soon as the fleet takes one. Returns whether it did.
+    fn order(&self, vehicle: VehicleId, command: Command) -> bool {
         let order = Order {
             entry: EntryId(0),
             verb: "scale",
@@ -226,7 +229,32 @@ impl Part {
             command,
             renamed: None,
         };
-        // A fleet that cannot take it shows in the vehicles, which do not move.
-        let _ = self.fleet.order(vehicle, order);
+        let until = Instant::now() + TAKEN_WITHIN;
+        while self.fleet.order(vehicle, order.clone()).is_err() {
+            if Instant::now() > until {
+                return false;
+            }
+            sleep(Duration::from_millis(1));
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_commands_than_the_fleet_keeps_are_not_lost() {
+        let part = Part::start().expect("a thread");
+        let (release, released) = std::sync::mpsc::channel::<()>();
+        // The fleet's only thread is busy until all are given but some.
+        part.counted.runtime.spawn(async move { released.recv() });
+        let helper = std::thread::spawn(move || {
+            sleep(Duration::from_millis(100));
+            drop(release);
+        });
+        assert!((0..3000).all(|_| part.order(VehicleId::from(1_u8), Command::Arm)));
+        helper.join().expect("it only waits");
     }
 }
