@@ -35,7 +35,7 @@ pub(super) fn table(rows: &[Row], heading: &Heading<'_>) -> String {
     lines.extend(
         [
             "\n2. Processor time of the console's model update (links, decoding, models)",
-            "drones   CPU ms  % of a core  % per drone  paper: % per drone   us/message  paper",
+            "drones   CPU ms  % of a core  % per drone  paper: % per drone  us/message  paper",
         ]
         .map(str::to_owned),
     );
@@ -83,7 +83,7 @@ fn simulator(row: &Row) -> String {
 fn model(row: &Row) -> String {
     let [least, most] = PAPER_MODEL;
     format!(
-        "{:>6} {:>8.1} {:>12.3} {:>12} {:>19} {:>12} {:>6}",
+        "{:>6} {:>8.1} {:>12.3} {:>12} {:>19} {:>11} {:>6}",
         row.vehicles,
         row.model_ms,
         row.model_percent,
