@@ -1,5 +1,6 @@
 //! What one repeat measured, and the row that the repeats of a count make.
 
+use std::ops::Add as _;
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
@@ -65,7 +66,10 @@ impl Sample {
                     .zip(before)
                     .map(|(&after, &before)| ms(after, before))
             };
-            (each().sum(), percent(each().fold(0.0, f64::max), window_s))
+            (
+                each().fold(0.0, f64::add),
+                percent(each().fold(0.0, f64::max), window_s),
+            )
         };
         let (sim_ms, sim_most_percent) = total_and_most(&before.sim, &after.sim);
         let (model_ms, model_most_percent) = total_and_most(&before.model, &after.model);

@@ -52,6 +52,12 @@ fn what_is_measured_is_what_the_meters_rose_by() {
     near(least, 0.9);
     let lost = (sample.messages, sample.lost_in_console, sample.lost_before);
     assert_eq!(lost, (2000, 160, 40));
+    let nothing = Mark {
+        sim: Vec::new(),
+        ..mark(3000, [None; 2])
+    };
+    let nothing = Sample::between(&nothing, &nothing).sim_ms;
+    assert!(nothing.is_sign_positive(), "0, and not {nothing}");
     let silent = Sample::between(&before, &mark(3000, [Some(72_000), None]));
     assert_eq!(
         silent.factor,
