@@ -78,9 +78,15 @@ fn draw(panel: &Panel<'_>, figure: &Figure) -> Result<(), Box<dyn Error>> {
                 .legend(|(x, y)| DashedPathElement::new([(x, y), (x + 24, y)], 7, 5, PAPER));
         }
     }
+    // Where the lines leave room: totals rise from zero.
+    let [[(_, at_none), _], _] = figure.paper;
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
+        .position(if at_none > 0.0 {
+            SeriesLabelPosition::MiddleRight
+        } else {
+            SeriesLabelPosition::UpperLeft
+        })
         .background_style(WHITE.mix(0.85))
         .label_font(("sans-serif", 13))
         .draw()?;
