@@ -78,6 +78,8 @@ fn part(sample: &Sample) -> String {
 mod tests {
     use super::*;
 
+    type Change = fn(&mut Sample);
+
     #[test]
     fn whatever_could_not_keep_up_is_named_with_its_figures() {
         let calm = Sample {
@@ -85,7 +87,7 @@ mod tests {
             messages: 1000,
             ..Sample::default()
         };
-        let cases: [(f64, fn(&mut Sample), Option<&str>); 9] = [
+        let cases: [(f64, Change, Option<&str>); 9] = [
             (0.99, |_| {}, None),
             (0.96, |_| {}, Some("no reason that shows")),
             (

@@ -28,9 +28,9 @@ pub(super) const STREAMS: &[Stream] = &[stream(33, 10.0), stream(30, 10.0)];
 const FOR_READINESS: [u32; 2] = [1, 193];
 /// A command is sent again so often until it is acknowledged.
 const RETRY: Retry = Retry {
-    tries: 3,
+    tries: 12,
     every: Duration::from_millis(1500),
-    deadline: Duration::from_secs(6),
+    deadline: Duration::from_secs(20),
 };
 /// A fleet that has not taken a command by then is not working.
 const TAKEN_WITHIN: Duration = Duration::from_secs(10);
@@ -196,8 +196,11 @@ fn embedded(row: &WorldConfig) -> anyhow::Result<(Running<'static>, Vec<DuplexSt
     let cancel = CancellationToken::new();
     let start = Simulator::start(World::new(row), 1.0, &[Endpoint::Pipes], cancel.clone());
     let Started { pipes, .. } = counted.runtime.block_on(start)?;
-    let _end = cancel.drop_guard();
-    Ok((Running::Embedded { counted, _end }, pipes))
+    let running = Running::Embedded {
+        counted,
+        _end: cancel.drop_guard(),
+    };
+    Ok((running, pipes))
 }
 
 /// Asks for a stream.

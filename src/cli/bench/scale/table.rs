@@ -43,7 +43,7 @@ pub(super) fn table(rows: &[Row], heading: &Heading<'_>) -> String {
     lines.push(String::new());
     if let Some((percent, row)) = flown()
         .filter_map(|row| Some((row.relay_percent?, row)))
-        .last()
+        .next_back()
     {
         let vehicles = row.vehicles;
         lines.push(format!(
