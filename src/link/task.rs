@@ -40,6 +40,8 @@ pub(super) struct Link {
     cancel: CancellationToken,
     /// Read, but the receiver has no room for it yet. Nothing more is read meanwhile.
     undelivered: Option<Inbound>,
+    /// Frames have come since the last chore: the task is awake anyway.
+    has_heard: bool,
     heartbeat: Beat,
     publish: Beat,
 }
@@ -83,6 +85,7 @@ impl Link {
             to_send,
             cancel,
             undelivered: None,
+            has_heard: false,
             heartbeat: Beat::new(HEARTBEAT),
             publish: Beat::new(PUBLISH),
         }
@@ -105,6 +108,7 @@ impl Link {
         if frames.is_empty() {
             return;
         }
+        self.has_heard = true;
         let batch = Inbound {
             link: self.id,
             peer,
@@ -129,12 +133,14 @@ impl Link {
     /// Waits for the next thing to do. Safe to drop at any time. Queued messages are left where they are
     /// unless the transport `may_send`.
     pub(super) async fn chore(&mut self, may_send: bool) -> Chore {
-        let now = Instant::now();
-        if self.publish.is_handy(now) {
-            self.meter.publish();
-        }
-        if may_send && self.heartbeat.is_handy(now) {
-            return Chore::Send(vec![(To::Everyone, ground_station_heartbeat())]);
+        if std::mem::take(&mut self.has_heard) {
+            let now = Instant::now();
+            if self.publish.is_handy(now) {
+                self.meter.publish();
+            }
+            if may_send && self.heartbeat.is_handy(now) {
+                return Chore::Send(vec![(To::Everyone, ground_station_heartbeat())]);
+            }
         }
         tokio::select! {
             biased;
