@@ -165,7 +165,8 @@ async fn attentive(listener: TcpListener, service: SocketAddr, told: mpsc::Unbou
             let mut head = [0; 4096];
             let len = client.read(&mut head).await.expect("it is open");
             if head.starts_with(b"DELETE") {
-                let more = client.read(&mut [0; 1]);
+                let mut byte = [0];
+                let more = client.read(&mut byte);
                 let more = tokio::time::timeout(Duration::from_millis(300), more).await;
                 let _ = told.send(more.is_ok());
             }
