@@ -12,12 +12,11 @@ use tokio::time::MissedTickBehavior;
 
 use crate::app::effect::Effect;
 use crate::app::event::Event;
-use crate::app::room::messages;
+use crate::app::room::{hangar, messages};
 use crate::app::state::State;
 use crate::app::update;
 use crate::fleet::{Clock, Unreachable};
 use crate::ledger::RowState;
-use crate::link::{Address, AddressError};
 use crate::notice::sanitised;
 use crate::session::Order;
 use crate::store;
@@ -28,6 +27,7 @@ use crate::text::Text;
 use crate::ui::{self, Look};
 use crate::vehicle::{Severity, VehicleId};
 
+mod begin;
 mod drive;
 mod files;
 mod missions;
@@ -36,10 +36,11 @@ pub mod plain;
 mod session;
 mod signals;
 
+use begin::parse;
 pub use drive::drive;
 use missions::listings;
 pub use options::{Opening, Options, Preferences};
-use session::{Backend, Ending, Plan, Running};
+use session::{Ending, Plan, Running};
 use signals::{Happened, Signals};
 
 /// The time between two ticks, at which telemetry is collected and missions are stepped.
@@ -47,8 +48,6 @@ const TICK: Duration = Duration::from_millis(100);
 
 /// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
 const KEYS_PER_FRAME: usize = 64;
-/// How long the end of the program waits for the processes of its vehicles to end.
-const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 /// How long the end of the program waits for what the terminal has yet to answer.
 const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 
@@ -282,6 +281,10 @@ impl Console {
             self.feed(event).await;
         }
         self.look_at_messages(now).await;
+        let wanted = hangar::wanted(&self.state);
+        if let Some(running) = &mut self.running {
+            running.look_at_output(wanted, now);
+        }
         // The mission sees what has just been collected.
         let flown = match &mut self.running {
             Some(running) => running.fly(now, &self.state.session),
@@ -399,42 +402,4 @@ impl Console {
             }
         }
     }
-
-    /// Ends the session. What takes a while to end is waited for by who has to.
-    fn end_session(&mut self) {
-        if let Some(running) = self.running.take() {
-            self.ending = running.ending();
-        }
-    }
-
-    /// Ends everything, and waits for it a little: what then still runs ends with this program.
-    async fn close(&mut self) {
-        self.end_session();
-        let ending = std::mem::take(&mut self.ending);
-        ending.over(LAST_PROCESS_PATIENCE).await;
-    }
-
-    async fn start(&mut self, plan: Plan) -> Result<(), Text> {
-        // The old session ends first: the new one may need its ports.
-        self.end_session();
-        let backend = Backend {
-            clock: self.clock,
-            vehicles: self.options.vehicles,
-            seed: self.options.seed,
-            speedup: self.options.speedup,
-            simulation: self.options.backend.clone(),
-        };
-        let before = std::mem::take(&mut self.ending);
-        let (running, started) = Running::start(plan, &backend, before).await?;
-        self.running = Some(running);
-        // Nothing that `Started` causes is an effect.
-        update(&mut self.state, Event::Started(Box::new(started)));
-        Ok(())
-    }
-}
-
-fn parse(addresses: &[String]) -> Result<Vec<Address>, Text> {
-    let parsed = addresses.iter().map(|address| address.parse());
-    let parsed: Result<_, AddressError> = parsed.collect();
-    parsed.map_err(|error| Text::from(&error))
 }

@@ -64,6 +64,7 @@ enum Request {
     Connect(Transport),
     Order(VehicleId, Order),
     FetchParameters(VehicleId),
+    Restarted(VehicleId),
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
@@ -119,6 +120,14 @@ impl Fleet {
     /// The hub has ended or cannot keep up; nothing was asked.
     pub fn fetch_parameters(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
         self.ask(Request::FetchParameters(vehicle))
+    }
+
+    /// Says that a vehicle's autopilot was started anew: what it said before is not true any more.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up.
+    pub fn restarted(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
+        self.ask(Request::Restarted(vehicle))
     }
 
     fn ask(&self, request: Request) -> Result<(), Unreachable> {

@@ -23,6 +23,7 @@ use crate::wire::{
 };
 
 mod address;
+mod beat;
 mod connect;
 mod datagram;
 mod meter;
@@ -256,7 +257,7 @@ impl LinkHandle {
         self.tap.clone()
     }
 
-    /// Follows the link's status, which is published four times a second and at every change of state.
+    /// Follows the link's status, which is published about four times a second and at every change of state.
     pub fn status(&self) -> watch::Receiver<LinkStatus> {
         self.status.clone()
     }

@@ -146,6 +146,18 @@ impl Inbox {
         target::expire(vehicle, now);
     }
 
+    /// The autopilot was started anew, and nothing that it said before is true any more. A heartbeat tells its mode and
+    /// whether it is armed.
+    pub fn restarted(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
+        let mut report = Report {
+            vehicle: vehicle.id,
+            now,
+            notices,
+        };
+        self.forget(vehicle, &mut report);
+        vehicle.heartbeat = None;
+    }
+
     /// One handler per kind of message.
     fn dispatch(&mut self, vehicle: &mut Vehicle, message: &MavMessage, report: &mut Report<'_>) {
         use MavMessage as M;

@@ -46,7 +46,7 @@ pub use streams::{Stream, WANTED_STREAMS};
 
 /// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
 pub const LOST_AFTER: Duration = Duration::from_millis(2500);
-/// How long a session may be left alone while a command is under way.
+/// How long a session may be left alone while an answer is awaited or something is said again and again.
 const BUSY_POLL: Duration = Duration::from_millis(50);
 /// How long a session may be left alone otherwise.
 const IDLE_POLL: Duration = Duration::from_millis(500);
@@ -171,13 +171,27 @@ impl Session {
         }
         self.advance(now);
         if self.vehicle.link.reboots > reboots {
-            self.streams.forget(now);
-            self.plans.forget();
-            self.forget_parameters();
-            // What was meant for the vehicle before must not reach the one that has just booted.
-            self.clear_the_line(&text!("outcome-the-reboot"), now);
-            self.supersede_movements(&text!("outcome-the-reboot"), now);
+            self.begin_anew(now);
         }
+    }
+
+    /// Says that the autopilot was started anew: whoever has done that need not wait until its clock tells so, and
+    /// what it said before is forgotten, with its mode and whether it is armed.
+    pub fn restarted(&mut self, now: Duration) {
+        let mut notices = Vec::new();
+        self.inbox.restarted(&mut self.vehicle, now, &mut notices);
+        self.say(notices);
+        self.begin_anew(now);
+    }
+
+    /// Asks again for all that was asked of the autopilot before it rebooted.
+    fn begin_anew(&mut self, now: Duration) {
+        self.streams.forget(now);
+        self.plans.forget();
+        self.forget_parameters();
+        // What was meant for the vehicle before must not reach the one that has just booted.
+        self.clear_the_line(&text!("outcome-the-reboot"), now);
+        self.supersede_movements(&text!("outcome-the-reboot"), now);
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
@@ -226,7 +240,9 @@ impl Session {
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
         let is_asked = self.active.is_some() || !self.queue.is_empty();
-        if is_asked || !self.watched.is_empty() || is_fetching {
+        // Otherwise an effect shows in what arrives, and its deadline is seconds away.
+        let is_kept_up = |watched: &Transaction| watched.order.command.repeat().is_some();
+        if is_asked || self.watched.iter().any(is_kept_up) || is_fetching {
             BUSY_POLL
         } else {
             IDLE_POLL

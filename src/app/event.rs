@@ -80,6 +80,17 @@ pub enum Event {
     Links(Vec<LinkSummary>),
     /// How the processes of the vehicles are doing.
     Hangar(Vec<Instance>),
+    /// The processes of the vehicles could not be started at all.
+    NotLaunched(Text),
+    /// What the process of a vehicle has printed.
+    Printed {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// Whether what was known of it before is to be forgotten.
+        anew: bool,
+        /// Lines, oldest first.
+        lines: Vec<String>,
+    },
     /// What the link doctor has found, once a second.
     Findings(Vec<Finding>),
     /// A look at the messages on the links.

@@ -72,6 +72,12 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
             return parameters::advance(state);
         }
         Event::Hangar(instances) => hangar::changed(state, &instances),
+        Event::NotLaunched(text) => hangar::not_launched(state, text),
+        Event::Printed {
+            vehicle,
+            anew,
+            lines,
+        } => hangar::printed(state, vehicle, anew, lines),
         Event::Links(links) => state.session.links = links,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),

@@ -76,7 +76,8 @@ impl BackendArguments {
             self.services.remotes(settings)?
         };
         if services.is_empty() {
-            return own(&self.programs, settings).map(Some);
+            let own = own(&self.programs, settings)?;
+            return Ok(Some(Source::Own(Box::new(own))));
         }
         Ok(Some(Source::Far(services)))
     }
@@ -84,7 +85,8 @@ impl BackendArguments {
 
 /// Where ArduPilot's SITL could be started without any option, if it could.
 pub(super) fn found(settings: &Settings) -> Option<Source> {
-    own(&ProgramOptions::default(), settings).ok()
+    let own = own(&ProgramOptions::default(), settings).ok()?;
+    Some(Source::Own(Box::new(own)))
 }
 
 /// Reads a frame file; its warnings go to standard error.
@@ -109,7 +111,10 @@ pub(super) fn frame(path: &Path) -> Result<Frame, Failure> {
 }
 
 /// A hangar within this program, with the programs that are found.
-fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure> {
+///
+/// # Errors
+/// There is no `arducopter`.
+pub(super) fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Config, Failure> {
     let found = programs.find(settings);
     found
         .of(Kind::Copter)
@@ -121,7 +126,7 @@ fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure
         .map(|folders| folders.state.clone());
     let folder = set.folder.clone().map(PathBuf::from);
     let folder = folder.unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
-    Ok(Source::Own(Box::new(Config {
+    Ok(Config {
         programs: found.paths(),
         folder,
         limits: Limits {
@@ -131,10 +136,10 @@ fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Source, Failure
         },
         restart: set.restart,
         sortie: env::current_exe()?,
-    })))
+    })
 }
 
-pub(super) fn missing_program(missing: &Missing) -> Failure {
+fn missing_program(missing: &Missing) -> Failure {
     Failure::Invalid(format!(
         "sortie: {missing}\n  name it with --arducopter FILE or SORTIE_ARDUCOPTER, or build it, in a checkout of ArduPilot:\n    \
          ./waf configure --board sitl && ./waf copter   makes build/sitl/bin/arducopter\n  \

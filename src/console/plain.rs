@@ -21,9 +21,11 @@ use crate::language::{Pilot, PilotEvent, Script};
 use crate::text::{Text, text};
 use crossterm::event::KeyCode;
 
+mod end;
 mod output;
 mod report;
 
+use end::Patience;
 use output::Output;
 use report::Report;
 
@@ -31,6 +33,11 @@ use report::Report;
 const NEWS_EVERY: Duration = Duration::from_millis(500);
 /// How long lines from a pipe wait for the vehicles to be heard.
 const HEARD_PATIENCE: Duration = Duration::from_secs(30);
+/// How long lines from a pipe wait for a process that has crashed, and for one that cannot be had at all: longer than
+/// any pause before it is started again.
+const START_PATIENCE: Duration = Duration::from_secs(12);
+/// How long the end of the input waits for a mission to end by itself.
+const LANDING_PATIENCE: Duration = Duration::from_secs(10);
 /// Lines that may be given ahead.
 const LINES_AHEAD: usize = 16;
 
@@ -50,6 +57,9 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
         is_person,
         ended: false,
         said_at: Duration::ZERO,
+        start: Patience::new(START_PATIENCE),
+        landing: Patience::new(LANDING_PATIENCE),
+        given_up: false,
     };
     // Nothing is drawn: no size is too small.
     let (columns, rows) = (u16::MAX, u16::MAX);
@@ -118,6 +128,12 @@ struct Plain {
     /// Whether the input has ended.
     ended: bool,
     said_at: Duration,
+    /// Vehicles that do not start are waited for so long.
+    start: Patience,
+    /// A mission that is as good as passed is waited for so long.
+    landing: Patience,
+    /// Whether the vehicles did not start.
+    given_up: bool,
 }
 
 impl Plain {
@@ -176,7 +192,16 @@ impl Plain {
             self.said_at = now;
             self.tell_news();
         }
-        if self.ended && self.is_idle() {
+        if !self.is_person
+            && self
+                .start
+                .is_over(end::cannot_start(&self.console.state), now)
+        {
+            self.give_up();
+        }
+        let ends = self.ended && self.is_idle();
+        let lands = end::is_as_good_as_passed(&self.console.state);
+        if ends && (!lands || self.landing.is_over(true, now)) {
             self.abandon().await;
         }
         self.output.check()
@@ -348,12 +373,20 @@ impl Plain {
         }
     }
 
+    /// Nobody is there who could start the vehicles again.
+    fn give_up(&mut self) {
+        self.tell_news();
+        self.say(&text!("hangar-plain-given-up"));
+        (self.console.over, self.given_up) = (true, true);
+    }
+
     fn finish(mut self, told_to_end: bool) -> anyhow::Result<bool> {
         for text in self.report.news(&self.console.state) {
             self.say(&text);
         }
         let debrief = self.console.state.rooms.debrief.take();
-        let mut passed = !matches!(self.console.options.opening, Opening::Mission(_));
+        let is_mission = matches!(self.console.options.opening, Opening::Mission(_));
+        let mut passed = !is_mission && !self.given_up;
         if let Some(debrief) = debrief {
             passed = debrief.report.passed;
             for line in &debrief.lines(&self.console.state.locale) {

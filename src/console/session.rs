@@ -10,28 +10,29 @@ use tokio_util::sync::CancellationToken;
 use crate::app::effect::HangarDeed;
 use crate::app::event::{Event, Started};
 use crate::app::room::messages::Wanted;
-use crate::app::state::{Activity, LinkSummary, Session as Shown};
+use crate::app::state::{Activity, Session as Shown};
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
-use crate::link::{Address, Endpoint, LinkId, LinkState, LinkStatus, Simulator, Transport};
+use crate::link::{Address, Endpoint, LinkStatus, Simulator, Transport};
 use crate::mission::{Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
-use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{Vehicle, VehicleId};
 
 mod course;
 mod hangar;
 mod inspection;
+mod links;
 
 use course::Course;
 pub(super) use hangar::Ending;
 use hangar::{News, Processes};
 use inspection::Inspection;
+use links::{LinkNews, round_trip, summary};
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -203,6 +204,13 @@ impl Running {
         }
     }
 
+    /// Looks at what the process of a vehicle prints, if one is wanted.
+    pub fn look_at_output(&mut self, wanted: Option<VehicleId>, now: Duration) {
+        if let Some((processes, _)) = &mut self.processes {
+            processes.look(wanted, now);
+        }
+    }
+
     /// What has become of the vehicles' processes.
     fn hear_processes(&mut self, now: Duration) -> Vec<Event> {
         let Some((processes, _)) = &mut self.processes else {
@@ -210,17 +218,26 @@ impl Running {
         };
         let mut events = Vec::new();
         while let Some(news) = processes.hear() {
-            let failed = match news {
+            let event = match news {
                 News::Opened(_) => None,
                 News::Launched(berths) => {
                     let mut pipes = berths.into_iter().map(|berth| Transport::Pipe(berth.pipe));
-                    pipes.find_map(|pipe| self.fleet.connect(pipe).err().map(Text::from))
+                    let refused = pipes.find_map(|pipe| self.fleet.connect(pipe).err());
+                    refused.map(|reason| Event::Failed(reason.into()))
                 }
-                News::Failed(text) => Some(text),
+                News::NotLaunched(text) => Some(Event::NotLaunched(text)),
+                News::Failed(text) => Some(Event::Failed(text)),
+                News::Printed(vehicle, from, lines) => processes.printed(vehicle, from, &lines),
             };
-            events.extend(failed.map(Event::Failed));
+            events.extend(event);
         }
-        events.extend(processes.changed(now).map(Event::Hangar));
+        if let Some(instances) = processes.changed(now) {
+            for vehicle in processes.started_again(&instances) {
+                // A fleet that cannot keep up sees it by the vehicle's clock.
+                let _ = self.fleet.restarted(vehicle);
+            }
+            events.push(Event::Hangar(instances));
+        }
         events
     }
 
@@ -344,47 +361,6 @@ impl Running {
     }
 }
 
-/// What is worth saying of a link.
-#[derive(Debug, Clone, PartialEq, Eq)]
-enum LinkNews {
-    /// Nothing yet.
-    Silent,
-    /// It carries data.
-    Up,
-    /// It does not, for this reason.
-    Down(Text),
-    /// Closed for good, as a recording that has been played to its end.
-    Ended,
-}
-
-impl LinkNews {
-    fn of(status: &LinkStatus) -> Self {
-        match (status.state, &status.last_error) {
-            (LinkState::Up, _) => Self::Up,
-            (_, Some(error)) => Self::Down(error.clone()),
-            (LinkState::Ended, None) => Self::Ended,
-            _ => Self::Silent,
-        }
-    }
-
-    fn notice(&self, name: &str, now: Duration) -> Notice {
-        let (severity, text) = match self {
-            Self::Silent | Self::Up => (Severity::Info, text!("transport-is-up", link = name)),
-            Self::Ended => (Severity::Notice, text!("transport-has-ended", link = name)),
-            Self::Down(reason) => {
-                let text = text!("transport-is-down", link = name, reason = reason);
-                (Severity::Error, text)
-            }
-        };
-        Notice {
-            at: now,
-            vehicle: None,
-            severity,
-            text,
-        }
-    }
-}
-
 impl Drop for Running {
     fn drop(&mut self) {
         self.cancel.cancel();
@@ -398,39 +374,5 @@ fn started(activity: Activity) -> Started {
         places: BTreeMap::new(),
         areas: Vec::new(),
         processes: None,
-    }
-}
-
-/// The shortest round trip of the vehicles that are heard by a link.
-fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Option<Duration> {
-    let quality = |vehicle: &watch::Receiver<Arc<Vehicle>>| vehicle.borrow().link;
-    vehicles
-        .iter()
-        .map(quality)
-        .filter(|quality| quality.via == Some(link.0))
-        .filter_map(|quality| quality.round_trip)
-        .min()
-}
-
-fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
-    let up = status.state == LinkState::Up;
-    LinkSummary {
-        name: status.name.clone(),
-        state: status.state.text(),
-        up,
-        error: status.last_error.clone().filter(|_| !up),
-        peers: status.peers,
-        bytes_in_per_s: f64::from(status.rates.bytes_in_s),
-        bytes_out_per_s: f64::from(status.rates.bytes_out_s),
-        messages_in_per_s: f64::from(status.rates.messages_in_s),
-        messages_out_per_s: f64::from(status.rates.messages_out_s),
-        bad_crc: status.decoder.crc_errors,
-        skipped_bytes: status.decoder.skipped_bytes,
-        unknown: status.decoder.unknown_messages,
-        undecoded: status.decoder.undecoded,
-        lost: status.lost.clone(),
-        unsent: status.dropped_out,
-        reconnects: status.reconnects,
-        round_trip,
     }
 }

@@ -104,7 +104,10 @@ pub(super) async fn run(surroundings: Surroundings, mut requests: mpsc::Receiver
             request = requests.recv() => match request {
                 Some(Request::Connect(transport)) => hub.connect(transport).await,
                 Some(Request::Order(vehicle, order)) => hub.order(vehicle, order).await,
-                Some(Request::FetchParameters(vehicle)) => hub.fetch_parameters(vehicle),
+                Some(Request::FetchParameters(vehicle)) => {
+                    hub.pass_on(vehicle, ToVehicle::FetchParameters);
+                }
+                Some(Request::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
@@ -136,11 +139,12 @@ impl Hub {
         self.tell(FleetEvent::Report(Report::Row(row))).await;
     }
 
-    /// A vehicle whose task does not keep up has no time for its parameters either: they can be asked for again.
-    fn fetch_parameters(&self, vehicle: VehicleId) {
+    /// Tells a vehicle's task something that it can do without: one that does not keep up has no time for it, and
+    /// of one that was never heard nothing is known.
+    fn pass_on(&self, vehicle: VehicleId, news: ToVehicle) {
         let system = SystemId::try_from(vehicle).ok();
         if let Some(route) = system.and_then(|system| self.routes.get(&system)) {
-            drop(route.inbox.try_send(ToVehicle::FetchParameters));
+            drop(route.inbox.try_send(news));
         }
     }
 

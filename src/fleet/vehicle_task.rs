@@ -27,6 +27,8 @@ pub(super) enum ToVehicle {
     Order(Order),
     /// All its parameters are wanted.
     FetchParameters,
+    /// Its autopilot was started anew.
+    Restarted,
     /// The vehicle is reached by another way from now on.
     Route(LinkHandle, Peer),
 }
@@ -116,6 +118,7 @@ impl VehicleTask {
             }
             ToVehicle::Order(order) => self.session.order(order, now),
             ToVehicle::FetchParameters => self.session.fetch_parameters(now),
+            ToVehicle::Restarted => self.session.restarted(now),
             ToVehicle::Route(link, peer) => {
                 self.session.heard_via(link.id().0, now);
                 self.reconnects = link.status().borrow().reconnects;

@@ -13,8 +13,8 @@ use tokio::io::DuplexStream;
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
-use super::service::{Problem, Status};
-use super::{Instance, InstanceId, Launch, Token};
+use super::service::{Printed, Problem, Status};
+use super::{Instance, InstanceId, Launch, Line, Token};
 use crate::text;
 use crate::text::Text;
 
@@ -197,6 +197,16 @@ impl Remote {
         self.exchange(Method::POST, &path, None).await.map(drop)
     }
 
+    /// What an instance has printed, from the line with this number on, as far as it is kept.
+    ///
+    /// # Errors
+    /// Why it does not tell.
+    pub async fn output(&self, id: InstanceId, since: u64) -> Result<Vec<Line>, ClientError> {
+        let path = format!("/vehicles/{id}/output?since={since}&lines={}", u16::MAX);
+        let Printed { lines, .. } = self.ask(Method::GET, &path, None).await?;
+        Ok(lines)
+    }
+
     /// Follows the instances until cancelled; connects again when the connection is lost.
     pub fn follow(&self, cancel: CancellationToken) -> watch::Receiver<View> {
         let (sender, view) = watch::channel(View::default());
@@ -219,9 +229,7 @@ impl Remote {
         body: Option<Vec<u8>>,
     ) -> Result<T, ClientError> {
         let bytes = self.exchange(method, path, body).await?;
-        serde_json::from_slice(&bytes).map_err(|error| ClientError::NotAHangar {
-            address: self.address.clone(),
-            why: format!("its answer makes no sense: {error}"),
-        })
+        serde_json::from_slice(&bytes)
+            .map_err(|error| self.not_a_hangar(format!("its answer makes no sense: {error}")))
     }
 }

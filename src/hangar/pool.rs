@@ -8,7 +8,7 @@ use tokio::io::DuplexStream;
 use tokio::sync::watch;
 
 use super::client::Remote;
-use super::{Hangar, Instance, InstanceId, Launch, Refusal};
+use super::{Hangar, Instance, InstanceId, Launch, Line, Refusal};
 
 mod far;
 mod spread;
@@ -123,6 +123,17 @@ impl Hangars {
         match &self.at {
             At::Own(own) => own.stop(place.id).await,
             At::Far(far) => far.stop(place).await,
+        }
+    }
+
+    /// What an instance has printed, from the line with this number on, as far as it is kept; with 0 all of that.
+    ///
+    /// # Errors
+    /// There is no such instance, or its hangar does not tell.
+    pub async fn output(&self, place: Place, since: u64) -> Result<Vec<Line>, Refusal> {
+        match &self.at {
+            At::Own(own) => own.output(place.id, since),
+            At::Far(far) => far.output(place, since).await,
         }
     }
 

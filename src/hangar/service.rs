@@ -12,6 +12,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Router;
+use rand::TryRng as _;
+use rand::rngs::SysRng;
 use serde::{Deserialize, Serialize};
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, watch};
@@ -19,7 +21,7 @@ use tokio_util::sync::CancellationToken;
 use utoipa::ToSchema;
 
 use super::process::Connection;
-use super::token::{Token, TokenError};
+use super::token::Token;
 use super::{Capacity, Hangar, Instance, InstanceId, Instances, Limits, Restart};
 use crate::sitl::Kind;
 
@@ -38,6 +40,7 @@ mod vehicles;
 
 pub use events::{Change, Snapshot, changes};
 pub use problem::Problem;
+pub use vehicles::Printed;
 
 /// The port that a hangar listens on unless told otherwise.
 pub const PORT: u16 = 5700;
@@ -162,11 +165,10 @@ pub async fn serve(
     cancel: CancellationToken,
 ) -> io::Result<()> {
     let address = listener.local_addr()?;
-    let random = |error: TokenError| io::Error::other(error.to_string());
-    let life = Token::random().map_err(random)?.authorization();
+    let life = SysRng.try_next_u64().map_err(io::Error::other)?;
     let desk = Arc::new(Desk {
         on_loopback: address.ip().is_loopback(),
-        life: life[life.len() - 16..].to_owned(),
+        life: format!("{life:016x}"),
         waiting: Arc::new(Semaphore::new(setup.bounds.waiting)),
         ports: watch::Sender::default(),
         cancel: cancel.child_token(),
@@ -199,7 +201,9 @@ fn router(desk: &Arc<Desk>) -> Router {
 
 /// Every path with what answers it.
 fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<Desk>>)> {
-    use axum::routing::{get, post};
+    use axum::routing::{MethodRouter, get, post};
+    // Elsewhere HEAD is answered as GET is; here it would do what GET does.
+    let acts = |methods: MethodRouter<Arc<Desk>>| methods.head(problem::not_by_head);
     vec![
         ("/vehicles", get(vehicles::list).post(vehicles::launch)),
         (
@@ -209,12 +213,12 @@ fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<Desk>>)> {
         ("/vehicles/{id}/restart", post(vehicles::restart)),
         ("/vehicles/{id}/ready", get(vehicles::ready)),
         ("/vehicles/{id}/output", get(vehicles::output)),
-        ("/vehicles/{id}/mavlink", get(tunnel::open)),
+        ("/vehicles/{id}/mavlink", acts(get(tunnel::open))),
         ("/events", get(events::follow)),
         ("/status", get(about::status)),
         ("/openapi.json", get(about::openapi)),
-        ("/start/{id}", get(paper::start)),
-        ("/stop/{id}", get(paper::stop)),
+        ("/start/{id}", acts(get(paper::start))),
+        ("/stop/{id}", acts(get(paper::stop))),
         ("/ready/{id}", get(paper::ready)),
         ("/list", get(paper::list)),
     ]

@@ -106,6 +106,10 @@ impl Token {
             path: path.to_owned(),
             source,
         };
+        // Before it is opened: that waits for ever where nobody writes to a pipe.
+        if !fs::metadata(path).map_err(fail)?.is_file() {
+            return Err(fail(io::Error::other("it is no regular file")));
+        }
         let file = File::open(path).map_err(fail)?;
         let facts = file.metadata().map_err(fail)?;
         let mode = facts.mode() & 0o7777;
@@ -240,6 +244,18 @@ mod tests {
             let error = Token::load(&path).expect_err("refused").to_string();
             assert!(error.contains("chmod 600"), "{error}");
             assert!(error.contains(&format!("{mode:04o}")), "{error}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_file_is_refused_without_waiting() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let pipe = folder.path().join("pipe");
+        let private = nix::sys::stat::Mode::S_IRUSR;
+        nix::unistd::mkfifo(&pipe, private).expect("it is made");
+        for path in [pipe.as_path(), folder.path(), Path::new("/dev/null")] {
+            let error = Token::load(path).expect_err("refused").to_string();
+            assert!(error.contains("no regular file"), "{error}");
         }
     }
 

@@ -83,26 +83,28 @@ impl Live {
     /// Takes in what a vehicle said, at a time of ours.
     pub fn hear(&mut self, index: usize, bytes: &[u8], now: Duration) {
         self.crew.push(index, bytes);
-        let mut session_now = self.advance(now, []);
+        let mut session_now = self.advance(now, None);
         while !self.is_over() && self.crew.hear(index, session_now) {
             let vehicle = self.crew.vehicle(index);
             let reading = (vehicle.id, vehicle.boot_ms);
-            session_now = self.advance(now, [reading]);
+            session_now = self.advance(now, Some(reading));
         }
         self.gather();
     }
 
     /// Lets time of ours pass: vehicles that are silent do not stop the mission for ever.
     pub fn pass(&mut self, now: Duration) {
-        self.advance(now, []);
+        self.advance(now, None);
         self.gather();
     }
 
-    /// A vehicle is no more: its process has ended and will not be started again.
-    pub fn lose(&mut self, index: usize) {
-        if !std::mem::replace(&mut self.lost[index], true) {
+    /// A vehicle is no more: its process has ended and will not be started again. False if that was known.
+    pub fn lose(&mut self, index: usize) -> bool {
+        let is_new = !std::mem::replace(&mut self.lost[index], true);
+        if is_new {
             self.crew.lose(index);
         }
+        is_new
     }
 
     /// What is to be sent to a vehicle; it is gone then.
@@ -112,11 +114,7 @@ impl Live {
 
     /// Moves everything to a time of ours; returns what the sessions take it for. They begin with time of ours,
     /// because a vehicle may have to be asked before it tells its own.
-    fn advance<const N: usize>(
-        &mut self,
-        now: Duration,
-        clocks: [(VehicleId, Option<u32>); N],
-    ) -> Duration {
+    fn advance(&mut self, now: Duration, reading: Option<(VehicleId, Option<u32>)>) -> Duration {
         let opened = *self.opened.get_or_insert(now);
         let talked = now.saturating_sub(opened);
         if self.prelude.is_none() && (self.are_all_heard() || talked >= HEARD_WITHIN) {
@@ -128,7 +126,7 @@ impl Live {
             self.stepped = prelude;
         }
         let session_now = match self.prelude {
-            Some(prelude) => prelude + self.clock.step(now, clocks),
+            Some(prelude) => prelude + self.clock.step(now, reading),
             None => talked,
         };
         self.catch_up(session_now);

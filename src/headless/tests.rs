@@ -121,8 +121,8 @@ fn a_mission_ends_when_its_last_vehicle_is_no_more() {
     process.fly(STEP * 40, Duration::from_secs(60));
     assert!(!process.live.is_over());
     process.live.take_notices();
-    process.live.lose(0);
-    process.live.lose(0);
+    assert!(process.live.lose(0));
+    assert!(!process.live.lose(0), "it was lost already");
     for step in 0..50 {
         let now = process.now() + Duration::from_millis(100) * step;
         process.live.pass(now);

@@ -58,7 +58,7 @@ where
                 Ok(count) => drop(output.drain(..count)),
                 Err(error) => return Outcome::Lost(error.to_string().into()),
             },
-            () = sleep_until(heard_at + PAUSE), if !paused && link.may_read() => {
+            () = sleep_until(heard_at + PAUSE), if peer.has_tail() && !paused && link.may_read() => {
                 let frames = peer.receive(&[], Ending::Closed, &mut link.meter);
                 link.deliver(PEER, frames);
                 paused = true;

@@ -3,9 +3,11 @@
 use std::time::Duration;
 
 use tokio::sync::mpsc;
-use tokio::time::{Instant, Interval, MissedTickBehavior};
+use tokio::sync::mpsc::error::TrySendError;
+use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
+use super::beat::{Beat, Pace};
 use super::meter::Meter;
 use super::{
     Address, Inbound, LinkConfig, LinkId, LinkState, Peer, To, Transport, connect, playback, stream,
@@ -14,8 +16,14 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::{Frame, Outgoing, ground_station_heartbeat};
 
-const HEARTBEAT_PERIOD: Duration = Duration::from_secs(1);
-const PUBLISH_PERIOD: Duration = Duration::from_millis(250);
+const HEARTBEAT: Pace = Pace {
+    handy: Duration::from_millis(900),
+    latest: Duration::from_secs(1),
+};
+const PUBLISH: Pace = Pace {
+    handy: Duration::from_millis(200),
+    latest: Duration::from_millis(300),
+};
 const FIRST_RETRY: Duration = Duration::from_millis(250);
 const LONGEST_RETRY: Duration = Duration::from_secs(5);
 /// How many queued messages go into one write.
@@ -32,8 +40,10 @@ pub(super) struct Link {
     cancel: CancellationToken,
     /// Read, but the receiver has no room for it yet. Nothing more is read meanwhile.
     undelivered: Option<Inbound>,
-    heartbeat: Interval,
-    publish: Interval,
+    /// Frames have come since the last chore: the task is awake anyway.
+    has_heard: bool,
+    heartbeat: Beat,
+    publish: Beat,
 }
 
 /// What the transport has to do next.
@@ -75,14 +85,15 @@ impl Link {
             to_send,
             cancel,
             undelivered: None,
-            heartbeat: interval(HEARTBEAT_PERIOD),
-            publish: interval(PUBLISH_PERIOD),
+            has_heard: false,
+            heartbeat: Beat::new(HEARTBEAT),
+            publish: Beat::new(PUBLISH),
         }
     }
 
     /// Says that the link carries data from now on, to the peers first of all.
     pub(super) fn up(&mut self, local: Option<std::net::SocketAddr>) {
-        self.heartbeat.reset_immediately();
+        self.heartbeat.hasten();
         self.meter.up(local);
     }
 
@@ -91,15 +102,21 @@ impl Link {
         self.undelivered.is_none()
     }
 
-    /// Hands on what a peer sent. Only when [`Self::may_read`] allowed the reading.
+    /// Hands on what a peer sent, at once or as soon as there is room. Only when [`Self::may_read`] allowed the
+    /// reading.
     pub(super) fn deliver(&mut self, peer: Peer, frames: Vec<Frame>) {
-        if !frames.is_empty() {
-            self.undelivered = Some(Inbound {
-                link: self.id,
-                peer,
-                frames,
-                at: Instant::now(),
-            });
+        if frames.is_empty() {
+            return;
+        }
+        self.has_heard = true;
+        let batch = Inbound {
+            link: self.id,
+            peer,
+            frames,
+            at: Instant::now(),
+        };
+        if let Err(TrySendError::Full(batch)) = self.inbound.try_send(batch) {
+            self.undelivered = Some(batch);
         }
     }
 
@@ -116,6 +133,15 @@ impl Link {
     /// Waits for the next thing to do. Safe to drop at any time. Queued messages are left where they are
     /// unless the transport `may_send`.
     pub(super) async fn chore(&mut self, may_send: bool) -> Chore {
+        if std::mem::take(&mut self.has_heard) {
+            let now = Instant::now();
+            if self.publish.is_handy(now) {
+                self.meter.publish();
+            }
+            if may_send && self.heartbeat.is_handy(now) {
+                return Chore::Send(vec![(To::Everyone, ground_station_heartbeat())]);
+            }
+        }
         tokio::select! {
             biased;
             () = self.cancel.cancelled() => Chore::End,
@@ -126,11 +152,11 @@ impl Link {
                 }
                 Chore::Nothing
             }
-            _ = self.publish.tick() => {
+            () = self.publish.due() => {
                 self.meter.publish();
                 Chore::Nothing
             }
-            _ = self.heartbeat.tick(), if may_send => {
+            () = self.heartbeat.due(), if may_send => {
                 Chore::Send(vec![(To::Everyone, ground_station_heartbeat())])
             }
             Some(first) = self.to_send.recv(), if may_send => {
@@ -207,10 +233,4 @@ async fn reconnect_for_ever(link: &mut Link, address: &Address) -> Option<Text> 
         link.meanwhile(tokio::time::sleep(retry_in)).await?;
         retry_in = (2 * retry_in).min(LONGEST_RETRY);
     }
-}
-
-fn interval(period: Duration) -> Interval {
-    let mut interval = tokio::time::interval(period);
-    interval.set_missed_tick_behavior(MissedTickBehavior::Skip);
-    interval
 }

@@ -73,7 +73,9 @@ enum Searching {
     /// These are to be sent.
     Ask(Vec<Outgoing>),
     Wait,
-    /// Nothing more will come.
+    /// The order's time was over before it could be asked as often as it should.
+    TooLate,
+    /// The vehicle has neither.
     Over,
 }
 
@@ -90,11 +92,16 @@ impl Search {
                 entry: Some(order.entry),
                 ..Self::default()
             };
-        } else if now < self.asked + order.retry.every && now < deadline {
+        }
+        let is_answer_due = self.tries > 0 && now < self.asked + order.retry.every;
+        if is_answer_due && now < deadline {
             return Searching::Wait;
         }
-        if self.tries >= order.retry.tries || now >= deadline {
+        if self.tries >= order.retry.tries {
             return Searching::Over;
+        }
+        if now >= deadline {
+            return Searching::TooLate;
         }
         (self.tries, self.asked) = (self.tries + 1, now);
         let read = |name: &str| {
@@ -141,6 +148,8 @@ impl Session {
                         return None;
                     }
                     Searching::Wait => return None,
+                    // Its transaction ends it at once, and says so.
+                    Searching::TooLate => return self.queue.pop_front(),
                     Searching::Over => self.not_found(),
                 }
             };

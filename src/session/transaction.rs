@@ -63,7 +63,7 @@ enum Phase {
 /// A command under way.
 #[derive(Debug)]
 pub(super) struct Transaction {
-    order: Order,
+    pub(super) order: Order,
     vehicle: VehicleId,
     given: Duration,
     phase: Phase,

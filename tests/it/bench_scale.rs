@@ -58,18 +58,28 @@ fn vehicles_that_fly_are_measured_in_one_document_and_drawn() {
 
 #[test]
 fn what_cannot_be_measured_is_said_before_anything_is() {
-    let cases: [(&[&str], &[&str]); 3] = [
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let drawing = folder.path().join("earlier.svg");
+    std::fs::write(&drawing, "earlier").expect("it is written");
+    let drawing = drawing.to_str().expect("it has a plain name");
+    let cases: [(&[&str], &[&str]); 4] = [
         (
             &["--arducopter", "nowhere/arducopter"],
             &["nowhere/arducopter"],
         ),
         (&["--svg", "nowhere/at/all.svg"], &["nowhere/at/all.svg"]),
+        // A program that is no autopilot is told before the vehicles' turn comes.
+        (
+            &["--arducopter", "/bin/cat", "--svg", drawing],
+            &["/bin/cat"],
+        ),
         (&["--counts", "1,20000"], &["20000"]),
     ];
     for (arguments, words) in cases {
         let output = Command::new(env!("CARGO_BIN_EXE_sortie"))
             .args(["bench", "scale"])
             .args(arguments)
+            .env("XDG_STATE_HOME", folder.path())
             .output()
             .expect("it starts");
         let said = String::from_utf8_lossy(&output.stderr);
@@ -81,4 +91,9 @@ fn what_cannot_be_measured_is_said_before_anything_is() {
             );
         }
     }
+    let kept = std::fs::read_to_string(drawing).expect("it is there");
+    assert_eq!(
+        kept, "earlier",
+        "an earlier drawing stays until there is another"
+    );
 }

@@ -36,12 +36,19 @@ pub fn under_cursor(state: &State) -> Option<&Instance> {
     instances.get(state.rooms.hangar.cursor)
 }
 
+/// The vehicle whose process is looked at: what it prints is wanted.
+pub fn wanted(state: &State) -> Option<VehicleId> {
+    let shown = under_cursor(state).filter(|_| state.room == Room::Hangar);
+    shown.map(|instance| instance.vehicle)
+}
+
 /// What its actions do.
 pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
     let vehicle = under_cursor(state).map(|instance| instance.vehicle);
-    let lines = under_cursor(state).map_or(0, |instance| instance.output.len());
-    let count = state.session.hangar.as_ref();
-    let count = count.map_or(0, |hangar| hangar.instances.len());
+    let hangar = state.session.hangar.as_ref();
+    let shown = under_cursor(state).zip(hangar);
+    let lines = shown.map_or(0, |(instance, hangar)| hangar.output(instance).len());
+    let count = hangar.map_or(0, |hangar| hangar.instances.len());
     let room = &mut state.rooms.hangar;
     match (action, vehicle) {
         (Action::Move(step), _) if room.opened => {

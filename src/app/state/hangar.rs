@@ -103,6 +103,10 @@ pub struct Hangar {
     pub instances: Vec<Instance>,
     /// How many there are to be.
     pub expected: usize,
+    /// Why they could not be started.
+    pub fault: Option<Text>,
+    /// What the process that is looked at has printed.
+    pub printed: Option<(VehicleId, Vec<String>)>,
     /// Whether all have been ready at once: from then on it is flown.
     pub begun: bool,
 }
@@ -112,6 +116,14 @@ impl Hangar {
     pub fn of(&self, vehicle: VehicleId) -> Option<&Instance> {
         let mut all = self.instances.iter();
         all.find(|instance| instance.vehicle == vehicle)
+    }
+
+    /// What a process has printed, oldest first: of the one that is looked at more than its last words.
+    pub fn output<'a>(&'a self, instance: &'a Instance) -> &'a [String] {
+        match &self.printed {
+            Some((vehicle, lines)) if *vehicle == instance.vehicle => lines,
+            _ => &instance.output,
+        }
     }
 
     /// How many are ready.

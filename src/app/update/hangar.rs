@@ -8,6 +8,9 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
+/// Lines of output that are kept of the process that is looked at.
+const LINES_KEPT: usize = 500;
+
 /// Takes over how the processes are doing, and says what is worth a notice.
 pub fn changed(state: &mut State, instances: &[Instance]) {
     let Some(known) = &mut state.session.hangar else {
@@ -31,6 +34,30 @@ pub fn changed(state: &mut State, instances: &[Instance]) {
     if begins {
         begin(state, instances.len());
     }
+}
+
+/// They could not be started.
+pub fn not_launched(state: &mut State, text: Text) {
+    if let Some(known) = &mut state.session.hangar {
+        known.fault = Some(text.clone());
+    }
+    telemetry::failed(state, text);
+}
+
+/// Takes over what a process has printed. Who has scrolled back goes on seeing the same lines.
+pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec<String>) {
+    let Some(known) = &mut state.session.hangar else {
+        return;
+    };
+    let room = &mut state.rooms.hangar;
+    if room.back > 0 && !anew {
+        room.back += lines.len();
+    }
+    if let Some((_, before)) = known.printed.take_if(|(of, _)| *of == vehicle && !anew) {
+        lines.splice(0..0, before);
+    }
+    lines.drain(..lines.len().saturating_sub(LINES_KEPT));
+    known.printed = Some((vehicle, lines));
 }
 
 /// All are ready: whoever has waited for that is led to the flight.
@@ -74,16 +101,18 @@ fn crash(instance: &Instance) -> Text {
         .iter()
         .rev()
         .find(|line| !line.trim().is_empty());
-    let key = Room::Hangar.key().to_string();
-    match last {
-        Some(line) => text!(
-            "hangar-crash-said",
-            reason = reason,
-            line = line.trim(),
-            key = key
-        ),
-        None => text!("hangar-crash", reason = reason, key = key),
-    }
+    let what = match last {
+        Some(line) => text!("hangar-crash-said", reason = reason, line = line.trim()),
+        None => text!("hangar-crash", reason = reason),
+    };
+    let next = instance.hint.iter().map(|hint| hint.as_str().into());
+    let again = text!(
+        "hangar-crash-again",
+        key = Room::Hangar.key().to_string(),
+        vehicle = instance.vehicle
+    );
+    let parts = std::iter::once(what).chain(next).chain([again]);
+    Text::joined("; ", parts.collect())
 }
 
 fn say(state: &mut State, vehicle: Option<VehicleId>, severity: Severity, text: Text) {

@@ -1,7 +1,7 @@
 //! `sortie bench scale`: what a growing number of flying vehicles costs the simulator and the console, as the paper
 //! measured it.
 
-use std::fs;
+use std::fs::{self, OpenOptions};
 use std::num::NonZeroU16;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -10,14 +10,13 @@ use std::time::Duration;
 use clap::Args;
 
 use super::super::Failure;
-use super::super::backend::{Simulator, missing_program};
+use super::super::backend::{Simulator, own};
 use super::super::programs::ProgramOptions;
 use super::super::settings::Settings;
-use crate::sitl::Kind;
 use crate::terminal::Environment;
+use instances::Bay;
 use progress::Progress;
 use sample::Row;
-use swarm::Simulators;
 use trial::{Plan, trial};
 
 mod chart;
@@ -32,7 +31,6 @@ mod swarm;
 mod table;
 #[cfg(test)]
 mod tests;
-mod track;
 mod trial;
 
 /// With `--beyond`, no more vehicles than this are tried.
@@ -62,7 +60,7 @@ pub(in crate::cli) struct ScaleArguments {
     /// How often each number is measured, from the start of the vehicles on; the median counts.
     #[arg(long, default_value = "3")]
     repeat: NonZeroU16,
-    /// The time between two kinds of commands, in seconds.
+    /// The least time between two kinds of commands, in seconds; what one asks for is waited for too.
     #[arg(long, default_value_t = 4.0, value_parser = parse_seconds)]
     spacing: f64,
     /// Who simulates; embedded unless a program is named.
@@ -93,67 +91,68 @@ pub(in crate::cli) fn scale(
     options: &ScaleArguments,
     settings: &Settings,
 ) -> Result<ExitCode, Failure> {
-    let simulators = simulators(options, settings)?;
     if let Some(path) = &options.svg {
-        // Better now than after half an hour.
-        fs::write(path, "").map_err(|error| {
+        // Better now than after half an hour; a drawing that is there stays until there is another.
+        let writable = OpenOptions::new().create(true).append(true).open(path);
+        writable.map_err(|error| {
             Failure::Invalid(format!("sortie: cannot write {}: {error}", path.display()))
         })?;
     }
-    let rows = Series::new(options, &simulators).run()?;
-    let name = match &simulators {
-        Simulators::Embedded => "embedded",
-        Simulators::ArduPilot(_) => "ArduPilot SITL",
-    };
+    let bay = bay(options, settings)?;
+    let rows = Series::new(options, bay.as_ref()).run()?;
+    let simulator = bay.as_ref().map_or("embedded", |bay| bay.name.as_str());
     if let Some(path) = &options.svg {
-        let heading = format!("Processor time against the number of drones; simulator: {name}");
+        let heading =
+            format!("Processor time against the number of drones; simulator: {simulator}");
         fs::write(path, svg::svg(&rows, &heading)?)?;
     }
     if options.json {
         say!("{}", serde_json::to_string(&rows)?)?;
     } else {
         let heading = table::Heading {
-            backend: name,
+            simulator,
             seconds: options.seconds,
             repeats: options.repeat.get(),
-            cores: std::thread::available_parallelism().map_or(1, usize::from),
-            is_ardupilot: matches!(simulators, Simulators::ArduPilot(_)),
+            cores: cost::cores(),
+            is_ardupilot: bay.is_some(),
         };
         say!("{}", table::table(&rows, &heading))?;
         let is_ascii = !Environment::of_process().speaks_utf8();
         say!("{}", chart::chart(&rows, is_ascii))?;
     }
-    let asked = rows
+    let mut asked = rows
         .iter()
         .filter(|row| options.counts.contains(&row.vehicles));
-    let all_good = asked.clone().all(Row::is_good);
+    let all_good = asked.all(|row| row.repeats > 0);
     Ok(ExitCode::from(u8::from(!all_good)))
 }
 
-fn simulators(options: &ScaleArguments, settings: &Settings) -> Result<Simulators, Failure> {
-    let is_named = options.programs.is_given();
-    match options.backend {
-        Some(Simulator::Embedded) => Ok(Simulators::Embedded),
-        None if !is_named => Ok(Simulators::Embedded),
-        _ => {
-            let programs = options.programs.find(settings);
-            let found = programs.of(Kind::Copter);
-            let found = found.map_err(|missing| missing_program(&missing))?;
-            Ok(Simulators::ArduPilot(found.file.clone()))
-        }
+/// The hangar of ArduPilot's processes; none for the embedded simulator.
+fn bay(options: &ScaleArguments, settings: &Settings) -> Result<Option<Bay>, Failure> {
+    let is_embedded = match options.backend {
+        Some(simulator) => simulator == Simulator::Embedded,
+        None => !options.programs.is_given(),
+    };
+    if is_embedded {
+        return Ok(None);
     }
+    let mut config = own(&options.programs, settings)?;
+    config.limits.instances = MOST_ARDUPILOT;
+    let bay = Bay::open(config);
+    bay.map(Some)
+        .map_err(|error| Failure::Invalid(format!("sortie: {error:#}")))
 }
 
 /// A series of measurements.
 struct Series<'a> {
     options: &'a ScaleArguments,
-    simulators: &'a Simulators,
+    bay: Option<&'a Bay>,
     plan: Plan,
     progress: Progress,
 }
 
 impl<'a> Series<'a> {
-    fn new(options: &'a ScaleArguments, simulators: &'a Simulators) -> Self {
+    fn new(options: &'a ScaleArguments, bay: Option<&'a Bay>) -> Self {
         let plan = Plan {
             window: Duration::from_secs_f64(options.seconds),
             spacing: Duration::from_secs_f64(options.spacing),
@@ -161,7 +160,7 @@ impl<'a> Series<'a> {
         let repeats = options.counts.len() * usize::from(options.repeat.get());
         Self {
             options,
-            simulators,
+            bay,
             plan,
             progress: Progress::new(repeats, plan.lasts()),
         }
@@ -172,22 +171,14 @@ impl<'a> Series<'a> {
         for &vehicles in &self.options.counts {
             rows.push(self.count(vehicles)?);
         }
-        if self.options.beyond {
-            let most = match self.simulators {
-                Simulators::Embedded => MOST_EMBEDDED,
-                Simulators::ArduPilot(_) => MOST_ARDUPILOT,
-            };
-            let mut vehicles = self.options.counts.iter().copied().max().unwrap_or(0);
-            let mut is_held = rows.iter().all(|row| row.gave_way.is_none());
-            while is_held && vehicles < most {
-                vehicles = (vehicles * 2).clamp(1, most);
-                self.progress.add(usize::from(self.options.repeat.get()));
-                let row = self.count(vehicles)?;
-                is_held = row.gave_way.is_none() && row.is_good();
-                rows.push(row);
-            }
+        let most = self.bay.map_or(MOST_EMBEDDED, |_| MOST_ARDUPILOT);
+        let mut vehicles = self.options.counts.iter().copied().max().unwrap_or(0);
+        let is_held = |row: &Row| row.gave_way.is_none() && row.repeats > 0;
+        while self.options.beyond && rows.iter().all(is_held) && vehicles < most {
+            vehicles = (vehicles * 2).clamp(1, most);
+            self.progress.left += usize::from(self.options.repeat.get());
+            rows.push(self.count(vehicles)?);
         }
-        self.progress.clear();
         Ok(rows)
     }
 
@@ -195,17 +186,19 @@ impl<'a> Series<'a> {
     fn count(&mut self, vehicles: u16) -> anyhow::Result<Row> {
         let repeats = usize::from(self.options.repeat.get());
         let mut samples = Vec::new();
+        let s = if vehicles == 1 { "" } else { "s" };
         for repeat in 1..=repeats {
-            self.progress.begin(vehicles, repeat, repeats);
-            self.progress.say("starting");
-            match trial(self.simulators, vehicles, self.plan, &mut self.progress) {
+            self.progress.begin(format!(
+                "{vehicles} vehicle{s}, repeat {repeat} of {repeats}"
+            ));
+            let trial = trial(self.bay, vehicles, self.plan, &mut self.progress);
+            self.progress.clear();
+            self.progress.left -= 1;
+            match trial {
                 Ok(sample) => samples.push(sample),
-                Err(error) if vehicles <= 1 => {
-                    self.progress.clear();
-                    return Err(error);
-                }
+                Err(error) if vehicles <= 1 => return Err(error),
                 Err(error) => {
-                    self.progress.clear();
+                    self.progress.left -= repeats - repeat;
                     return Ok(Row::never_flown(vehicles, format!("{error:#}")));
                 }
             }

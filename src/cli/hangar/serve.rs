@@ -203,7 +203,7 @@ fn warn(address: SocketAddr, options: &ServeArguments) {
     if !address.ip().is_loopback() {
         log(format_args!(
             "warning: {address} can be reached from other machines, and HTTP is not encrypted: the token and the \
-             vehicles' MAVLink can be read on the way. Listen on 127.0.0.1 and use `ssh -L {PORT}:127.0.0.1:{PORT}` \
+             vehicles' MAVLink can be read on the way. Listen on 127.0.0.1 and use `ssh -L {PORT}:127.0.0.1:{PORT} HOST` \
              where that matters"
         ));
     }

@@ -3,11 +3,13 @@
 use std::process::ExitCode;
 
 use clap::Args;
+use futures_util::future::join_all;
+use serde::Serialize;
 
 use super::super::settings::Settings;
 use super::super::{Failure, runtime};
 use super::services::ServiceOptions;
-use crate::hangar::client::{ClientError, HangarAddress, Remote};
+use crate::hangar::client::{HangarAddress, Remote};
 use crate::hangar::service::{PORT, Status};
 use crate::hangar::{Instance, Token};
 
@@ -17,8 +19,21 @@ use crate::hangar::{Instance, Token};
     sortie hangar status\n  \
     sortie hangar status --hangar http://127.0.0.1:5700 --json")]
 pub(super) struct StatusArguments {
+    /// One JSON document instead of lines.
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     services: ServiceOptions,
+}
+
+/// What is known of one service.
+#[derive(Debug, Serialize)]
+struct Answer {
+    hangar: String,
+    status: Option<Status>,
+    vehicles: Vec<Instance>,
+    /// Why nothing is known.
+    fault: Option<String>,
 }
 
 /// Asks and prints; the exit code is 1 if one of them does not answer.
@@ -32,27 +47,42 @@ pub(super) fn status(options: &StatusArguments, settings: &Settings) -> Result<E
             .and_then(|file| Token::load(&file).ok());
         remotes.push(Remote::new(here, token));
     }
-    let mut code = ExitCode::SUCCESS;
-    for remote in remotes {
-        match runtime()?.block_on(ask(&remote)) {
-            Ok((status, instances)) => tell(&remote, &status, &instances)?,
-            Err(error) => {
-                eprintln!("sortie: {error}");
-                code = ExitCode::from(1);
-            }
+    let answers: Vec<Answer> = runtime()?.block_on(join_all(remotes.iter().map(ask)));
+    if options.json {
+        say!("{}", serde_json::to_string_pretty(&answers)?)?;
+    } else {
+        for answer in &answers {
+            tell(answer)?;
         }
     }
-    Ok(code)
+    let all_answer = answers.iter().all(|answer| answer.fault.is_none());
+    Ok(ExitCode::from(u8::from(!all_answer)))
 }
 
-async fn ask(remote: &Remote) -> Result<(Status, Vec<Instance>), ClientError> {
-    Ok((remote.status().await?, remote.instances().await?))
+async fn ask(remote: &Remote) -> Answer {
+    let (status, vehicles, fault) = match tokio::try_join!(remote.status(), remote.instances()) {
+        Ok((status, vehicles)) => (Some(status), vehicles, None),
+        Err(error) => (None, Vec::new(), Some(error.to_string())),
+    };
+    Answer {
+        hangar: remote.to_string(),
+        status,
+        vehicles,
+        fault,
+    }
 }
 
-fn tell(remote: &Remote, status: &Status, instances: &[Instance]) -> Result<(), Failure> {
+fn tell(answer: &Answer) -> Result<(), Failure> {
+    if let Some(fault) = &answer.fault {
+        eprintln!("sortie: {fault}");
+    }
+    let Some(status) = &answer.status else {
+        return Ok(());
+    };
     let (running, free) = (status.capacity.running, status.capacity.free);
     say!(
-        "{remote}: sortie {}, {running} running, room for {free} more",
+        "{}: sortie {}, {running} running, room for {free} more",
+        answer.hangar,
         status.version
     )?;
     for program in &status.programs {
@@ -61,7 +91,7 @@ fn tell(remote: &Remote, status: &Status, instances: &[Instance]) -> Result<(), 
     for leftover in &status.leftovers {
         say!("  left over: {leftover}")?;
     }
-    for instance in instances {
+    for instance in &answer.vehicles {
         let (id, system) = (instance.id, instance.system);
         let fault = instance.fault.as_ref().map(|fault| format!(": {fault}"));
         let stage = instance.stage.word();

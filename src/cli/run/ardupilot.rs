@@ -199,11 +199,14 @@ impl Fleet {
         let all = self.seen.borrow_and_update().clone();
         for (index, place) in self.places.iter().enumerate() {
             let instance = find(&all, *place);
-            if let Some(ended) = instance.filter(|instance| instance.stage == Stage::Ended) {
-                tracing::error!("{}", obituary(ended));
-            }
-            if instance.is_none_or(|instance| instance.stage == Stage::Ended) {
-                live.lose(index);
+            let is_gone = instance.is_none_or(|instance| instance.stage == Stage::Ended);
+            if is_gone
+                && live.lose(index)
+                && let Some(ended) = instance
+            {
+                let obituary = obituary(ended);
+                tracing::error!("{obituary}");
+                eprintln!("{obituary}");
             }
         }
     }

@@ -65,7 +65,10 @@ impl Course {
         events.push(Event::Mission(Box::new(self.flight.progress())));
         if self.flight.outcome().is_some() {
             self.ended = true;
-            let report = self.flight.report(&shown.ledger);
+            let mut report = self.flight.report(&shown.ledger);
+            if let Pace::Vehicles(_) = self.pace {
+                "ardupilot".clone_into(&mut report.backend);
+            }
             events.push(Event::MissionEnded(Box::new(report)));
         }
         events

@@ -8,8 +8,9 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::app::effect::HangarDeed;
+use crate::app::event::Event;
 use crate::app::state::{Instance, Stage};
-use crate::hangar::{self, Berth, Hangars, Launch, Place, Seen, Source};
+use crate::hangar::{self, Berth, Hangars, Launch, Line, Place, Seen, Source};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -21,6 +22,8 @@ const ENDING_PATIENCE: Duration = Duration::from_secs(5);
 const USAGE_OVER: Duration = Duration::from_secs(2);
 /// What the hangar within this program is called.
 const OWN: &str = "here";
+/// What a process prints is looked at so often.
+const LOOK_EVERY: Duration = Duration::from_millis(500);
 /// Things that may wait to be told.
 const NEWS_KEPT: usize = 64;
 
@@ -30,8 +33,12 @@ pub(super) enum News {
     Opened(Arc<Hangars>),
     /// All vehicles are launched; these are their links.
     Launched(Vec<Berth>),
+    /// They could not be launched.
+    NotLaunched(Text),
     /// Something could not be done.
     Failed(Text),
+    /// What a vehicle's process has printed, from the line with this number on.
+    Printed(VehicleId, u64, Vec<Line>),
 }
 
 /// The processes of a session. Dropping it ends them.
@@ -41,6 +48,9 @@ pub(super) struct Processes {
     hangars: Option<Arc<Hangars>>,
     seen: Option<watch::Receiver<Seen>>,
     usage: BTreeMap<Place, Usage>,
+    /// How often each was started again.
+    restarts: BTreeMap<VehicleId, u32>,
+    looking: Option<Looking>,
 }
 
 /// Processor time that a process has taken.
@@ -49,6 +59,17 @@ struct Usage {
     at: Duration,
     cpu_ms: u64,
     percent: Option<f32>,
+}
+
+/// The process whose output is looked at.
+#[derive(Debug)]
+struct Looking {
+    vehicle: VehicleId,
+    /// The number of the line that comes next.
+    next: u64,
+    /// When it was asked for last.
+    asked_at: Option<Duration>,
+    is_asked: bool,
 }
 
 /// Processes that are being ended.
@@ -81,7 +102,7 @@ impl Processes {
                 before.over(ENDING_PATIENCE).await;
                 if let Err(reason) = open_and_launch(&source, launches, &told).await {
                     drop(
-                        told.send(News::Failed(text!("hangar-failed", reason = reason)))
+                        told.send(News::NotLaunched(text!("hangar-failed", reason = reason)))
                             .await,
                     );
                 }
@@ -97,6 +118,8 @@ impl Processes {
             hangars: None,
             seen: None,
             usage: BTreeMap::new(),
+            restarts: BTreeMap::new(),
+            looking: None,
         }
     }
 
@@ -146,13 +169,7 @@ impl Processes {
 
     /// Has the process of a vehicle ended or started again; what fails is told.
     pub fn order(&self, deed: HangarDeed, vehicle: VehicleId) {
-        let (Some(hangars), Some(seen)) = (self.hangars.clone(), &self.seen) else {
-            return;
-        };
-        let mine = |(_, instance): &&(Place, hangar::Instance)| {
-            VehicleId::from(instance.system) == vehicle
-        };
-        let Some((place, _)) = seen.borrow().iter().find(mine).cloned() else {
+        let Some((hangars, place)) = self.place(vehicle) else {
             return;
         };
         let sender = self.sender.clone();
@@ -165,6 +182,72 @@ impl Processes {
                 drop(sender.send(News::Failed(Text::from(&refusal))).await);
             }
         });
+    }
+
+    /// The vehicles whose processes were started again since they were looked at last.
+    pub fn started_again(&mut self, instances: &[Instance]) -> Vec<VehicleId> {
+        let mut again = Vec::new();
+        for instance in instances {
+            let known = self.restarts.entry(instance.vehicle);
+            let known = known.or_insert(instance.restarts);
+            if *known < instance.restarts {
+                again.push(instance.vehicle);
+            }
+            *known = instance.restarts;
+        }
+        again
+    }
+
+    /// Looks at what the process of a vehicle prints; it is told as [`News::Printed`].
+    pub fn look(&mut self, wanted: Option<VehicleId>, now: Duration) {
+        let Some(vehicle) = wanted else {
+            self.looking = None;
+            return;
+        };
+        let Some((hangars, place)) = self.place(vehicle) else {
+            return;
+        };
+        let known = self.looking.take().filter(|one| one.vehicle == vehicle);
+        let looking = self.looking.insert(known.unwrap_or(Looking {
+            vehicle,
+            next: 0,
+            asked_at: None,
+            is_asked: false,
+        }));
+        let is_due = looking.asked_at.is_none_or(|at| now >= at + LOOK_EVERY);
+        if looking.is_asked || !is_due {
+            return;
+        }
+        (looking.asked_at, looking.is_asked) = (Some(now), true);
+        let (sender, next) = (self.sender.clone(), looking.next);
+        tokio::spawn(async move {
+            // Of one that does not tell nothing more is shown.
+            let lines = hangars.output(place, next).await.unwrap_or_default();
+            drop(sender.send(News::Printed(vehicle, next, lines)).await);
+        });
+    }
+
+    /// Takes over what a process has printed, if it is still looked at.
+    pub fn printed(&mut self, vehicle: VehicleId, from: u64, lines: &[Line]) -> Option<Event> {
+        let mut looking = self.looking.as_mut();
+        let looking = looking.take_if(|one| (one.vehicle, one.next) == (vehicle, from))?;
+        looking.is_asked = false;
+        looking.next = lines.last()?.number + 1;
+        Some(Event::Printed {
+            vehicle,
+            anew: from == 0,
+            lines: lines.iter().map(|line| sanitised(&line.text)).collect(),
+        })
+    }
+
+    /// Where the process of a vehicle is.
+    fn place(&self, vehicle: VehicleId) -> Option<(Arc<Hangars>, Place)> {
+        let seen = self.seen.as_ref()?.borrow();
+        let mine = |(_, instance): &&(Place, hangar::Instance)| {
+            VehicleId::from(instance.system) == vehicle
+        };
+        let (place, _) = seen.iter().find(mine)?;
+        Some((self.hangars.clone()?, *place))
     }
 
     /// Tells when the processes are gone, once this is dropped.

@@ -67,13 +67,15 @@ impl Remote {
             .map_err(|error| self.unreachable(io::Error::other(error)))
     }
 
-    /// Asks for the end of an instance without waiting for an answer, for those who have no time or no runtime left.
-    pub(in crate::hangar) fn stop_unheard(&self, id: InstanceId) -> io::Result<()> {
+    /// Asks for the end of an instance, for those who have no time or no runtime left. The answer comes on what is
+    /// returned; a hangar does not hear one who hangs up before it.
+    pub(in crate::hangar) fn begin_stop(&self, id: InstanceId) -> io::Result<impl io::Read> {
         let place = (self.address.host.as_str(), self.address.port);
         let place = place.to_socket_addrs()?.next();
         let place = place.ok_or(io::ErrorKind::AddrNotAvailable)?;
         let mut stream = std::net::TcpStream::connect_timeout(&place, HURRY)?;
         stream.set_write_timeout(Some(HURRY))?;
+        stream.set_read_timeout(Some(ANSWER))?;
         let mut head = format!(
             "DELETE /vehicles/{id} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n",
             self.address.authority()
@@ -85,7 +87,8 @@ impl Remote {
             let _ = write!(head, "If-Match: \"{life}\"\r\n");
         }
         head.push_str("\r\n");
-        io::Write::write_all(&mut stream, head.as_bytes())
+        io::Write::write_all(&mut stream, head.as_bytes())?;
+        Ok(stream)
     }
 
     /// Sends a request; what answers is a hangar and has met it.
@@ -122,19 +125,15 @@ impl Remote {
     }
 
     fn refusal(&self, status: StatusCode, bytes: &[u8]) -> ClientError {
-        let Ok(mut problem) = serde_json::from_slice::<Problem>(bytes) else {
+        let Ok(problem) = serde_json::from_slice::<Problem>(bytes) else {
             let text = String::from_utf8_lossy(bytes);
             let text: String = text
                 .chars()
                 .filter(|c| !c.is_control())
                 .take(SHOWN)
                 .collect();
-            return ClientError::NotAHangar {
-                address: self.address.clone(),
-                why: format!("{status} {text}").trim().to_owned(),
-            };
+            return self.not_a_hangar(format!("{status} {text}").trim().to_owned());
         };
-        problem.set_status(status);
         if status == StatusCode::UNAUTHORIZED {
             return ClientError::Unauthorised {
                 address: self.address.clone(),
@@ -152,6 +151,13 @@ impl Remote {
         }
     }
 
+    pub(super) fn not_a_hangar(&self, why: String) -> ClientError {
+        ClientError::NotAHangar {
+            address: self.address.clone(),
+            why,
+        }
+    }
+
     pub(super) fn late(&self, limit: Duration) -> ClientError {
         ClientError::Late {
             address: self.address.clone(),
@@ -162,10 +168,7 @@ impl Remote {
     /// A connection that says what no HTTP service says, or that ends in the middle.
     fn broken(&self, error: &hyper::Error) -> ClientError {
         if error.is_parse() {
-            return ClientError::NotAHangar {
-                address: self.address.clone(),
-                why: error.to_string(),
-            };
+            return self.not_a_hangar(error.to_string());
         }
         self.unreachable(io::Error::other(error.to_string()))
     }

@@ -71,15 +71,12 @@ async fn follow(remote: &Remote, view: &watch::Sender<View>, backoff: &mut Backo
         };
         for (name, data) in events.push(&bytes) {
             if let Err(why) = take_in(view, &name, &data) {
-                let address = remote.address.clone();
-                return ClientError::NotAHangar { address, why };
+                return remote.not_a_hangar(why);
             }
             backoff.reset();
         }
         if events.len() > EVENT_MAX {
-            let address = remote.address.clone();
-            let why = "an event of it never ends".to_owned();
-            return ClientError::NotAHangar { address, why };
+            return remote.not_a_hangar("an event of it never ends".to_owned());
         }
     }
 }

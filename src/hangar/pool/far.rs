@@ -1,6 +1,7 @@
 //! Hangars that are services.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::Read as _;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 use std::time::Duration;
 
@@ -11,12 +12,14 @@ use tokio_util::sync::CancellationToken;
 use super::spread::spread;
 use super::{Berth, Place, Seen};
 use crate::hangar::client::{ClientError, Remote, View};
-use crate::hangar::{Capacity, Instance, Launch, Refusal, Stage};
+use crate::hangar::{Capacity, Instance, Launch, Line, Refusal, Stage};
 
 /// What is launched ends when nobody has been attached to it for so long: the console was killed, or cut off.
 const IDLE_S: u32 = 60;
 /// How long a console that ends waits until the hangars have been told.
 const FAREWELL: Duration = Duration::from_secs(2);
+/// How many vehicles are ended at once then: fewer than a hangar takes connections.
+const AT_ONCE: usize = 32;
 const SYSTEM_MAX: u8 = 254;
 
 /// Services, and what was launched by them.
@@ -200,6 +203,12 @@ impl Far {
         asked.map_err(|error| far(&remote, error))
     }
 
+    pub async fn output(&self, place: Place, since: u64) -> Result<Vec<Line>, Refusal> {
+        let remote = self.fleet.remote(place)?;
+        let told = remote.output(place.id, since).await;
+        told.map_err(|error| far(&remote, error))
+    }
+
     pub async fn close(self) {
         let places: Vec<Place> = self.fleet.ours().keys().copied().collect();
         join_all(places.into_iter().map(|place| self.stop(place))).await;
@@ -219,8 +228,12 @@ impl Drop for Far {
         let (done, told) = mpsc::channel();
         let thread = std::thread::Builder::new().name("farewell".to_owned());
         let begun = thread.spawn(move || {
-            for (id, remote) in orders {
-                let _ = remote.stop_unheard(id);
+            for some in orders.chunks(AT_ONCE) {
+                let begun = some.iter().map(|(id, remote)| remote.begin_stop(*id));
+                let asked: Vec<_> = begun.filter_map(Result::ok).collect();
+                for mut answer in asked {
+                    let _ = answer.read(&mut [0; 16]);
+                }
             }
             let _ = done.send(());
         });

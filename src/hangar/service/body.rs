@@ -1,8 +1,7 @@
 //! Reads what clients send: bodies, numbers in paths, queries.
 
-use std::str::FromStr;
-
-use axum::extract::Request;
+use axum::extract::{self, FromRequestParts, Path, Request};
+use axum::http::request::Parts;
 use axum::http::{StatusCode, header};
 use http_body_util::{BodyExt as _, LengthLimitError, Limited};
 use serde::de::DeserializeOwned;
@@ -64,39 +63,33 @@ async fn read(request: Request, bounds: Bounds) -> Result<Vec<u8>, Problem> {
 }
 
 /// An instance's number, as it stands in a path.
-pub(super) fn id(text: &str) -> Result<InstanceId, Problem> {
-    text.parse().map_err(|_| {
-        let error = format!("`{text}` is no instance: expected a number from 1 to 65535");
-        Problem::new(StatusCode::BAD_REQUEST, error)
-    })
+pub(super) struct Number(pub InstanceId);
+
+impl<S: Send + Sync> FromRequestParts<S> for Number {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        let text = Path::<String>::from_request_parts(parts, state).await;
+        let Path(text) =
+            text.map_err(|rejection| Problem::new(rejection.status(), rejection.body_text()))?;
+        text.parse().map(Self).map_err(|_| {
+            let error = format!("`{text}` is no instance: expected a number from 1 to 65535");
+            Problem::new(StatusCode::BAD_REQUEST, error)
+        })
+    }
 }
 
-/// A number of the query. The query knows no other names than those `known`.
-pub(super) fn number<T: FromStr>(
-    request: &Request,
-    name: &str,
-    known: &[&str],
-) -> Result<Option<T>, Problem> {
-    let query = request.uri().query().unwrap_or_default();
-    let refuse = |error: String| Problem::new(StatusCode::BAD_REQUEST, error);
-    let mut found = None;
-    for pair in query.split('&').filter(|pair| !pair.is_empty()) {
-        let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
-        if !known.contains(&key) {
-            let error = format!(
-                "the query: `{key}` is unknown, expected {}",
-                known.join(", ")
-            );
-            return Err(refuse(error));
-        }
-        if key == name {
-            let number = value.parse();
-            found = Some(number.map_err(|_| {
-                refuse(format!(
-                    "the query: `{value}` is no number that {name} can be"
-                ))
-            })?);
+/// What a query says; it may say nothing else.
+pub(super) struct Query<T>(pub T);
+
+impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Query<T> {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+        match extract::Query::try_from_uri(&parts.uri) {
+            Ok(extract::Query(said)) => Ok(Self(said)),
+            Err(rejection) => Err(Problem::new(rejection.status(), rejection.body_text())
+                .hint("GET /openapi.json describes what is expected")),
         }
     }
-    Ok(found)
 }

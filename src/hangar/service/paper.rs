@@ -5,26 +5,27 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use axum::Json;
-use axum::extract::{Path, State};
+use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 
-use super::{Desk, Problem, body, vehicles};
+use super::body::Number;
+use super::{Desk, Problem, vehicles};
 use crate::hangar::{Instance, Launch, Stage};
 
 /// Starts a copter with this number at SITL's usual place.
-#[utoipa::path(get, path = "/start/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+#[utoipa::path(get, operation_id = "plain_start", path = "/start/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 201, description = "It is being started", body = Instance, content_type = "application/json"),
     (status = 409, description = "The number is taken", body = Problem),
     (status = 503, description = "The hangar is full, or has no program for it", body = Problem),
 ))]
 pub(super) async fn start(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
+    Number(id): Number,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let launch = Launch {
-        id: Some(body::id(&id)?),
+        id: Some(id),
         ..Launch::default()
     };
     let instance = desk.launch(launch).await?;
@@ -33,23 +34,22 @@ pub(super) async fn start(
 }
 
 /// Ends the instance with this number.
-#[utoipa::path(get, path = "/stop/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+#[utoipa::path(get, operation_id = "plain_stop", path = "/stop/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "Its process is gone", body = String, content_type = "text/plain"),
     (status = 404, description = "There is none", body = Problem),
 ))]
 pub(super) async fn stop(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
+    Number(id): Number,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let id = body::id(&id)?;
     desk.stop(id).await?;
     let json = serde_json::json!({ "id": id });
     Ok(either(&headers, format!("{id} stopped\n"), &json))
 }
 
 /// How far the instance with this number is, at once.
-#[utoipa::path(get, path = "/ready/{id}", params(("id" = u16, Path, description = "Its number")), responses(
+#[utoipa::path(get, operation_id = "plain_ready", path = "/ready/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "It can be armed", body = Instance, content_type = "application/json"),
     (status = 202, description = "Not yet; this is how far it is", body = Instance, content_type = "application/json"),
     (status = 404, description = "There is none", body = Problem),
@@ -57,10 +57,9 @@ pub(super) async fn stop(
 ))]
 pub(super) async fn ready(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
+    Number(id): Number,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let id = body::id(&id)?;
     desk.instance(id)?;
     let (status, Json(instance)) = vehicles::readiness(&desk, id)?;
     let line = line(&instance);
@@ -68,7 +67,7 @@ pub(super) async fn ready(
 }
 
 /// The instances, a line for each.
-#[utoipa::path(get, path = "/list", responses(
+#[utoipa::path(get, operation_id = "plain_list", path = "/list", responses(
     (status = 200, description = "Number, stage and what is wrong", body = String, content_type = "text/plain"),
 ))]
 pub(super) async fn list(State(desk): State<Arc<Desk>>, headers: HeaderMap) -> Response {

@@ -30,11 +30,6 @@ impl Problem {
         }
     }
 
-    /// One that was read from an answer with this status.
-    pub(in crate::hangar) fn set_status(&mut self, status: StatusCode) {
-        self.status = status;
-    }
-
     pub(super) fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
         self
@@ -96,4 +91,10 @@ pub(super) async fn no_such_method(method: Method, uri: Uri) -> Problem {
     let error = format!("{method} cannot be done to {}", uri.path());
     Problem::new(StatusCode::METHOD_NOT_ALLOWED, error)
         .hint("the header Allow tells what can be; GET /openapi.json describes it")
+}
+
+/// Answers HEAD where GET does something: whoever asks so wants nothing done.
+pub(super) async fn not_by_head(uri: Uri) -> impl IntoResponse {
+    let problem = no_such_method(Method::HEAD, uri).await;
+    ([(header::ALLOW, "GET")], problem)
 }

@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use axum::extract::{Path, Request, State};
+use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 use hyper_util::rt::TokioIo;
 use tokio::io::{AsyncRead, AsyncWrite, DuplexStream, copy_bidirectional};
 use tokio_util::sync::CancellationToken;
 
-use super::{Desk, MAVLINK, Problem, body};
+use super::body::Number;
+use super::{Desk, MAVLINK, Problem};
 
 /// The bytes of a vehicle's serial 0.
 #[utoipa::path(get, path = "/vehicles/{id}/mavlink", params(
@@ -23,10 +24,9 @@ use super::{Desk, MAVLINK, Problem, body};
 ))]
 pub(super) async fn open(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
+    Number(id): Number,
     mut request: Request,
 ) -> Result<Response, Problem> {
-    let id = body::id(&id)?;
     desk.instance(id)?;
     if !asks_for_upgrade(request.headers()) {
         let error = "this address gives bytes, not documents";

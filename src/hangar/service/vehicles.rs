@@ -4,14 +4,15 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Json;
-use axum::extract::{Path, Request, State};
+use axum::extract::{Request, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 use serde::{Deserialize, Serialize};
 use tokio::sync::OwnedSemaphorePermit;
-use utoipa::ToSchema;
+use utoipa::{IntoParams, ToSchema};
 
-use super::{Desk, Problem, body};
+use super::body::{self, Number, Query};
+use super::{Desk, Problem};
 use crate::hangar::{Instance, InstanceId, Launch, Line, Refusal, Stage};
 
 /// How long one waits for readiness unless told otherwise, and at most, in seconds.
@@ -19,8 +20,28 @@ const READY_S: u32 = 60;
 const READY_MAX_S: u32 = 300;
 /// How long an answer waits for the port that an instance is exposed on.
 const PORT_OPENED: Duration = Duration::from_secs(1);
-/// Lines of output that are told unless more are asked for, and at most.
+/// Lines of output that are told unless more are asked for.
 const LINES: usize = 100;
+
+/// How readiness is waited for.
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(super) struct Wait {
+    /// How many seconds to wait: 60 by default, 300 at most.
+    timeout_s: Option<u32>,
+}
+
+/// Which lines of output are asked for.
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(super) struct Excerpt {
+    /// How many lines at most: 100 by default.
+    lines: Option<usize>,
+    /// `next` of an earlier answer.
+    since: Option<u64>,
+}
 
 /// What an instance has printed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
@@ -71,9 +92,9 @@ pub(super) async fn list(State(desk): State<Arc<Desk>>) -> Json<Vec<Instance>> {
 ))]
 pub(super) async fn one(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
+    Number(id): Number,
 ) -> Result<Json<Instance>, Problem> {
-    desk.instance(body::id(&id)?).map(Json)
+    desk.instance(id).map(Json)
 }
 
 /// Ends an instance.
@@ -83,9 +104,9 @@ pub(super) async fn one(
 ))]
 pub(super) async fn remove(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
+    Number(id): Number,
 ) -> Result<StatusCode, Problem> {
-    desk.stop(body::id(&id)?).await?;
+    desk.stop(id).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
@@ -96,17 +117,15 @@ pub(super) async fn remove(
 ))]
 pub(super) async fn restart(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
+    Number(id): Number,
 ) -> Result<(StatusCode, Json<Instance>), Problem> {
-    let id = body::id(&id)?;
     desk.hangar.restart(id).await?;
     Ok((StatusCode::ACCEPTED, Json(desk.instance(id)?)))
 }
 
 /// Waits until an instance can be armed.
 #[utoipa::path(get, path = "/vehicles/{id}/ready", params(
-    ("id" = u16, Path, description = "Its number"),
-    ("timeout_s" = Option<u32>, Query, description = "How long to wait: 60 by default, 300 at most"),
+    ("id" = u16, Path, description = "Its number"), Wait
 ), responses(
     (status = 200, description = "It can be armed", body = Instance),
     (status = 202, description = "Not within that time; this is how far it is", body = Instance),
@@ -116,11 +135,10 @@ pub(super) async fn restart(
 ))]
 pub(super) async fn ready(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
-    request: Request,
+    Number(id): Number,
+    Query(wait): Query<Wait>,
 ) -> Result<(StatusCode, Json<Instance>), Problem> {
-    let id = body::id(&id)?;
-    let seconds = body::number(&request, "timeout_s", &["timeout_s"])?.unwrap_or(READY_S);
+    let seconds = wait.timeout_s.unwrap_or(READY_S);
     if seconds > READY_MAX_S {
         let error = format!("the query: timeout_s is {READY_MAX_S} at most, and {seconds} is more");
         return Err(Problem::new(StatusCode::BAD_REQUEST, error).hint("ask again after that"));
@@ -159,22 +177,18 @@ pub(super) fn readiness(
 
 /// What an instance has printed.
 #[utoipa::path(get, path = "/vehicles/{id}/output", params(
-    ("id" = u16, Path, description = "Its number"),
-    ("lines" = Option<usize>, Query, description = "How many lines at most: 100 by default"),
-    ("since" = Option<u64>, Query, description = "`next` of an earlier answer"),
+    ("id" = u16, Path, description = "Its number"), Excerpt
 ), responses(
     (status = 200, description = "The last lines", body = Printed),
     (status = 404, description = "There is none", body = Problem),
 ))]
 pub(super) async fn output(
     State(desk): State<Arc<Desk>>,
-    Path(id): Path<String>,
-    request: Request,
+    Number(id): Number,
+    Query(excerpt): Query<Excerpt>,
 ) -> Result<Json<Printed>, Problem> {
-    let id = body::id(&id)?;
-    let known = ["lines", "since"];
-    let lines = body::number(&request, "lines", &known)?.unwrap_or(LINES);
-    let since = body::number(&request, "since", &known)?.unwrap_or(0);
+    let lines = excerpt.lines.unwrap_or(LINES);
+    let since = excerpt.since.unwrap_or(0);
     let mut all = desk.hangar.output(id, since)?;
     let next = all.last().map_or(since, |line| line.number + 1);
     let lines = all.split_off(all.len().saturating_sub(lines));

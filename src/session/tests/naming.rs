@@ -186,3 +186,16 @@ fn what_is_urgent_does_not_wait_for_a_name() {
     assert_eq!(vehicle.scene.states(1).last(), Some(&RowState::Superseded));
     assert_eq!(vehicle.scene.states(2), [RowState::Sent]);
 }
+
+#[test]
+fn a_vehicle_that_nobody_asked_is_not_said_to_lack_a_name() {
+    let mut vehicle = Firmware::new("SIM_GPS1_ENABLE");
+    let name = "NOTHING".to_owned();
+    vehicle
+        .scene
+        .order(2, "param", Command::GetParameter { name });
+    vehicle.set("SIM_GPS_DISABLE", 1.0);
+    assert_eq!(vehicle.scene.states(2).last(), Some(&RowState::TimedOut));
+    let says = "not sent: its 3.5 s were over before the line was free";
+    assert_eq!(vehicle.outcome(), (RowState::TimedOut, says.to_owned()));
+}

@@ -273,6 +273,31 @@ fn a_reboot_ends_what_was_meant_for_the_vehicle_before() {
 }
 
 #[test]
+fn who_has_started_the_autopilot_anew_needs_not_wait_for_its_clock() {
+    let mut scene = Scene::new();
+    scene.heartbeat(GUIDED, true);
+    scene.hear(MavMessage::EXTENDED_SYS_STATE(
+        mavlink::dialects::ardupilotmega::EXTENDED_SYS_STATE_DATA {
+            landed_state: mavlink::dialects::ardupilotmega::MavLandedState::MAV_LANDED_STATE_IN_AIR,
+            ..Default::default()
+        },
+    ));
+    scene.order(1, "land", Command::Land);
+    scene.session.restarted(scene.now);
+    scene.pass(ms(100));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
+    let vehicle = scene.session.vehicle();
+    assert_eq!(
+        (vehicle.landed, vehicle.mode(), vehicle.armed()),
+        (crate::vehicle::LandedState::Undefined, None, false)
+    );
+    assert_eq!(vehicle.link.reboots, 1);
+    scene.heartbeat(STABILIZE, false);
+    scene.order(2, "arm", Command::Arm);
+    assert_ne!(scene.states(2).last(), Some(&RowState::Refused));
+}
+
+#[test]
 fn a_turn_gives_way_to_a_movement_and_ends_none() {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, true);

@@ -67,6 +67,22 @@ fn a_velocity_takes_the_place_of_a_goto_and_of_its_target() {
 }
 
 #[test]
+fn a_session_is_looked_at_often_only_while_it_has_something_to_send() {
+    let mut scene = under_way();
+    scene.pass(ms(2000));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Accepted));
+    assert_eq!(scene.session.patience(), IDLE_POLL, "the way there is long");
+    let velocity = Command::Velocity {
+        ned_m_s: [2.0, 0.0, 0.0],
+        lasting: ms(10_000),
+    };
+    scene.order(2, "velocity", velocity);
+    assert_eq!(scene.session.patience(), BUSY_POLL, "it is said again");
+    scene.order(3, "arm", Command::Arm);
+    assert_eq!(scene.session.patience(), BUSY_POLL, "it is not answered");
+}
+
+#[test]
 fn a_target_that_is_not_sent_any_more_is_forgotten_unless_the_vehicle_is_silent() {
     for (goes_on, remembered) in [(true, false), (false, true)] {
         let mut scene = under_way();

@@ -23,8 +23,9 @@ pub const HINTS: &[(&str, &str)] = &[
     ("F", "links-key-fly"),
     ("q", "hangar-key-leave"),
 ];
-/// Columns of the bar, and of the words beside it.
+/// Columns of the bar, of the one beside a name that needs the room, and of the words.
 const BAR: usize = 12;
+const SHORT_BAR: usize = 5;
 const WORDS: usize = 22;
 /// Columns of all figures behind them.
 const FIGURES: usize = 32;
@@ -39,11 +40,12 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     if state.rooms.hangar.opened
         && let Some(instance) = under_cursor(state)
     {
-        return draw_output(instance, state.rooms.hangar.back, look, area, buffer);
+        let page = (hangar.output(instance), state.rooms.hangar.back);
+        return draw_output(instance, page, look, area, buffer);
     }
     let list = draw_list(state, hangar, look, area, buffer);
     if let Some(instance) = under_cursor(state) {
-        draw_detail(instance, look, list, buffer);
+        draw_detail(instance, hangar.output(instance), look, list, buffer);
     }
 }
 
@@ -71,17 +73,32 @@ fn draw_list(state: &State, hangar: &Hangar, look: &Look, area: Rect, buffer: &m
     let most = area.height.saturating_sub(8).max(4);
     let rows = (hangar.instances.len().max(1) as u16 + 3).min(most);
     let inner = titled(&title, look, upper(area, rows), buffer);
-    let host = host_width(inner.width);
+    let columns = Columns::new(hangar, inner.width);
     put(
         buffer,
         inner,
         0,
-        &Line::styled(heading(host, look), look.style(Role::Muted)),
+        &Line::styled(heading(columns, look), look.style(Role::Muted)),
     );
     let inner = below(inner, 1);
     if hangar.instances.is_empty() {
-        let line = Line::styled(look.say("hangar-opening"), look.style(Role::Muted));
-        put(buffer, inner, 0, &line);
+        let (text, role) = match &hangar.fault {
+            Some(fault) => (look.text(fault), Role::Danger),
+            None => (look.say("hangar-opening"), Role::Muted),
+        };
+        // The whole room is left for it.
+        let inner = below(area, 2);
+        for (row, line) in wrap(&text, usize::from(inner.width))
+            .into_iter()
+            .enumerate()
+        {
+            put(
+                buffer,
+                inner,
+                row as u16,
+                &Line::styled(line, look.style(role)),
+            );
+        }
     }
     let cursor = state.rooms.hangar.cursor;
     let room = usize::from(inner.height);
@@ -89,7 +106,7 @@ fn draw_list(state: &State, hangar: &Hangar, look: &Look, area: Rect, buffer: &m
     let first = first.min(hangar.instances.len().saturating_sub(room));
     let shown = hangar.instances.iter().enumerate().skip(first).take(room);
     for (row, (at, instance)) in shown.enumerate() {
-        put(buffer, inner, row as u16, &line(instance, host, look));
+        put(buffer, inner, row as u16, &line(instance, columns, look));
         if at == cursor {
             buffer.set_style(row_of(inner, row as u16), look.style(Role::Cursor));
         }
@@ -97,31 +114,54 @@ fn draw_list(state: &State, hangar: &Hangar, look: &Look, area: Rect, buffer: &m
     below(area, rows)
 }
 
-/// Columns that are left for the host.
-fn host_width(width: u16) -> usize {
-    let others = 4 + BAR + 1 + WORDS + 1 + FIGURES + 1;
-    usize::from(width).saturating_sub(others).min(HOST)
+/// Columns of the host and of the bar.
+#[derive(Debug, Clone, Copy)]
+struct Columns {
+    host: usize,
+    bar: usize,
 }
 
-fn heading(host: usize, look: &Look) -> String {
+impl Columns {
+    /// What is left; services are to be told apart, at the bar's expense.
+    fn new(hangar: &Hangar, width: u16) -> Self {
+        let left = |bar| usize::from(width).saturating_sub(4 + bar + 1 + WORDS + 1 + FIGURES + 1);
+        let longest = hangar.instances.iter().filter_map(host_name);
+        let longest = longest.map(|name| name.chars().count()).max();
+        let bar = match longest {
+            Some(longest) if longest > left(BAR) => SHORT_BAR,
+            _ => BAR,
+        };
+        let host = left(bar).min(HOST);
+        Self { host, bar }
+    }
+}
+
+/// Where the service is that runs a process, if it is one.
+fn host_name(instance: &Instance) -> Option<&str> {
+    let url = instance.host.as_deref()?;
+    Some(url.trim_start_matches("http://"))
+}
+
+fn heading(columns: Columns, look: &Look) -> String {
     let figures = [
         aligned(&look.say("hangar-pid"), 8, true),
         aligned(&look.say("hangar-restarts"), 7, true),
         aligned(&look.say("hangar-memory"), 9, true),
         aligned(&look.say("hangar-processor"), 8, true),
     ];
-    let stage = aligned(&look.say("hangar-stage"), BAR + 1 + WORDS, false);
+    let stage = aligned(&look.say("hangar-stage"), columns.bar + 1 + WORDS, false);
+    let host = columns.host;
     let host_title = aligned(&clip(&look.say("hangar-host-title"), host), host, false);
     format!("{:>3} {host_title} {stage} {}", "#", figures.concat())
 }
 
-fn line(instance: &Instance, host: usize, look: &Look) -> Line<'static> {
+fn line(instance: &Instance, Columns { host, bar }: Columns, look: &Look) -> Line<'static> {
     let role = role(instance.stage, instance.has_crashed());
-    let filled = (instance.progress() * BAR as f32).round() as usize;
-    let bar = format!(
+    let filled = (instance.progress() * bar as f32).round() as usize;
+    let drawn = format!(
         "{}{}",
         "█".repeat(filled),
-        "░".repeat(BAR.saturating_sub(filled))
+        "░".repeat(bar.saturating_sub(filled))
     );
     let words = clip(&look.text(&instance.says()), WORDS);
     let unknown = || "-".to_owned();
@@ -131,14 +171,11 @@ fn line(instance: &Instance, host: usize, look: &Look) -> Line<'static> {
     let memory = measured.map_or_else(unknown, |_| megabytes(instance.memory_bytes));
     let processor = instance.processor_percent.filter(|_| measured.is_some());
     let processor = processor.map_or_else(unknown, |percent| format!("{percent:.1} %"));
-    let name = match &instance.host {
-        Some(url) => url.trim_start_matches("http://").to_owned(),
-        None => look.say("hangar-here"),
-    };
+    let name = host_name(instance).map_or_else(|| look.say("hangar-here"), str::to_owned);
     let name = aligned(&clip(&name, host), host, false);
     Line::from(vec![
         Span::raw(format!("{:>3} {name} ", instance.vehicle)),
-        Span::styled(bar, look.style(role)),
+        Span::styled(drawn, look.style(role)),
         Span::styled(
             format!(" {} ", aligned(&words, WORDS, false)),
             look.style(role),
@@ -164,7 +201,13 @@ fn role(stage: Stage, has_crashed: bool) -> Role {
 }
 
 /// What ails a process, and the end of what it has printed.
-fn draw_detail(instance: &Instance, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_detail(
+    instance: &Instance,
+    output: &[String],
+    look: &Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let title = look.text(&text!("hangar-vehicle", vehicle = instance.vehicle));
     let inner = titled(&title, look, area, buffer);
     let width = usize::from(inner.width);
@@ -183,10 +226,11 @@ fn draw_detail(instance: &Instance, look: &Look, area: Rect, buffer: &mut Buffer
     if instance.has_crashed() {
         lines.extend(wrapped(&look.say("hangar-fault-what"), Role::Text));
     }
-    let room = usize::from(inner.height).saturating_sub(lines.len() + 1);
-    lines.push((look.text(&where_kept(instance)), look.style(Role::Muted)));
-    let skipped = instance.output.len().saturating_sub(room);
-    let output = instance.output.iter().skip(skipped);
+    let place = look.text(&where_kept(instance, output));
+    lines.extend(wrapped(&place, Role::Muted));
+    let room = usize::from(inner.height).saturating_sub(lines.len());
+    let skipped = output.len().saturating_sub(room);
+    let output = output.iter().skip(skipped);
     lines.extend(output.map(|line| (line.clone(), look.style(Role::Text))));
     for (row, (line, style)) in lines.into_iter().enumerate() {
         put(
@@ -198,9 +242,9 @@ fn draw_detail(instance: &Instance, look: &Look, area: Rect, buffer: &mut Buffer
     }
 }
 
-fn where_kept(instance: &Instance) -> text::Text {
+fn where_kept(instance: &Instance, output: &[String]) -> text::Text {
     let folder = instance.folder.as_str();
-    if instance.output.is_empty() {
+    if output.is_empty() {
         text!("hangar-no-output", folder = folder)
     } else {
         text!("hangar-output", folder = folder)
@@ -208,20 +252,25 @@ fn where_kept(instance: &Instance) -> text::Text {
 }
 
 /// The output on the whole screen, ending so many lines before its end.
-fn draw_output(instance: &Instance, back: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_output(
+    instance: &Instance,
+    (output, back): (&[String], usize),
+    look: &Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let title = look.text(&text!("hangar-output-of", vehicle = instance.vehicle));
     let inner = titled(&title, look, area, buffer);
-    let where_kept = look.text(&where_kept(instance));
-    put(
-        buffer,
-        inner,
-        0,
-        &Line::styled(where_kept, look.style(Role::Muted)),
-    );
-    let inner = below(inner, 1);
     let width = usize::from(inner.width);
-    let end = instance.output.len().saturating_sub(back);
-    let lines: Vec<String> = instance.output[..end]
+    let place = wrap(&look.text(&where_kept(instance, output)), width);
+    let above = place.len() as u16;
+    for (row, line) in place.into_iter().enumerate() {
+        let line = Line::styled(line, look.style(Role::Muted));
+        put(buffer, inner, row as u16, &line);
+    }
+    let inner = below(inner, above);
+    let end = output.len().saturating_sub(back);
+    let lines: Vec<String> = output[..end]
         .iter()
         .flat_map(|line| wrap(line, width))
         .collect();

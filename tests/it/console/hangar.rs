@@ -157,7 +157,10 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
         text.contains("signal 9") && text.contains("it is over"),
         "{text}"
     );
-    assert!(text.contains("G, then r"), "{text}");
+    assert!(
+        text.contains("G, then r") && text.contains("hangar restart 2"),
+        "{text}"
+    );
     let worst = console.state.session.alarms.worst(2).expect("it alarms");
     assert_eq!(worst.alert.kind, AlertKind::Process);
     assert_eq!(console.effects, [Effect::Bell]);
@@ -192,6 +195,85 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
             .of(2)
             .all(|one| one.alert.kind != AlertKind::Process)
     );
+}
+
+#[test]
+fn a_crash_tells_what_happens_next() {
+    let mut console = ready();
+    let hint = "has failed five times in a row and is not started again";
+    let given_up = Instance {
+        hint: Some(hint.to_owned()),
+        ..crashed(2)
+    };
+    hear(&mut console, vec![instance(1, Stage::Ready), given_up]);
+    let (_, _, text) = last_notice(&console);
+    assert!(text.contains(hint), "{text}");
+}
+
+#[test]
+fn why_the_vehicles_could_not_be_started_stays_on_the_screen() {
+    let mut console = starting(Activity::Free, 2);
+    assert!(console.screen(80, 24).contains("is being opened"));
+    let reason = "hangar 127.0.0.1:5999: it cannot be reached: is `sortie hangar` running there? \
+                  From another host: `ssh -L PORT:127.0.0.1:PORT HOST`";
+    console.hear(Event::NotLaunched(reason.into()));
+    console.press("n").press("esc").press("esc");
+    let mut console = starting(Activity::Free, 2);
+    console.hear(Event::NotLaunched(reason.into()));
+    let screen = console.screen(80, 24);
+    assert!(!screen.contains("is being opened"), "{screen}");
+    assert!(screen.contains("PORT HOST`"), "{screen}");
+}
+
+#[test]
+fn the_output_of_a_process_that_runs_is_looked_at_as_long_as_it_is_on_the_screen() {
+    use sortie::app::room::hangar::wanted;
+    let mut console = ready();
+    assert_eq!(wanted(&console.state), None);
+    console.press("G").press("j");
+    assert_eq!(wanted(&console.state), Some(2));
+    let printed = |anew, lines: &[&str]| Event::Printed {
+        vehicle: 2,
+        anew,
+        lines: lines.iter().map(|line| (*line).to_owned()).collect(),
+    };
+    console.hear(printed(true, &["of another"]));
+    console.hear(printed(true, &["Starting sketch", "a line"]));
+    console.hear(printed(false, &["another line"]));
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("a line") && screen.contains("another line"));
+    assert!(!screen.contains("of another"), "{screen}");
+    console.press("k");
+    assert!(!console.screen(80, 24).contains("another line"));
+    console.press("j").press("enter");
+    let many: Vec<String> = (1..=60)
+        .map(|line| format!("line {line}\u{2502}"))
+        .collect();
+    let many: Vec<&str> = many.iter().map(String::as_str).collect();
+    console.hear(printed(true, &many));
+    console.press("page-up").press("page-up");
+    assert!(console.screen(80, 24).contains("line 40\u{2502}"));
+    console.hear(printed(false, &["the newest"]));
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("line 40\u{2502}") && !screen.contains("line 41"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn services_are_told_apart_on_a_narrow_screen() {
+    let mut console = starting(Activity::Free, 2);
+    let at = |vehicle, port| Instance {
+        host: Some(format!("http://127.0.0.1:{port}")),
+        ..instance(vehicle, Stage::Ready)
+    };
+    hear(&mut console, vec![at(1, 5700), at(2, 5701)]);
+    console.press("G");
+    let screen = console.screen(80, 24);
+    for host in ["127.0.0.1:5700", "127.0.0.1:5701"] {
+        assert!(screen.contains(host), "{screen}");
+    }
 }
 
 #[test]

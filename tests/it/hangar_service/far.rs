@@ -1,13 +1,15 @@
 //! Several hangars elsewhere, and a console that spreads its vehicles over them.
 
+use std::net::SocketAddr;
 use std::sync::Arc;
+use std::time::Duration;
 
 use sortie::hangar::client::{ClientError, Remote};
 use sortie::hangar::{Hangars, Launch, Refusal, Seen, Stage, Token};
 use sortie::text::Text;
-use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
-use tokio::net::TcpListener;
-use tokio::sync::watch;
+use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, copy_bidirectional};
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::{mpsc, watch};
 
 use super::{PATIENCE, Served};
 
@@ -43,6 +45,12 @@ async fn vehicles_are_spread_by_room_and_a_hangar_that_dies_hurts_no_other() {
         all.len() == 3 && all.iter().all(|(_, one)| one.stage == Stage::Ready)
     })
     .await;
+    let place = berths[0].place;
+    let printed = hangars.output(place, 0).await.expect("it is there");
+    assert_eq!(printed[0].number, 1);
+    let last = printed[printed.len() - 1].number;
+    let rest = hangars.output(place, last).await.expect("it is there");
+    assert_eq!(rest[0].number, last);
     let mut systems: Vec<u8> = all.iter().map(|(_, one)| one.system).collect();
     systems.sort_unstable();
     assert_eq!(systems, [1, 2, 3]);
@@ -145,6 +153,42 @@ async fn what_was_launched_ends_with_the_console() {
         .expect("it is ended");
     let left = served.remote().instances().await.expect("it answers");
     assert_eq!(left[0].id, by_another.id);
+    served.end().await;
+}
+
+/// Carries connections to a service, and tells which of those that end a vehicle are hung up on before the answer.
+async fn attentive(listener: TcpListener, service: SocketAddr, told: mpsc::UnboundedSender<bool>) {
+    while let Ok((mut client, _)) = listener.accept().await {
+        let told = told.clone();
+        tokio::spawn(async move {
+            let mut server = TcpStream::connect(service).await.expect("it listens");
+            let mut head = [0; 4096];
+            let len = client.read(&mut head).await.expect("it is open");
+            if head.starts_with(b"DELETE") {
+                let more = client.read(&mut [0; 1]);
+                let more = tokio::time::timeout(Duration::from_millis(300), more).await;
+                let _ = told.send(more.is_ok());
+            }
+            server.write_all(&head[..len]).await.expect("it is open");
+            let _ = copy_bidirectional(&mut client, &mut server).await;
+        });
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_console_that_ends_waits_until_it_is_heard() {
+    let served = Served::start(1).await;
+    let listener = TcpListener::bind("127.0.0.1:0").await.expect("a port");
+    let address = format!("http://{}", listener.local_addr().expect("it is bound"));
+    let (told, mut hung_up) = mpsc::unbounded_channel();
+    let between = tokio::spawn(attentive(listener, served.address, told));
+    let token = Some(served.token.clone());
+    let remote = Remote::new(address.parse().expect("an address"), token);
+    let hangars = Hangars::far(vec![remote]);
+    hangars.launch(launches(1)).await.expect("there is room");
+    drop(hangars);
+    assert_eq!(hung_up.recv().await, Some(false));
+    between.abort();
     served.end().await;
 }
 

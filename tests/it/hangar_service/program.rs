@@ -175,6 +175,28 @@ fn a_port_that_is_taken_is_told_with_what_to_do() {
 }
 
 #[test]
+fn the_status_of_several_services_is_one_json_document() {
+    let running = Running::start(&["--listen", "127.0.0.1:0"]);
+    // A port that nobody has without being root.
+    let nobody = "http://127.0.0.1:1";
+    let said = Command::new(env!("CARGO_BIN_EXE_sortie"))
+        .env("XDG_STATE_HOME", running.folder.path().join("state"))
+        .env("XDG_CONFIG_HOME", running.folder.path().join("config"))
+        .args(["hangar", "status", "--json", "--hangar"])
+        .args([running.address.as_str(), "--hangar", nobody])
+        .output()
+        .expect("it runs");
+    assert_eq!(said.status.code(), Some(1), "{said:?}");
+    let all: serde_json::Value = serde_json::from_slice(&said.stdout).expect("a document");
+    assert_eq!(all[0]["hangar"], running.address);
+    assert_eq!(all[0]["status"]["capacity"]["running"], 0);
+    assert!(all[0]["fault"].is_null());
+    assert!(all[1]["status"].is_null());
+    let fault = all[1]["fault"].as_str().expect("a reason");
+    assert!(fault.contains("cannot be reached"), "{fault}");
+}
+
+#[test]
 fn a_token_that_others_can_read_is_refused() {
     use std::os::unix::fs::PermissionsExt as _;
     let folder = tempfile::tempdir().expect("a temporary folder");

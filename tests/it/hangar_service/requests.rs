@@ -154,6 +154,7 @@ async fn what_makes_no_sense_is_refused_with_what_is_wrong_and_where() {
         ("POST", "/vehicles", &[], 415, "application/json"),
         ("GET", "/vehicles/one", &[], 400, "`one` is no instance"),
         ("GET", "/vehicles/70000", &[], 400, "`70000` is no instance"),
+        ("GET", "/vehicles/%ff", &[], 400, "UTF-8"),
         ("GET", "/vehicles/9", &[], 404, "no instance 9"),
         ("DELETE", "/vehicles/9", &[], 404, "no instance 9"),
         ("POST", "/vehicles/9/restart", &[json], 404, "no instance 9"),
@@ -164,14 +165,14 @@ async fn what_makes_no_sense_is_refused_with_what_is_wrong_and_where() {
             "/vehicles/9/ready?timeout=1",
             &[],
             400,
-            "`timeout` is unknown, expected timeout_s",
+            "unknown field `timeout`, expected `timeout_s`",
         ),
         (
             "GET",
             "/vehicles/9/ready?timeout_s=-1",
             &[],
             400,
-            "`-1` is no number",
+            "timeout_s: invalid digit",
         ),
         ("GET", "/vehicle", &[], 404, "nothing at /vehicle"),
         (
@@ -200,6 +201,30 @@ async fn what_makes_no_sense_is_refused_with_what_is_wrong_and_where() {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn head_does_nothing_where_get_does_something() {
+    let served = Served::start(2).await;
+    served.post("{}").await;
+    let upgrade = ["Connection: upgrade", "Upgrade: mavlink"];
+    for (path, headers) in [
+        ("/start/2", &[][..]),
+        ("/stop/1", &[]),
+        ("/vehicles/1/mavlink", &upgrade),
+    ] {
+        let answer = served.send("HEAD", path, headers, "").await;
+        assert_eq!(answer.status, 405, "{path}: {answer:?}");
+        assert!(answer.head.contains("allow: get\r\n"), "{answer:?}");
+        assert_eq!(answer.body, "");
+    }
+    let list = served.ask("GET", "/vehicles").await.json();
+    assert_eq!(list.as_array().map(Vec::len), Some(1), "{list}");
+    assert_eq!(list[0]["id"], 1);
+    assert_eq!(list[0]["attached"], false);
+    let read = served.send("HEAD", "/vehicles/1", &[], "").await;
+    assert_eq!((read.status, read.body.as_str()), (200, ""));
+    served.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn the_description_has_every_request_and_only_those() {
     let served = Served::start(1).await;
     let document = served.ask("GET", "/openapi.json").await.json();
@@ -210,7 +235,12 @@ async fn the_description_has_every_request_and_only_those() {
     );
     let paths = document["paths"].as_object().expect("paths");
     assert_eq!(paths.len(), 13);
+    let mut names = std::collections::BTreeSet::new();
     for (path, operations) in paths {
+        for operation in operations.as_object().expect("operations").values() {
+            let name = operation["operationId"].as_str().expect("a name");
+            assert!(names.insert(name), "{name} names two operations");
+        }
         // A number that no instance has, so that nothing happens.
         let place = path.replace("{id}", "9999");
         for method in ["GET", "POST", "PUT", "DELETE", "PATCH"] {

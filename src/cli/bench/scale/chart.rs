@@ -12,9 +12,8 @@ use crate::ui::ascii;
 /// Two figures beside each other fit an ordinary terminal.
 const COLUMNS: u16 = 40;
 const ROWS: u16 = 13;
-/// How a measured point looks; the marker of ratatui, which a terminal of ASCII shows as [`POINT_ASCII`].
+/// How a measured point looks; the marker of ratatui, which a terminal of ASCII shows as a star.
 const POINT: &str = "•";
-const POINT_ASCII: &str = "*";
 
 /// The figures as lines of text, 80 columns wide.
 pub(super) fn chart(rows: &[Row], is_ascii: bool) -> String {
@@ -24,15 +23,15 @@ pub(super) fn chart(rows: &[Row], is_ascii: bool) -> String {
         let area = Rect::new(column * COLUMNS, row * ROWS, COLUMNS - 1, ROWS);
         draw(figure, area, &mut buffer);
     }
-    if is_ascii {
-        for cell in &mut buffer.content {
-            if cell.symbol() == POINT {
-                cell.set_symbol(POINT_ASCII);
-            }
+    let point = if is_ascii { "*" } else { POINT };
+    for cell in &mut buffer.content {
+        if cell.symbol() == POINT {
+            cell.set_symbol(point);
         }
+    }
+    if is_ascii {
         ascii::map(&mut buffer);
     }
-    let point = if is_ascii { POINT_ASCII } else { POINT };
     let line = |row| {
         let cells = (0..buffer.area.width).map(|column| buffer[(column, row)].symbol());
         cells.collect::<String>().trim_end().to_owned()

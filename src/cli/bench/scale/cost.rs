@@ -16,12 +16,12 @@ pub(super) struct Counted {
 }
 
 impl Counted {
-    /// A runtime with so many threads.
-    pub fn start(name: &str, workers: usize) -> io::Result<Self> {
+    /// A runtime with one thread.
+    pub fn start(name: &str) -> io::Result<Self> {
         let threads = Arc::new(Mutex::new(Vec::new()));
         let known = Arc::clone(&threads);
         let runtime = Builder::new_multi_thread()
-            .worker_threads(workers.max(1))
+            .worker_threads(1)
             .thread_name(name)
             .on_thread_start(move || {
                 if let Ok(own) = fs::read_link("/proc/thread-self") {
@@ -37,8 +37,8 @@ impl Counted {
         Ok(Self { runtime, threads })
     }
 
-    /// Processor time of each thread so far.
-    pub fn spent(&self) -> io::Result<Vec<Duration>> {
+    /// Processor time so far.
+    pub fn spent(&self) -> io::Result<Duration> {
         let threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);
         if threads.is_empty() {
             return Err(io::Error::other(
@@ -46,7 +46,7 @@ impl Counted {
                  measured on Linux",
             ));
         }
-        threads.iter().map(|thread| on_processor(thread)).collect()
+        threads.iter().map(|thread| on_processor(thread)).sum()
     }
 }
 
@@ -67,14 +67,13 @@ pub(super) fn of_process(pid: u32) -> io::Result<Duration> {
     Ok(total)
 }
 
-/// Resident memory of a process in bytes.
-pub(super) fn memory_of_process(pid: u32) -> Option<u64> {
-    let status = fs::read_to_string(format!("/proc/{pid}/status")).ok()?;
-    Some(kibibytes(&status, "VmRSS:")? * 1024)
+/// How many processors there are.
+pub(super) fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// Share of the machine's memory that is still to be had, in percent.
-pub(super) fn memory_available_percent() -> Option<f64> {
+pub(super) fn memory_free_percent() -> Option<f64> {
     let told = fs::read_to_string("/proc/meminfo").ok()?;
     let available = kibibytes(&told, "MemAvailable:")?;
     let all = kibibytes(&told, "MemTotal:")?;
@@ -133,12 +132,5 @@ mod tests {
         let before = Machine::read("cpu  100 0 50 800 50 0 0 0 0 0\ncpu0 1 2 3").expect("a line");
         let after = Machine::read("cpu  160 10 80 850 100 0 0 0 0 0\n").expect("a line");
         assert!((after.busy_percent_since(before) - 50.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn memory_is_read_in_bytes() {
-        let status = "Name:\tx\nVmRSS:\t    8104 kB\nThreads:\t2\n";
-        assert_eq!(kibibytes(status, "VmRSS:"), Some(8104));
-        assert_eq!(kibibytes(status, "VmSwap:"), None);
     }
 }

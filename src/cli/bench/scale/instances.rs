@@ -1,112 +1,126 @@
-//! `ArduPilot` SITL processes to measure, in a hangar of their own.
+//! `ArduPilot` SITL processes to measure.
 
-use std::collections::BTreeMap;
 use std::io;
-use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use futures_util::future::join_all;
 use tokio::io::DuplexStream;
-use tokio::sync::watch;
 
 use super::cost::{self, Counted};
-use crate::hangar::{Config, Hangar, Hangars, Home, Launch, Limits, Restart, Seen, Stage};
+use crate::hangar::programs::{self, PATIENCE};
+use crate::hangar::{Config, Hangar, Hangars, Home, Launch, Place, Restart, Stage};
 use crate::sim::{SYSTEMS, Start};
 use crate::sitl::Kind;
 
-/// The processes of one measurement.
-pub(super) struct Instances {
-    counted: Counted,
+/// A hangar for a series of measurements. Whoever kills this program ends its processes too; what the hangar's folder
+/// keeps is seen to by the next hangar in it.
+pub(super) struct Bay {
     hangars: Hangars,
-    seen: watch::Receiver<Seen>,
-    folder: PathBuf,
+    counted: Counted,
+    /// The program with its version.
+    pub name: String,
 }
 
-impl Instances {
-    /// Starts one for each place, and returns the bytes of their serial 0.
+/// The processes of one measurement. Dropping it ends them.
+pub(super) struct Instances<'a> {
+    bay: &'a Bay,
+    places: Vec<Place>,
+}
+
+impl Bay {
+    /// Opens the hangar, once its program has said that it is an `arducopter`.
+    ///
+    /// # Errors
+    /// It is none, or the hangar's folder cannot be used.
+    pub fn open(config: Config) -> anyhow::Result<Self> {
+        let counted = Counted::start("hangar")?;
+        let config = Config {
+            restart: Restart::Never,
+            ..config
+        };
+        let file = config.programs.get(&Kind::Copter).cloned();
+        let file = file.unwrap_or_default();
+        let (identity, hangars) = counted.runtime.block_on(async {
+            let identity = programs::identify(&file, PATIENCE).await?;
+            anyhow::Ok((identity, Hangars::own(Hangar::open(config)?)))
+        })?;
+        if identity.kind != Kind::Copter {
+            anyhow::bail!(
+                "{}: is no arducopter, but an {}",
+                file.display(),
+                identity.kind.program()
+            );
+        }
+        Ok(Self {
+            counted,
+            hangars,
+            name: format!("ArduCopter {} ({})", identity.version, identity.hash),
+        })
+    }
+
+    /// Processor time of the hangar, which hands the processes' bytes on.
+    pub fn spent(&self) -> io::Result<Duration> {
+        self.counted.spent()
+    }
+
+    /// Starts a process for each place, and returns the bytes of their serial 0.
     ///
     /// # Errors
     /// Why one of them cannot be started.
-    pub fn start(program: &Path, starts: &[Start]) -> anyhow::Result<(Self, Vec<DuplexStream>)> {
-        let counted = Counted::start("hangar", 1)?;
-        let folder = std::env::temp_dir().join(format!("sortie-scale-{}", std::process::id()));
-        let config = Config {
-            programs: BTreeMap::from([(Kind::Copter, program.to_owned())]),
-            folder: folder.clone(),
-            limits: Limits {
-                instances: u16::MAX,
-                ..Limits::default()
-            },
-            restart: Restart::Never,
-            sortie: std::env::current_exe()?,
-        };
-        let launches = starts.iter().enumerate().map(|(index, &start)| Launch {
+    pub fn launch(&self, starts: &[Start]) -> anyhow::Result<(Instances<'_>, Vec<DuplexStream>)> {
+        let launch = |(index, &start): (usize, &Start)| Launch {
             home: Home::from(start),
             system: Some((index % SYSTEMS) as u8 + 1),
             ..Launch::default()
-        });
-        let launches: Vec<Launch> = launches.collect();
-        let started = counted.runtime.block_on(async {
-            let hangars = Hangars::own(Hangar::open(config)?);
-            let berths = hangars.launch(launches).await?;
-            anyhow::Ok((hangars, berths))
-        });
-        let (hangars, berths) = match started {
-            Ok(started) => started,
-            Err(error) => {
-                remove(&folder);
-                return Err(error);
-            }
         };
-        let pipes = berths.into_iter().map(|berth| berth.pipe).collect();
-        let instances = Self {
-            seen: hangars.instances(),
-            counted,
-            hangars,
-            folder,
-        };
-        Ok((instances, pipes))
+        let launches = starts.iter().enumerate().map(launch).collect();
+        let berths = self
+            .counted
+            .runtime
+            .block_on(self.hangars.launch(launches))?;
+        let (places, pipes) = berths.into_iter().map(|b| (b.place, b.pipe)).unzip();
+        Ok((Instances { bay: self, places }, pipes))
     }
+}
 
+impl Instances<'_> {
     /// How many of them can be armed.
     ///
     /// # Errors
     /// What one has ended of.
     pub fn ready(&self) -> anyhow::Result<usize> {
-        let seen = self.seen.borrow();
-        if let Some((place, instance)) = seen.iter().find(|(_, i)| i.stage == Stage::Ended) {
+        let seen = self.bay.hangars.instances();
+        let seen = seen.borrow();
+        let ours = || seen.iter().filter(|(place, _)| self.places.contains(place));
+        if let Some((place, instance)) = ours().find(|(_, i)| i.stage == Stage::Ended) {
             let fault = instance.fault.as_deref().unwrap_or("it has ended");
-            let last = instance.last_output.last().map(String::as_str);
-            let last = last.map_or(String::new(), |line| format!("; it said last: {line}"));
-            anyhow::bail!("instance {}: {fault}{last}", place.id);
+            let last = instance
+                .last_output
+                .last()
+                .map(|line| format!("; it said last: {line}"));
+            anyhow::bail!("instance {}: {fault}{}", place.id, last.unwrap_or_default());
         }
-        let ready = seen.iter().filter(|(_, i)| i.stage == Stage::Ready).count();
-        Ok(ready)
+        Ok(ours().filter(|(_, i)| i.stage == Stage::Ready).count())
     }
 
-    /// The processes that there are now.
-    pub fn pids(&self) -> Vec<u32> {
-        let seen = self.seen.borrow();
-        seen.iter().filter_map(|(_, i)| i.pid).collect()
-    }
-
-    /// Processor time of all processes so far, all their threads together.
-    pub fn spent(&self) -> io::Result<Duration> {
-        self.pids().into_iter().map(cost::of_process).sum()
-    }
-
-    /// Processor time of the hangar, which hands their bytes on.
-    pub fn relay_spent(&self) -> io::Result<Duration> {
-        Ok(self.counted.spent()?.iter().sum())
-    }
-
-    /// Ends them and waits until they are gone.
-    pub fn end(self) {
-        self.counted.runtime.block_on(self.hangars.close());
-        remove(&self.folder);
+    /// Processor time of each process so far, all its threads together.
+    pub fn spent(&self) -> io::Result<Vec<Duration>> {
+        let seen = self.bay.hangars.instances();
+        let seen = seen.borrow();
+        let ours = seen.iter().filter(|(place, _)| self.places.contains(place));
+        ours.filter_map(|(_, i)| i.pid)
+            .map(cost::of_process)
+            .collect()
     }
 }
 
-/// What is left in the folder for temporary files goes with the system's next start.
-fn remove(folder: &Path) {
-    drop(std::fs::remove_dir_all(folder));
+impl Drop for Instances<'_> {
+    fn drop(&mut self) {
+        let stops = self
+            .places
+            .drain(..)
+            .map(|place| self.bay.hangars.stop(place));
+        // One that has ended by itself is as good.
+        self.bay.counted.runtime.block_on(join_all(stops));
+    }
 }

@@ -1,58 +1,117 @@
-//! One repeat's figures, and the row that the repeats of a count make.
+//! What one repeat measured, and the row that the repeats of a count make.
+
+use std::ops::Add as _;
+use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
-use super::strain::{self, Strain};
+use super::cost::{self, Machine};
+use super::strain;
+
+/// Where all meters stand.
+#[derive(Debug)]
+pub(super) struct Mark {
+    pub at: Instant,
+    /// Processor time of each thread or process of the simulator.
+    pub sim: Vec<Duration>,
+    /// The same of the console's model update: reading the links, decoding, and the vehicles' models.
+    pub model: Vec<Duration>,
+    /// The same of the hangar, which hands the instances' bytes to the console.
+    pub relay: Option<Duration>,
+    /// Messages that have reached the models.
+    pub messages: u64,
+    /// Messages that are missing there, and those that the links had missed already.
+    pub missing: u64,
+    pub missing_before: u64,
+    /// Each vehicle's clock in milliseconds, and when it was read.
+    pub clocks: Vec<Option<(u32, Duration)>>,
+    pub machine: Machine,
+}
 
 /// What one repeat has measured.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Sample {
     pub window_s: f64,
-    /// Processor time of the simulator.
     pub sim_ms: f64,
-    /// Processor time of the console's model update: reading the links, decoding, and the vehicles' models.
     pub model_ms: f64,
-    /// Processor time of the hangar, which hands the instances' bytes to the console.
     pub relay_ms: Option<f64>,
-    /// Messages that reached the models.
+    /// Shares of a core of the busiest thread or process of each.
+    pub sim_most_percent: f64,
+    pub model_most_percent: f64,
     pub messages: u64,
-    /// Pauses between two ATTITUDE messages of a vehicle.
-    pub gaps: Gaps,
+    /// Messages that the console's queues dropped.
+    pub lost_in_console: u64,
+    /// Messages that never reached the console.
+    pub lost_before: u64,
     /// Simulated seconds per second: the mean over the vehicles, and the slowest.
     pub factor: Option<(f64, f64)>,
-    /// Resident memory of all simulator processes.
-    pub memory_bytes: Option<u64>,
-    pub strain: Strain,
+    /// Share of all processors that was at work, other programs included.
+    pub machine_busy_percent: f64,
+    /// Share of the memory that was still to be had at the end.
+    pub memory_free_percent: Option<f64>,
     /// Why the repeat is no measurement of what it should be.
     pub void: Option<String>,
 }
 
-/// Pauses; 0 if there was none.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-#[expect(clippy::struct_field_names, reason = "the unit belongs into the name")]
-pub(super) struct Gaps {
-    pub p50_ms: f64,
-    pub p99_ms: f64,
-    pub max_ms: f64,
-}
-
-impl Gaps {
-    /// Of these pauses, in milliseconds, in any order.
-    pub fn of(mut gaps_ms: Vec<f64>) -> Self {
-        gaps_ms.sort_by(f64::total_cmp);
-        let at = |share: f64| {
-            let place = (share * gaps_ms.len() as f64).ceil() as usize;
-            gaps_ms
-                .get(place.saturating_sub(1))
-                .copied()
-                .unwrap_or_default()
+impl Sample {
+    /// What there was between two marks.
+    pub fn between(before: &Mark, after: &Mark) -> Self {
+        let window_s = (after.at - before.at).as_secs_f64();
+        let ms =
+            |after: Duration, before: Duration| after.saturating_sub(before).as_secs_f64() * 1e3;
+        let total_and_most = |before: &[Duration], after: &[Duration]| {
+            let each = || {
+                after
+                    .iter()
+                    .zip(before)
+                    .map(|(&after, &before)| ms(after, before))
+            };
+            (
+                each().fold(0.0, f64::add),
+                percent(each().fold(0.0, f64::max), window_s),
+            )
         };
+        let (sim_ms, sim_most_percent) = total_and_most(&before.sim, &after.sim);
+        let (model_ms, model_most_percent) = total_and_most(&before.model, &after.model);
+        let relay = after.relay.zip(before.relay);
+        let missing = after.missing.saturating_sub(before.missing);
+        let lost_before = after.missing_before.saturating_sub(before.missing_before);
         Self {
-            p50_ms: at(0.5),
-            p99_ms: at(0.99),
-            max_ms: at(1.0),
+            window_s,
+            sim_ms,
+            model_ms,
+            relay_ms: relay.map(|(after, before)| ms(after, before)),
+            sim_most_percent,
+            model_most_percent,
+            messages: after.messages.saturating_sub(before.messages),
+            lost_in_console: missing.saturating_sub(lost_before),
+            lost_before,
+            factor: factor(&before.clocks, &after.clocks),
+            machine_busy_percent: after.machine.busy_percent_since(before.machine),
+            memory_free_percent: cost::memory_free_percent(),
+            void: None,
         }
     }
+}
+
+/// The pace of the vehicles' clocks: the mean, and the slowest. A vehicle that says nothing stands still.
+fn factor(
+    before: &[Option<(u32, Duration)>],
+    after: &[Option<(u32, Duration)>],
+) -> Option<(f64, f64)> {
+    let pace = |(before, after): (&Option<_>, &Option<_>)| {
+        let ((boot_before, before), (boot_after, after)): ((u32, Duration), (u32, Duration)) =
+            (*before).zip(*after)?;
+        let wall_ms = after.saturating_sub(before).as_secs_f64() * 1e3;
+        (wall_ms > 0.0).then(|| f64::from(boot_after.saturating_sub(boot_before)) / wall_ms)
+    };
+    let paces = before
+        .iter()
+        .zip(after)
+        .map(|pair| pace(pair).unwrap_or(0.0));
+    let paces: Vec<f64> = paces.collect();
+    let least = paces.iter().copied().reduce(f64::min)?;
+    Some((paces.iter().sum::<f64>() / paces.len() as f64, least))
 }
 
 /// The figures of a count of vehicles: medians over its repeats. The first nine fields are what scripts rely on.
@@ -68,17 +127,11 @@ pub(super) struct Row {
     pub model_percent_per_vehicle: Option<f64>,
     pub realtime_factor: Option<f64>,
     pub realtime_factor_min: Option<f64>,
-    /// Least and most of the repeats.
-    pub sim_core_percent_range: [f64; 2],
-    pub model_percent_range: [f64; 2],
     pub us_per_message: Option<f64>,
     pub messages_per_s: f64,
     pub messages_lost: u64,
-    pub attitude_gap_p50_ms: f64,
-    pub attitude_gap_p99_ms: f64,
-    pub attitude_gap_max_ms: f64,
-    pub relay_ms: Option<f64>,
-    pub sim_memory_bytes_per_vehicle: Option<f64>,
+    /// The hangar's own part, which neither the simulator's nor the model update's figures have.
+    pub relay_percent: Option<f64>,
     pub machine_busy_percent: f64,
     /// Repeats that the figures are of.
     pub repeats: usize,
@@ -89,50 +142,36 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// The row of a count's repeats. Void repeats are left out as long as there is another one.
+    /// The row of a count's repeats. Void repeats do not count.
     pub fn of(vehicles: u16, samples: &[Sample]) -> Self {
-        let good: Vec<&Sample> = samples.iter().filter(|s| s.void.is_none()).collect();
-        let used = if good.is_empty() {
-            samples.iter().collect()
-        } else {
-            good
-        };
-        let all = |value: &dyn Fn(&Sample) -> f64| used.iter().map(|s| value(s)).collect();
-        let middle = |value: &dyn Fn(&Sample) -> f64| median(all(value));
+        let used: Vec<&Sample> = samples.iter().filter(|s| s.void.is_none()).collect();
         let some = |value: &dyn Fn(&Sample) -> Option<f64>| {
-            let known: Option<Vec<f64>> = used.iter().map(|s| value(s)).collect();
-            known.filter(|known| !known.is_empty()).map(median)
+            median(used.iter().filter_map(|s| value(s)).collect())
         };
-        let each = |total: f64| (vehicles > 0).then(|| total / f64::from(vehicles));
-        let sim = |s: &Sample| percent(s.sim_ms, s.window_s);
-        let model = |s: &Sample| percent(s.model_ms, s.window_s);
-        let per_message = |s: &Sample| {
-            let has_messages = s.messages > 0;
-            has_messages.then(|| s.model_ms * 1e3 / s.messages as f64)
-        };
+        let middle = |value: &dyn Fn(&Sample) -> f64| some(&|s| Some(value(s))).unwrap_or(0.0);
+        let each =
+            |total: f64| (vehicles > 0 && !used.is_empty()).then(|| total / f64::from(vehicles));
+        let sim = middle(&|s| percent(s.sim_ms, s.window_s));
+        let model = middle(&|s| percent(s.model_ms, s.window_s));
+        let per_message =
+            |s: &Sample| (s.messages > 0).then(|| s.model_ms * 1e3 / s.messages as f64);
+        let lost = used.iter().map(|s| s.lost_in_console + s.lost_before);
         Self {
             vehicles,
             window_s: middle(&|s| s.window_s),
             sim_cpu_ms: middle(&|s| s.sim_ms),
-            sim_core_percent: middle(&sim),
-            sim_core_percent_per_vehicle: each(middle(&sim)),
+            sim_core_percent: sim,
+            sim_core_percent_per_vehicle: each(sim),
             model_ms: middle(&|s| s.model_ms),
-            model_percent: middle(&model),
-            model_percent_per_vehicle: each(middle(&model)),
+            model_percent: model,
+            model_percent_per_vehicle: each(model),
             realtime_factor: some(&|s| s.factor.map(|(mean, _)| mean)),
             realtime_factor_min: some(&|s| s.factor.map(|(_, least)| least)),
-            sim_core_percent_range: range(all(&sim)),
-            model_percent_range: range(all(&model)),
             us_per_message: some(&per_message),
             messages_per_s: middle(&|s| s.messages as f64 / s.window_s.max(f64::EPSILON)),
-            messages_lost: used.iter().map(|s| s.strain.lost()).max().unwrap_or(0),
-            attitude_gap_p50_ms: middle(&|s| s.gaps.p50_ms),
-            attitude_gap_p99_ms: middle(&|s| s.gaps.p99_ms),
-            attitude_gap_max_ms: range(all(&|s| s.gaps.max_ms))[1],
-            relay_ms: some(&|s| s.relay_ms),
-            sim_memory_bytes_per_vehicle: some(&|s| s.memory_bytes.map(|bytes| bytes as f64))
-                .and_then(each),
-            machine_busy_percent: middle(&|s| s.strain.machine_busy_percent),
+            messages_lost: lost.max().unwrap_or(0),
+            relay_percent: some(&|s| Some(percent(s.relay_ms?, s.window_s))),
+            machine_busy_percent: middle(&|s| s.machine_busy_percent),
             repeats: used.len(),
             void: samples.iter().filter_map(|s| s.void.clone()).collect(),
             gave_way: samples.iter().find_map(strain::gave_way),
@@ -147,30 +186,16 @@ impl Row {
             ..Self::default()
         }
     }
-
-    /// Whether there are figures, and they are of vehicles that flew.
-    pub fn is_good(&self) -> bool {
-        self.repeats > self.void.len() || (self.repeats > 0 && self.void.is_empty())
-    }
 }
 
 fn percent(ms: f64, window_s: f64) -> f64 {
     ms / 10.0 / window_s.max(f64::EPSILON)
 }
 
-/// The middle one, or between the two middle ones; 0 of nothing.
-fn median(mut values: Vec<f64>) -> f64 {
+/// The middle one, or between the two middle ones.
+fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
-    let half = values.len() / 2;
-    match values.len() {
-        0 => 0.0,
-        odd if odd % 2 == 1 => values[half],
-        _ => f64::midpoint(values[half - 1], values[half]),
-    }
-}
-
-fn range(values: Vec<f64>) -> [f64; 2] {
-    let least = values.iter().copied().reduce(f64::min);
-    let most = values.into_iter().reduce(f64::max);
-    [least.unwrap_or_default(), most.unwrap_or_default()]
+    let upper = *values.get(values.len() / 2)?;
+    let lower = values[(values.len() - 1) / 2];
+    Some(f64::midpoint(lower, upper))
 }

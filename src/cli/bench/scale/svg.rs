@@ -1,5 +1,7 @@
 //! The figures as a drawing.
 
+use std::error::Error;
+
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
@@ -16,22 +18,24 @@ type Panel<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// The four figures as an SVG document with this heading.
 pub(super) fn svg(rows: &[Row], heading: &str) -> anyhow::Result<String> {
     let mut text = String::new();
-    {
-        let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-        let told = |error: &dyn std::fmt::Display| anyhow::anyhow!("cannot draw: {error}");
-        root.fill(&WHITE).map_err(|error| told(&error))?;
-        let root = root
-            .titled(heading, ("sans-serif", 20))
-            .map_err(|error| told(&error))?;
-        for (panel, figure) in root.split_evenly((2, 2)).iter().zip(figures(rows)) {
-            draw(panel, &figure).map_err(|error| told(&error))?;
-        }
-        root.present().map_err(|error| told(&error))?;
-    }
+    let drawn = draw_all(&mut text, rows, heading);
+    drawn.map_err(|error| anyhow::anyhow!("cannot draw: {error}"))?;
     Ok(text)
 }
 
-fn draw(panel: &Panel<'_>, figure: &Figure) -> Result<(), Box<dyn std::error::Error>> {
+fn draw_all(text: &mut String, rows: &[Row], heading: &str) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::with_string(text, SIZE).into_drawing_area();
+    root.fill(&WHITE).map_err(|error| error.to_string())?;
+    let below = root.titled(heading, ("sans-serif", 20));
+    let below = below.map_err(|error| error.to_string())?;
+    for (panel, figure) in below.split_evenly((2, 2)).iter().zip(figures(rows)) {
+        draw(panel, &figure).map_err(|error| error.to_string())?;
+    }
+    root.present().map_err(|error| error.to_string())?;
+    Ok(())
+}
+
+fn draw(panel: &Panel<'_>, figure: &Figure) -> Result<(), Box<dyn Error>> {
     let mut chart = ChartBuilder::on(panel)
         .caption(figure.title, ("sans-serif", 17))
         .margin(12)
@@ -74,12 +78,14 @@ fn draw(panel: &Panel<'_>, figure: &Figure) -> Result<(), Box<dyn std::error::Er
                 .legend(|(x, y)| DashedPathElement::new([(x, y), (x + 24, y)], 7, 5, PAPER));
         }
     }
+    // Where the lines leave room: totals rise from zero.
+    let [[(_, at_none), _], _] = figure.paper;
     chart
         .configure_series_labels()
-        .position(if figure.is_total {
-            SeriesLabelPosition::UpperLeft
-        } else {
+        .position(if at_none > 0.0 {
             SeriesLabelPosition::MiddleRight
+        } else {
+            SeriesLabelPosition::UpperLeft
         })
         .background_style(WHITE.mix(0.85))
         .label_font(("sans-serif", 13))

@@ -1,17 +1,17 @@
-//! Vehicles to measure, the console's fleet on them, and what both have spent.
+//! Vehicles to measure, the console's fleets on them, and where the meters stand.
 
 use std::collections::BTreeMap;
-use std::io;
-use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
-use tokio::runtime::Handle;
+use tokio::io::DuplexStream;
 use tokio::sync::{mpsc, watch};
-use tokio_util::sync::CancellationToken;
+use tokio_util::sync::{CancellationToken, DropGuard};
 
-use super::cost::{self, Counted};
-use super::instances::Instances;
+use super::cost::{Counted, Machine};
+use super::instances::{Bay, Instances};
+use super::sample::Mark;
 use crate::commands::Command;
 use crate::fleet::{Clock, Fleet, FleetEvent};
 use crate::geo::LatLon;
@@ -23,121 +23,93 @@ use crate::sim::{SYSTEMS, Start, World, WorldConfig};
 use crate::vehicle::{Vehicle, VehicleId};
 
 /// What is streamed while it is measured: `GLOBAL_POSITION_INT` and `ATTITUDE`.
-pub(super) const STREAMS: &[Stream] = &[
-    Stream {
-        message: 33,
-        rate_hz: 10.0,
-    },
-    Stream {
-        message: 30,
-        rate_hz: 10.0,
-    },
-];
-
+pub(super) const STREAMS: &[Stream] = &[stream(33, 10.0), stream(30, 10.0)];
+/// `SYS_STATUS` and `EKF_STATUS_REPORT`: they tell when a vehicle can be armed, and are not streamed afterwards.
+const FOR_READINESS: [u32; 2] = [1, 193];
 /// A command is sent again so often until it is acknowledged.
 const RETRY: Retry = Retry {
-    tries: 3,
+    tries: 12,
     every: Duration::from_millis(1500),
-    deadline: Duration::from_secs(6),
+    deadline: Duration::from_secs(20),
 };
+/// A fleet that has not taken a command by then is not working.
+const TAKEN_WITHIN: Duration = Duration::from_secs(10);
 
-/// Who simulates.
-#[derive(Debug, Clone)]
-pub(super) enum Simulators {
-    /// This program.
-    Embedded,
-    /// Processes of this `arducopter`.
-    ArduPilot(PathBuf),
-}
-
-enum Running {
-    Embedded {
-        counted: Counted,
-        cancel: CancellationToken,
-    },
-    ArduPilot(Instances),
-}
-
-/// Up to 254 vehicles, of which each has a system id of its own, and the fleet on them.
-struct Part {
-    counted: Counted,
-    fleet: Fleet,
-    events: mpsc::Receiver<FleetEvent>,
-    links: Vec<watch::Receiver<LinkStatus>>,
+const fn stream(message: u32, rate_hz: f64) -> Stream {
+    Stream { message, rate_hz }
 }
 
 /// Vehicles in a row with the fleets on them. Dropping it ends everything.
-pub(super) struct Swarm {
+pub(super) struct Swarm<'a> {
     size: usize,
     parts: Vec<Part>,
     vehicles: BTreeMap<(usize, VehicleId), watch::Receiver<Arc<Vehicle>>>,
     refusal: Option<String>,
-    running: Running,
+    running: Running<'a>,
 }
 
-/// Processor time since the start.
-pub(super) struct Spent {
-    pub sim: Duration,
-    /// The one thread that steps embedded vehicles.
-    pub sim_thread: Option<Duration>,
-    /// Each thread of the model update.
-    pub model: Vec<Duration>,
-    pub relay: Option<Duration>,
+/// Up to 254 vehicles, of which each has a system id of its own, and the fleet on them.
+struct Part {
+    fleet: Fleet,
+    events: mpsc::Receiver<FleetEvent>,
+    links: Vec<watch::Receiver<LinkStatus>>,
+    counted: Counted,
 }
 
-impl Swarm {
-    /// Starts so many vehicles, and the console's fleets on them.
+enum Running<'a> {
+    Embedded { counted: Counted, _end: DropGuard },
+    ArduPilot(Instances<'a>, &'a Bay),
+}
+
+impl<'a> Swarm<'a> {
+    /// Starts so many vehicles, embedded ones without a bay, and the console's fleets on them.
     ///
     /// # Errors
     /// Why one of them cannot be started.
-    pub fn start(simulators: &Simulators, size: u16) -> anyhow::Result<Self> {
-        let first = Start {
-            at: LatLon::new(50.4501, 30.5234),
-            altitude_amsl_m: 180.0,
-            heading_deg: 0.0,
-        };
-        let row = WorldConfig::row(usize::from(size), first);
-        let (running, pipes) = match simulators {
-            Simulators::Embedded => {
-                let counted = Counted::start("simulator", 1)?;
-                let cancel = CancellationToken::new();
-                let world = World::new(&row);
-                let start = Simulator::start(world, 1.0, &[Endpoint::Pipes], cancel.clone());
-                let Started { pipes, .. } = counted.runtime.block_on(start)?;
-                (Running::Embedded { counted, cancel }, pipes)
-            }
-            Simulators::ArduPilot(program) => {
-                let (instances, pipes) = Instances::start(program, &row.starts)?;
-                (Running::ArduPilot(instances), pipes)
+    pub fn start(bay: Option<&'a Bay>, size: u16) -> anyhow::Result<Self> {
+        let size = usize::from(size);
+        let row = WorldConfig::row(
+            size,
+            Start {
+                at: LatLon::new(50.4501, 30.5234),
+                altitude_amsl_m: 180.0,
+                heading_deg: 0.0,
+            },
+        );
+        let (running, pipes) = match bay {
+            None => embedded(&row)?,
+            Some(bay) => {
+                let (instances, pipes) = bay.launch(&row.starts)?;
+                (Running::ArduPilot(instances, bay), pipes)
             }
         };
-        let mut swarm = Self {
-            size: usize::from(size),
-            parts: Vec::new(),
+        let parts = (0..size.div_ceil(SYSTEMS).max(1)).map(|_| Part::start());
+        let parts: Vec<Part> = parts.collect::<anyhow::Result<_>>()?;
+        for (index, pipe) in pipes.into_iter().enumerate() {
+            parts[index / SYSTEMS]
+                .fleet
+                .connect(Transport::Pipe(pipe))?;
+        }
+        Ok(Self {
+            size,
+            parts,
             vehicles: BTreeMap::new(),
             refusal: None,
             running,
-        };
-        for _ in 0..swarm.size.div_ceil(SYSTEMS).max(1) {
-            swarm.parts.push(Part::start()?);
-        }
-        for (index, pipe) in pipes.into_iter().enumerate() {
-            let fleet = &swarm.parts[index / SYSTEMS].fleet;
-            fleet.connect(Transport::Pipe(pipe))?;
-        }
-        Ok(swarm)
+        })
     }
 
-    /// Takes in what the fleets report. Returns which vehicles have been heard for the first time.
-    pub fn hear(&mut self) -> Vec<(usize, VehicleId)> {
-        let mut appeared = Vec::new();
+    /// Takes in what the fleets report.
+    pub fn hear(&mut self) {
         for (number, part) in self.parts.iter_mut().enumerate() {
             while let Ok(event) = part.events.try_recv() {
                 match event {
                     FleetEvent::Appeared(vehicle) => {
-                        let id = (number, vehicle.borrow().id);
-                        self.vehicles.insert(id, vehicle);
-                        appeared.push(id);
+                        let id = vehicle.borrow().id;
+                        self.vehicles.insert((number, id), vehicle);
+                        for message in FOR_READINESS {
+                            part.order(id, interval(stream(message, 1.0)));
+                        }
                     }
                     FleetEvent::Linked(status, _) => part.links.push(status),
                     FleetEvent::Report(Report::Row(row))
@@ -151,7 +123,6 @@ impl Swarm {
                 }
             }
         }
-        appeared
     }
 
     /// The last command that was not accepted.
@@ -159,11 +130,12 @@ impl Swarm {
         self.refusal.as_deref()
     }
 
-    /// The vehicles that have been heard, in order.
-    pub fn each(&self, mut look: impl FnMut(usize, &Vehicle)) {
-        for (index, vehicle) in self.vehicles.values().enumerate() {
-            look(index, &vehicle.borrow());
-        }
+    /// Something of each vehicle that has been heard, in order.
+    pub fn each<T>(&self, look: impl Fn(&Vehicle) -> T) -> Vec<T> {
+        self.vehicles
+            .values()
+            .map(|vehicle| look(&vehicle.borrow()))
+            .collect()
     }
 
     /// How many vehicles can be armed, and how many there are to be.
@@ -171,16 +143,88 @@ impl Swarm {
     /// # Errors
     /// Why one never will.
     pub fn ready(&self) -> anyhow::Result<(usize, usize)> {
-        let heard = self.vehicles.values();
         let ready = match &self.running {
-            Running::Embedded { .. } => heard.filter(|v| v.borrow().ready_to_arm()).count(),
-            Running::ArduPilot(instances) => instances.ready()?.min(heard.len()),
+            Running::Embedded { .. } => {
+                let ready = self.each(Vehicle::ready_to_arm);
+                ready.into_iter().filter(|is_ready| *is_ready).count()
+            }
+            Running::ArduPilot(instances, _) => instances.ready()?.min(self.vehicles.len()),
         };
         Ok((ready, self.size))
     }
 
-    /// Gives one vehicle a command.
-    pub fn order(&self, (part, vehicle): (usize, VehicleId), command: Command) {
+    /// Gives all vehicles a command of their own.
+    pub fn order(&mut self, command: impl Fn(&Vehicle) -> Command) {
+        for (&(part, id), vehicle) in &self.vehicles {
+            let command = command(&vehicle.borrow());
+            if !self.parts[part].order(id, command) {
+                self.refusal = Some("the console's queue is full".to_owned());
+            }
+        }
+    }
+
+    /// Where all meters stand.
+    ///
+    /// # Errors
+    /// The system does not tell, or a simulator has ended.
+    pub fn mark(&self) -> anyhow::Result<Mark> {
+        let model: Result<_, _> = self.parts.iter().map(|part| part.counted.spent()).collect();
+        let (sim, relay) = match &self.running {
+            Running::Embedded { counted, .. } => (vec![counted.spent()?], None),
+            Running::ArduPilot(instances, bay) => (instances.spent()?, Some(bay.spent()?)),
+        };
+        let links = self.parts.iter().flat_map(|part| &part.links);
+        Ok(Mark {
+            at: Instant::now(),
+            sim,
+            model: model?,
+            relay,
+            messages: self.each(|vehicle| vehicle.link.received).iter().sum(),
+            missing: self.each(|vehicle| vehicle.link.missing).iter().sum(),
+            missing_before: links.map(|status| status.borrow().lost_total).sum(),
+            clocks: self.each(|vehicle| {
+                let at = [vehicle.attitude?.at, vehicle.global?.at];
+                Some((vehicle.boot_ms?, at.into_iter().max()?))
+            }),
+            machine: Machine::now().unwrap_or_default(),
+        })
+    }
+}
+
+fn embedded(row: &WorldConfig) -> anyhow::Result<(Running<'static>, Vec<DuplexStream>)> {
+    let counted = Counted::start("simulator")?;
+    let cancel = CancellationToken::new();
+    let start = Simulator::start(World::new(row), 1.0, &[Endpoint::Pipes], cancel.clone());
+    let Started { pipes, .. } = counted.runtime.block_on(start)?;
+    let running = Running::Embedded {
+        counted,
+        _end: cancel.drop_guard(),
+    };
+    Ok((running, pipes))
+}
+
+/// Asks for a stream.
+pub(super) fn interval(Stream { message, rate_hz }: Stream) -> Command {
+    Command::MessageInterval { message, rate_hz }
+}
+
+impl Part {
+    fn start() -> anyhow::Result<Self> {
+        let counted = Counted::start("model")?;
+        let inside = counted.runtime.enter();
+        let (fleet, events) =
+            Fleet::start_wanting(STREAMS, Clock::start(), CancellationToken::new());
+        drop(inside);
+        Ok(Self {
+            fleet,
+            events,
+            links: Vec::new(),
+            counted,
+        })
+    }
+
+    /// Gives a vehicle a command, as soon as the fleet takes one. Returns whether it did.
+    fn order(&self, vehicle: VehicleId, command: Command) -> bool {
         let order = Order {
             entry: EntryId(0),
             verb: "scale",
@@ -188,100 +232,32 @@ impl Swarm {
             command,
             renamed: None,
         };
-        // A fleet that cannot take it shows in the vehicles, which do not move.
-        let _ = self.parts[part].fleet.order(vehicle, order);
-    }
-
-    /// Gives all vehicles a command of their own.
-    pub fn order_all(&self, command: impl Fn(&Vehicle) -> Command) {
-        for (&id, vehicle) in &self.vehicles {
-            let command = command(&vehicle.borrow());
-            self.order(id, command);
-        }
-    }
-
-    /// Messages that have reached the models, those of them that are missing, and those that the links had missed
-    /// already.
-    pub fn messages(&self) -> (u64, u64, u64) {
-        let (mut received, mut missing) = (0, 0);
-        self.each(|_, vehicle| {
-            received += vehicle.link.received;
-            missing += vehicle.link.missing;
-        });
-        let links = self.parts.iter().flat_map(|part| &part.links);
-        let before = links.map(|status| status.borrow().lost_total).sum();
-        (received, missing, before)
-    }
-
-    /// Processor time so far.
-    ///
-    /// # Errors
-    /// The system does not tell, or a simulator has ended.
-    pub fn spent(&self) -> io::Result<Spent> {
-        let mut model = Vec::new();
-        for part in &self.parts {
-            model.extend(part.counted.spent()?);
-        }
-        Ok(match &self.running {
-            Running::Embedded { counted, .. } => {
-                let threads = counted.spent()?;
-                Spent {
-                    sim: threads.iter().sum(),
-                    sim_thread: threads.into_iter().max(),
-                    model,
-                    relay: None,
-                }
+        let until = Instant::now() + TAKEN_WITHIN;
+        while self.fleet.order(vehicle, order.clone()).is_err() {
+            if Instant::now() > until {
+                return false;
             }
-            Running::ArduPilot(instances) => Spent {
-                sim: instances.spent()?,
-                sim_thread: None,
-                model,
-                relay: Some(instances.relay_spent()?),
-            },
-        })
-    }
-
-    /// Resident memory of all simulator processes.
-    pub fn memory_bytes(&self) -> Option<u64> {
-        match &self.running {
-            Running::Embedded { .. } => None,
-            Running::ArduPilot(instances) => instances
-                .pids()
-                .into_iter()
-                .map(cost::memory_of_process)
-                .sum(),
+            sleep(Duration::from_millis(1));
         }
-    }
-
-    /// Ends everything, and waits for the processes' end.
-    pub fn end(self) {
-        drop(self.parts);
-        match self.running {
-            Running::Embedded { counted, cancel } => {
-                cancel.cancel();
-                drop(counted);
-            }
-            Running::ArduPilot(instances) => instances.end(),
-        }
+        true
     }
 }
 
-impl Part {
-    fn start() -> anyhow::Result<Self> {
-        let counted = Counted::start("model", 1)?;
-        let (fleet, events) = in_runtime(counted.runtime.handle(), || {
-            Fleet::start_wanting(STREAMS, Clock::start(), CancellationToken::new())
-        });
-        Ok(Self {
-            counted,
-            fleet,
-            events,
-            links: Vec::new(),
-        })
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn in_runtime<T>(runtime: &Handle, start: impl FnOnce() -> T) -> T {
-    let _inside = runtime.enter();
-    start()
+    #[test]
+    fn more_commands_than_the_fleet_keeps_are_not_lost() {
+        let part = Part::start().expect("a thread");
+        let (release, released) = std::sync::mpsc::channel::<()>();
+        // The fleet's only thread is busy until all are given but some.
+        part.counted.runtime.spawn(async move { released.recv() });
+        let helper = std::thread::spawn(move || {
+            sleep(Duration::from_millis(100));
+            drop(release);
+        });
+        assert!((0..3000).all(|_| part.order(VehicleId::from(1_u8), Command::Arm)));
+        helper.join().expect("it only waits");
+    }
 }

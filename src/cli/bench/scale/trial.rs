@@ -3,30 +3,26 @@
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use super::cost::{self, Machine};
+use super::instances::Bay;
 use super::progress::Progress;
 use super::sample::Sample;
-use super::strain::Strain;
-use super::swarm::{STREAMS, Simulators, Spent, Swarm};
-use super::track::Tracks;
+use super::swarm::{STREAMS, Swarm, interval};
 use crate::commands::{Command, Destination, Heading};
 use crate::geo::LatLon;
-use crate::session::WANTED_STREAMS;
+use crate::session::{Stream, WANTED_STREAMS};
 use crate::vehicle::Vehicle;
 
-/// How often vehicles are looked at: several times between two messages at 10 Hz.
+/// How often it is heard what the vehicles say.
 const LOOK_EVERY: Duration = Duration::from_millis(20);
-/// `SYS_STATUS` and `EKF_STATUS_REPORT`: they tell when a vehicle can be armed, and are not streamed afterwards.
-const FOR_READINESS: [u32; 2] = [1, 193];
 /// What the vehicles are told first.
 const TAKEOFF_M: f64 = 10.0;
 /// How far to the north, and how high, they are sent then.
 const TARGET_NORTH_M: f64 = 1000.0;
 const TARGET_HEIGHT_M: f64 = 200.0;
-/// A vehicle that has come so far from where it stood is on its way.
+/// A vehicle that has come so far, up or to the north, is on its way.
 const MOVED_M: f64 = 2.0;
-/// It has so long for that.
-const MOVED_WITHIN: Duration = Duration::from_secs(20);
+/// Beside the time between two commands, all vehicles have so long to do what they were told.
+const OBEYED_WITHIN: Duration = Duration::from_secs(20);
 /// How long vehicles may take until they can be armed, and how much longer for each of them.
 const READY_WITHIN: Duration = Duration::from_secs(90);
 const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
@@ -36,7 +32,7 @@ const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 pub(super) struct Plan {
     /// How long to measure.
     pub window: Duration,
-    /// The time between two kinds of commands.
+    /// The least time between two kinds of commands.
     pub spacing: Duration,
 }
 
@@ -52,230 +48,157 @@ impl Plan {
 /// # Errors
 /// Why the vehicles could not be started, or did not become ready; or why nothing could be measured.
 pub(super) fn trial(
-    simulators: &Simulators,
+    bay: Option<&Bay>,
     vehicles: u16,
     plan: Plan,
     progress: &mut Progress,
 ) -> anyhow::Result<Sample> {
-    let mut swarm = Swarm::start(simulators, vehicles)?;
-    let outcome = Trial {
-        swarm: &mut swarm,
+    let mut trial = Trial {
+        swarm: Swarm::start(bay, vehicles)?,
         plan,
         progress,
-    }
-    .run();
-    swarm.end();
-    outcome
+    };
+    trial.get_ready()?;
+    let void = if vehicles > 0 { trial.fly() } else { None };
+    let mut sample = trial.measure()?;
+    sample.void = void;
+    Ok(sample)
 }
 
 struct Trial<'a> {
-    swarm: &'a mut Swarm,
+    swarm: Swarm<'a>,
     plan: Plan,
     progress: &'a mut Progress,
 }
 
 impl Trial<'_> {
-    fn run(mut self) -> anyhow::Result<Sample> {
-        self.wait_until_ready()?;
-        self.progress.booted();
-        let starts = self.places();
-        if !starts.is_empty() {
-            self.fly();
-        }
-        let void = self.wait_until_moved(&starts);
-        let mut sample = self.measure()?;
-        sample.void = void.or_else(|| self.who_stood_still(&starts));
-        Ok(sample)
-    }
-
-    fn wait_until_ready(&mut self) -> anyhow::Result<()> {
+    fn get_ready(&mut self) -> anyhow::Result<()> {
         let begun = Instant::now();
         loop {
-            for id in self.swarm.hear() {
-                for message in FOR_READINESS {
-                    let rate_hz = 1.0;
-                    let command = Command::MessageInterval { message, rate_hz };
-                    self.swarm.order(id, command);
-                }
-            }
+            self.swarm.hear();
             let (ready, all) = self.swarm.ready()?;
             if ready == all {
+                self.progress.booted();
                 return Ok(());
             }
             self.progress.say(&format!("{ready} of {all} can be armed"));
             if begun.elapsed() > READY_WITHIN + READY_WITHIN_EACH * all as u32 {
                 let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
-                let load = load.split(' ').next().unwrap_or("?").to_owned();
                 anyhow::bail!(
-                    "{ready} of {all} vehicles could be armed after {:.0} s (load of the machine: {load})",
-                    begun.elapsed().as_secs_f64()
+                    "{ready} of {all} vehicles could be armed after {} s (load of the machine: {})",
+                    begun.elapsed().as_secs(),
+                    load.split(' ').next().unwrap_or("?")
                 );
             }
             sleep(LOOK_EVERY);
         }
     }
 
-    /// Only what is to be measured is streamed; then the vehicles are sent on their way.
-    fn fly(&mut self) {
+    /// Sends the vehicles on their way; says which of them have not done what they were told.
+    fn fly(&mut self) -> Option<String> {
         self.progress.say("streams");
+        // Only what is to be measured is streamed.
         let others = WANTED_STREAMS.iter().map(|stream| stream.message);
         let others = others.filter(|id| STREAMS.iter().all(|stream| stream.message != *id));
-        for message in others {
-            let rate_hz = 0.0;
-            self.swarm
-                .order_all(|_| Command::MessageInterval { message, rate_hz });
+        let others = others.map(|message| Stream {
+            message,
+            rate_hz: 0.0,
+        });
+        for stream in others.chain(STREAMS.iter().copied()) {
+            self.swarm.order(|_| interval(stream));
         }
-        for stream in STREAMS {
-            self.swarm.order_all(|_| Command::MessageInterval {
-                message: stream.message,
-                rate_hz: stream.rate_hz,
-            });
-        }
+        let is_guided = |vehicle: &Vehicle| vehicle.mode().is_some_and(|mode| mode.is("GUIDED"));
         let name = || "GUIDED".to_owned();
-        self.command("GUIDED", |_| Command::SetMode { name: name() });
-        self.command("arm", |_| Command::Arm);
+        let guided = self.command("GUIDED", |_| Command::SetMode { name: name() }, is_guided);
+        let armed = guided.or_else(|| self.command("arm", |_| Command::Arm, Vehicle::armed));
         let altitude_m = TAKEOFF_M;
-        self.command("take off", |_| Command::Takeoff { altitude_m });
-        self.command("target", target);
+        let takeoff = |_: &Vehicle| Command::Takeoff { altitude_m };
+        let is_up = |vehicle: &Vehicle| vehicle.altitude_m() >= Some(MOVED_M);
+        let up = armed.or_else(|| self.command("take off", takeoff, is_up));
+        up.or_else(|| self.send())
     }
 
-    fn command(&mut self, name: &str, command: impl Fn(&Vehicle) -> Command) {
+    /// Sends them far away; says how many have not moved.
+    fn send(&mut self) -> Option<String> {
+        self.progress.say("target");
+        let starts = self.swarm.each(position);
+        self.swarm.order(target);
+        self.listen(self.plan.spacing);
+        self.wait("to move", |swarm| {
+            let ways = swarm.each(position).into_iter().zip(&starts);
+            let is_under_way = |(now, then): (Option<LatLon>, &Option<LatLon>)| {
+                now.zip(*then)
+                    .is_some_and(|(now, then)| now.distance_m(then) >= MOVED_M)
+            };
+            ways.map(is_under_way).collect()
+        })
+    }
+
+    /// Gives a command, and lets time pass; says how many vehicles have not obeyed.
+    fn command(
+        &mut self,
+        name: &str,
+        command: impl Fn(&Vehicle) -> Command,
+        has_obeyed: impl Fn(&Vehicle) -> bool,
+    ) -> Option<String> {
         self.progress.say(name);
-        self.swarm.order_all(command);
-        self.watch(self.plan.spacing, |_| {});
+        self.swarm.order(command);
+        self.listen(self.plan.spacing);
+        self.wait(name, |swarm| swarm.each(&has_obeyed))
     }
 
-    /// Lets time pass, and takes looks.
-    fn watch(&mut self, lasting: Duration, mut look: impl FnMut(&Swarm)) {
+    /// Waits until that is true of all vehicles.
+    fn wait(&mut self, name: &str, are_good: impl Fn(&Swarm<'_>) -> Vec<bool>) -> Option<String> {
+        let begun = Instant::now();
+        loop {
+            let good = are_good(&self.swarm);
+            let behind = good.iter().filter(|is_good| !**is_good).count();
+            if behind == 0 {
+                return None;
+            }
+            self.progress
+                .say(&format!("{name}: waiting for {behind} of {}", good.len()));
+            if begun.elapsed() > OBEYED_WITHIN {
+                let refusal = self.swarm.refusal().map(|why| format!(" ({why})"));
+                let refusal = refusal.unwrap_or_default();
+                let all = good.len();
+                return Some(format!(
+                    "{behind} of {all} vehicles were told {name} and did not{refusal}"
+                ));
+            }
+            self.listen(LOOK_EVERY);
+        }
+    }
+
+    fn listen(&mut self, lasting: Duration) {
         let until = Instant::now() + lasting;
         while Instant::now() < until {
             self.swarm.hear();
-            look(self.swarm);
             sleep(LOOK_EVERY.min(until.saturating_duration_since(Instant::now())));
         }
     }
 
-    /// Where the vehicles are, and their heights above home.
-    fn places(&self) -> Vec<Option<(LatLon, f64)>> {
-        let mut places = Vec::new();
-        self.swarm.each(|_, vehicle| places.push(place(vehicle)));
-        places
-    }
-
-    /// Waits until all vehicles are on their way; says which are not.
-    fn wait_until_moved(&mut self, starts: &[Option<(LatLon, f64)>]) -> Option<String> {
-        let begun = Instant::now();
-        loop {
-            let void = self.who_stood_still(starts);
-            if void.is_none() || begun.elapsed() > MOVED_WITHIN {
-                return void;
-            }
-            self.progress.say("waiting until all have moved");
-            self.watch(Duration::from_millis(200), |_| {});
-        }
-    }
-
-    fn who_stood_still(&self, starts: &[Option<(LatLon, f64)>]) -> Option<String> {
-        let places = self.places();
-        let still = places.iter().zip(starts).filter(|(now, then)| {
-            !now.zip(**then).is_some_and(|((at, height), (from, low))| {
-                at.distance_m(from).hypot(height - low) >= MOVED_M
-            })
-        });
-        let still = still.count();
-        let refusal = self.swarm.refusal().map(|why| format!(" ({why})"));
-        (still > 0).then(|| {
-            format!(
-                "{still} of {} vehicles did not move{}",
-                starts.len(),
-                refusal.unwrap_or_default()
-            )
-        })
-    }
-
     fn measure(&mut self) -> anyhow::Result<Sample> {
         self.progress.say("measuring");
-        let mut tracks = Tracks::default();
-        let before = Mark::now(self.swarm)?;
-        let window = self.plan.window;
-        self.watch(window, |swarm| {
-            swarm.each(|index, vehicle| tracks.see(index, vehicle));
-        });
-        let after = Mark::now(self.swarm)?;
-        let mut sample = after.since(&before);
-        sample.gaps = tracks.gaps();
-        sample.factor = tracks.factor();
-        sample.memory_bytes = self.swarm.memory_bytes();
-        Ok(sample)
+        let before = self.swarm.mark()?;
+        self.listen(self.plan.window);
+        // One that has ended would only be missed in the figures.
+        self.swarm.ready()?;
+        Ok(Sample::between(&before, &self.swarm.mark()?))
     }
 }
 
-fn place(vehicle: &Vehicle) -> Option<(LatLon, f64)> {
-    vehicle
-        .global
-        .map(|global| (global.at_point, global.altitude_m))
+fn position(vehicle: &Vehicle) -> Option<LatLon> {
+    Some(vehicle.global?.at_point)
 }
 
 fn target(vehicle: &Vehicle) -> Command {
-    let here = vehicle.global.map(|global| global.at_point);
+    let here = position(vehicle).unwrap_or(LatLon::new(0.0, 0.0));
     Command::Goto {
         destination: Destination::Global {
-            at_point: here
-                .unwrap_or(LatLon::new(0.0, 0.0))
-                .moved(TARGET_NORTH_M, 0.0),
+            at_point: here.moved(TARGET_NORTH_M, 0.0),
             altitude_m: Some(TARGET_HEIGHT_M),
         },
         heading: Heading::Auto,
-    }
-}
-
-/// Where all meters stand.
-struct Mark {
-    at: Instant,
-    spent: Spent,
-    messages: (u64, u64, u64),
-    machine: Machine,
-}
-
-impl Mark {
-    fn now(swarm: &Swarm) -> anyhow::Result<Self> {
-        Ok(Self {
-            at: Instant::now(),
-            spent: swarm.spent()?,
-            messages: swarm.messages(),
-            machine: Machine::now().unwrap_or_default(),
-        })
-    }
-
-    fn since(&self, before: &Self) -> Sample {
-        let ms =
-            |after: Duration, before: Duration| after.saturating_sub(before).as_secs_f64() * 1e3;
-        let window_s = (self.at - before.at).as_secs_f64();
-        let percent = |ms: f64| ms / 10.0 / window_s;
-        let pairs = self.spent.model.iter().zip(&before.spent.model);
-        let model: Vec<f64> = pairs.map(|(&after, &before)| ms(after, before)).collect();
-        let sim_ms = ms(self.spent.sim, before.spent.sim);
-        let sim_thread = self.spent.sim_thread.zip(before.spent.sim_thread);
-        let relay = self.spent.relay.zip(before.spent.relay);
-        let missing = self.messages.1.saturating_sub(before.messages.1);
-        let lost_before = self.messages.2.saturating_sub(before.messages.2);
-        Sample {
-            window_s,
-            sim_ms,
-            model_ms: model.iter().sum(),
-            relay_ms: relay.map(|(after, before)| ms(after, before)),
-            messages: self.messages.0.saturating_sub(before.messages.0),
-            strain: Strain {
-                cores: std::thread::available_parallelism().map_or(1, usize::from),
-                machine_busy_percent: self.machine.busy_percent_since(before.machine),
-                sim_percent: percent(sim_ms),
-                sim_thread_percent: sim_thread.map(|(after, before)| percent(ms(after, before))),
-                model_thread_percent: percent(model.iter().copied().fold(0.0, f64::max)),
-                lost_in_console: missing.saturating_sub(lost_before),
-                lost_before,
-                memory_available_percent: cost::memory_available_percent(),
-            },
-            ..Sample::default()
-        }
     }
 }

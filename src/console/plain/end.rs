@@ -1,0 +1,68 @@
+//! When a flight is not waited for any longer.
+
+use std::time::Duration;
+
+use crate::app::state::{Instance, State};
+use crate::mission::ObjectiveState;
+
+/// Waits for something to change that has been so for a while.
+#[derive(Debug)]
+pub(super) struct Patience {
+    lasts: Duration,
+    since: Option<Duration>,
+}
+
+impl Patience {
+    pub fn new(lasts: Duration) -> Self {
+        Self { lasts, since: None }
+    }
+
+    /// Whether it has been so for too long.
+    pub fn is_over(&mut self, is_so: bool, now: Duration) -> bool {
+        if !is_so {
+            self.since = None;
+            return false;
+        }
+        now.saturating_sub(*self.since.get_or_insert(now)) >= self.lasts
+    }
+}
+
+/// Whether the vehicles, which have to be started first, do not start.
+pub(super) fn cannot_start(state: &State) -> bool {
+    let hangar = state.session.hangar.as_ref();
+    hangar.filter(|hangar| !hangar.begun).is_some_and(|hangar| {
+        hangar.fault.is_some() || hangar.instances.iter().any(Instance::has_crashed)
+    })
+}
+
+/// Whether a mission is about to end by itself: all of it is reached, and everybody is down.
+pub(super) fn is_as_good_as_passed(state: &State) -> bool {
+    let session = &state.session;
+    let mission = session.mission.as_ref();
+    mission.is_some_and(|mission| {
+        let mut objectives = mission.objectives.iter();
+        session.armed() == 0 && objectives.all(|one| one.state == ObjectiveState::Met)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patience_ends_after_its_time_and_begins_again_with_every_change() {
+        let mut patience = Patience::new(Duration::from_secs(3));
+        let steps = [
+            (true, 1, false),
+            (true, 3, false),
+            (false, 4, false),
+            (true, 5, false),
+            (true, 7, false),
+            (true, 8, true),
+        ];
+        for (is_so, at_s, expected) in steps {
+            let is_over = patience.is_over(is_so, Duration::from_secs(at_s));
+            assert_eq!(is_over, expected, "{at_s}");
+        }
+    }
+}

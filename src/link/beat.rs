@@ -1,0 +1,107 @@
+//! Things that are done again and again.
+
+use std::time::Duration;
+
+use tokio::time::{Instant, Interval, MissedTickBehavior, interval};
+
+/// How often something is done.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pace {
+    /// So long after the last time it is done along with other work.
+    pub handy: Duration,
+    /// So long after the last time it wakes the task by itself.
+    pub latest: Duration,
+}
+
+/// Something that is done again and again. To be woken costs far more than most of what is done then, and a timer
+/// of tokio's often wakes twice; a link that carries telemetry is awake often enough without any.
+#[derive(Debug)]
+pub(super) struct Beat {
+    pace: Pace,
+    last: Instant,
+    timer: Interval,
+}
+
+impl Beat {
+    /// Due at once, if nothing else wakes the task.
+    pub fn new(pace: Pace) -> Self {
+        let mut timer = interval(pace.latest);
+        timer.set_missed_tick_behavior(MissedTickBehavior::Skip);
+        let last = Instant::now();
+        Self { pace, last, timer }
+    }
+
+    /// Makes it due at once.
+    pub fn hasten(&mut self) {
+        self.timer.reset_immediately();
+    }
+
+    /// Whether it is to be done now that the task is awake; the next time is counted from now then.
+    pub fn is_handy(&mut self, now: Instant) -> bool {
+        let is_handy = now.duration_since(self.last) >= self.pace.handy;
+        if is_handy {
+            self.last = now;
+            self.timer.reset();
+        }
+        is_handy
+    }
+
+    /// Waits until it cannot be put off any longer. Safe to drop at any time.
+    pub async fn due(&mut self) {
+        self.timer.tick().await;
+        self.last = Instant::now();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tokio::time::{advance, timeout};
+
+    const PACE: Pace = Pace {
+        handy: ms(200),
+        latest: ms(300),
+    };
+
+    const fn ms(ms: u64) -> Duration {
+        Duration::from_millis(ms)
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_task_that_is_awake_often_is_never_woken_by_its_beat() {
+        let mut beat = Beat::new(PACE);
+        beat.due().await;
+        let mut done = 0;
+        for _ in 0..100 {
+            let woken = timeout(ms(100), beat.due()).await;
+            assert!(woken.is_err(), "after {done}");
+            done += usize::from(beat.is_handy(Instant::now()));
+        }
+        assert_eq!(done, 50);
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_task_that_nothing_else_wakes_is_woken_at_the_latest_time() {
+        let mut beat = Beat::new(PACE);
+        beat.due().await;
+        let start = Instant::now();
+        beat.due().await;
+        assert!(!beat.is_handy(Instant::now()), "it has just been done");
+        beat.due().await;
+        assert_eq!(start.elapsed(), ms(600));
+        advance(ms(250)).await;
+        assert!(beat.is_handy(Instant::now()));
+        beat.due().await;
+        assert_eq!(start.elapsed(), ms(1150), "counted from when it was handy");
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn what_is_hastened_is_due_at_once() {
+        let mut beat = Beat::new(PACE);
+        beat.due().await;
+        let start = Instant::now();
+        beat.hasten();
+        beat.due().await;
+        assert_eq!(start.elapsed(), Duration::ZERO);
+    }
+}
