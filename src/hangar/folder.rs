@@ -41,11 +41,12 @@ const WRITABLE_BY_OTHERS: u32 = 0o022;
 
 /// Why a folder cannot be used.
 #[derive(Debug, thiserror::Error)]
-#[error("cannot {what} {}: {source}: {}", .path.display(), advice(.source))]
+#[error("cannot {what} {}: {error}: {}", .path.display(), advice(.error))]
 pub struct FolderError {
     what: &'static str,
     path: PathBuf,
-    source: io::Error,
+    // Not a source, which is told a second time by whoever prints a whole chain of errors.
+    error: io::Error,
 }
 
 fn advice(error: &io::Error) -> &'static str {
@@ -63,7 +64,7 @@ fn advice(error: &io::Error) -> &'static str {
 
 fn cannot(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> FolderError {
     let path = path.to_owned();
-    move |source| FolderError { what, path, source }
+    move |error| FolderError { what, path, error }
 }
 
 /// The folder of one life of a hangar. Dropping it lets the next one see that it is over.

@@ -29,6 +29,8 @@ const PROBE_EVERY: Duration = Duration::from_millis(50);
 const LOOK_EVERY: Duration = Duration::from_secs(1);
 /// Lines of output that are shown when an instance has ended.
 const LINES_SHOWN: usize = 20;
+
+/// What the task of one instance knows.
 struct Task {
     shown: Instance,
     order: Order,
@@ -198,16 +200,21 @@ impl Task {
                 Event::Passed(Passed::InstanceGone) => progress.disconnected(now),
                 Event::Passed(_) | Event::Nothing => {}
             }
-            let bytes = progress.say(self.relay.is_attached(), now);
-            self.relay.send(&bytes);
-            if meter.read(now) {
-                self.shown.memory_bytes = meter.memory_bytes();
-                self.shown.cpu_ms = meter.cpu_ms();
-                self.shown.hint = progress.lack(now).map(|lack| self.diagnosis(lack, &meter));
-            }
-            self.shown.parameters = progress.parameters();
-            self.show(progress.stage(now));
+            self.proceed(&mut progress, &mut meter, now);
         }
+    }
+
+    /// Asks the instance what is to be asked now, and shows how it is.
+    fn proceed(&mut self, progress: &mut Progress, meter: &mut Meter, now: Duration) {
+        let bytes = progress.say(self.relay.is_attached(), now);
+        self.relay.send(&bytes);
+        if meter.read(now) {
+            self.shown.memory_bytes = meter.memory_bytes();
+            self.shown.cpu_ms = meter.cpu_ms();
+            self.shown.hint = progress.lack(now).map(|lack| self.diagnosis(lack, meter));
+        }
+        self.shown.parameters = progress.parameters();
+        self.show(progress.stage(now));
     }
 
     /// Waits for what happens next. Losing the future loses nothing.

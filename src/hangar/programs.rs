@@ -13,7 +13,7 @@ use crate::sitl::Kind;
 mod identity;
 mod scratch;
 
-#[cfg(test)]
+#[cfg(all(test, target_os = "linux"))]
 mod tests;
 
 pub use identity::{Identity, PATIENCE, Unknown, identify};

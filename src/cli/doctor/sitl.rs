@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::settings::Settings;
 use super::{Finding, host};
-use crate::hangar::programs::{self, Identity, Missing, PATIENCE, Programs};
+use crate::hangar::programs::{self, Identity, Missing, PATIENCE, Programs, Unknown};
 use crate::hangar::sockets::{self, Protocol, Socket};
 use crate::sitl::Kind;
 
@@ -49,7 +49,13 @@ async fn program(kind: Kind, file: &std::path::Path, by: &str) -> Vec<Finding> {
     let identity = match programs::identify(file, PATIENCE).await {
         Ok(identity) => identity,
         Err(unknown) => {
-            let mend = format!("named by {by}: name an {about} built for SITL");
+            let mend = match unknown {
+                Unknown::Host { .. } => {
+                    "SITL needs /proc, a free port and a folder for temporary files (TMPDIR)"
+                        .to_owned()
+                }
+                _ => format!("named by {by}: name an {about} built for SITL"),
+            };
             return vec![Finding::fault(about, unknown.to_string(), mend)];
         }
     };

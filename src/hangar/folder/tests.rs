@@ -288,3 +288,14 @@ async fn what_a_leftover_has_started_is_found_when_the_leftover_itself_is_gone()
     assert!(opened.leftovers[0].ended && process::identity(other).is_some());
     running.end().await.expect("it has ended");
 }
+
+#[test]
+fn a_fault_is_told_once_also_with_all_its_causes() {
+    let file = tempfile::NamedTempFile::new().expect("a temporary file");
+    let fault = Run::open(file.path()).expect_err("a file is in the way");
+    assert!(
+        fault.to_string().contains("a file is in the way"),
+        "{fault}"
+    );
+    assert!(std::error::Error::source(&fault).is_none());
+}

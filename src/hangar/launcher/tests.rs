@@ -20,7 +20,7 @@ fn this_program_becomes_another_when_it_is_told_to() {
     }
 }
 
-fn launcher(limits: Limits) -> Launcher {
+pub(in crate::hangar) fn launcher(limits: Limits) -> Launcher {
     let me = std::env::current_exe().expect("this program has a path");
     let words = ["--exact", "--nocapture", STUB, "--"].map(OsString::from);
     let stub = [vec![me.into_os_string()], words.to_vec()].concat();

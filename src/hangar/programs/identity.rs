@@ -2,19 +2,19 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{ExitStatus, Stdio};
+use std::process::ExitStatus;
 use std::time::Duration;
 
-use nix::sys::signal::{Signal, killpg};
-use nix::unistd::Pid;
 use serde::Serialize;
 use tokio::io::{AsyncRead, AsyncReadExt as _};
 use tokio::net::{TcpListener, TcpStream};
-use tokio::process::{Child, Command};
+use tokio::process::{ChildStderr, ChildStdout};
 use tokio::time::timeout;
 
 use super::check;
 use super::scratch::ScratchFolder;
+use crate::hangar::Limits;
+use crate::hangar::launcher::{Launcher, Order, Running};
 use crate::hangar::sockets::{self, Socket};
 use crate::sitl::Kind;
 
@@ -50,14 +50,17 @@ pub enum Unknown {
         /// What is wrong with it.
         reason: String,
     },
-    /// The host cannot start it, or has no scratch folder or port for it.
-    #[error("cannot start {}: {source}", file.display())]
+    /// The host has no scratch folder or port for it.
+    #[error("cannot try {}: {error}", file.display())]
     Host {
         /// The file.
         file: PathBuf,
         /// Why.
-        source: io::Error,
+        error: io::Error,
     },
+    /// The host cannot run it.
+    #[error("{0}")]
+    Start(String),
     /// It has ended instead.
     #[error("{} is no SITL: it has ended ({status}){}", file.display(), said(.output))]
     Ended {
@@ -101,29 +104,66 @@ fn said(output: &str) -> String {
     line.map_or_else(String::new, |line| format!("; it printed: {}", line.trim()))
 }
 
-/// Starts a program in a scratch folder, hears what it is, and ends it.
+/// Starts a program in a scratch folder, as a hangar does, hears what it is, and ends it.
 ///
 /// # Errors
 /// It does not say so in time.
 pub async fn identify(program: &Path, patience: Duration) -> Result<Identity, Unknown> {
+    let launcher = std::env::current_exe()
+        .and_then(|sortie| Launcher::start(sortie, Limits::default()))
+        .map_err(|error| Unknown::Host {
+            file: program.to_owned(),
+            error,
+        })?;
+    identify_by(&launcher, program, patience).await
+}
+
+/// As [`identify`].
+pub(super) async fn identify_by(
+    launcher: &Launcher,
+    program: &Path,
+    patience: Duration,
+) -> Result<Identity, Unknown> {
     let file = || program.to_owned();
     check(program).map_err(|reason| Unknown::NoProgram {
         file: file(),
         reason,
     })?;
-    let host = |source| Unknown::Host {
+    let host = |error| Unknown::Host {
         file: file(),
-        source,
+        error,
     };
-    let absolute = std::path::absolute(program).map_err(host)?;
     let folder = ScratchFolder::new("sortie-identify").map_err(host)?;
     let listener = TcpListener::bind(("127.0.0.1", 0)).await.map_err(host)?;
     let port = listener.local_addr().map_err(host)?.port();
-    let mut trial = Trial::start(&absolute, folder.path(), port).map_err(host)?;
+    let order = order(program, folder.path(), port);
+    let started = launcher.launch(order).await;
+    let mut trial = Trial::new(started.map_err(|error| Unknown::Start(error.to_string()))?);
     let heard = timeout(patience, trial.hear(&listener)).await;
     let identity = judge(program, patience, heard.ok(), &trial);
-    trial.end().await;
+    // Failing means that it has ended.
+    drop(trial.process.end().await);
     identity
+}
+
+/// Like a hangar's, without files: it only has to greet.
+fn order(program: &Path, folder: &Path, port: u16) -> Order {
+    let door = format!("tcpclient:127.0.0.1:{port}");
+    let words = ["--model", "quad", "--speedup", "1", "--slave", "0"];
+    let ports = [
+        "--serial1",
+        "none:",
+        "--serial2",
+        "none:",
+        "--rc-in-port",
+        "0",
+    ];
+    let all = words.into_iter().chain(["--serial0", &door]).chain(ports);
+    Order {
+        program: program.to_owned(),
+        arguments: all.map(str::to_owned).collect(),
+        folder: folder.to_owned(),
+    }
 }
 
 /// What follows from what was heard, if anything was.
@@ -147,7 +187,7 @@ fn judge(
             output,
         }),
         Some(Heard::Flood) => Err(Unknown::Flood { file, output }),
-        Some(Heard::Error(source)) => Err(Unknown::Host { file, source }),
+        Some(Heard::Error(error)) => Err(Unknown::Host { file, error }),
         None => Err(Unknown::Silent {
             file,
             patience,
@@ -156,23 +196,13 @@ fn judge(
     }
 }
 
-/// A program on trial. It leads a process group of its own, so that a script goes with all that it has started.
+/// A program on trial.
 struct Trial {
-    child: Child,
-    group: Option<Pid>,
-    output: Option<Box<dyn AsyncRead + Send + Unpin>>,
-    errors: Option<Box<dyn AsyncRead + Send + Unpin>>,
+    process: Running,
+    output: Option<ChildStdout>,
+    errors: Option<ChildStderr>,
     printed: usize,
     tail: Vec<u8>,
-}
-
-impl Drop for Trial {
-    fn drop(&mut self) {
-        if let Some(group) = self.group {
-            // Failing means that it has ended.
-            let _ = killpg(group, Signal::SIGKILL);
-        }
-    }
 }
 
 enum Heard {
@@ -183,33 +213,15 @@ enum Heard {
 }
 
 impl Trial {
-    fn start(program: &Path, folder: &Path, port: u16) -> io::Result<Self> {
-        let mut child = Command::new(program)
-            .args(["--model", "quad", "--speedup", "1", "--slave", "0"])
-            .args(["--serial0", &format!("tcpclient:127.0.0.1:{port}")])
-            .args([
-                "--serial1",
-                "none:",
-                "--serial2",
-                "none:",
-                "--rc-in-port",
-                "0",
-            ])
-            .current_dir(folder)
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .process_group(0)
-            .kill_on_drop(true)
-            .spawn()?;
-        Ok(Self {
-            group: child.id().map(|pid| Pid::from_raw(pid as i32)),
-            output: child.stdout.take().map(|pipe| Box::new(pipe) as _),
-            errors: child.stderr.take().map(|pipe| Box::new(pipe) as _),
-            child,
+    fn new(mut process: Running) -> Self {
+        let (output, errors) = process.take_output();
+        Self {
+            process,
+            output,
+            errors,
             printed: 0,
             tail: Vec::new(),
-        })
+        }
     }
 
     async fn hear(&mut self, listener: &TcpListener) -> Heard {
@@ -237,7 +249,7 @@ impl Trial {
                     greeting.truncate(GREETING_LEN);
                     None
                 }
-                status = self.child.wait() => return match status {
+                status = self.process.wait() => return match status {
                     Ok(status) => Heard::End(status),
                     Err(error) => Heard::Error(error),
                 },
@@ -261,17 +273,10 @@ impl Trial {
     }
 
     fn sockets(&self) -> Vec<Socket> {
-        let all = self.child.id().map(sockets::of_process).unwrap_or_default();
+        let all = sockets::of_process(self.process.pid());
         all.into_iter()
             .filter(|socket| !socket.is_loopback())
             .collect()
-    }
-
-    async fn end(mut self) {
-        if let Some(group) = self.group.take() {
-            let _ = killpg(group, Signal::SIGKILL);
-        }
-        drop(self.child.kill().await);
     }
 }
 
