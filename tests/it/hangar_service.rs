@@ -29,6 +29,7 @@ mod requests;
 const PATIENCE: Duration = Duration::from_secs(90);
 
 /// A connection of this user's.
+#[expect(clippy::unnecessary_wraps, reason = "one of several of its type")]
 fn ours(_: SocketAddr, _: SocketAddr) -> Option<u32> {
     Some(nix::unistd::geteuid().as_raw())
 }
@@ -55,7 +56,7 @@ impl Served {
         self.end().await;
         let adjust = |setup: &mut Setup| setup.token = token;
         let listener = TcpListener::bind(address).await.expect("it is free again");
-        Self::at(listener, 1, Some(Behaviour::Normal), adjust).await
+        Self::at(listener, 1, Some(Behaviour::Normal), adjust)
     }
 
     async fn with(
@@ -64,10 +65,10 @@ impl Served {
         adjust: impl FnOnce(&mut Setup),
     ) -> Self {
         let listener = TcpListener::bind("127.0.0.1:0").await.expect("a port");
-        Self::at(listener, instances, behaviour, adjust).await
+        Self::at(listener, instances, behaviour, adjust)
     }
 
-    async fn at(
+    fn at(
         listener: TcpListener,
         instances: u16,
         behaviour: Option<Behaviour>,
@@ -140,13 +141,18 @@ impl Served {
     async fn send(&self, method: &str, path: &str, headers: &[&str], body: &str) -> Answer {
         let mut head = format!("{method} {path} HTTP/1.1\r\nConnection: close\r\n");
         if !headers.iter().any(|header| header.starts_with("Host:")) {
-            head += &format!("Host: {}\r\n", self.address);
+            head.push_str("Host: ");
+            head.push_str(&self.address.to_string());
+            head.push_str("\r\n");
         }
         for header in headers {
-            head += &format!("{header}\r\n");
+            head.push_str(header);
+            head.push_str("\r\n");
         }
         if !body.is_empty() {
-            head += &format!("Content-Length: {}\r\n", body.len());
+            head.push_str("Content-Length: ");
+            head.push_str(&body.len().to_string());
+            head.push_str("\r\n");
         }
         self.raw(format!("{head}\r\n{body}").as_bytes()).await
     }
