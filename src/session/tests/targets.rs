@@ -70,7 +70,6 @@ fn a_velocity_takes_the_place_of_a_goto_and_of_its_target() {
 fn a_session_is_looked_at_often_only_while_it_has_something_to_send() {
     let mut scene = under_way();
     scene.pass(ms(2000));
-    assert_eq!(scene.states(1).last(), Some(&RowState::Accepted));
     assert_eq!(scene.session.patience(), IDLE_POLL, "the way there is long");
     let velocity = Command::Velocity {
         ned_m_s: [2.0, 0.0, 0.0],
