@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-use tokio::time::MissedTickBehavior;
+use tokio::time::{Interval, MissedTickBehavior};
 
 use crate::app::effect::Effect;
 use crate::app::event::Event;
@@ -43,8 +43,11 @@ pub use options::{Opening, Options, Preferences};
 use session::{Ending, Plan, Running};
 use signals::{Happened, Signals};
 
-/// The time between two ticks, at which telemetry is collected and missions are stepped.
+/// The simulated time between two ticks, at which telemetry is collected and missions are stepped: a mission sees
+/// as much of its vehicles at any speedup.
 const TICK: Duration = Duration::from_millis(100);
+/// However fast simulated time passes, there is this much between two ticks.
+const LEAST_TICK: Duration = Duration::from_millis(5);
 
 /// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
 const KEYS_PER_FRAME: usize = 64;
@@ -61,13 +64,12 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
         options.preferences.config.fps,
         options.preferences.config.mouse,
     )?;
+    let mut ticks = ticks(options.speedup);
     let mut console = Console::new(options);
     console.measure().await;
     console.draw(&mut screen)?;
     console.begin().await;
     let mut keyboard = Keyboard::open()?;
-    let mut ticks = tokio::time::interval(TICK);
-    ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
     while !console.over {
         let frame = console.next_frame_in(&mut screen);
         tokio::select! {
@@ -106,6 +108,14 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
     console.close().await;
     hear_last_answer(&screen, &mut keyboard).await;
     Ok(())
+}
+
+/// The ticks of a console whose vehicles live so many seconds per second.
+fn ticks(speedup: f64) -> Interval {
+    let every = TICK.div_f64(speedup.max(1.0)).max(LEAST_TICK);
+    let mut ticks = tokio::time::interval(every);
+    ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
+    ticks
 }
 
 /// An answer of the terminal that comes after us would be typed into the shell.

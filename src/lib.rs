@@ -6,8 +6,8 @@
 //! | layer | modules |
 //! | --- | --- |
 //! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
-//! | input and output | [`fleet`] (a task per vehicle), [`link`] (transports, and the simulator as a server), [`store`] (files) |
-//! | pure | [`headless`] (a mission in lock step), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sim`], [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`wire`] (frames), [`geo`], [`diagnostic`] |
+//! | input and output | [`fleet`] (a task per vehicle), [`hangar`] (SITL processes, here or by HTTP), [`link`] (transports, and the simulator as a server), [`store`] (files) |
+//! | pure | [`headless`] (a mission in lock step), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`sim`], [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`wire`] (frames), [`geo`], [`diagnostic`] |
 //!
 //! # A telemetry packet
 //! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, the hub of [`fleet`] gives the frames

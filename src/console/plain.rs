@@ -11,9 +11,8 @@ use std::io::BufRead as _;
 use std::time::Duration;
 
 use tokio::sync::mpsc;
-use tokio::time::MissedTickBehavior;
 
-use super::{Console, Happened, Opening, Options, Running, Signals, TICK, key};
+use super::{Console, Happened, Opening, Options, Running, Signals, key, ticks};
 use crate::app::event::Event;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -67,8 +66,7 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
     plain.console.begin().await;
     plain.greet();
     let mut lines = read_lines();
-    let mut ticks = tokio::time::interval(TICK);
-    ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
+    let mut ticks = ticks(plain.console.options.speedup);
     let mut told_to_end = false;
     while !plain.is_over() {
         let takes_lines = plain.takes_lines();

@@ -140,7 +140,7 @@ impl Launch {
         })?;
         require(SPEEDUPS.contains(&self.speedup), || {
             let (least, most) = (SPEEDUPS.start(), SPEEDUPS.end());
-            format!("the speedup is {least} to {most}, not {}", self.speedup)
+            format!("the speedup is {least} to {most}, not {:?}", self.speedup)
         })?;
         self.home.check()?;
         self.check_parameters()?;

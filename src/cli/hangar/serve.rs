@@ -17,9 +17,10 @@ use tokio_util::sync::CancellationToken;
 use super::super::programs::ProgramOptions;
 use super::super::settings::Settings;
 use super::super::{Failure, runtime};
-use crate::hangar::programs;
+use crate::hangar::programs::{self, Missing};
 use crate::hangar::service::{self, Bounds, Change, PORT, Program, Setup, changes};
 use crate::hangar::{Config, Hangar, Instance, Instances, Limits, Restart, Stage, Token};
+use crate::sitl::Kind;
 
 /// How long a program may take to say what it is.
 const IDENTIFIED: Duration = Duration::from_secs(3);
@@ -158,10 +159,18 @@ fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failu
 /// What can be started, as people are told of it; what cannot is told now.
 async fn programs(options: &ServeArguments, settings: &Settings) -> Vec<Program> {
     let found = options.programs.find(settings);
-    if found.paths().is_empty() {
-        log(format_args!(
-            "no SITL program was found, so that nothing can be started: name one with --arducopter FILE"
-        ));
+    for kind in Kind::ALL {
+        // That there is none is worth a word only of the usual kind; that a named one is none is always.
+        match found.of(kind) {
+            Err(fault @ Missing::Named { .. }) => log(format_args!("warning: {fault}")),
+            Err(fault) if kind == Kind::default() => {
+                log(format_args!(
+                    "warning: {fault}: name one with --{}",
+                    kind.program()
+                ));
+            }
+            _ => {}
+        }
     }
     let asked = found.paths().into_iter().map(async |(kind, file)| {
         let identity = match programs::identify(&file, IDENTIFIED).await {
