@@ -54,6 +54,19 @@ fn wait_until_gone(pids: &[u32]) {
     }
 }
 
+/// The processes of a console, once it has so many: they are started one after the other.
+fn all_children(console: u32, count: usize) -> Vec<u32> {
+    let deadline = Instant::now() + PATIENCE;
+    loop {
+        let pids = children(console);
+        if pids.len() == count {
+            return pids;
+        }
+        assert!(Instant::now() < deadline, "{pids:?} instead of {count}");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
 fn kill(pid: u32) {
     let sent = Command::new("kill").args(["-9", &pid.to_string()]).status();
     assert!(sent.expect("kill is there").success());
@@ -113,8 +126,7 @@ fn nothing_outlives_a_console_that_is_killed() {
     let stand_in = StandIn::new(Behaviour::NeverReady);
     let mut terminal = fly(&stand_in, &["--vehicles", "3"], (80, 24));
     terminal.see("0 of 3 ready").see("waits for a position");
-    let pids = children(terminal.process_id());
-    assert_eq!(pids.len(), 3);
+    let pids = all_children(terminal.process_id(), 3);
     kill(terminal.process_id());
     wait_until_gone(&pids);
 }
