@@ -413,3 +413,20 @@ impl Console {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At 20 seconds per second a tick of 100 ms let a mission see its vehicles every other second only.
+    #[tokio::test]
+    async fn a_mission_sees_as_much_of_its_vehicles_at_any_speedup() {
+        for (speedup, every_ms) in [(0.5, 100), (1.0, 100), (4.0, 25), (20.0, 5), (1000.0, 5)] {
+            assert_eq!(
+                ticks(speedup).period(),
+                Duration::from_millis(every_ms),
+                "{speedup}"
+            );
+        }
+    }
+}
