@@ -17,6 +17,7 @@ mod defaults;
 mod formation;
 mod models;
 mod shell;
+mod stage;
 mod unfit;
 
 #[cfg(test)]
@@ -24,6 +25,7 @@ mod tests;
 
 pub use formation::{Formation, Offset, Shape};
 pub use shell::{line, quoted};
+pub use stage::Stage;
 pub use unfit::Unfit;
 
 /// The file of parameters that an instance is started with, in its folder.

@@ -1,29 +1,9 @@
 //! The processes that simulate the vehicles.
 
+pub use crate::sitl::Stage;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
-
-/// How far a process has come. It mirrors what the hangar says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Stage {
-    /// Others are being started before it.
-    Queued,
-    /// It runs.
-    Process,
-    /// Its autopilot has been heard.
-    Heartbeat,
-    /// All its parameters have come.
-    Parameters,
-    /// Its navigation filter knows where it is.
-    Position,
-    /// Its vehicle can be armed.
-    Ready,
-    /// It is being ended.
-    Stopping,
-    /// It is gone.
-    Ended,
-}
 
 /// A process and the vehicle that it simulates.
 #[derive(Debug, Clone, PartialEq)]

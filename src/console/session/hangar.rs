@@ -9,7 +9,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::app::effect::HangarDeed;
 use crate::app::event::Event;
-use crate::app::state::{Instance, Stage};
+use crate::app::state::Instance;
 use crate::hangar::{self, Berth, Hangars, Launch, Line, Place, Seen, Source};
 use crate::notice::sanitised;
 use crate::text;
@@ -298,7 +298,7 @@ fn shown(instance: &hangar::Instance, host: &str, processor_percent: Option<f32>
     Instance {
         vehicle: instance.system.into(),
         host: (host != OWN).then(|| sanitised(host)),
-        stage: stage(instance.stage),
+        stage: instance.stage,
         parameters: instance.parameters,
         pid: instance.pid,
         restarts: instance.restarts,
@@ -312,18 +312,5 @@ fn shown(instance: &hangar::Instance, host: &str, processor_percent: Option<f32>
             .map(|line| sanitised(line))
             .collect(),
         folder: sanitised(&instance.folder),
-    }
-}
-
-fn stage(stage: hangar::Stage) -> Stage {
-    match stage {
-        hangar::Stage::Queued => Stage::Queued,
-        hangar::Stage::Process => Stage::Process,
-        hangar::Stage::Heartbeat => Stage::Heartbeat,
-        hangar::Stage::Parameters => Stage::Parameters,
-        hangar::Stage::Position => Stage::Position,
-        hangar::Stage::Ready => Stage::Ready,
-        hangar::Stage::Stopping => Stage::Stopping,
-        hangar::Stage::Ended => Stage::Ended,
     }
 }

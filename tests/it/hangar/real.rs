@@ -2,6 +2,7 @@
 
 use sortie::hangar::Stage;
 
+use super::restarts::assert_a_reboot_goes_through_the_stages;
 use super::{Stand, assert_a_console_has_it_back, is_gone};
 
 fn stand() -> Option<Stand> {
@@ -32,17 +33,9 @@ async fn a_real_arducopter_becomes_ready() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_real_arducopter_that_reboots_by_mavlink_becomes_ready_again() {
-    let Some(stand) = stand() else { return };
-    let id = stand.launch().await;
-    let mut attached = stand.attach(id).await;
-    let first = stand.until_ready(id).await;
-    attached.reboot(1).await;
-    stand
-        .until_one(id, "it boots", |one| one.stage < Stage::Ready)
-        .await;
-    let again = stand.until_ready(id).await;
-    assert_eq!((again.pid, again.restarts), (first.pid, 0));
-    attached.assert_real_time().await;
+    if let Some(stand) = stand() {
+        assert_a_reboot_goes_through_the_stages(&stand).await;
+    }
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

@@ -91,7 +91,11 @@ async fn one_that_has_ended_or_runs_is_started_again_on_request() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn one_that_reboots_by_mavlink_goes_through_its_stages_again() {
-    let stand = Stand::of(Behaviour::Normal);
+    assert_a_reboot_goes_through_the_stages(&Stand::of(Behaviour::Normal)).await;
+}
+
+/// Reboots the program of a stand by MAVLink.
+pub(super) async fn assert_a_reboot_goes_through_the_stages(stand: &Stand) {
     let id = stand.launch().await;
     let mut attached = stand.attach(id).await;
     let first = stand.until_ready(id).await;
