@@ -15,8 +15,9 @@ use crate::app::event::Event;
 use crate::app::room::{hangar, messages};
 use crate::app::state::State;
 use crate::app::update;
+use crate::commands::Deed;
 use crate::fleet::{Clock, Unreachable};
-use crate::ledger::RowState;
+use crate::ledger::{EntryId, RowState};
 use crate::notice::sanitised;
 use crate::session::Order;
 use crate::store;
@@ -355,6 +356,11 @@ impl Console {
                 let order = Order::new(entry, verb, command);
                 return self.command(&targets, &order).await;
             }
+            Effect::Deed {
+                entry,
+                targets,
+                deed,
+            } => return self.deed(entry, &targets, &deed).await,
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
                 .map_err(|error| Text::from(&error)),
@@ -389,6 +395,18 @@ impl Console {
             }
             // Nothing that a failure causes is an effect.
             Err(error) => drop(update(&mut self.state, Event::Failed(Text::from(&error)))),
+        }
+    }
+
+    /// Has the mission do something with each target.
+    async fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
+        let now = self.clock.now();
+        let rows = match &mut self.running {
+            Some(running) => running.act(entry, deed, targets, now),
+            None => Vec::new(),
+        };
+        for row in rows {
+            Box::pin(self.feed(Event::Row(row))).await;
         }
     }
 

@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::commands::Command;
+use crate::commands::{Command, Deed};
 use crate::geo::LatLon;
 use crate::parameters::Parameters;
 use crate::vehicle::VehicleClass;
@@ -93,6 +93,13 @@ pub enum Action {
         verb: &'static Verb,
         /// What the row built of the arguments.
         command: Command,
+    },
+    /// Something that the mission does, with each target.
+    Deed {
+        /// Its row in the table.
+        verb: &'static Verb,
+        /// What the row built of the arguments.
+        deed: Deed,
     },
     /// Hold a script until something is true of all targets.
     Wait(Wait),

@@ -42,7 +42,7 @@ pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
         ..Context::default()
     };
     match language::parse(line, &context)?.action {
-        Action::Command { .. } => Ok(()),
+        Action::Command { .. } | Action::Deed { .. } => Ok(()),
         Action::Wait(_) => Err(only_in_scripts(line)),
     }
 }

@@ -178,7 +178,7 @@ pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
 fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
-    let places = mission.places();
+    let places = mission.places_to_name();
     let context = Context {
         places: Some(&places),
         vehicles: &vehicles,

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::geo::LatLon;
-use crate::language::{Action, Context, Pilot, PilotEvent, Script, Statement};
-use crate::ledger::{Given, Ledger};
+use crate::language::{self, Action, Context, Pilot, PilotEvent, Script, Statement, Verb};
+use crate::ledger::{EntryId, Given, Ledger, Risk, RowUpdate};
 use crate::mission::{Flight, Mission, Report as MissionReport};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
@@ -163,18 +163,21 @@ impl Crew {
         }
     }
 
+    /// Carries out a line as it is meant now: places may have come up or moved since the script was read.
     fn carry_out(&mut self, statement: &Statement, now: Duration) {
-        let Action::Command { verb, command } = &statement.action else {
-            return;
-        };
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
+        let mut places = self.flight.places();
+        places.extend(self.places.clone());
         let context = Context {
-            places: Some(&self.places),
+            places: Some(&places),
             vehicles: &all,
             ..Context::default()
         };
-        let targets = match statement.targets.resolve(&all, &context) {
-            Ok(targets) => targets,
+        let understood = language::parse(&statement.line, &context)
+            .map_err(|fault| fault.message)
+            .and_then(|meant| Ok((meant.targets.resolve(&all, &context)?, meant.action)));
+        let (targets, action) = match understood {
+            Ok(understood) => understood,
             Err(text) => {
                 self.notices.push(Notice {
                     at: now.saturating_sub(self.begun),
@@ -185,17 +188,39 @@ impl Crew {
                 return;
             }
         };
-        let given = Given {
-            line: &statement.line,
-            verb: verb.name,
-            risk: command.risk(),
-        };
-        let entry = self.ledger.open(now, given, &targets);
-        for seat in &mut self.seats {
-            if targets.contains(&seat.session.vehicle().id) {
-                let order = Order::new(entry, verb, command.clone());
-                seat.session.order(order, now);
+        match action {
+            Action::Command { verb, command } => {
+                let entry = self.open(&statement.line, verb, command.risk(), &targets, now);
+                for seat in &mut self.seats {
+                    if targets.contains(&seat.session.vehicle().id) {
+                        let order = Order::new(entry, verb, command.clone());
+                        seat.session.order(order, now);
+                    }
+                }
             }
+            Action::Deed { verb, deed } => {
+                let entry = self.open(&statement.line, verb, Risk::None, &targets, now);
+                for row in self.flight.act(entry, &deed, &targets) {
+                    self.ledger.apply(&RowUpdate { at: now, ..row });
+                }
+            }
+            Action::Wait(_) => {}
         }
+    }
+
+    fn open(
+        &mut self,
+        line: &str,
+        verb: &'static Verb,
+        risk: Risk,
+        targets: &[VehicleId],
+        now: Duration,
+    ) -> EntryId {
+        let given = Given {
+            line,
+            verb: verb.name,
+            risk,
+        };
+        self.ledger.open(now, given, targets)
     }
 }

@@ -6,6 +6,7 @@ use crate::commands::Command;
 
 mod devices;
 mod flight;
+mod mission;
 mod motion;
 mod waiting;
 
@@ -38,6 +39,14 @@ static VERBS: &[Verb] = &[
     motion::ROI,
     motion::HOME,
     waiting::WAIT,
+    mission::MARK,
+    mission::UNMARK,
+    mission::SAMPLE,
+    mission::DROP,
+    mission::SPRAY,
+    mission::PREDICT,
+    mission::GOAL,
+    mission::HINT,
     devices::SERVO,
     devices::RELAY,
     devices::REBOOT,

@@ -4,6 +4,8 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::hazard::Quantity;
+
 /// A kind of sensor.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Sensor {
@@ -11,10 +13,12 @@ pub(crate) struct Sensor {
     pub id: &'static str,
     /// The message with its name for people.
     pub name: &'static str,
+    /// What it measures.
+    pub quantity: Quantity,
     /// What it shows.
     pub unit: &'static str,
-    /// Reading per ug/m3.
-    pub unit_per_ug_m3: f64,
+    /// Reading per unit of the quantity.
+    pub gain: f64,
     /// Time constant in seconds.
     pub tau_s: f64,
     /// Noise as a share of the reading.
@@ -33,8 +37,9 @@ pub(crate) static SENSORS: [Sensor; 2] = [
     Sensor {
         id: "s_voc",
         name: "mission-sensor-gas",
+        quantity: Quantity::Vapour,
         unit: "ppm",
-        unit_per_ug_m3: 24.45 / 56.11 * 1e-3,
+        gain: 24.45 / 56.11 * 1e-3,
         tau_s: 1.3,
         noise: 0.10,
         floor: 0.01,
@@ -43,8 +48,9 @@ pub(crate) static SENSORS: [Sensor; 2] = [
     Sensor {
         id: "s_pm25",
         name: "mission-sensor-particles",
+        quantity: Quantity::Particles,
         unit: "ug/m3",
-        unit_per_ug_m3: 1.0,
+        gain: 1.0,
         tau_s: 8.0,
         noise: 0.10,
         floor: 1.0,
@@ -82,13 +88,13 @@ impl Probe {
         }
     }
 
-    /// A step of `dt_s` in air of the given concentration: a first-order lag, then noise of
+    /// A step of `dt_s` in so much of its quantity: a first-order lag, then noise of
     /// `sqrt((noise * reading)^2 + floor^2)`.
-    pub fn step(&mut self, concentration_ug_m3: f64, speed_m_s: f64, dt_s: f64) {
+    pub fn step(&mut self, amount: f64, speed_m_s: f64, dt_s: f64) {
         let washed = speed_m_s >= WASH_FROM_M_S;
         let share = if washed { WASH_SHARE } else { 1.0 };
         let tau_s = self.sensor.tau_s + if washed { WASH_TAU_S } else { 0.0 };
-        let input = concentration_ug_m3 * self.sensor.unit_per_ug_m3 * share;
+        let input = amount * self.sensor.gain * share;
         self.settled += (input - self.settled) * (1.0 - (-dt_s / tau_s).exp());
         let noise: f64 = StandardNormal.sample(&mut self.random);
         let spread = (self.sensor.noise * self.settled).hypot(self.sensor.floor);
@@ -102,7 +108,7 @@ mod tests {
 
     fn after_a_step(seconds: f64, speed_m_s: f64) -> f64 {
         let mut probe = Probe::new(&SENSORS[0], 1, 0);
-        let one_ppm = 1.0 / SENSORS[0].unit_per_ug_m3;
+        let one_ppm = 1.0 / SENSORS[0].gain;
         for _ in 0..(seconds * 10.0) as u32 {
             probe.step(one_ppm, speed_m_s, 0.1);
         }

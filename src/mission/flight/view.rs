@@ -38,6 +38,7 @@ impl Flight {
             objectives,
             readings: self.readings(),
             hint: self.hint(&standings),
+            places: self.places(),
             cells: self.cells(),
         }
     }

@@ -5,8 +5,8 @@ use toml::Spanned;
 
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::file::{Draft, Faults, Section};
-use crate::mission::flight::World;
 use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
+use crate::mission::world::World;
 use crate::mission::zone::Shape;
 use crate::text;
 use crate::text::Text;
