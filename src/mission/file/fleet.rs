@@ -112,7 +112,7 @@ impl VehicleFile {
         faults: &mut Faults,
     ) -> Fit {
         for name in sensors {
-            match SENSORS.iter().find(|sensor| sensor.id == name.get_ref()) {
+            match Sensor::by_id(name.get_ref()) {
                 Some(sensor) => fit.add(sensor),
                 None => {
                     let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
