@@ -310,7 +310,8 @@ impl Flight {
         }
         self.trackers = trackers;
         let standings = self.standings();
-        for (index, (objective, standing)) in mission.objectives.iter().zip(&standings).enumerate() {
+        for (index, (objective, standing)) in mission.objectives.iter().zip(&standings).enumerate()
+        {
             if standing.met != self.met[index] {
                 self.met[index] = standing.met;
                 let (id, result) = (&objective.id, &standing.result);
