@@ -55,6 +55,8 @@ pub(crate) enum Quantity {
     Vapour,
     /// Carbon monoxide, in ug/m3.
     Monoxide,
+    /// Methane, in ug/m3.
+    Methane,
     /// Fine particles and smoke, in ug/m3.
     Particles,
     /// Dose rate of gamma radiation, in uSv/h.

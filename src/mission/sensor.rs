@@ -9,6 +9,7 @@ pub(crate) use catalogue::SENSORS;
 pub(crate) use detector::DetectorSpec;
 use detector::{Band, Camera, Ground};
 pub(crate) use probe::{Probe, ProbeSpec};
+use probe::{Noise, Response};
 
 /// A kind of sensor.
 #[derive(Debug, PartialEq)]

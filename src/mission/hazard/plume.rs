@@ -61,6 +61,8 @@ pub(crate) enum Substance {
     Vapour,
     /// Carbon monoxide.
     Monoxide,
+    /// Natural gas.
+    Methane,
     /// Smoke.
     Smoke,
 }
@@ -71,6 +73,7 @@ impl Substance {
         match self {
             Self::Vapour => Quantity::Vapour,
             Self::Monoxide => Quantity::Monoxide,
+            Self::Methane => Quantity::Methane,
             Self::Smoke => Quantity::Particles,
         }
     }
