@@ -8,8 +8,8 @@ mod probe;
 pub(crate) use catalogue::SENSORS;
 pub(crate) use detector::DetectorSpec;
 use detector::{Band, Camera, Ground};
-pub(crate) use probe::{Probe, ProbeSpec};
 use probe::{Noise, Response};
+pub(crate) use probe::{Probe, ProbeSpec};
 
 /// A kind of sensor.
 #[derive(Debug, PartialEq)]

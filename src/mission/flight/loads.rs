@@ -241,7 +241,10 @@ impl Flight {
 
     fn release(&mut self, by: VehicleId, load: Load, at: Point) -> Option<Effect> {
         let effects = self.world.affect(load, at);
-        let effect = effects.iter().find(|effect| effect.good).or(effects.first());
+        let effect = effects
+            .iter()
+            .find(|effect| effect.good)
+            .or(effects.first());
         let release = Release {
             load,
             at,

@@ -177,11 +177,8 @@ impl Hazard for PlumeHazard {
 /// Where something comes out.
 pub(super) fn leak(at: Point, height_m: f64) -> Object {
     Object {
-        class: Class::Leak,
-        at,
         height_m,
-        present: true,
-        cover: 0.0,
+        ..Object::new(Class::Leak, at)
     }
 }
 

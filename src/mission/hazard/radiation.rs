@@ -155,11 +155,8 @@ impl Hazard for RadiationHazard {
             source.at = [source.at[0] + sway(), source.at[1] + sway()];
         }
         let object = |source: &Source| Object {
-            class: Class::Source,
-            at: source.at,
             height_m: source.height_m,
-            present: true,
-            cover: 0.0,
+            ..Object::new(Class::Source, source.at)
         };
         Box::new(RadiationField {
             objects: sources.iter().map(object).collect(),
@@ -250,8 +247,8 @@ mod tests {
     #[test]
     fn the_dose_rate_falls_with_the_square_of_the_distance_and_in_air() {
         for (isotope, expected) in [
-            (Isotope::Caesium137, [35.5, 8.54, 2.02, 0.499]),
-            (Isotope::Cobalt60, [135.6, 32.79, 7.71, 1.751]),
+            (Isotope::Caesium137, [35.50, 8.547, 2.024, 0.4994]),
+            (Isotope::Cobalt60, [135.6, 32.79, 7.713, 1.751]),
         ] {
             let field = field(vec![Source { isotope, ..CAESIUM }], Vec::new());
             for (r, expected) in [5.0, 10.0, 20.0, 40.0].into_iter().zip(expected) {

@@ -209,7 +209,10 @@ mod tests {
     fn counts_scatter_as_a_poisson_process_does() {
         let (mean, variance) = mean_and_variance(&readings("s_geiger", 20.0, 100_000));
         let expected = mean / 1.5 / (2.0 * 3.0);
-        assert!((variance / expected - 1.0).abs() < 0.1, "{variance} {expected}");
+        assert!(
+            (variance / expected - 1.0).abs() < 0.1,
+            "{variance} {expected}"
+        );
     }
 
     #[test]
