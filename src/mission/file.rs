@@ -17,6 +17,7 @@ use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
 mod fleet;
+mod names;
 mod place;
 mod points;
 mod sections;
@@ -34,9 +35,10 @@ const HEAD: [&str; 11] = [
     "drill_of",
 ];
 /// The sections.
-const SECTIONS: [&str; 9] = [
+const SECTIONS: [&str; 10] = [
     "sim",
     "weather",
+    "places",
     "zones",
     "hazards",
     "fleet",
@@ -57,6 +59,9 @@ pub(super) struct Draft {
     pub zones: Vec<Zone>,
     pub sensors: Vec<&'static Sensor>,
     pub surveys: Vec<SurveyPlan>,
+    /// Named points.
+    pub places: Vec<(String, Point)>,
+    pub pads: Vec<Point>,
     /// All names in the file that could be referred to, whether they could be read or not.
     pub declared: Vec<String>,
     /// Id of the objective that is being read.
@@ -196,6 +201,18 @@ impl Faults {
             self.add(value.span(), message);
         }
         *value.get_ref()
+    }
+
+    /// Heights from the lowest to the highest; any, where none are written.
+    pub fn heights(&mut self, value: Option<&Spanned<[f64; 2]>>) -> [f64; 2] {
+        let Some(value) = value else {
+            return [f64::NEG_INFINITY, f64::INFINITY];
+        };
+        let [low, high] = *value.get_ref();
+        if !(0.0 <= low && low < high && high <= 1000.0) {
+            self.add(value.span(), "`heights` must be [low, high], 0 to 1000 m");
+        }
+        [low, high]
     }
 
     /// A point that must not lie too far away.

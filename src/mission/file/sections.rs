@@ -10,7 +10,8 @@ use toml::de::{DeTable, DeValue};
 use super::fleet::{self, Fleet};
 use super::place;
 use super::{
-    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, kinded, objective, points, zones,
+    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, kinded, names, objective,
+    points, zones,
 };
 use crate::diagnostic::Diagnostic;
 use crate::mission::hazard::{self, Hazard};
@@ -84,6 +85,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         pads: setting.fleet.pads,
         fits: setting.fleet.fits,
         zones: content.draft.zones,
+        places: content.draft.places,
         hazards: content.hazards,
         objectives: content.objectives,
         max_height_m: setting.max_height_m,
@@ -136,6 +138,8 @@ fn content(
     let mut draft = Draft {
         zones: array(sections.optional("zones"), faults, zones::reader()),
         sensors: setting.map_or(Vec::new(), |setting| setting.fleet.sensors()),
+        places: array(sections.optional("places"), faults, names::reader()),
+        pads: setting.map_or(Vec::new(), |setting| setting.fleet.pads.clone()),
         declared,
         ..Draft::default()
     };
@@ -170,7 +174,7 @@ fn scoring(
 /// The names that other sections may refer to, good or faulty.
 fn declared_names<'t, 'i>(root: &'t DeTable<'i>) -> Vec<String> {
     let value = |key: &str| root.get(key).map(Spanned::get_ref);
-    let ids = ["zones", "hazards", "objectives"]
+    let ids = ["zones", "places", "hazards", "objectives"]
         .into_iter()
         .filter_map(|key| value(key)?.as_array())
         .flat_map(|items| {

@@ -68,7 +68,10 @@ pub(crate) fn read(
     let target = faults.number(&file.target, 0.01..=1.0, "target");
     let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
     if partial_from >= target {
-        faults.add(file.partial_from.span(), "`partial_from` must be below `target`");
+        faults.add(
+            file.partial_from.span(),
+            "`partial_from` must be below `target`",
+        );
     }
     let route = RouteFile {
         gates: file.gates,
@@ -143,11 +146,14 @@ impl Tracker for FormationTracker {
         if self.passed > 0 {
             let dt_s = TICK.as_secs_f64();
             self.under_way_s += dt_s;
-            self.kept_s += if whole && self.is_kept(&all) { dt_s } else { 0.0 };
+            self.kept_s += if whole && self.is_kept(&all) {
+                dt_s
+            } else {
+                0.0
+            };
         }
-        let middle = [0, 1, 2].map(|axis| {
-            all.iter().map(|at| at[axis]).sum::<f64>() / all.len().max(1) as f64
-        });
+        let middle = [0, 1, 2]
+            .map(|axis| all.iter().map(|at| at[axis]).sum::<f64>() / all.len().max(1) as f64);
         if whole && distance_m(&middle, gate) <= self.radius_m {
             self.passed += 1;
         }
@@ -194,6 +200,11 @@ impl Tracker for FormationTracker {
         let place = |(index, gate): (usize, &[f64; 3])| (Route::name(index), [gate[0], gate[1]]);
         let next = self.gates.get(self.passed);
         let next = next.map(|gate| (super::NEXT_PLACE.to_owned(), [gate[0], gate[1]]));
-        self.gates.iter().enumerate().map(place).chain(next).collect()
+        self.gates
+            .iter()
+            .enumerate()
+            .map(place)
+            .chain(next)
+            .collect()
     }
 }

@@ -114,7 +114,11 @@ impl Tracker for HoverTracker {
             settled: met,
             landing: false,
             quality: None,
-            result: text!("mission-hover-of", held = format!("{held_s:.0}"), time = time.as_str()),
+            result: text!(
+                "mission-hover-of",
+                held = format!("{held_s:.0}"),
+                time = time.as_str()
+            ),
             outlook: None,
             quality_advice: Text::default(),
             target: text!("mission-hover", time = time.as_str()),

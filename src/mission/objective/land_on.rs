@@ -81,11 +81,7 @@ impl Tracker for LandOn {
             outlook: None,
             quality_advice: Text::default(),
             target: text!("mission-land-within", radius = radius.as_str()),
-            advice: text!(
-                "mission-land-advice",
-                place = &self.place,
-                radius = radius
-            ),
+            advice: text!("mission-land-advice", place = &self.place, radius = radius),
         }
     }
 }

@@ -181,7 +181,12 @@ impl Stops {
             (
                 text!("mission-visit-of", passed = passed, count = count),
                 text!("mission-visit", count = count),
-                text!("mission-visit-advice", place = name, radius = radius, dwell = dwell),
+                text!(
+                    "mission-visit-advice",
+                    place = name,
+                    radius = radius,
+                    dwell = dwell
+                ),
             )
         }
     }
