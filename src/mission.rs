@@ -66,7 +66,9 @@ pub use area::{Area, AreaKind};
 pub use clock::Clock;
 pub use flight::{Flight, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};
-pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+pub use progress::{
+    Cell, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact, ShownMark, Trust,
+};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);

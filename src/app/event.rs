@@ -95,6 +95,8 @@ pub enum Event {
     Findings(Vec<Finding>),
     /// A look at the messages on the links.
     Traffic(Vec<LinkTraffic>),
+    /// What is simulated stands still from now on, or goes on.
+    Paused(bool),
     /// How the mission is going.
     Mission(Box<Progress>),
     /// The mission is over.

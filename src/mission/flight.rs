@@ -23,6 +23,7 @@ use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
 mod deeds;
+mod pause;
 mod places;
 mod result;
 mod view;

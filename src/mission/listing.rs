@@ -43,6 +43,8 @@ pub struct Listing {
     pub weights: Vec<(Text, f64)>,
     /// Points needed for medals.
     pub medals: Medals,
+    /// Whether it may be paused.
+    pub pausable: bool,
     /// What gold needs besides points.
     pub gold_requires: Vec<Text>,
 }
@@ -85,6 +87,7 @@ impl Mission {
             hints: self.hints.clone(),
             weights: Component::ALL.into_iter().filter_map(weight).collect(),
             medals: self.scoring.medals,
+            pausable: true,
             gold_requires: self
                 .scoring
                 .gold_requires

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use sortie::geo::LatLon;
 use sortie::mission::{
-    Cell, Listing, Mission, ObjectiveProgress, ObjectiveState, Progress, Reading,
+    Cell, Listing, Mission, ObjectiveProgress, ObjectiveState, Pledge, Progress, Reading,
 };
 use sortie::scoring::{ComponentReport, EventReport, ObjectiveReport, Report};
 use sortie::vehicle::{
@@ -176,6 +176,9 @@ pub fn progress() -> Progress {
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
         places: std::collections::BTreeMap::new(),
+        contacts: Vec::new(),
+        marks: Vec::new(),
+        pledge: Pledge::default(),
         cells: cells.collect(),
     }
 }

@@ -2,14 +2,19 @@
 
 use std::time::Duration;
 
+use crossterm::event::KeyCode;
+
 use crate::app::action::Action;
 use crate::app::effect::Effect;
-use crate::app::keymap::{ESCAPE, Row, does, key};
+use crate::app::keymap::{ESCAPE, Press, Row, does, key};
 use crate::app::state::State;
+use crate::app::update::act::guarded;
 use crate::debrief;
 use crate::notice::sanitised;
 use crate::scoring::Report;
+use crate::text;
 use crate::text::Locale;
+use crate::vehicle::Severity;
 
 /// Keys pressed so soon after the debrief has opened were meant for the flight.
 const DEAF: Duration = Duration::from_secs(1);
@@ -41,21 +46,69 @@ impl Debrief {
 /// Its keys.
 pub const KEYS: &[Row] = &[
     does(key('r'), Action::Again),
+    does(key('s'), Action::AgainAlike),
+    does(key('n'), Action::NextMission),
     does(key('h'), Action::Leave),
     does(ESCAPE, Action::Leave),
+    does(Press::Plain(KeyCode::Tab), Action::NextSection),
+    does(Press::Plain(KeyCode::BackTab), Action::PreviousSection),
 ];
 
 /// What its actions do.
 pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let Action::Move(step) = action else {
-        return None;
-    };
-    // Scrolling ends with the last page; the header and the footer take a row each.
-    let rows = usize::from(state.size.1).saturating_sub(2);
-    if let Some(debrief) = &mut state.rooms.debrief {
-        let lines = debrief.lines(&state.locale).len();
-        let positions = (lines + 1).saturating_sub(rows).max(1);
-        debrief.scroll = step.apply(debrief.scroll.min(positions - 1), positions);
+    match action {
+        Action::Move(step) => turn(state, |scroll, _, positions| step.apply(scroll, positions)),
+        Action::NextSection => turn(state, |scroll, sections, _| {
+            let next = sections.iter().find(|&&line| line > scroll);
+            next.copied().unwrap_or(0)
+        }),
+        Action::PreviousSection => turn(state, |scroll, sections, last| {
+            let before = sections.iter().rfind(|&&line| line < scroll);
+            before.or(sections.last()).copied().unwrap_or(last)
+        }),
+        Action::NextMission => return Some(next_mission(state)),
+        _ => return None,
     }
     Some(Vec::new())
+}
+
+/// Shows another line first, made from the present one, the first lines of the sections, and how many lines can be
+/// first: scrolling ends with the last page.
+fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
+    // The header and the footer take a row each.
+    let rows = usize::from(state.size.1).saturating_sub(2);
+    if let Some(debrief) = &mut state.rooms.debrief {
+        let lines = debrief.lines(&state.locale);
+        let positions = (lines.len() + 1).saturating_sub(rows).max(1);
+        let sections = lines
+            .iter()
+            .enumerate()
+            .filter(|(_, line)| is_section(line));
+        let sections: Vec<usize> = sections.map(|(at, _)| at.min(positions - 1)).collect();
+        debrief.scroll = to(debrief.scroll.min(positions - 1), &sections, positions);
+    }
+}
+
+/// Whether a line is the name of a section: the debrief writes those in capitals, after one blank.
+pub fn is_section(line: &str) -> bool {
+    line.starts_with(' ') && line.chars().skip(1).take(2).all(char::is_uppercase)
+}
+
+/// Flies the mission after the one that was flown.
+fn next_mission(state: &mut State) -> Vec<Effect> {
+    let flown = state
+        .rooms
+        .debrief
+        .as_ref()
+        .map(|it| it.report.mission.as_str());
+    let place = state
+        .missions
+        .iter()
+        .position(|it| Some(it.id.as_str()) == flown);
+    let next = place.and_then(|at| state.missions.get(at + 1));
+    let Some(id) = next.map(|next| next.id.clone()) else {
+        state.say(Severity::Notice, text!("debrief-last-mission"));
+        return Vec::new();
+    };
+    guarded(state, text!("ask-start"), Effect::StartMission(id))
 }
