@@ -187,7 +187,7 @@ impl Flight {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
                 self.crafts
-                    .push(Craft::new(id, sensors.map(probe).collect()));
+                    .push(Craft::new(id, sensors.filter_map(probe).collect()));
             }
         }
     }
@@ -206,7 +206,7 @@ impl Flight {
                     .map(|breach| (craft.id, breach)),
             );
             for probe in &mut craft.probes {
-                let amount = |at| self.world.amount(probe.sensor.quantity, at, craft.height_m);
+                let amount = |at| self.world.amount(probe.spec.quantity, at, craft.height_m);
                 let amount = craft.at.map_or(0.0, amount);
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
             }

@@ -61,7 +61,7 @@ impl Flight {
                 vehicle: id,
                 sensor: Text::new(probe.sensor.name, Vec::new()),
                 value: probe.shown,
-                unit: probe.sensor.unit,
+                unit: probe.spec.unit,
             };
             craft.probes.iter().map(reading).collect::<Vec<_>>()
         };
