@@ -182,12 +182,12 @@ impl Flight {
                 return;
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
-                let sensors = self.mission.sensors.iter().enumerate();
+                let fit = &self.mission.fits[self.crafts.len()];
                 let probe = |(index, &sensor)| {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
-                self.crafts
-                    .push(Craft::new(id, sensors.filter_map(probe).collect()));
+                let probes = fit.sensors.iter().enumerate().filter_map(probe);
+                self.crafts.push(Craft::new(id, probes.collect()));
             }
         }
     }
