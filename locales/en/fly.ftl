@@ -207,3 +207,4 @@ hint-section = section
 hint-alike = same seed
 hint-next = next
 hint-fly = fly it
+hint-drill = drill

@@ -79,3 +79,4 @@ action-pause-mission = pause the simulation, or go on
 action-abandon = end the mission
 action-next-section = the next section
 action-previous-section = the section before
+action-drill = fly the drill of the mission

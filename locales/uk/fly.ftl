@@ -209,3 +209,4 @@ hint-section = розділ
 hint-alike = те саме зерно
 hint-next = наступне
 hint-fly = летіти
+hint-drill = вправа

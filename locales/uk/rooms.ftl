@@ -79,3 +79,4 @@ action-pause-mission = пауза симуляції або далі
 action-abandon = припинити завдання
 action-next-section = наступний розділ
 action-previous-section = попередній розділ
+action-drill = виконати вправу до завдання

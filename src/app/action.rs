@@ -35,6 +35,8 @@ pub enum Action {
     AgainAlike,
     /// Fly the mission after this one.
     NextMission,
+    /// Fly the short exercise for a mission.
+    Drill,
     /// Let the mission stand still, or go on.
     PauseMission,
     /// End the mission now.
@@ -183,6 +185,7 @@ impl Action {
         ("again", Self::Again),
         ("again-alike", Self::AgainAlike),
         ("next-mission", Self::NextMission),
+        ("drill", Self::Drill),
         ("pause-mission", Self::PauseMission),
         ("abandon", Self::Abandon),
         ("next-section", Self::NextSection),

@@ -19,6 +19,8 @@ pub struct Listing {
     pub brief: Text,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
+    /// Difficulty, 0 (first steps) to 3.
+    pub tier: u8,
     /// How many vehicles fly it.
     pub vehicles: usize,
     /// Mission time allowed.
@@ -77,6 +79,7 @@ impl Mission {
             title: self.title.clone(),
             brief: self.brief.clone(),
             drill_of: self.drill_of.clone(),
+            tier: self.tier,
             vehicles: self.vehicles,
             time_limit: self.time_limit,
             par_time: self.scoring.par_time,

@@ -7,9 +7,11 @@ use crossterm::event::KeyCode;
 use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::keymap::{ESCAPE, Press, Row, does, key};
+use crate::app::room::home::fly_drill;
 use crate::app::state::State;
 use crate::app::update::act::guarded;
 use crate::debrief;
+use crate::mission::Listing;
 use crate::notice::sanitised;
 use crate::scoring::Report;
 use crate::text;
@@ -48,6 +50,7 @@ pub const KEYS: &[Row] = &[
     does(key('r'), Action::Again),
     does(key('s'), Action::AgainAlike),
     does(key('n'), Action::NextMission),
+    does(key('t'), Action::Drill),
     does(key('h'), Action::Leave),
     does(ESCAPE, Action::Leave),
     does(Press::Plain(KeyCode::Tab), Action::NextSection),
@@ -67,6 +70,10 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
             before.or(sections.last()).copied().unwrap_or(last)
         }),
         Action::NextMission => return Some(next_mission(state)),
+        Action::Drill => {
+            let flown = state.rooms.debrief.as_ref()?.report.mission.clone();
+            return Some(fly_drill(state, &flown));
+        }
         _ => return None,
     }
     Some(Vec::new())
@@ -96,16 +103,14 @@ pub fn is_section(line: &str) -> bool {
 
 /// Flies the mission after the one that was flown.
 fn next_mission(state: &mut State) -> Vec<Effect> {
-    let flown = state
-        .rooms
-        .debrief
-        .as_ref()
-        .map(|it| it.report.mission.as_str());
-    let place = state
-        .missions
-        .iter()
-        .position(|it| Some(it.id.as_str()) == flown);
-    let next = place.and_then(|at| state.missions.get(at + 1));
+    let flown = state.rooms.debrief.as_ref();
+    let flown = flown.map(|debrief| debrief.report.mission.as_str());
+    let of = |it: &Listing| it.drill_of.clone().unwrap_or_else(|| it.id.clone());
+    let mut all = state.missions.iter();
+    let flown = all.find(|it| Some(it.id.as_str()) == flown).map(of);
+    let mut missions = state.missions.iter().filter(|it| it.drill_of.is_none());
+    let is_there = missions.any(|it| Some(&it.id) == flown.as_ref());
+    let next = missions.next().filter(|_| is_there);
     let Some(id) = next.map(|next| next.id.clone()) else {
         state.say(Severity::Notice, text!("debrief-last-mission"));
         return Vec::new();

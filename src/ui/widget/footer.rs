@@ -90,6 +90,7 @@ const DEBRIEF: &[(&str, &str)] = &[
     ("Tab", "hint-section"),
     ("r", "hint-again"),
     ("s", "hint-alike"),
+    ("t", "hint-drill"),
     ("n", "hint-next"),
     ("h", "hint-home"),
     (":", "hint-command"),

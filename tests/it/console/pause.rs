@@ -130,10 +130,7 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
         "{:?}",
         console.effects
     );
-    console
-        .press("g")
-        .write("time 200s")
-        .press("enter");
+    console.press("g").write("time 200s").press("enter");
     assert!(matches!(console.effects.as_slice(), [Effect::Deed { .. }]));
     let mut progress = fixtures::progress();
     progress.score_so_far = None;
@@ -149,7 +146,12 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
     let screen = console.screen(80, 24);
     assert!(screen.contains("your word"), "{screen}");
     assert!(!screen.contains("goal time 200s"), "{screen}");
-    assert!(console.press("F").screen(80, 24).contains("you said: 800 points"));
+    assert!(
+        console
+            .press("F")
+            .screen(80, 24)
+            .contains("you said: 800 points")
+    );
 }
 
 #[test]
@@ -196,7 +198,10 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
         let screen = console.screen(80, 24);
         seen.push(screen.lines().nth(1).unwrap_or_default().to_owned());
     }
-    assert!(seen.iter().any(|line| line.contains("OBJECTIVES")), "{seen:?}");
+    assert!(
+        seen.iter().any(|line| line.contains("OBJECTIVES")),
+        "{seen:?}"
+    );
     let there = console.state.rooms.debrief.as_ref().map(|it| it.scroll);
     console.press("tab").press("shift-tab");
     let back = console.state.rooms.debrief.as_ref().map(|it| it.scroll);
