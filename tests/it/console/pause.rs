@@ -90,6 +90,7 @@ fn what_cannot_be_paused_says_why() {
     })));
     let mut over = flying();
     over.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    over.at(300);
     for (console, reason) in [
         (&mut processes, "ArduPilot"),
         (&mut real, "real drones"),
@@ -190,7 +191,10 @@ fn the_debrief_leads_to_the_same_seed_another_one_and_the_next_mission() {
 #[test]
 fn tab_goes_through_the_sections_of_the_debrief_and_round() {
     let mut console = flying();
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    let mut report = fixtures::report();
+    let event = report.events[0].clone();
+    report.events.extend(vec![event; 40]);
+    console.hear(Event::MissionEnded(Box::new(report)));
     console.at(300);
     let mut seen = Vec::new();
     for _ in 0..12 {
