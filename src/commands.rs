@@ -11,6 +11,7 @@ use crate::geo::LatLon;
 mod effect;
 mod encode;
 mod explain;
+mod manoeuvre;
 mod mav_cmd;
 mod request;
 mod risk;
@@ -20,8 +21,10 @@ mod tests;
 
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
+pub use manoeuvre::{Goal, Ground, Manoeuvre, Pattern, Shape, Spot};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use request::{Answer, Repeat, Request};
+pub use setpoint::{Setpoint, ready_for};
 
 /// A command to one vehicle. Every variant is said with one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,12 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::geo::LatLon;
-use crate::language::{Action, Context, Pilot, PilotEvent, Script, Statement};
+use crate::commands::{Command, Manoeuvre};
+use crate::geo::{LatLon, Outline};
+use crate::language::{Action, Context, Pilot, PilotEvent, Script, Statement, Verb};
 use crate::ledger::{Given, Ledger};
 use crate::mission::{Flight, Mission, Report as MissionReport};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
+use crate::swarm::{Call, Conductor, Ordered};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -32,7 +34,9 @@ pub(super) struct Crew {
     ledger: Ledger,
     pilot: Pilot,
     flight: Flight,
+    conductor: Conductor,
     places: BTreeMap<String, LatLon>,
+    areas: BTreeMap<String, Outline>,
     notices: Vec<Notice>,
     /// When the mission began; sessions may have begun before.
     begun: Duration,
@@ -51,7 +55,9 @@ impl Crew {
             vehicles: BTreeMap::new(),
             ledger: Ledger::new(),
             pilot: Pilot::new(script),
+            conductor: Conductor::default(),
             places: mission.places(),
+            areas: mission.named_areas(),
             flight: Flight::new(mission, seed),
             notices: Vec::new(),
             begun: Duration::ZERO,
@@ -151,8 +157,30 @@ impl Crew {
                 PilotEvent::Finished => {}
             }
         }
+        self.conduct(now);
         let said = self.flight.step(elapsed, &self.vehicles, &self.ledger);
         self.notices.extend(said);
+    }
+
+    /// Leads those who do something together.
+    fn conduct(&mut self, now: Duration) {
+        let turn = self.conductor.step(now, &self.vehicles);
+        for row in &turn.rows {
+            self.ledger.apply(row);
+        }
+        for (id, steering) in &turn.steering {
+            let mut seats = self.seats.iter_mut().map(|seat| &mut seat.session);
+            if let Some(session) = seats.find(|session| session.vehicle().id == *id) {
+                // What cannot be flown to is not said again: it shows in what the vehicle does not do.
+                let _ = session.steer(steering, now);
+            }
+        }
+        let begun = self.begun;
+        self.notices
+            .extend(turn.notices.into_iter().map(|notice| Notice {
+                at: notice.at.saturating_sub(begun),
+                ..notice
+            }));
     }
 
     /// Takes snapshots of the vehicles.
@@ -164,12 +192,10 @@ impl Crew {
     }
 
     fn carry_out(&mut self, statement: &Statement, now: Duration) {
-        let Action::Command { verb, command } = &statement.action else {
-            return;
-        };
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
         let context = Context {
             places: Some(&self.places),
+            areas: Some(&self.areas),
             vehicles: &all,
             ..Context::default()
         };
@@ -185,17 +211,65 @@ impl Crew {
                 return;
             }
         };
+        match &statement.action {
+            Action::Command { verb, command } => {
+                self.order((verb, command), &statement.line, &targets, now);
+            }
+            Action::Manoeuvre { manoeuvre, .. } => {
+                self.begin_manoeuvre(manoeuvre, &statement.line, &targets, now);
+            }
+            Action::Wait(_) => {}
+        }
+    }
+
+    fn order(
+        &mut self,
+        (verb, command): (&'static Verb, &Command),
+        line: &str,
+        targets: &[VehicleId],
+        now: Duration,
+    ) {
         let given = Given {
-            line: &statement.line,
+            line,
             verb: verb.name,
             risk: command.risk(),
         };
-        let entry = self.ledger.open(now, given, &targets);
+        let entry = self.ledger.open(now, given, targets);
+        let ordered = Ordered {
+            entry,
+            verb: verb.name,
+            command,
+            targets,
+        };
+        let (targets, rows) = self.conductor.order(ordered, &self.vehicles, now);
+        rows.iter().for_each(|row| self.ledger.apply(row));
         for seat in &mut self.seats {
             if targets.contains(&seat.session.vehicle().id) {
                 let order = Order::new(entry, verb, command.clone());
                 seat.session.order(order, now);
             }
         }
+    }
+
+    fn begin_manoeuvre(
+        &mut self,
+        manoeuvre: &Manoeuvre,
+        line: &str,
+        targets: &[VehicleId],
+        now: Duration,
+    ) {
+        let given = Given {
+            line,
+            verb: manoeuvre.name(),
+            ..Given::default()
+        };
+        let entry = self.ledger.open(now, given, targets);
+        let call = Call {
+            entry,
+            manoeuvre,
+            targets,
+        };
+        let rows = self.conductor.begin(call, &self.vehicles, now);
+        rows.iter().for_each(|row| self.ledger.apply(row));
     }
 }

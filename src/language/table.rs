@@ -7,6 +7,7 @@ use crate::commands::Command;
 mod devices;
 mod flight;
 mod motion;
+mod swarm;
 mod waiting;
 
 /// All verbs, in the order in which they are shown.
@@ -37,6 +38,11 @@ static VERBS: &[Verb] = &[
     motion::ORBIT,
     motion::ROI,
     motion::HOME,
+    swarm::SURVEY,
+    swarm::SEARCH,
+    swarm::FORMATION,
+    swarm::FOLLOW,
+    swarm::SPREAD,
     waiting::WAIT,
     devices::SERVO,
     devices::RELAY,

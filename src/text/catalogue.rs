@@ -31,6 +31,7 @@ catalogue! {
     "plain",
     "rooms",
     "scoring",
+    "swarm",
     "terminal",
     "vehicle",
     "files",
