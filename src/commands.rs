@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use crate::geo::LatLon;
 
+mod deed;
 mod effect;
 mod encode;
 mod explain;
@@ -19,9 +20,10 @@ mod setpoint;
 #[cfg(test)]
 mod tests;
 
+pub use deed::{Deed, Goal, Spot, Subject};
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
-pub use manoeuvre::{Goal, Ground, Manoeuvre, Pattern, Shape, Spot};
+pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};

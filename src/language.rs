@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::commands::{Command, Manoeuvre};
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::geo::{LatLon, Outline};
 use crate::parameters::Parameters;
 use crate::vehicle::VehicleClass;
@@ -104,6 +104,13 @@ pub enum Action {
         verb: &'static Verb,
         /// What the row built of the arguments.
         manoeuvre: Manoeuvre,
+    },
+    /// Something that the mission does, with each target.
+    Deed {
+        /// Its row in the table.
+        verb: &'static Verb,
+        /// What the row built of the arguments.
+        deed: Deed,
     },
     /// Hold a script until something is true of all targets.
     Wait(Wait),

@@ -46,6 +46,7 @@ use crate::text::Text;
 
 mod area;
 mod clock;
+mod contact;
 mod craft;
 mod file;
 mod flight;
@@ -53,14 +54,17 @@ mod hazard;
 mod listing;
 mod objective;
 mod progress;
+mod report;
 mod sensor;
 mod survey;
+mod weather;
+mod world;
 mod zone;
 
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
 pub use clock::Clock;
-pub use flight::{Flight, Outcome};
+pub use flight::{Flight, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};
 pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
 
@@ -98,7 +102,7 @@ pub struct Mission {
     /// How it is scored.
     pub scoring: scoring::Rules,
     pub(crate) origin: Origin,
-    pub(crate) wind: Wind,
+    pub(crate) weather: weather::Weather,
     pub(crate) pads: Vec<Point>,
     pub(crate) sensors: Vec<&'static sensor::Sensor>,
     pub(crate) zones: Vec<zone::Zone>,
@@ -153,13 +157,6 @@ impl Origin {
         let (north_m, east_m) = self.at.offset_to(place);
         [east_m, north_m]
     }
-}
-
-/// Mean wind.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Wind {
-    pub speed_m_s: f64,
-    pub from_deg: f64,
 }
 
 impl Mission {

@@ -7,6 +7,7 @@
 use std::time::Duration;
 
 mod advice;
+mod attention;
 mod command;
 mod component;
 mod gate;
@@ -14,6 +15,7 @@ mod report;
 mod safety;
 
 pub use advice::{Improvement, improvements};
+pub use attention::{AlertFact, AlertLevel, attention_value};
 pub use command::{CommandEvent, CommandLog, CommandTally};
 pub use component::{Component, ComponentScore, Weights};
 pub use gate::Gate;
@@ -119,6 +121,8 @@ pub struct Facts {
     pub safety: Vec<SafetyEvent>,
     /// How the commands went.
     pub commands: CommandTally,
+    /// Alerts that had to be answered.
+    pub alerts: Vec<AlertFact>,
     /// How many vehicles took part.
     pub vehicles: usize,
 }

@@ -103,3 +103,15 @@ mission-medals-are = gold from { $gold }, silver from { $silver }, bronze from {
 mission-gold-needs = gold needs
 mission-lines = lines { $first } to { $last } of { $count }   j k scroll
 mission-vehicle-gone = its simulator has ended: the vehicle is lost
+
+# What a mission answers to deeds.
+deed-over = the mission is over
+deed-launched = this is said before takeoff
+deed-no-position = its position is not known
+deed-no-contacts = there is no such contact that has not been reported
+deed-no-mark = nothing is reported within 15 m of there
+deed-marked-before = that was reported before
+deed-marked = { $count } reported
+deed-no-load = it carries nothing for that
+deed-no-hint = this mission has no further hint
+deed-no-mission = no mission is flown

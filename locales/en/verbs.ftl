@@ -95,3 +95,21 @@ argument-altitude-or-distance = above home, to home
 argument-ground-speed = over ground
 argument-charge = charge left
 argument-satellites = satellites in use
+
+# What a mission understands
+verb-mark = report a find
+verb-unmark = take a report back
+verb-sample = take a sample here
+verb-drop = let go of one piece of the load
+verb-spray = open or close the sprayer
+verb-predict = say beforehand what the score will be
+verb-goal = set one goal for the flight, before takeoff
+verb-hint = ask for the next hint
+argument-kind = what it is
+argument-contacts = all that the sensors found and nobody reported
+argument-confirmed = all that two kinds of sensors found
+argument-points = points of 1000
+argument-goal-time = to be done within
+argument-goal-battery = battery to land with
+argument-goal-score = points to reach
+argument-goal-component = where nothing is to go wrong

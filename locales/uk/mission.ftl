@@ -110,3 +110,15 @@ mission-medals-are = золото від { $gold }, срібло від { $silve
 mission-gold-needs = для золота
 mission-lines = рядки { $first }-{ $last } з { $count }   j k гортають
 mission-vehicle-gone = його симулятор завершився: апарат втрачено
+
+# Що місія відповідає на дії.
+deed-over = місію завершено
+deed-launched = це кажуть до зльоту
+deed-no-position = його місце невідоме
+deed-no-contacts = немає такого контакту, про який ще не доповіли
+deed-no-mark = у межах 15 м звідти нічого не відмічено
+deed-marked-before = про це вже доповіли
+deed-marked = доповідей: { $count }
+deed-no-load = у нього нічого для цього немає
+deed-no-hint = у цій місії більше немає підказок
+deed-no-mission = місії немає

@@ -95,3 +95,21 @@ argument-altitude-or-distance = над домом, до дому
 argument-ground-speed = відносно землі
 argument-charge = залишок заряду
 argument-satellites = супутників у роботі
+
+# Що розуміє місія
+verb-mark = доповісти про знахідку
+verb-unmark = відкликати доповідь
+verb-sample = взяти пробу тут
+verb-drop = скинути одну одиницю вантажу
+verb-spray = увімкнути або вимкнути розпилювач
+verb-predict = наперед сказати, яким буде результат
+verb-goal = поставити одну мету на політ, до зльоту
+verb-hint = попросити наступну підказку
+argument-kind = що це
+argument-contacts = усе, що знайшли датчики і про що ще не доповіли
+argument-confirmed = усе, що знайшли датчики двох видів
+argument-points = балів із 1000
+argument-goal-time = завершити за
+argument-goal-battery = заряд на посадці
+argument-goal-score = набрати балів
+argument-goal-component = де нічого не має піти не так

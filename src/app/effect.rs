@@ -1,6 +1,6 @@
 //! What the shell has to do.
 
-use crate::commands::Command;
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::language::Verb;
 use crate::ledger::EntryId;
 use crate::text::Text;
@@ -30,6 +30,24 @@ pub enum Effect {
         verb: &'static Verb,
         /// What to do.
         command: Command,
+    },
+    /// Have the mission do something with vehicles; the ledger entry is open already.
+    Deed {
+        /// Where the outcome belongs.
+        entry: EntryId,
+        /// The vehicles, sorted.
+        targets: Vec<VehicleId>,
+        /// What to do.
+        deed: Deed,
+    },
+    /// Have vehicles do something together; the ledger entry is open already.
+    Manoeuvre {
+        /// Where the outcome belongs.
+        entry: EntryId,
+        /// The vehicles, sorted.
+        targets: Vec<VehicleId>,
+        /// What to do.
+        manoeuvre: Manoeuvre,
     },
     /// Ask vehicles for all their parameters.
     FetchParameters(Vec<VehicleId>),

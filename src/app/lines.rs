@@ -43,7 +43,7 @@ pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
         ..Context::default()
     };
     match language::parse(line, &context)?.action {
-        Action::Command { .. } | Action::Manoeuvre { .. } => Ok(()),
+        Action::Command { .. } | Action::Deed { .. } | Action::Manoeuvre { .. } => Ok(()),
         Action::Wait(_) => Err(only_in_scripts(line)),
     }
 }

@@ -39,7 +39,7 @@ pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
 pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
-pub use overlay::{Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
+pub use overlay::{Asked, Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
 pub use session::{Activity, Session};
 
 /// The smallest terminal that the console fits into: columns and rows.

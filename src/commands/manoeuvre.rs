@@ -51,7 +51,7 @@ pub enum Manoeuvre {
         /// The way it is flown.
         pattern: Pattern,
         /// Where what is searched for is most likely to be.
-        datum: Spot,
+        datum: Datum,
         /// How far from there.
         radius_m: Option<f64>,
         /// Between two turns of the square; `None` takes the width that the sensor sees.
@@ -62,7 +62,7 @@ pub enum Manoeuvre {
     /// Stand in a chain between home and something far away, so that messages can be handed on.
     Chain {
         /// The far end; nobody of the chain stands there.
-        to: Goal,
+        to: FarEnd,
         /// Height above home; `None` is that of the first vehicle.
         up_m: Option<f64>,
     },
@@ -98,7 +98,7 @@ impl Manoeuvre {
 
 /// A place as it was said.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Spot {
+pub enum Datum {
     /// On the earth.
     Global(LatLon),
     /// Metres from the EKF origin of the first vehicle.
@@ -112,9 +112,9 @@ pub enum Spot {
 
 /// The end of a chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Goal {
+pub enum FarEnd {
     /// A place.
-    Spot(Spot),
+    Place(Datum),
     /// A vehicle, wherever it goes.
     Vehicle(VehicleId),
 }
@@ -125,11 +125,11 @@ pub enum Ground {
     /// One that is known by name.
     Outline(Outline),
     /// An upright rectangle, by two opposite corners.
-    Between(Spot, Spot),
+    Between(Datum, Datum),
     /// A circle.
     Around {
         /// Its middle.
-        centre: Spot,
+        centre: Datum,
         /// Its radius.
         radius_m: f64,
     },

@@ -11,15 +11,18 @@ use crate::app::effect::HangarDeed;
 use crate::app::event::{Event, Started};
 use crate::app::room::messages::Wanted;
 use crate::app::state::{Activity, Session as Shown};
+use crate::commands::Deed;
 use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
+use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::link::{Address, Endpoint, LinkStatus, Simulator, Transport};
 use crate::mission::{Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
 
@@ -27,12 +30,14 @@ mod course;
 mod hangar;
 mod inspection;
 mod links;
+mod swarm;
 
 use course::Course;
 pub(super) use hangar::Ending;
 use hangar::{News, Processes};
 use inspection::Inspection;
 use links::{LinkNews, round_trip, summary};
+use swarm::Swarm;
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -79,6 +84,8 @@ pub(super) struct Running {
     /// Reports that the fleet dropped so far.
     dropped: u64,
     course: Option<Course>,
+    /// What they do together.
+    swarm: Swarm,
     /// The processes of its vehicles, and how many there are to be.
     processes: Option<(Processes, usize)>,
     cancel: CancellationToken,
@@ -108,6 +115,7 @@ impl Running {
             links_ended: 0,
             dropped: 0,
             course: None,
+            swarm: Swarm::new(backend.speedup),
             processes: None,
             cancel,
         };
@@ -252,6 +260,33 @@ impl Running {
     /// The fleet has ended or cannot keep up.
     pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
         self.fleet.order(vehicle, order)
+    }
+
+    /// Has the mission do something with vehicles; returns how it went. Without a mission it is refused.
+    pub fn act(
+        &mut self,
+        entry: EntryId,
+        deed: &Deed,
+        vehicles: &[VehicleId],
+        now: Duration,
+    ) -> Vec<RowUpdate> {
+        if let Some(course) = &mut self.course {
+            let rows = course.flight.act(entry, deed, vehicles);
+            // The mission speaks on its own clock; the ledger is on the program's.
+            return rows
+                .into_iter()
+                .map(|row| RowUpdate { at: now, ..row })
+                .collect();
+        }
+        let refused = |&vehicle: &VehicleId| RowUpdate {
+            entry,
+            vehicle,
+            state: RowState::Refused,
+            tries: 0,
+            at: now,
+            explanation: Some(text!("deed-no-mission")),
+        };
+        vehicles.iter().map(refused).collect()
     }
 
     /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again by who wants them.

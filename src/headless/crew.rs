@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use crate::commands::{Command, Manoeuvre};
 use crate::geo::{LatLon, Outline};
-use crate::language::{Action, Context, Pilot, PilotEvent, Script, Statement, Verb};
-use crate::ledger::{Given, Ledger};
+use crate::language::{self, Action, Context, Pilot, PilotEvent, Script, Statement, Verb};
+use crate::ledger::{EntryId, Given, Ledger, Risk, RowUpdate};
 use crate::mission::{Flight, Mission, Report as MissionReport};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
@@ -191,16 +191,22 @@ impl Crew {
         }
     }
 
+    /// Carries out a line as it is meant now: places may have come up or moved since the script was read.
     fn carry_out(&mut self, statement: &Statement, now: Duration) {
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
+        let mut places = self.flight.places();
+        places.extend(self.places.clone());
         let context = Context {
-            places: Some(&self.places),
+            places: Some(&places),
             areas: Some(&self.areas),
             vehicles: &all,
             ..Context::default()
         };
-        let targets = match statement.targets.resolve(&all, &context) {
-            Ok(targets) => targets,
+        let understood = language::parse(&statement.line, &context)
+            .map_err(|fault| fault.message)
+            .and_then(|meant| Ok((meant.targets.resolve(&all, &context)?, meant.action)));
+        let (targets, action) = match understood {
+            Ok(understood) => understood,
             Err(text) => {
                 self.notices.push(Notice {
                     at: now.saturating_sub(self.begun),
@@ -211,12 +217,22 @@ impl Crew {
                 return;
             }
         };
-        match &statement.action {
+        let line = &statement.line;
+        match action {
             Action::Command { verb, command } => {
-                self.order((verb, command), &statement.line, &targets, now);
+                let entry = self.open(line, (verb.name, command.risk()), &targets, now);
+                self.order(entry, (verb, &command), &targets, now);
+            }
+            Action::Deed { verb, deed } => {
+                let entry = self.open(line, (verb.name, Risk::None), &targets, now);
+                for row in self.flight.act(entry, &deed, &targets) {
+                    self.ledger.apply(&RowUpdate { at: now, ..row });
+                }
             }
             Action::Manoeuvre { manoeuvre, .. } => {
-                self.begin_manoeuvre(manoeuvre, &statement.line, &targets, now);
+                let given = (manoeuvre.name(), Risk::None);
+                let entry = self.open(line, given, &targets, now);
+                self.begin_manoeuvre(entry, &manoeuvre, &targets, now);
             }
             Action::Wait(_) => {}
         }
@@ -224,17 +240,11 @@ impl Crew {
 
     fn order(
         &mut self,
+        entry: EntryId,
         (verb, command): (&'static Verb, &Command),
-        line: &str,
         targets: &[VehicleId],
         now: Duration,
     ) {
-        let given = Given {
-            line,
-            verb: verb.name,
-            risk: command.risk(),
-        };
-        let entry = self.ledger.open(now, given, targets);
         let ordered = Ordered {
             entry,
             verb: verb.name,
@@ -253,17 +263,11 @@ impl Crew {
 
     fn begin_manoeuvre(
         &mut self,
+        entry: EntryId,
         manoeuvre: &Manoeuvre,
-        line: &str,
         targets: &[VehicleId],
         now: Duration,
     ) {
-        let given = Given {
-            line,
-            verb: manoeuvre.name(),
-            ..Given::default()
-        };
-        let entry = self.ledger.open(now, given, targets);
         let call = Call {
             entry,
             manoeuvre,
@@ -271,5 +275,15 @@ impl Crew {
         };
         let rows = self.conductor.begin(call, &self.vehicles, now);
         rows.iter().for_each(|row| self.ledger.apply(row));
+    }
+
+    fn open(
+        &mut self,
+        line: &str,
+        (verb, risk): (&str, Risk),
+        targets: &[VehicleId],
+        now: Duration,
+    ) -> EntryId {
+        self.ledger.open(now, Given { line, verb, risk }, targets)
     }
 }

@@ -41,6 +41,10 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
             verb: head.verb,
             manoeuvre,
         },
+        Meaning::Deed(deed) => Action::Deed {
+            verb: head.verb,
+            deed,
+        },
         Meaning::Wait(wait) => Action::Wait(wait),
     };
     Ok(Statement {

@@ -6,6 +6,7 @@ use crate::commands::Command;
 
 mod devices;
 mod flight;
+mod mission;
 mod motion;
 mod swarm;
 mod waiting;
@@ -44,6 +45,14 @@ static VERBS: &[Verb] = &[
     swarm::FOLLOW,
     swarm::SPREAD,
     waiting::WAIT,
+    mission::MARK,
+    mission::UNMARK,
+    mission::SAMPLE,
+    mission::DROP,
+    mission::SPRAY,
+    mission::PREDICT,
+    mission::GOAL,
+    mission::HINT,
     devices::SERVO,
     devices::RELAY,
     devices::REBOOT,

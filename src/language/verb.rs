@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::argument::{Argument, Arguments, Problem};
 use super::wait::Wait;
-use crate::commands::{Command, Manoeuvre};
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::text::Text;
 
 /// One verb: everything that the program knows about it. The message `verb-NAME` says what it does.
@@ -37,6 +37,7 @@ pub struct Form {
 /// What a form builds.
 pub(super) enum Meaning {
     Command(Command),
+    Deed(Deed),
     Manoeuvre(Manoeuvre),
     Wait(Wait),
 }

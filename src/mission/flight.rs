@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-
+use super::contact::Contacts;
 use super::craft::Craft;
-use super::hazard::{Field, Hazard};
 use super::objective::{Scene, Standing, Tracker};
+use super::report::Marks;
 use super::sensor::Probe;
 use super::survey::Survey;
+use super::world::World;
 use super::{Mission, Point, TICK};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
@@ -23,8 +22,12 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
+mod deeds;
+mod places;
 mod result;
 mod view;
+
+pub use deeds::Pledge;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -54,35 +57,6 @@ impl Outcome {
     }
 }
 
-/// The hazards of one flight.
-#[derive(Debug)]
-pub(crate) struct World {
-    fields: Vec<Box<dyn Field>>,
-}
-
-impl World {
-    pub fn new(mission: &Mission, seed: u64) -> Self {
-        // Streams from 0 on belong to the sensors.
-        let release = |(hazard, stream): (&dyn Hazard, u64)| {
-            let mut random = ChaCha8Rng::seed_from_u64(seed);
-            random.set_stream(stream);
-            hazard.release(mission.wind, &mut random)
-        };
-        let hazards = mission.hazards.iter().map(AsRef::as_ref);
-        Self {
-            fields: hazards.zip((0..=u64::MAX).rev()).map(release).collect(),
-        }
-    }
-
-    /// Concentration of all hazards together.
-    pub fn concentration_ug_m3(&self, at: Point, height_m: f64) -> f64 {
-        self.fields
-            .iter()
-            .map(|field| field.concentration_ug_m3(at, height_m))
-            .sum()
-    }
-}
-
 /// A running mission: a pure function of the mission, the seed and what it was shown.
 #[derive(Debug)]
 pub struct Flight {
@@ -92,6 +66,11 @@ pub struct Flight {
     trackers: Vec<Box<dyn Tracker>>,
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
+    contacts: Contacts,
+    marks: Marks,
+    pledge: Pledge,
+    /// The most that a sensor has shown, and where.
+    peak: Option<(f64, Point)>,
     commands: CommandLog,
     safety: SafetyLog,
     met: Vec<bool>,
@@ -119,6 +98,10 @@ impl Flight {
                 .collect(),
             surveys: surveys.collect(),
             crafts: Vec::new(),
+            contacts: Contacts::default(),
+            marks: Marks::default(),
+            pledge: Pledge::default(),
+            peak: None,
             commands: CommandLog::default(),
             safety: SafetyLog::default(),
             met: vec![false; mission.objectives.len()],
@@ -145,7 +128,9 @@ impl Flight {
         let previous = std::mem::replace(&mut self.elapsed, now.min(self.mission.time_limit));
         let mut notices = Vec::new();
         self.enlist(vehicles);
+        self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
+        self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
         self.step_objectives(&mut notices);
@@ -201,7 +186,7 @@ impl Flight {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
                 self.crafts
-                    .push(Craft::new(id, sensors.map(probe).collect()));
+                    .push(Craft::new(id, sensors.filter_map(probe).collect()));
             }
         }
     }
@@ -219,11 +204,10 @@ impl Flight {
                     .into_iter()
                     .map(|breach| (craft.id, breach)),
             );
-            let concentration = craft
-                .at
-                .map_or(0.0, |at| self.world.concentration_ug_m3(at, craft.height_m));
             for probe in &mut craft.probes {
-                probe.step(concentration, craft.speed_m_s, TICK.as_secs_f64());
+                let amount = |at| self.world.amount(probe.spec.quantity, at, craft.height_m);
+                let amount = craft.at.map_or(0.0, amount);
+                probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
             }
         }
         for (id, (kind, text)) in breaches {
@@ -313,6 +297,11 @@ impl Flight {
 
     fn step_objectives(&mut self, notices: &mut Vec<Notice>) {
         let mission = Arc::clone(&self.mission);
+        let mut trackers = std::mem::take(&mut self.trackers);
+        for tracker in &mut trackers {
+            tracker.step(&self.scene());
+        }
+        self.trackers = trackers;
         let standings = self.standings();
         for (index, (objective, standing)) in mission.objectives.iter().zip(standings).enumerate() {
             if standing.met != self.met[index] {
@@ -413,11 +402,19 @@ impl Flight {
         });
     }
 
-    fn standings(&self) -> Vec<Standing> {
-        let scene = Scene {
+    fn scene(&self) -> Scene<'_> {
+        Scene {
+            now: self.elapsed,
             vehicles: &self.crafts,
             surveys: &self.surveys,
-        };
+            world: &self.world,
+            contacts: self.contacts.all(),
+            marks: self.marks.all(),
+        }
+    }
+
+    fn standings(&self) -> Vec<Standing> {
+        let scene = self.scene();
         self.trackers
             .iter()
             .map(|tracker| tracker.standing(&scene))

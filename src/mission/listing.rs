@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use super::flight::World;
 use super::objective::Scene;
+use super::world::World;
 use super::{Hint, Mission};
 use crate::scoring::{Component, Medals};
 use crate::text::Text;
@@ -78,8 +78,8 @@ impl Mission {
             par_energy_wh: self.scoring.par_energy_wh,
             max_height_m: self.max_height_m,
             land_reserve_percent: self.land_reserve_percent,
-            wind_m_s: self.wind.speed_m_s,
-            wind_from_deg: self.wind.from_deg,
+            wind_m_s: self.weather.wind.speed_m_s,
+            wind_from_deg: self.weather.wind.from_deg,
             sensors: self.sensors.iter().map(sensor).collect(),
             objectives: self.listed_objectives(),
             hints: self.hints.clone(),
@@ -98,8 +98,12 @@ impl Mission {
     fn listed_objectives(&self) -> Vec<ObjectiveListing> {
         let world = World::new(self, 0);
         let nobody = Scene {
+            now: Duration::ZERO,
             vehicles: &[],
             surveys: &[],
+            world: &world,
+            contacts: &[],
+            marks: &[],
         };
         let listed = |objective: &super::objective::Objective| ObjectiveListing {
             title: objective.title.clone(),

@@ -3,10 +3,12 @@
 use std::fmt::Debug;
 use std::time::Duration;
 
+use super::contact::Contact;
 use super::craft::Craft;
 use super::file::Reader;
-use super::flight::World;
+use super::report::Mark;
 use super::survey::{Survey, SurveyPlan};
+use super::world::World;
 use crate::text::Text;
 
 pub(super) mod map_error;
@@ -38,14 +40,22 @@ pub(crate) trait Kind: Debug + Send + Sync {
 
 /// Watches one objective during a flight.
 pub(crate) trait Tracker: Debug + Send + Sync {
+    /// Lets a [`TICK`](super::TICK) pass, for kinds that remember more than the scene shows.
+    fn step(&mut self, _scene: &Scene<'_>) {}
+
     /// How the objective stands.
     fn standing(&self, scene: &Scene<'_>) -> Standing;
 }
 
 /// What trackers see.
 pub(crate) struct Scene<'a> {
+    /// Mission time.
+    pub now: Duration,
     pub vehicles: &'a [Craft],
     pub surveys: &'a [Survey],
+    pub world: &'a World,
+    pub contacts: &'a [Contact],
+    pub marks: &'a [Mark],
 }
 
 impl Scene<'_> {

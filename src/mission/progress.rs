@@ -1,5 +1,6 @@
 //! What the mission panel shows.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::geo::LatLon;
@@ -23,6 +24,8 @@ pub struct Progress {
     pub readings: Vec<Reading>,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
+    /// Places that have come up during the flight, for the grammar: contacts (`c1`) and `peak`.
+    pub places: BTreeMap<String, LatLon>,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
 }

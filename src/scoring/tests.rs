@@ -49,6 +49,7 @@ fn perfect() -> Facts {
             accepted: 10,
             ..CommandTally::default()
         },
+        alerts: Vec::new(),
         vehicles: 1,
     }
 }
@@ -262,6 +263,7 @@ proptest! {
             energy_wh: energy,
             safety: breaches.iter().map(|&s| event(SafetyKind::Geofence, s)).collect(),
             commands: CommandTally { accepted, rejected, dangerous, duplicates },
+            alerts: Vec::new(),
             vehicles,
         };
         let score = score(&rules(), &facts);

@@ -12,7 +12,7 @@ use super::pattern;
 use super::site::Site;
 use super::transit::{Clearance, Leg, are_apart, heights};
 use super::{Call, Rules, Vehicles};
-use crate::commands::{Goal, Ground, Manoeuvre, Pattern, Shape, Spot, ready_for};
+use crate::commands::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape, ready_for};
 use crate::ledger::{RowState, RowUpdate};
 use crate::text;
 use crate::text::Text;
@@ -96,7 +96,7 @@ impl<'a> Cast<'a> {
         match *self.call.manoeuvre {
             Manoeuvre::Follow { leader, .. } => leader == id,
             Manoeuvre::Chain {
-                to: Goal::Vehicle(to),
+                to: FarEnd::Vehicle(to),
                 ..
             } => to == id,
             _ => false,
@@ -192,7 +192,7 @@ impl<'a> Cast<'a> {
         up_m.unwrap_or_else(|| self.team.first().map_or(0.0, |(_, at)| at.z))
     }
 
-    fn spot(&self, spot: Spot) -> Result<DVec2, Text> {
+    fn spot(&self, spot: Datum) -> Result<DVec2, Text> {
         let first = self.team.first().and_then(|(id, _)| self.vehicles.get(id));
         let found = first.and_then(|first| self.site.spot(spot, first));
         found.ok_or_else(|| text!("refused-no-position"))
@@ -356,7 +356,7 @@ impl<'a> Cast<'a> {
 
     fn search(
         &mut self,
-        (pattern, datum): (Pattern, Spot),
+        (pattern, datum): (Pattern, Datum),
         radius_m: Option<f64>,
         spacing_m: Option<f64>,
         up_m: f64,
@@ -392,7 +392,7 @@ impl<'a> Cast<'a> {
         self.routed(act)
     }
 
-    fn chain(&mut self, to: Goal, up_m: f64) -> Made {
+    fn chain(&mut self, to: FarEnd, up_m: f64) -> Made {
         let homes = self
             .team
             .iter()
@@ -400,8 +400,8 @@ impl<'a> Cast<'a> {
         let home = homes.map(|home| self.site.flat(home.at_point)).next();
         let home = home.ok_or_else(|| text!("swarm-no-home"))?;
         let end = match to {
-            Goal::Spot(spot) => self.spot(spot)?,
-            Goal::Vehicle(id) => {
+            FarEnd::Place(spot) => self.spot(spot)?,
+            FarEnd::Vehicle(id) => {
                 let end = self.vehicles.get(&id).and_then(|it| self.site.point(it));
                 end.ok_or_else(|| text!("swarm-not-there", vehicle = id))?
                     .truncate()
@@ -415,8 +415,8 @@ impl<'a> Cast<'a> {
         let (chosen, _) = assign(&places, &flat);
         let team: Vec<(VehicleId, DVec3)> = chosen.iter().map(|&index| self.team[index]).collect();
         let mut act = self.act(match to {
-            Goal::Spot(_) => Work::Courses { lanes: false },
-            Goal::Vehicle(to) => Work::Chain(Chain {
+            FarEnd::Place(_) => Work::Courses { lanes: false },
+            FarEnd::Vehicle(to) => Work::Chain(Chain {
                 from: home.extend(up_m),
                 to,
                 shares,

@@ -42,13 +42,13 @@ pub(super) fn length_m(points: &[DVec3]) -> f64 {
         .sum()
 }
 
-/// Gives each place one of the vehicles so that the sum of the squared distances is least: straight ways of equal
-/// length then do not cross. Returns for each place which vehicle; there must be as many vehicles at least, and the
-/// sum.
+/// Gives each place one of the vehicles so that all together have the shortest way: two ways that cross could be
+/// exchanged for shorter ones, so none do. Returns for each place which vehicle, of which there must be as many at
+/// least, and the length of all ways.
 ///
 /// The Hungarian method with potentials, O(places² × vehicles) (H. W. Kuhn, 1955; in the form of J. Munkres).
 pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) {
-    let cost = |place: usize, vehicle: usize| places[place].distance_squared(vehicles[vehicle]);
+    let cost = |place: usize, vehicle: usize| places[place].distance(vehicles[vehicle]);
     let (rows, columns) = (places.len(), vehicles.len());
     // Row and column 0 stand for "none".
     let (mut of_row, mut of_column) = (vec![0.0; rows + 1], vec![0.0; columns + 1]);
@@ -165,7 +165,7 @@ mod tests {
             .map(|other| {
                 vehicles.swap(at, other);
                 let rest = best(places, vehicles, at + 1);
-                let sum = rest + places[at].distance_squared(vehicles[at]);
+                let sum = rest + places[at].distance(vehicles[at]);
                 vehicles.swap(at, other);
                 sum
             })

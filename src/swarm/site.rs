@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::commands::Spot;
+use crate::commands::Datum;
 use crate::geo::LatLon;
 use crate::vehicle::Vehicle;
 
@@ -35,10 +35,10 @@ impl Site {
     }
 
     /// A place as it was said, `reference` being the vehicle whose EKF origin counts.
-    pub fn spot(&self, spot: Spot, reference: &Vehicle) -> Option<DVec2> {
+    pub fn spot(&self, spot: Datum, reference: &Vehicle) -> Option<DVec2> {
         match spot {
-            Spot::Global(place) => place.is_valid().then(|| self.flat(place)),
-            Spot::Local { north_m, east_m } => {
+            Datum::Global(place) => place.is_valid().then(|| self.flat(place)),
+            Datum::Local { north_m, east_m } => {
                 let here = self.point(reference)?.truncate();
                 let local = reference.local?.ned_m.map(f64::from);
                 Some(here + DVec2::new(north_m - local[0], east_m - local[1]))

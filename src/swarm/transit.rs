@@ -54,8 +54,11 @@ impl Leg {
     /// their pads, that is how near they may be.
     fn comes_near(&self, other: &Self, clearance: Clearance) -> bool {
         let least = clearance.least_m();
-        let apart = |a: DVec3, b: DVec3| (distance(a, b) - ROUNDING_M).max(least);
         let wanted = clearance.aside_m;
+        let apart = |a: DVec3, b: DVec3| match distance(a, b) {
+            apart if apart < wanted => (apart - ROUNDING_M).max(least),
+            _ => wanted,
+        };
         let wanted = wanted
             .min(apart(self.from, other.from))
             .min(apart(self.to, other.to));

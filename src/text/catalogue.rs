@@ -35,6 +35,7 @@ catalogue! {
     "terminal",
     "vehicle",
     "files",
+    "finds",
     "grammar",
     "outcomes",
     "refusals",

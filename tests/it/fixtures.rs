@@ -175,6 +175,7 @@ pub fn progress() -> Progress {
             unit: "ppm",
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
+        places: std::collections::BTreeMap::new(),
         cells: cells.collect(),
     }
 }

@@ -5,9 +5,10 @@ use tui_input::Input;
 use crate::app::effect::Effect;
 use crate::app::room::Room;
 use crate::app::room::parameters::Setting;
-use crate::commands::Command;
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
+use crate::ledger::Risk;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -115,8 +116,29 @@ pub struct Order {
     pub targets: Vec<VehicleId>,
     /// Its row of the verb table.
     pub verb: &'static Verb,
-    /// What to do.
-    pub command: Command,
+    /// What is asked for.
+    pub what: Asked,
+}
+
+/// What an order asks for, and so who carries it out.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Asked {
+    /// Each vehicle's autopilot does it.
+    Command(Command),
+    /// The mission does it.
+    Deed(Deed),
+    /// The targets do it together.
+    Manoeuvre(Manoeuvre),
+}
+
+impl Asked {
+    /// What it sets at risk.
+    pub fn risk(&self) -> Risk {
+        match self {
+            Self::Command(command) => command.risk(),
+            Self::Deed(_) | Self::Manoeuvre(_) => Risk::None,
+        }
+    }
 }
 
 /// A line that is asked for.

@@ -4,7 +4,7 @@ use super::act;
 use crate::app::effect::Effect;
 use crate::app::lines;
 use crate::app::room::parameters;
-use crate::app::state::{Confirm, Consequence, Order, Overlay, State, ranges};
+use crate::app::state::{Asked, Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
 use crate::ledger::Given;
@@ -88,23 +88,42 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
     let now = state.now;
     let given = Given {
         line: &order.line,
-        verb: order.verb.name,
-        risk: order.command.risk(),
+        verb: match &order.what {
+            Asked::Manoeuvre(manoeuvre) => manoeuvre.name(),
+            _ => order.verb.name,
+        },
+        risk: order.what.risk(),
     };
     let entry = state.session.open(now, given, &order.targets);
     parameters::note_order(state, &order, entry);
     state.rooms.ledger.spoil();
-    vec![Effect::Command {
-        entry,
-        targets: order.targets,
-        verb: order.verb,
-        command: order.command,
+    let targets = order.targets;
+    vec![match order.what {
+        Asked::Command(command) => Effect::Command {
+            entry,
+            targets,
+            verb: order.verb,
+            command,
+        },
+        Asked::Deed(deed) => Effect::Deed {
+            entry,
+            targets,
+            deed,
+        },
+        Asked::Manoeuvre(manoeuvre) => Effect::Manoeuvre {
+            entry,
+            targets,
+            manoeuvre,
+        },
     }]
 }
 
 fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Order, Diagnostic> {
-    let Action::Command { verb, command } = statement.action else {
-        return Err(lines::only_in_scripts(line));
+    let (verb, what) = match statement.action {
+        Action::Command { verb, command } => (verb, Asked::Command(command)),
+        Action::Deed { verb, deed } => (verb, Asked::Deed(deed)),
+        Action::Manoeuvre { verb, manoeuvre } => (verb, Asked::Manoeuvre(manoeuvre)),
+        Action::Wait(_) => return Err(lines::only_in_scripts(line)),
     };
     // The ledger has to say to whom the command went, also after the selection has changed.
     let line = match statement.targets {
@@ -115,7 +134,7 @@ fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Or
         line,
         targets,
         verb,
-        command,
+        what,
     })
 }
 

@@ -116,6 +116,8 @@ pub fn progress(state: &mut State, progress: Progress) {
     if state.session.activity.is_some() {
         state.rooms.mission.hear(&progress);
         map::measured(state, &progress);
+        // What has come up goes by its name from now on.
+        state.session.places.extend(progress.places.clone());
         state.session.mission = Some(progress);
     }
 }

@@ -1,7 +1,7 @@
 //! Verbs that several vehicles carry out together.
 
 use super::{Built, CHANGE};
-use crate::commands::{Goal, Ground, Manoeuvre, Pattern, Shape, Spot};
+use crate::commands::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Danger, Form, Meaning, Verb};
 use crate::text;
@@ -64,7 +64,7 @@ pub(super) const SURVEY: Verb = Verb {
             ],
             build: |given| {
                 let ground = Ground::Around {
-                    centre: Spot::Global(given.required_point("point")?),
+                    centre: Datum::Global(given.required_point("point")?),
                     radius_m: given.required("radius")?,
                 };
                 survey(given, ground)
@@ -184,7 +184,7 @@ pub(super) const SEARCH: Verb = Verb {
     forms: &[
         Form {
             arguments: &[PATTERN, AROUND, POINT, REACH, LINES, UP],
-            build: |given| search(given, Spot::Global(given.required_point("point")?)),
+            build: |given| search(given, Datum::Global(given.required_point("point")?)),
         },
         Form {
             arguments: &[PATTERN, NORTH, EAST, REACH, LINES, UP],
@@ -195,7 +195,7 @@ pub(super) const SEARCH: Verb = Verb {
     retry: CHANGE,
 };
 
-fn search(given: &Arguments, datum: Spot) -> Built {
+fn search(given: &Arguments, datum: Datum) -> Built {
     let pattern = Pattern::named(given.required_word("pattern")?);
     together(Manoeuvre::Search {
         pattern: pattern.ok_or_else(|| unknown("pattern"))?,
@@ -211,14 +211,14 @@ const TO: Argument = Argument::flag("to", "argument-relay-to");
 /// The forms of `relay` that make a chain of vehicles; those that switch a relay stand in the table of devices.
 pub(super) const CHAIN_TO_PLACE: Form = Form {
     arguments: &[TO, NORTH, EAST, UP],
-    build: |given| chain(given, Goal::Spot(local(given, "north", "east")?)),
+    build: |given| chain(given, FarEnd::Place(local(given, "north", "east")?)),
 };
 pub(super) const CHAIN_TO_POINT: Form = Form {
     arguments: &[TO, POINT, UP],
     build: |given| {
         chain(
             given,
-            Goal::Spot(Spot::Global(given.required_point("point")?)),
+            FarEnd::Place(Datum::Global(given.required_point("point")?)),
         )
     },
 };
@@ -231,20 +231,20 @@ pub(super) const CHAIN_TO_VEHICLE: Form = Form {
     build: |given| {
         chain(
             given,
-            Goal::Vehicle(given.required("vehicle")? as VehicleId),
+            FarEnd::Vehicle(given.required("vehicle")? as VehicleId),
         )
     },
 };
 
-fn chain(given: &Arguments, to: Goal) -> Built {
+fn chain(given: &Arguments, to: FarEnd) -> Built {
     together(Manoeuvre::Chain {
         to,
         up_m: given.number("up"),
     })
 }
 
-fn local(given: &Arguments, north: &'static str, east: &'static str) -> Result<Spot, Problem> {
-    Ok(Spot::Local {
+fn local(given: &Arguments, north: &'static str, east: &'static str) -> Result<Datum, Problem> {
+    Ok(Datum::Local {
         north_m: given.required(north)?,
         east_m: given.required(east)?,
     })

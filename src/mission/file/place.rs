@@ -9,7 +9,8 @@ use toml::de::DeValue;
 use super::Faults;
 use crate::geo::LatLon;
 use crate::mission::sensor::{SENSORS, Sensor};
-use crate::mission::{Origin, Point, Wind};
+use crate::mission::weather::{Light, Weather, Wind};
+use crate::mission::{Origin, Point};
 
 /// More than a console can fly.
 const MOST_VEHICLES: usize = 250;
@@ -52,16 +53,14 @@ pub(super) fn sim(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<(D
     super::seconds(limit_s).map(|limit| (limit, origin))
 }
 
-/// No wind.
-pub(super) const CALM: Wind = Wind {
-    speed_m_s: 0.0,
-    from_deg: 0.0,
-};
-
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct WeatherFile {
-    wind: WindFile,
+    wind: Option<WindFile>,
+    gust: Option<Spanned<f64>>,
+    temp_c: Option<Spanned<f64>>,
+    #[serde(default)]
+    light: Light,
 }
 
 #[derive(Deserialize)]
@@ -71,11 +70,21 @@ struct WindFile {
     dir: Spanned<f64>,
 }
 
-pub(super) fn weather(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Wind> {
+pub(super) fn weather(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Weather> {
     let file: WeatherFile = faults.read_value(value)?;
-    Some(Wind {
-        speed_m_s: faults.number(&file.wind.speed, 0.0..=60.0, "speed"),
-        from_deg: faults.number(&file.wind.dir, 0.0..=360.0, "dir"),
+    let calm = Weather::CALM;
+    Some(Weather {
+        wind: file.wind.map_or(calm.wind, |wind| Wind {
+            speed_m_s: faults.number(&wind.speed, 0.0..=60.0, "speed"),
+            from_deg: faults.number(&wind.dir, 0.0..=360.0, "dir"),
+        }),
+        gust_m_s: file.gust.map_or(calm.gust_m_s, |gust| {
+            faults.number(&gust, 0.0..=20.0, "gust")
+        }),
+        temperature_c: file.temp_c.map_or(calm.temperature_c, |temperature| {
+            faults.number(&temperature, -40.0..=60.0, "temp_c")
+        }),
+        light: file.light,
     })
 }
 
@@ -138,9 +147,12 @@ pub(super) fn fleet(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<
     }
     let mut sensors = Vec::new();
     for name in &file.sensors {
-        match SENSORS.iter().find(|sensor| sensor.id == name.get_ref()) {
+        match Sensor::by_id(name.get_ref()) {
             Some(sensor) => sensors.push(sensor),
-            None => faults.unknown("sensor", name, &SENSORS.each_ref().map(|sensor| sensor.id)),
+            None => {
+                let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
+                faults.unknown("sensor", name, &known);
+            }
         }
     }
     Some(Fleet {

@@ -7,14 +7,15 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::place::{self, CALM, Fleet};
+use super::place::{self, Fleet};
 use super::{
     Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, kinded, objective, points, zones,
 };
 use crate::diagnostic::Diagnostic;
 use crate::mission::hazard::{self, Hazard};
 use crate::mission::objective::Objective;
-use crate::mission::{Hint, Mission, NEXT_CELL, Origin, Phase, Wind};
+use crate::mission::weather::Weather;
+use crate::mission::{Hint, Mission, NEXT_CELL, Origin, Phase};
 use crate::scoring::Rules;
 
 /// The only version of the format so far.
@@ -27,7 +28,7 @@ struct Sections<'i>(BTreeMap<&'static str, Spanned<DeValue<'i>>>);
 struct Setting {
     time_limit: Duration,
     origin: Origin,
-    wind: Wind,
+    weather: Weather,
     max_height_m: f64,
     land_reserve_percent: f64,
     fleet: Fleet,
@@ -76,7 +77,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         hints: content.hints,
         scoring: scoring?,
         origin: setting.origin,
-        wind: setting.wind,
+        weather: setting.weather,
         pads: setting.fleet.pads,
         sensors: setting.fleet.sensors,
         zones: content.draft.zones,
@@ -108,15 +109,15 @@ fn setting(sections: &mut Sections<'_>, faults: &mut Faults) -> Option<Setting> 
     let fleet = sections
         .needed("fleet", faults)
         .and_then(|value| place::fleet(value, faults));
-    let wind = sections
+    let weather = sections
         .optional("weather")
-        .map_or(Some(CALM), |value| place::weather(value, faults));
+        .map_or(Some(Weather::CALM), |value| place::weather(value, faults));
     let (max_height_m, land_reserve_percent) = place::rules(sections.optional("rules"), faults)?;
     let (time_limit, origin) = sim?;
     Some(Setting {
         time_limit,
         origin,
-        wind: wind?,
+        weather: weather?,
         max_height_m,
         land_reserve_percent,
         fleet: fleet?,

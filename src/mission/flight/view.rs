@@ -38,6 +38,7 @@ impl Flight {
             objectives,
             readings: self.readings(),
             hint: self.hint(&standings),
+            places: self.places(),
             cells: self.cells(),
         }
     }
@@ -55,7 +56,7 @@ impl Flight {
                 vehicle: id,
                 sensor: Text::new(probe.sensor.name, Vec::new()),
                 value: probe.shown,
-                unit: probe.sensor.unit,
+                unit: probe.spec.unit,
             };
             craft.probes.iter().map(reading).collect::<Vec<_>>()
         };

@@ -7,9 +7,10 @@ use rand_chacha::ChaCha8Rng;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Field, Hazard};
+use super::{Field, Hazard, Quantity};
+use crate::mission::Point;
 use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
-use crate::mission::{Point, Wind};
+use crate::mission::weather::{Weather, Wind};
 
 /// The formula divides by the wind's speed and means nothing in calm air.
 const SLOWEST_WIND_M_S: f64 = 0.5;
@@ -104,18 +105,27 @@ pub(crate) fn read(
 }
 
 impl Hazard for PlumeHazard {
-    fn release(&self, wind: Wind, random: &mut ChaCha8Rng) -> Box<dyn Field> {
+    fn release(&self, weather: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
         let mut sway = |by: f64| by * (2.0 * random.random::<f64>() - 1.0);
         let mut plume = self.plume.clone();
         plume.source[0] += sway(self.position_jitter_m);
         plume.source[1] += sway(self.position_jitter_m);
         plume.rate_g_s *= 1.0 + sway(self.rate_jitter);
-        plume.wind = wind;
+        plume.wind = weather.wind;
         Box::new(plume)
     }
 }
 
 impl Field for Plume {
+    fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
+        match quantity {
+            Quantity::Vapour | Quantity::Particles => self.concentration_ug_m3(at, height_m),
+            Quantity::DoseRate | Quantity::Heat => 0.0,
+        }
+    }
+}
+
+impl Plume {
     /// `Q / (2 pi u sy sz) exp(-y2/2sy2) [exp(-(z-H)2/2sz2) + exp(-(z+H)2/2sz2)]`, zero upwind of the source.
     fn concentration_ug_m3(&self, at: Point, height_m: f64) -> f64 {
         let (east, north) = (at[0] - self.source[0], at[1] - self.source[1]);

@@ -9,8 +9,8 @@ use toml::Spanned;
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::Point;
 use crate::mission::file::{Draft, Faults, Section};
-use crate::mission::flight::World;
 use crate::mission::survey::{Survey, SurveyPlan};
+use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
 
@@ -77,13 +77,14 @@ impl Kind for MapError {
                 (0..POINTS_PER_SIDE).flat_map(|x| (0..POINTS_PER_SIDE).map(move |y| (x, y)));
             let sum: f64 = points
                 .map(|(x, y)| {
-                    world.concentration_ug_m3(
+                    world.amount(
+                        self.of.probe.quantity,
                         [centre[0] + offset(x), centre[1] + offset(y)],
                         self.height_m,
                     )
                 })
                 .sum();
-            sum / f64::from(POINTS_PER_SIDE * POINTS_PER_SIDE) * self.of.sensor.unit_per_ug_m3
+            sum / f64::from(POINTS_PER_SIDE * POINTS_PER_SIDE) * self.of.probe.gain
         };
         Box::new(MapTracker {
             of: self.of.id.clone(),

@@ -6,7 +6,7 @@ use toml::Spanned;
 use super::{DOWN_FOR, Kind, Scene, Standing, Tracker};
 use crate::mission::craft::Craft;
 use crate::mission::file::{Draft, Faults, Section};
-use crate::mission::flight::World;
+use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::Setting;
 use crate::app::effect::Effect;
 use crate::app::room::Room;
-use crate::app::state::{Consequence, Order, State, ranges};
+use crate::app::state::{Asked, Consequence, Order, State, ranges};
 use crate::app::update::order;
 use crate::commands::Command;
 use crate::ledger::{EntryId, Row, RowState};
@@ -77,7 +77,7 @@ fn give(
 
 /// Remembers what an order sets, so that the list can show what becomes of it.
 pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
-    let Command::SetParameter { name, value } = &order.command else {
+    let Asked::Command(Command::SetParameter { name, value }) = &order.what else {
         return;
     };
     let edits = &mut state.rooms.parameters.edits;

@@ -1,0 +1,91 @@
+//! Deeds: what a mission is asked, not an autopilot. Payloads, reports of finds, and the trainee's word before launch.
+
+use std::time::Duration;
+
+use crate::geo::LatLon;
+
+/// Something that only means anything within a mission.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Deed {
+    /// Report a find.
+    Mark {
+        /// What is reported.
+        subject: Subject,
+        /// What it is said to be, in a word of [`Deed::KINDS`]; `None` where the mission asks for one kind only.
+        kind: Option<&'static str>,
+    },
+    /// Take back the report that is nearest to a place.
+    Unmark {
+        /// Near where.
+        spot: Spot,
+    },
+    /// Take a sample where the vehicle is.
+    Sample,
+    /// Let go of one piece of the vehicle's load.
+    Drop,
+    /// Open or close the sprayer.
+    Spray {
+        /// Whether it sprays.
+        on: bool,
+    },
+    /// Say beforehand what the score will be.
+    Predict {
+        /// 0 to 1000.
+        points: u16,
+    },
+    /// Set a goal for the flight.
+    Goal(Goal),
+    /// Ask for the next hint.
+    Hint,
+}
+
+impl Deed {
+    /// What a find can be said to be.
+    pub const KINDS: &'static [&'static str] =
+        &["mine", "person", "source", "leak", "fire", "defect", "peak"];
+}
+
+/// What a report is about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Subject {
+    /// One place.
+    Spot(Spot),
+    /// Each contact that has not been reported.
+    Contacts {
+        /// Only those that two kinds of sensors have seen.
+        confirmed: bool,
+    },
+}
+
+/// A place as it was named.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spot {
+    /// Where the vehicle is.
+    Here,
+    /// There.
+    At(LatLon),
+    /// From the mission's origin, in metres.
+    Offset {
+        /// To the north.
+        north_m: f64,
+        /// To the east.
+        east_m: f64,
+    },
+}
+
+/// What a trainee wants to reach, besides the mission's objectives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Goal {
+    /// Be done within this time.
+    Time(Duration),
+    /// Land every vehicle with at least this much battery, in percent.
+    Battery(f64),
+    /// Break no rule.
+    Safety,
+    /// Give no command that is refused.
+    Commands,
+    /// Answer every alert in time.
+    Attention,
+    /// Reach at least this score.
+    Score(u16),
+}

@@ -1,0 +1,143 @@
+//! What a mission does when it is asked: reports, and the trainee's word before launch.
+
+use super::Flight;
+use crate::commands::{Deed, Goal, Spot, Subject};
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::mission::Point;
+use crate::mission::report::Mark;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// What the trainee has said before launch.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pledge {
+    /// The score that the trainee expects.
+    pub prediction: Option<u16>,
+    /// What the trainee wants to reach.
+    pub goal: Option<Goal>,
+}
+
+/// How a deed went with one vehicle: a remark, or the reason why not.
+type Done = Result<Option<Text>, Text>;
+
+impl Flight {
+    /// Does something with each of the vehicles, at the mission time of the last step; returns the ledger's rows for
+    /// it, on mission time.
+    pub fn act(&mut self, entry: EntryId, deed: &Deed, vehicles: &[VehicleId]) -> Vec<RowUpdate> {
+        let mut rows = Vec::new();
+        for &vehicle in vehicles {
+            let outcome = match self.ended {
+                Some(_) => Err(text!("deed-over")),
+                None => self.act_with(vehicle, deed),
+            };
+            let (state, explanation) = match outcome {
+                Ok(remark) => (RowState::Done, remark),
+                Err(reason) => (RowState::Refused, Some(reason)),
+            };
+            rows.push(RowUpdate {
+                entry,
+                vehicle,
+                state,
+                tries: 1,
+                at: self.elapsed,
+                explanation,
+            });
+        }
+        rows
+    }
+
+    /// What the trainee has said before launch.
+    pub fn pledge(&self) -> Pledge {
+        self.pledge
+    }
+
+    fn act_with(&mut self, vehicle: VehicleId, deed: &Deed) -> Done {
+        match deed {
+            Deed::Mark { subject, kind } => match *subject {
+                Subject::Spot(spot) => self.mark(vehicle, spot, *kind),
+                Subject::Contacts { confirmed } => self.mark_contacts(vehicle, confirmed, *kind),
+            },
+            Deed::Unmark { spot } => {
+                let at = self.point(vehicle, *spot)?;
+                let mark = self.marks.remove(at);
+                mark.map(|_| None).ok_or_else(|| text!("deed-no-mark"))
+            }
+            Deed::Predict { points } => {
+                self.before_launch()?;
+                self.pledge.prediction = Some(*points);
+                Ok(None)
+            }
+            Deed::Goal(goal) => {
+                self.before_launch()?;
+                self.pledge.goal = Some(*goal);
+                Ok(None)
+            }
+            Deed::Sample | Deed::Drop | Deed::Spray { .. } => Err(text!("deed-no-load")),
+            Deed::Hint => Err(text!("deed-no-hint")),
+        }
+    }
+
+    fn before_launch(&self) -> Result<(), Text> {
+        if self.crafts.iter().any(|craft| craft.flown) {
+            return Err(text!("deed-launched"));
+        }
+        Ok(())
+    }
+
+    fn mark(&mut self, by: VehicleId, spot: Spot, kind: Option<&'static str>) -> Done {
+        let at = self.point(by, spot)?;
+        let mark = Mark {
+            at,
+            kind,
+            by,
+            when: self.elapsed,
+        };
+        if self.marks.add(mark) {
+            Ok(Some(text!("deed-marked", count = self.marks.all().len())))
+        } else {
+            Err(text!("deed-marked-before"))
+        }
+    }
+
+    fn mark_contacts(
+        &mut self,
+        by: VehicleId,
+        confirmed: bool,
+        kind: Option<&'static str>,
+    ) -> Done {
+        let mut found = Vec::new();
+        for contact in self.contacts.unreported() {
+            let wanted = kind.is_none_or(|kind| kind == contact.kind);
+            if wanted && (!confirmed || contact.sensors.len() > 1) {
+                contact.reported = true;
+                found.push((contact.at, contact.kind));
+            }
+        }
+        if found.is_empty() {
+            return Err(text!("deed-no-contacts"));
+        }
+        for &(at, kind) in &found {
+            self.marks.add(Mark {
+                at,
+                kind: Some(kind),
+                by,
+                when: self.elapsed,
+            });
+        }
+        Ok(Some(text!("deed-marked", count = self.marks.all().len())))
+    }
+
+    /// Where a spot is in the mission's frame.
+    fn point(&self, vehicle: VehicleId, spot: Spot) -> Result<Point, Text> {
+        match spot {
+            Spot::At(place) => Ok(self.mission.origin.point(place)),
+            Spot::Offset { north_m, east_m } => Ok([east_m, north_m]),
+            Spot::Here => {
+                let craft = self.crafts.iter().find(|craft| craft.id == vehicle);
+                let at = craft.and_then(|craft| craft.at);
+                at.ok_or_else(|| text!("deed-no-position"))
+            }
+        }
+    }
+}

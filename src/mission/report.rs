@@ -1,0 +1,56 @@
+//! What the trainee has reported.
+
+use std::time::Duration;
+
+use super::Point;
+use crate::vehicle::VehicleId;
+
+/// A find, as it was reported.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Mark {
+    pub at: Point,
+    /// What it is said to be; `None` where the reporter did not say.
+    pub kind: Option<&'static str>,
+    pub by: VehicleId,
+    /// Mission time.
+    pub when: Duration,
+}
+
+/// Reports nearer than this to one another are the same.
+const SAME_WITHIN_M: f64 = 0.5;
+/// A report is taken back within this of the place that is named.
+const UNMARK_WITHIN_M: f64 = 15.0;
+
+/// All reports of a flight that have not been taken back, in the order of their making.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Marks(Vec<Mark>);
+
+impl Marks {
+    /// All of them.
+    pub fn all(&self) -> &[Mark] {
+        &self.0
+    }
+
+    /// Takes down a report; false where the same was reported before.
+    pub fn add(&mut self, mark: Mark) -> bool {
+        let same =
+            |known: &Mark| known.kind == mark.kind && distance_m(known.at, mark.at) < SAME_WITHIN_M;
+        let new = !self.0.iter().any(same);
+        if new {
+            self.0.push(mark);
+        }
+        new
+    }
+
+    /// Takes the nearest report back, if one is near.
+    pub fn remove(&mut self, at: Point) -> Option<Mark> {
+        let distances = self.0.iter().map(|mark| distance_m(mark.at, at));
+        let (index, distance) = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        (distance <= UNMARK_WITHIN_M).then(|| self.0.remove(index))
+    }
+}
+
+/// Between two points on the ground, in metres.
+pub(crate) fn distance_m(a: Point, b: Point) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

@@ -1,0 +1,45 @@
+//! The weather of a mission: what the file says, changed by events as the flight goes on.
+
+/// Mean wind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Wind {
+    pub speed_m_s: f64,
+    /// Where it comes from, degrees clockwise from north.
+    pub from_deg: f64,
+}
+
+/// The light, which decides what cameras see.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Light {
+    /// Sun.
+    #[default]
+    Day,
+    /// First or last light.
+    Dawn,
+    /// Dark.
+    Night,
+}
+
+/// The weather at one moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Weather {
+    pub wind: Wind,
+    /// How much the wind swings about its mean: standard deviation in m/s.
+    pub gust_m_s: f64,
+    pub temperature_c: f64,
+    pub light: Light,
+}
+
+impl Weather {
+    /// No wind, a mild day.
+    pub const CALM: Self = Self {
+        wind: Wind {
+            speed_m_s: 0.0,
+            from_deg: 0.0,
+        },
+        gust_m_s: 0.0,
+        temperature_c: 20.0,
+        light: Light::Day,
+    };
+}

@@ -1,0 +1,79 @@
+//! The truth of one flight: the weather, the hazards, and what is there to be found. Trainees see it through sensors
+//! only, until the debrief.
+
+use std::time::Duration;
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+use super::hazard::{Effect, Field, Hazard, Load, Object, Quantity};
+use super::weather::Weather;
+use super::{Mission, Point};
+
+/// The world of one flight.
+#[derive(Debug)]
+pub(crate) struct World {
+    /// As it is now; events change it.
+    pub weather: Weather,
+    fields: Vec<Box<dyn Field>>,
+}
+
+impl World {
+    /// The world at the beginning; the seed decides what the mission leaves to chance.
+    pub fn new(mission: &Mission, seed: u64) -> Self {
+        // Streams from 0 on belong to the sensors.
+        let release = |(hazard, stream): (&dyn Hazard, u64)| {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            random.set_stream(stream);
+            hazard.release(&mission.weather, random)
+        };
+        let hazards = mission.hazards.iter().map(AsRef::as_ref);
+        Self {
+            weather: mission.weather,
+            fields: hazards.zip((0..=u64::MAX).rev()).map(release).collect(),
+        }
+    }
+
+    /// Lets a [`TICK`](super::TICK) pass; `now` is mission time at its end.
+    pub fn step(&mut self, now: Duration) {
+        for field in &mut self.fields {
+            field.step(now, &self.weather);
+        }
+    }
+
+    /// How much of a quantity there is at a point and a height above the origin, of all hazards together.
+    pub fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
+        self.fields
+            .iter()
+            .map(|field| field.amount(quantity, at, height_m))
+            .sum()
+    }
+
+    /// Everything that could be found, by hazard in the order of the file.
+    pub fn objects(&self) -> impl Iterator<Item = (ObjectId, &Object)> {
+        self.fields.iter().enumerate().flat_map(|(hazard, field)| {
+            let objects = field.objects().iter().enumerate();
+            objects.map(move |(index, object)| (ObjectId { hazard, index }, object))
+        })
+    }
+
+    /// The hazard at a place in the file.
+    pub fn field(&self, hazard: usize) -> Option<&dyn Field> {
+        self.fields.get(hazard).map(AsRef::as_ref)
+    }
+
+    /// What a load does where it comes down, to every hazard that it concerns.
+    pub fn affect(&mut self, load: Load, at: Point) -> Vec<Effect> {
+        let fields = self.fields.iter_mut();
+        fields.filter_map(|field| field.affect(load, at)).collect()
+    }
+}
+
+/// Names an object of a world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct ObjectId {
+    /// Its hazard's place in the file, from 0.
+    pub hazard: usize,
+    /// Its place among the hazard's objects.
+    pub index: usize,
+}

@@ -1,0 +1,115 @@
+//! Attention: how soon alerts were answered, by their effect and not by a key.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use crate::text::Text;
+
+/// How much an alert matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum AlertLevel {
+    /// It can wait a minute.
+    Caution,
+    /// It can wait half a minute.
+    Warning,
+    /// It cannot wait.
+    Critical,
+}
+
+impl AlertLevel {
+    /// Its weight among the alerts of a flight.
+    pub fn weight(self) -> f64 {
+        match self {
+            Self::Caution => 1.0,
+            Self::Warning => 2.0,
+            Self::Critical => 4.0,
+        }
+    }
+
+    /// An answer within this time gets everything, unless the mission says otherwise.
+    pub fn usual_limit(self) -> Duration {
+        Duration::from_secs(match self {
+            Self::Caution => 60,
+            Self::Warning => 30,
+            Self::Critical => 10,
+        })
+    }
+}
+
+/// One alert that had to be answered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AlertFact {
+    /// What it said.
+    pub text: Text,
+    /// How much it mattered.
+    pub level: AlertLevel,
+    /// Mission time at which it came.
+    pub at: Duration,
+    /// An answer within this time gets everything.
+    pub limit: Duration,
+    /// How long the answer took; `None` where none came.
+    pub answered_after: Option<Duration>,
+}
+
+impl AlertFact {
+    /// 1 for an answer in time, halved with each further time limit; 0 without an answer.
+    pub fn value(&self) -> f64 {
+        let Some(after) = self.answered_after else {
+            return 0.0;
+        };
+        let limit_s = self.limit.as_secs_f64().max(0.1);
+        let late = (after.as_secs_f64() - limit_s) / limit_s;
+        (-late.max(0.0)).exp2()
+    }
+}
+
+/// The weighted mean over all alerts; `None` without any.
+pub fn attention_value(alerts: &[AlertFact]) -> Option<f64> {
+    let total: f64 = alerts.iter().map(|alert| alert.level.weight()).sum();
+    let weighted = alerts
+        .iter()
+        .map(|alert| alert.level.weight() * alert.value());
+    (total > 0.0).then(|| weighted.sum::<f64>() / total)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn alert(level: AlertLevel, answered_after_s: Option<u64>) -> AlertFact {
+        AlertFact {
+            text: Text::default(),
+            level,
+            at: Duration::ZERO,
+            limit: level.usual_limit(),
+            answered_after: answered_after_s.map(Duration::from_secs),
+        }
+    }
+
+    #[test]
+    fn an_answer_loses_half_its_worth_with_each_further_limit() {
+        for (after_s, expected) in [
+            (Some(5), 1.0),
+            (Some(10), 1.0),
+            (Some(20), 0.5),
+            (Some(30), 0.25),
+            (None, 0.0),
+        ] {
+            let value = alert(AlertLevel::Critical, after_s).value();
+            assert!((value - expected).abs() < 1e-9, "{after_s:?}: {value}");
+        }
+    }
+
+    #[test]
+    fn critical_alerts_weigh_four_times_as_much_as_cautions() {
+        let alerts = [
+            alert(AlertLevel::Critical, None),
+            alert(AlertLevel::Caution, Some(1)),
+        ];
+        let value = attention_value(&alerts).expect("there are alerts");
+        assert!((value - 0.2).abs() < 1e-9, "{value}");
+        assert_eq!(attention_value(&[]), None);
+    }
+}
