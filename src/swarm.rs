@@ -46,8 +46,24 @@ use cast::Cast;
 pub struct Rules {
     /// Two vehicles never come nearer than this, in metres.
     pub separation_m: f64,
-    /// Between two lines where nothing was said: the width that the sensor sees, in metres.
-    pub usual_spacing_m: Option<f64>,
+    /// How wide a strip the sensor covers, if there is one: the spacing of lines where nothing was said.
+    pub swath: Option<Swath>,
+}
+
+/// How wide a strip a sensor covers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swath {
+    /// At no height, in metres.
+    pub at_ground_m: f64,
+    /// What every metre of height adds, in metres.
+    pub per_metre: f64,
+}
+
+impl Swath {
+    /// At a height in metres.
+    pub fn width_m(&self, height_m: f64) -> f64 {
+        self.at_ground_m + self.per_metre * height_m.max(0.0)
+    }
 }
 
 impl Default for Rules {
@@ -55,7 +71,7 @@ impl Default for Rules {
     fn default() -> Self {
         Self {
             separation_m: 5.0,
-            usual_spacing_m: None,
+            swath: None,
         }
     }
 }

@@ -22,6 +22,7 @@ use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
+use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -91,6 +92,16 @@ pub(super) struct Running {
     cancel: CancellationToken,
 }
 
+impl Plan {
+    /// What holds for vehicles that do something together.
+    fn swarm_rules(&self) -> Rules {
+        match self {
+            Self::Mission(mission) => mission.swarm_rules(),
+            Self::Free(_) | Self::Connect(_) => Rules::default(),
+        }
+    }
+}
+
 impl Running {
     /// Starts a session, once the processes of the one before it are gone.
     ///
@@ -115,7 +126,7 @@ impl Running {
             links_ended: 0,
             dropped: 0,
             course: None,
-            swarm: Swarm::new(backend.speedup),
+            swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
             processes: None,
             cancel,
         };

@@ -55,7 +55,7 @@ impl Crew {
             vehicles: BTreeMap::new(),
             ledger: Ledger::new(),
             pilot: Pilot::new(script),
-            conductor: Conductor::default(),
+            conductor: Conductor::new(mission.swarm_rules()),
             places: mission.places(),
             areas: mission.named_areas(),
             flight: Flight::new(mission, seed),

@@ -23,6 +23,8 @@ const MARGIN_M: f64 = 1.0;
 const MARGIN_ABOVE_M: f64 = 1.5;
 /// Between two lines where neither the line nor the mission says how wide.
 const USUAL_SPACING_M: f64 = 20.0;
+/// A sensor that sees less than this tells nothing about lines.
+const LEAST_SPACING_M: f64 = 1.0;
 /// Between neighbours of a formation.
 const FORMATION_SPACING_M: f64 = 10.0;
 const SECTOR_RADIUS_M: f64 = 100.0;
@@ -198,12 +200,14 @@ impl<'a> Cast<'a> {
         found.ok_or_else(|| text!("refused-no-position"))
     }
 
-    fn line_spacing(&mut self, spacing_m: Option<f64>) -> f64 {
+    /// Between two lines flown at a height.
+    fn line_spacing(&mut self, spacing_m: Option<f64>, up_m: f64) -> f64 {
         spacing_m.unwrap_or_else(|| {
-            let usual = self.rules.usual_spacing_m;
-            let metres = usual.unwrap_or(USUAL_SPACING_M);
-            let figure = format!("{metres:.0}");
-            self.remarks.push(match usual {
+            let swath = self.rules.swath.map(|swath| swath.width_m(up_m));
+            let swath = swath.filter(|metres| *metres >= LEAST_SPACING_M);
+            let metres = swath.unwrap_or(USUAL_SPACING_M);
+            let figure = format!("{metres:.1}");
+            self.remarks.push(match swath {
                 Some(_) => text!("swarm-swath-spacing", metres = figure),
                 None => text!("swarm-usual-spacing", metres = figure),
             });
@@ -233,7 +237,7 @@ impl<'a> Cast<'a> {
         up_m: f64,
         course_deg: Option<f64>,
     ) -> Made {
-        let spacing_m = self.line_spacing(spacing_m);
+        let spacing_m = self.line_spacing(spacing_m, up_m);
         let corners = self.corners(ground)?;
         let cover = |course_deg| {
             lanes::lanes(&corners, spacing_m, course_deg).map_err(|why| match why {
@@ -365,7 +369,7 @@ impl<'a> Cast<'a> {
         let count = self.team.len();
         let ways = match pattern {
             Pattern::Square => {
-                let spacing_m = self.line_spacing(spacing_m);
+                let spacing_m = self.line_spacing(spacing_m, up_m);
                 let radius_m = radius_m.unwrap_or(spacing_m * SQUARE_TURNS);
                 pattern::pieces(&pattern::square(spacing_m, radius_m), count)
             }

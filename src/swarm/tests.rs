@@ -190,7 +190,7 @@ impl Stage {
         let verb = match &statement.action {
             Action::Command { verb, .. } => verb.name,
             Action::Manoeuvre { manoeuvre, .. } => manoeuvre.name(),
-            Action::Wait(_) => panic!("{line}"),
+            Action::Deed { .. } | Action::Wait(_) => panic!("{line}"),
         };
         let given = Given {
             line,
@@ -222,7 +222,7 @@ impl Stage {
                 let rows = self.conductor.begin(call, &self.vehicles, now);
                 rows.iter().for_each(|row| self.ledger.apply(row));
             }
-            Action::Wait(_) => {}
+            Action::Deed { .. } | Action::Wait(_) => {}
         }
     }
 

@@ -8,7 +8,7 @@ use crate::commands::Manoeuvre;
 use crate::ledger::{EntryId, RowUpdate};
 use crate::notice::Notice;
 use crate::session::Order;
-use crate::swarm::{Call, Conductor, Ordered, Path, Vehicles};
+use crate::swarm::{Call, Conductor, Ordered, Path, Rules, Vehicles};
 use crate::vehicle::VehicleId;
 
 /// The conductor of a session, and what of it is shown.
@@ -22,8 +22,9 @@ pub(super) struct Swarm {
 }
 
 impl Swarm {
-    pub fn new(speedup: f64) -> Self {
+    pub fn new(rules: Rules, speedup: f64) -> Self {
         Self {
+            conductor: Conductor::new(rules),
             speedup,
             ..Self::default()
         }
