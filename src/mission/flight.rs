@@ -23,11 +23,13 @@ use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
 mod deeds;
+mod loads;
 mod places;
 mod result;
 mod view;
 
 pub use deeds::Pledge;
+pub(crate) use loads::Release;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -66,12 +68,18 @@ pub struct Flight {
     trackers: Vec<Box<dyn Tracker>>,
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
+    /// What each craft has on board.
+    holds: Vec<loads::Hold>,
+    /// Everything that was let go of.
+    releases: Vec<Release>,
     contacts: Contacts,
     marks: Marks,
     pledge: Pledge,
     /// The most that a sensor has shown, and where.
     peak: Option<(f64, Point)>,
     commands: CommandLog,
+    /// The state of the ledger that the commands are counted from.
+    counted: Option<u64>,
     safety: SafetyLog,
     met: Vec<bool>,
     events: Vec<EventReport>,
@@ -98,11 +106,14 @@ impl Flight {
                 .collect(),
             surveys: surveys.collect(),
             crafts: Vec::new(),
+            holds: Vec::new(),
+            releases: Vec::new(),
             contacts: Contacts::default(),
             marks: Marks::default(),
             pledge: Pledge::default(),
             peak: None,
             commands: CommandLog::default(),
+            counted: None,
             safety: SafetyLog::default(),
             met: vec![false; mission.objectives.len()],
             events: Vec::new(),
@@ -130,12 +141,13 @@ impl Flight {
         self.enlist(vehicles);
         self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
+        self.step_loads(&mut notices);
         self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
-        self.step_objectives(&mut notices);
+        let standings = self.step_objectives(&mut notices);
         self.warn_of_time(previous, &mut notices);
-        self.decide(now, &mut notices);
+        self.decide(now, &standings, &mut notices);
         notices
     }
 
@@ -181,12 +193,13 @@ impl Flight {
                 return;
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
-                let sensors = self.mission.sensors.iter().enumerate();
+                let fit = &self.mission.fits[self.crafts.len()];
                 let probe = |(index, &sensor)| {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
-                self.crafts
-                    .push(Craft::new(id, sensors.filter_map(probe).collect()));
+                let probes = fit.sensors.iter().enumerate().filter_map(probe);
+                self.holds.push(loads::Hold::new(fit));
+                self.crafts.push(Craft::new(id, probes.collect()));
             }
         }
     }
@@ -205,8 +218,11 @@ impl Flight {
                     .map(|breach| (craft.id, breach)),
             );
             for probe in &mut craft.probes {
-                let amount = |at| self.world.amount(probe.spec.quantity, at, craft.height_m);
-                let amount = craft.at.map_or(0.0, amount);
+                let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
+                let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
+                    true => self.world.column(quantity, at, height_m),
+                    false => self.world.amount(quantity, at, height_m),
+                });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
             }
         }
@@ -238,6 +254,10 @@ impl Flight {
         ledger: &Ledger,
         notices: &mut Vec<Notice>,
     ) {
+        // Rows change seldom, and there are thousands of them late in a swarm's mission.
+        if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
+            return;
+        }
         for event in self.commands.step(self.elapsed, vehicles, ledger) {
             match event {
                 // The fleet tells the operator about refusals; here they only go on record.
@@ -295,7 +315,7 @@ impl Flight {
         }
     }
 
-    fn step_objectives(&mut self, notices: &mut Vec<Notice>) {
+    fn step_objectives(&mut self, notices: &mut Vec<Notice>) -> Vec<Standing> {
         let mission = Arc::clone(&self.mission);
         let mut trackers = std::mem::take(&mut self.trackers);
         for tracker in &mut trackers {
@@ -303,7 +323,8 @@ impl Flight {
         }
         self.trackers = trackers;
         let standings = self.standings();
-        for (index, (objective, standing)) in mission.objectives.iter().zip(standings).enumerate() {
+        for (index, (objective, standing)) in mission.objectives.iter().zip(&standings).enumerate()
+        {
             if standing.met != self.met[index] {
                 self.met[index] = standing.met;
                 let (id, result) = (&objective.id, &standing.result);
@@ -315,6 +336,7 @@ impl Flight {
                 self.say("objective", None, Severity::Notice, text, notices);
             }
         }
+        standings
     }
 
     fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
@@ -335,8 +357,7 @@ impl Flight {
         }
     }
 
-    fn decide(&mut self, now: Duration, notices: &mut Vec<Notice>) {
-        let standings = self.standings();
+    fn decide(&mut self, now: Duration, standings: &[Standing], notices: &mut Vec<Notice>) {
         let mut mandatory = standings
             .iter()
             .zip(&self.mission.objectives)
@@ -410,6 +431,7 @@ impl Flight {
             world: &self.world,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
+            releases: &self.releases,
         }
     }
 
