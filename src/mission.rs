@@ -74,6 +74,7 @@ mod progress;
 mod report;
 mod sensor;
 mod survey;
+mod together;
 mod weather;
 mod world;
 mod zone;
@@ -204,7 +205,7 @@ impl Mission {
     }
 
     /// The same with more vehicles than it is made for, for measurements: their pads lie in a row to the south of the
-    /// last one.
+    /// last one, and they carry what that one does.
     #[must_use]
     pub fn enlarged(mut self, vehicles: usize) -> Self {
         if let Some(&[east_m, north_m]) = self.pads.last() {
@@ -212,6 +213,8 @@ impl Mission {
             let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
             self.pads.extend((1..=more).map(pad));
             self.vehicles = self.pads.len();
+            let fit = self.fits.last().cloned().unwrap_or_default();
+            self.fits.resize(self.vehicles, fit);
         }
         self
     }
