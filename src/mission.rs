@@ -41,13 +41,20 @@
 //! `walls = [{ from, to, height, passes }, ..]` (`passes`: the share that gets through), `background` (uSv/h, 0.1),
 //! `jitter` (m, for each source).
 //!
+//! Hazard kind `fire`: `area = [west, south, east, north]` in square cells of `cell` m, `fuel` (`grass`, `shrub`,
+//! `timber`, `bare`; `grass`), `patches = [{ area, fuel }, ..]` on top of it, `moisture` (share of water, 0.05), `embers`
+//! (how many times more than usual, 1), `ignitions = [{ at, time, radius }, ..]`, `jitter` (m, for each ignition).
+//!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
-//! `recover` (`radius`, `battery_pct`); `arm_time` (`within` s of being ready); `hover` (`heights`, `radius`, `time`,
+//! `arm_time` (`within` s of being ready), `hover` (`heights`, `radius`, `time`,
 //! `place`: anywhere); `gates` (`gates = [[east, north, up], ..]` in their order, `radius`, `jitter`: by how much at most
 //! the seed moves each); `visit` (`places`, `radius`, `dwell` (0), `heights`); `formation` (the middle of all through
 //! `gates`, `radius`, `jitter`, with `spacing = [least, most]` to the nearest other for a share `target`,
-//! `partial_from`); `land_on` (`place`, `radius`, `count` (1)). Cells are named like chess squares: `A1` is the south-west one, letters go
+//! `partial_from`); `land_on` (`place`, `radius`, `count` (1)),
+//! `recover` (`radius`, `battery_pct`), `locate` (`of`: a hazard, `within`, `partial_to`), `perimeter` (`of`: a fire,
+//! `sensor`, `times`, `target`, `partial_from`), `protect` (`of`: a fire, `zone`), `contain` (`of`: a fire, `target`,
+//! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`). Cells are named like chess squares: `A1` is the south-west one, letters go
 //! east, numbers go north.
 
 use std::collections::BTreeMap;
@@ -73,6 +80,7 @@ mod progress;
 mod report;
 mod sensor;
 mod survey;
+mod together;
 mod weather;
 mod world;
 mod zone;
@@ -82,7 +90,9 @@ pub use area::{Area, AreaKind};
 pub use clock::Clock;
 pub use flight::{Flight, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};
-pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+pub use progress::{
+    Cell, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact, ShownMark, Trust,
+};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);

@@ -182,9 +182,10 @@ pub(in crate::cli) fn load_script(
 ) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
-    let places = mission.places_to_name();
+    let (places, areas) = (mission.places_to_name(), mission.named_areas());
     let context = Context {
         places: Some(&places),
+        areas: Some(&areas),
         vehicles: &vehicles,
         ..Context::default()
     };

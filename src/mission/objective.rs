@@ -14,10 +14,14 @@ use super::world::World;
 use crate::text::Text;
 
 pub(super) mod arm_time;
+pub(super) mod dose;
 pub(super) mod formation;
 pub(super) mod hover;
 pub(super) mod land_on;
+pub(super) mod locate;
 pub(super) mod map_error;
+pub(super) mod perimeter;
+pub(super) mod protect;
 pub(super) mod recover;
 mod route;
 pub(super) mod sample_cells;
@@ -69,6 +73,8 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 pub(crate) struct Scene<'a> {
     /// Mission time.
     pub now: Duration,
+    /// Whether the flight is over, or its time is up.
+    pub over: bool,
     pub vehicles: &'a [Craft],
     pub surveys: &'a [Survey],
     pub world: &'a World,
@@ -142,4 +148,9 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("visit", stops::read_visit),
     ("formation", formation::read),
     ("land_on", land_on::read),
+    ("locate", locate::read),
+    ("perimeter", perimeter::read),
+    ("protect", protect::read),
+    ("contain", protect::read_contain),
+    ("dose", dose::read),
 ];

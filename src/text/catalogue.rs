@@ -33,6 +33,7 @@ catalogue! {
     "plain",
     "rooms",
     "scoring",
+    "swarm",
     "terminal",
     "vehicle",
     "files",
