@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::geo::LatLon;
 use crate::language::{self, Action, Context, Pilot, PilotEvent, Script, Statement, Verb};
 use crate::ledger::{EntryId, Given, Ledger, Risk, RowUpdate};
-use crate::mission::{Flight, Mission, Report as MissionReport};
+use crate::mission::{Flight, Mission, Report as MissionReport, Want};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
 use crate::text;
@@ -102,8 +102,10 @@ impl Crew {
 
     /// Tells a vehicle that a ground station is there.
     pub fn say_heartbeat(&mut self, index: usize, bytes: &mut Vec<u8>) {
-        let encoder = &mut self.seats[index].encoder;
-        encoder.encode(&ground_station_heartbeat(), bytes);
+        let seat = &mut self.seats[index];
+        if !seat.session.is_cut() {
+            seat.encoder.encode(&ground_station_heartbeat(), bytes);
+        }
     }
 
     /// What there is to say to a vehicle.
@@ -153,6 +155,15 @@ impl Crew {
         }
         let said = self.flight.step(elapsed, &self.vehicles, &self.ledger);
         self.notices.extend(said);
+        for demand in self.flight.take_demands() {
+            let mut seats = self.seats.iter_mut().map(|seat| &mut seat.session);
+            if let Some(session) = seats.find(|session| session.vehicle().id == demand.vehicle) {
+                match demand.want {
+                    Want::Parameter { name, value } => session.keep_parameter(name, value),
+                    Want::Radio(fault) => session.set_radio(fault),
+                }
+            }
+        }
     }
 
     /// Takes snapshots of the vehicles.

@@ -16,8 +16,10 @@ use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
+mod events;
 mod place;
 mod points;
+mod radio;
 mod sections;
 mod zones;
 
@@ -32,7 +34,7 @@ const HEAD: [&str; 10] = [
     "schema", "id", "rev", "title", "title_uk", "tier", "tags", "authors", "brief", "brief_uk",
 ];
 /// The sections.
-const SECTIONS: [&str; 9] = [
+const SECTIONS: [&str; 12] = [
     "sim",
     "weather",
     "zones",
@@ -40,6 +42,9 @@ const SECTIONS: [&str; 9] = [
     "fleet",
     "rules",
     "objectives",
+    "events",
+    "radio",
+    "instructor",
     "hints",
     "scoring",
 ];

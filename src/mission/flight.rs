@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use super::contact::Contacts;
 use super::craft::Craft;
+use super::event::engine::Engine;
 use super::objective::{Scene, Standing, Tracker};
 use super::report::Marks;
 use super::sensor::Probe;
@@ -25,9 +26,11 @@ use crate::vehicle::{Severity, Vehicle};
 mod deeds;
 mod places;
 mod result;
+mod threats;
 mod view;
 
 pub use deeds::Pledge;
+pub use threats::Inject;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -77,6 +80,9 @@ pub struct Flight {
     events: Vec<EventReport>,
     elapsed: Duration,
     ended: Option<Outcome>,
+    engine: Engine,
+    /// Whether an event has ended the mission as failed.
+    failed: bool,
     tally: crate::scoring::CommandTally,
 }
 
@@ -108,6 +114,8 @@ impl Flight {
             events: Vec::new(),
             elapsed: Duration::ZERO,
             ended: None,
+            engine: Engine::new(&mission, seed),
+            failed: false,
             tally: crate::scoring::CommandTally::default(),
             world,
             mission,
@@ -134,6 +142,7 @@ impl Flight {
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
         self.step_objectives(&mut notices);
+        self.step_threats(vehicles, &mut notices);
         self.warn_of_time(previous, &mut notices);
         self.decide(now, &mut notices);
         notices
@@ -200,14 +209,16 @@ impl Flight {
             };
             breaches.extend(
                 craft
-                    .step(vehicle, &mission)
+                    .step(vehicle, &mission, self.engine.active())
                     .into_iter()
                     .map(|breach| (craft.id, breach)),
             );
-            for probe in &mut craft.probes {
+            for (index, probe) in craft.probes.iter_mut().enumerate() {
                 let amount = |at| self.world.amount(probe.sensor.quantity, at, craft.height_m);
                 let amount = craft.at.map_or(0.0, amount);
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
+                let shown = probe.shown;
+                probe.shown = self.engine.shown(craft.id, index, shown, self.elapsed);
             }
         }
         for (id, (kind, text)) in breaches {
@@ -351,7 +362,9 @@ impl Flight {
         } else {
             Outcome::Failed
         };
-        if all_lost || (settled && all_down) {
+        if self.failed {
+            self.end(Outcome::Failed, notices);
+        } else if all_lost || (settled && all_down) {
             self.end(verdict, notices);
         } else if now >= self.mission.time_limit {
             self.end(
@@ -410,6 +423,7 @@ impl Flight {
             world: &self.world,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
+            margins_db: self.engine.margins_db(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! What can be told of a mission before it is flown.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::objective::Scene;
@@ -104,6 +105,7 @@ impl Mission {
             world: &world,
             contacts: &[],
             marks: &[],
+            margins_db: &BTreeMap::new(),
         };
         let listed = |objective: &super::objective::Objective| ObjectiveListing {
             title: objective.title.clone(),

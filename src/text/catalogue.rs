@@ -32,6 +32,7 @@ catalogue! {
     "rooms",
     "scoring",
     "terminal",
+    "threats",
     "vehicle",
     "files",
     "grammar",

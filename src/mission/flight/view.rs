@@ -7,6 +7,8 @@ use crate::mission::{
 use crate::scoring::score;
 use crate::text::Text;
 
+mod threats;
+
 impl Flight {
     /// How it stands, for the mission panel.
     pub fn progress(&self) -> Progress {
@@ -40,6 +42,10 @@ impl Flight {
             hint: self.hint(&standings),
             places: self.places(),
             cells: self.cells(),
+            areas: self.areas_now(),
+            movers: self.moving_things(),
+            alerts: self.open_alerts(),
+            margins_db: self.engine.margins_db().clone(),
         }
     }
 
