@@ -17,6 +17,8 @@ pub(super) mod fault;
 pub(super) mod mover;
 pub(super) mod scope;
 pub(super) mod standard;
+#[cfg(test)]
+mod tests;
 pub(super) mod weather;
 
 use expression::Expression;

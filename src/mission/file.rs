@@ -10,13 +10,14 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::objective::Objective;
-use super::sensor::Sensor;
+use super::sensor::{ProbeSpec, Sensor};
 use super::survey::SurveyPlan;
 use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
 mod events;
+mod fleet;
 mod place;
 mod points;
 mod radio;
@@ -30,8 +31,9 @@ pub(super) const POINT_RANGE: f64 = 20_000.0;
 const SHORTEST_LIMIT: std::time::Duration = std::time::Duration::from_secs(10);
 
 /// Keys of the file that stand before its first section.
-const HEAD: [&str; 10] = [
+const HEAD: [&str; 11] = [
     "schema", "id", "rev", "title", "title_uk", "tier", "tags", "authors", "brief", "brief_uk",
+    "drill_of",
 ];
 /// The sections.
 const SECTIONS: [&str; 12] = [
@@ -240,6 +242,21 @@ impl Draft {
             self.refers_to_nothing("sensor of the fleet", name, &known, faults);
         }
         found.copied()
+    }
+
+    /// A sensor that the fleet carries and that measures where it is.
+    pub fn fitted_probe(
+        &self,
+        name: &Spanned<String>,
+        faults: &mut Faults,
+    ) -> Option<(&'static Sensor, &'static ProbeSpec)> {
+        let sensor = self.fitted_sensor(name, faults)?;
+        let probe = sensor.probe();
+        if probe.is_none() {
+            let fault = format!("`{}` finds things, it measures nothing", sensor.id);
+            faults.add(name.span(), fault);
+        }
+        Some((sensor, probe?))
     }
 
     /// The survey of an objective that stands earlier in the file.

@@ -24,12 +24,14 @@ use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
 mod deeds;
+mod loads;
 mod places;
 mod result;
 mod threats;
 mod view;
 
 pub use deeds::Pledge;
+pub(crate) use loads::Release;
 pub use threats::Inject;
 
 /// The seconds before the limit at which the trainee is told.
@@ -69,18 +71,24 @@ pub struct Flight {
     trackers: Vec<Box<dyn Tracker>>,
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
+    /// What each craft has on board.
+    holds: Vec<loads::Hold>,
+    /// Everything that was let go of.
+    releases: Vec<Release>,
     contacts: Contacts,
     marks: Marks,
     pledge: Pledge,
     /// The most that a sensor has shown, and where.
     peak: Option<(f64, Point)>,
     commands: CommandLog,
-    safety: SafetyLog,
+    /// The state of the ledger that the commands are counted from.
+    counted: Option<u64>,
+    pub(super) safety: SafetyLog,
     met: Vec<bool>,
     events: Vec<EventReport>,
     elapsed: Duration,
     ended: Option<Outcome>,
-    engine: Engine,
+    pub(super) engine: Engine,
     /// Whether an event has ended the mission as failed.
     failed: bool,
     tally: crate::scoring::CommandTally,
@@ -104,11 +112,14 @@ impl Flight {
                 .collect(),
             surveys: surveys.collect(),
             crafts: Vec::new(),
+            holds: Vec::new(),
+            releases: Vec::new(),
             contacts: Contacts::default(),
             marks: Marks::default(),
             pledge: Pledge::default(),
             peak: None,
             commands: CommandLog::default(),
+            counted: None,
             safety: SafetyLog::default(),
             met: vec![false; mission.objectives.len()],
             events: Vec::new(),
@@ -138,13 +149,14 @@ impl Flight {
         self.enlist(vehicles);
         self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
+        self.step_loads(&mut notices);
         self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
-        self.step_objectives(&mut notices);
-        self.step_threats(vehicles, &mut notices);
+        let standings = self.step_objectives(&mut notices);
+        self.step_threats(vehicles, &standings, &mut notices);
         self.warn_of_time(previous, &mut notices);
-        self.decide(now, &mut notices);
+        self.decide(now, &standings, &mut notices);
         notices
     }
 
@@ -190,12 +202,13 @@ impl Flight {
                 return;
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
-                let sensors = self.mission.sensors.iter().enumerate();
+                let fit = &self.mission.fits[self.crafts.len()];
                 let probe = |(index, &sensor)| {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
-                self.crafts
-                    .push(Craft::new(id, sensors.map(probe).collect()));
+                let probes = fit.sensors.iter().enumerate().filter_map(probe);
+                self.holds.push(loads::Hold::new(fit));
+                self.crafts.push(Craft::new(id, probes.collect()));
             }
         }
     }
@@ -214,8 +227,11 @@ impl Flight {
                     .map(|breach| (craft.id, breach)),
             );
             for (index, probe) in craft.probes.iter_mut().enumerate() {
-                let amount = |at| self.world.amount(probe.sensor.quantity, at, craft.height_m);
-                let amount = craft.at.map_or(0.0, amount);
+                let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
+                let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
+                    true => self.world.column(quantity, at, height_m),
+                    false => self.world.amount(quantity, at, height_m),
+                });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
                 let shown = probe.shown;
                 probe.shown = self.engine.shown(craft.id, index, shown, self.elapsed);
@@ -249,6 +265,10 @@ impl Flight {
         ledger: &Ledger,
         notices: &mut Vec<Notice>,
     ) {
+        // Rows change seldom, and there are thousands of them late in a swarm's mission.
+        if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
+            return;
+        }
         for event in self.commands.step(self.elapsed, vehicles, ledger) {
             match event {
                 // The fleet tells the operator about refusals; here they only go on record.
@@ -306,7 +326,7 @@ impl Flight {
         }
     }
 
-    fn step_objectives(&mut self, notices: &mut Vec<Notice>) {
+    fn step_objectives(&mut self, notices: &mut Vec<Notice>) -> Vec<Standing> {
         let mission = Arc::clone(&self.mission);
         let mut trackers = std::mem::take(&mut self.trackers);
         for tracker in &mut trackers {
@@ -314,7 +334,8 @@ impl Flight {
         }
         self.trackers = trackers;
         let standings = self.standings();
-        for (index, (objective, standing)) in mission.objectives.iter().zip(standings).enumerate() {
+        for (index, (objective, standing)) in mission.objectives.iter().zip(&standings).enumerate()
+        {
             if standing.met != self.met[index] {
                 self.met[index] = standing.met;
                 let (id, result) = (&objective.id, &standing.result);
@@ -326,6 +347,7 @@ impl Flight {
                 self.say("objective", None, Severity::Notice, text, notices);
             }
         }
+        standings
     }
 
     fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
@@ -346,8 +368,7 @@ impl Flight {
         }
     }
 
-    fn decide(&mut self, now: Duration, notices: &mut Vec<Notice>) {
-        let standings = self.standings();
+    fn decide(&mut self, now: Duration, standings: &[Standing], notices: &mut Vec<Notice>) {
         let mut mandatory = standings
             .iter()
             .zip(&self.mission.objectives)
@@ -424,6 +445,7 @@ impl Flight {
             contacts: self.contacts.all(),
             marks: self.marks.all(),
             margins_db: self.engine.margins_db(),
+            releases: &self.releases,
         }
     }
 

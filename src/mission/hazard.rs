@@ -10,7 +10,11 @@ use super::file::Reader;
 use super::weather::Weather;
 use crate::text::Text;
 
+mod dispersion;
 pub(super) mod plume;
+pub(super) mod puffs;
+pub(super) mod radiation;
+mod wander;
 
 /// A hazard as the file describes it.
 pub(crate) trait Hazard: Debug + Send + Sync {
@@ -49,6 +53,10 @@ pub(crate) trait Field: Debug + Send + Sync {
 pub(crate) enum Quantity {
     /// Solvent vapour or gas, in ug/m3.
     Vapour,
+    /// Carbon monoxide, in ug/m3.
+    Monoxide,
+    /// Methane, in ug/m3.
+    Methane,
     /// Fine particles and smoke, in ug/m3.
     Particles,
     /// Dose rate of gamma radiation, in uSv/h.
@@ -68,6 +76,22 @@ pub(crate) struct Object {
     pub present: bool,
     /// How much of it is hidden from above, 0 to 1 (canopy, rubble).
     pub cover: f64,
+    /// The direction of the line that it hangs on, for what has to be looked at from the side.
+    pub axis_deg: Option<f64>,
+}
+
+impl Object {
+    /// One that lies open on the ground.
+    pub fn new(class: Class, at: Point) -> Self {
+        Self {
+            class,
+            at,
+            height_m: 0.0,
+            present: true,
+            cover: 0.0,
+            axis_deg: None,
+        }
+    }
 }
 
 /// What an object is. The word after `mark .. as` is [`Class::kind`].
@@ -152,4 +176,8 @@ pub(crate) enum TruthShape {
 }
 
 /// All kinds by name.
-pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[("plume", plume::read)];
+pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[
+    ("plume", plume::read),
+    ("puffs", puffs::read),
+    ("radiation", radiation::read),
+];

@@ -7,6 +7,7 @@ use std::time::Duration;
 use super::contact::Contact;
 use super::craft::Craft;
 use super::file::Reader;
+use super::flight::Release;
 use super::report::Mark;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;
@@ -60,6 +61,8 @@ pub(crate) struct Scene<'a> {
     pub marks: &'a [Mark],
     /// How well vehicles are heard, in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
+    /// What was let go of.
+    pub releases: &'a [Release],
 }
 
 impl Scene<'_> {

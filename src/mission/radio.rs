@@ -271,3 +271,6 @@ fn ridge_db(
         0.0
     }
 }
+
+#[cfg(test)]
+mod tests;

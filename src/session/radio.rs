@@ -135,3 +135,6 @@ pub(super) fn position(frame: &Frame) -> Option<Unheard> {
         altitude_m: f64::from(data.relative_alt) * 1e-3,
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Flight;
+use super::{Flight, Standing};
 use crate::mission::event::Trigger;
 use crate::mission::event::demand::Demand;
 use crate::mission::event::engine::{News, Sight};
@@ -27,15 +27,15 @@ impl Flight {
     pub(super) fn step_threats(
         &mut self,
         vehicles: &BTreeMap<VehicleId, Vehicle>,
+        standings: &[Standing],
         notices: &mut Vec<Notice>,
     ) {
         let mission = std::sync::Arc::clone(&self.mission);
-        let standings = self.standings();
         let sight = Sight {
             now: self.elapsed,
             crafts: &self.crafts,
             vehicles,
-            standings: &standings,
+            standings,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
             last_command: self.commands.last_given(),

@@ -1,6 +1,7 @@
 //! How a flight stands, for the mission panel.
 
 use super::{Craft, Flight, Probe, Standing, Survey, result};
+use crate::language::Findings;
 use crate::mission::{
     Cell, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
 };
@@ -39,6 +40,7 @@ impl Flight {
             score_so_far: self.score_so_far(&standings),
             objectives,
             readings: self.readings(),
+            findings: self.findings(),
             hint: self.hint(&standings),
             places: self.places(),
             cells: self.cells(),
@@ -46,6 +48,15 @@ impl Flight {
             movers: self.moving_things(),
             alerts: self.open_alerts(),
             margins_db: self.engine.margins_db().clone(),
+        }
+    }
+
+    /// What sensors have found so far, for the waits of scripts.
+    pub fn findings(&self) -> Findings {
+        let reading = |craft: &Craft| Some((craft.id, craft.probes.first()?.shown));
+        Findings {
+            contacts: self.contacts.all().len(),
+            readings: self.crafts.iter().filter_map(reading).collect(),
         }
     }
 
@@ -62,11 +73,13 @@ impl Flight {
                 vehicle: id,
                 sensor: Text::new(probe.sensor.name, Vec::new()),
                 value: probe.shown,
-                unit: probe.sensor.unit,
+                unit: probe.spec.unit,
             };
             craft.probes.iter().map(reading).collect::<Vec<_>>()
         };
-        self.crafts.iter().flat_map(of).collect()
+        let mut readings: Vec<Reading> = self.crafts.iter().flat_map(of).collect();
+        readings.extend(self.loads_left());
+        readings
     }
 
     fn hint(&self, standings: &[Standing]) -> Option<Text> {
