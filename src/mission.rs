@@ -78,7 +78,7 @@ pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
 pub use clock::Clock;
 pub use event::alert::OpenAlert;
-pub use event::demand::{Demand, Want};
+pub use event::demand::Demand;
 pub use event::mover::MoverKind;
 pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};

@@ -45,6 +45,7 @@ use transaction::{Progress, Transaction};
 pub use naming::Renamed;
 pub use order::{Order, Report};
 pub use radio::RadioFault;
+pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
 
 /// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
@@ -182,20 +183,17 @@ impl Session {
         self.take_in_arrived(now);
     }
 
-    /// Says what the radio between the vehicle and us is like from now on.
-    pub fn set_radio(&mut self, fault: RadioFault) {
-        self.channel.set(fault, u64::from(self.vehicle.id));
+    /// Has something done to the vehicle's simulator or to the radio between it and us, from now on.
+    pub fn carry_out(&mut self, want: Want) {
+        match want {
+            Want::Parameter { name, value } => self.settings.want(name, value),
+            Want::Radio(fault) => self.channel.set(fault, u64::from(self.vehicle.id)),
+        }
     }
 
     /// Whether nothing comes through between the vehicle and us, heartbeats of ours included.
     pub fn is_cut(&self) -> bool {
         self.channel.is_cut()
-    }
-
-    /// A parameter of the vehicle's simulator is to have a value from now on, without a word about it. The name is
-    /// `ArduCopter` 4.6's.
-    pub fn keep_parameter(&mut self, name: &'static str, value: f64) {
-        self.settings.want(name, value);
     }
 
     fn take_in_arrived(&mut self, now: Duration) {

@@ -17,7 +17,7 @@ use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::link::{Address, Endpoint, LinkStatus, Simulator, Transport};
-use crate::mission::{Flight, Mission};
+use crate::mission::{Demand, Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
@@ -82,6 +82,8 @@ pub(super) struct Running {
     /// Reports that the fleet dropped so far.
     dropped: u64,
     course: Option<Course>,
+    /// What the mission demands of vehicles that have not been told yet.
+    wanted: Vec<Demand>,
     /// The processes of its vehicles, and how many there are to be.
     processes: Option<(Processes, usize)>,
     cancel: CancellationToken,
@@ -111,6 +113,7 @@ impl Running {
             links_ended: 0,
             dropped: 0,
             course: None,
+            wanted: Vec::new(),
             processes: None,
             cancel,
         };
@@ -386,8 +389,17 @@ impl Running {
 
     /// Steps the mission up to now and returns what came of it.
     pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
-        let course = self.course.as_mut();
-        course.map_or_else(Vec::new, |course| course.fly(now, shown))
+        let Some(course) = &mut self.course else {
+            return Vec::new();
+        };
+        let events = course.fly(now, shown);
+        // What a vehicle cannot be told before it is heard waits until it is.
+        let heard = |demand: &Demand| shown.vehicles.contains_key(&demand.vehicle);
+        self.wanted.extend(course.flight.take_demands());
+        for demand in self.wanted.extract_if(.., |demand| heard(demand)) {
+            let _ = self.fleet.carry_out(demand.vehicle, demand.want);
+        }
+        events
     }
 }
 

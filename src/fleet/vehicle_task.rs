@@ -10,7 +10,7 @@ use tokio_util::sync::CancellationToken;
 use super::{Clock, FleetEvent};
 use crate::link::{LinkHandle, Peer, To};
 use crate::parameters::{Fetching, Snapshot};
-use crate::session::{Order, Report, Session};
+use crate::session::{Order, Report, Session, Want};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
@@ -29,6 +29,8 @@ pub(super) enum ToVehicle {
     FetchParameters,
     /// Its autopilot was started anew.
     Restarted,
+    /// Something is to be done to its simulator or its link.
+    Want(Want),
     /// The vehicle is reached by another way from now on.
     Route(LinkHandle, Peer),
 }
@@ -119,6 +121,11 @@ impl VehicleTask {
             ToVehicle::Order(order) => self.session.order(order, now),
             ToVehicle::FetchParameters => self.session.fetch_parameters(now),
             ToVehicle::Restarted => self.session.restarted(now),
+            ToVehicle::Want(want) => {
+                self.session.carry_out(want);
+                // In missions, each vehicle has a link of its own.
+                self.route.0.hush(self.session.is_cut());
+            }
             ToVehicle::Route(link, peer) => {
                 self.session.heard_via(link.id().0, now);
                 self.reconnects = link.status().borrow().reconnects;

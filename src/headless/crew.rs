@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::geo::LatLon;
 use crate::language::{self, Action, Context, Pilot, PilotEvent, Script, Seen, Statement, Verb};
 use crate::ledger::{EntryId, Given, Ledger, Risk, RowUpdate};
-use crate::mission::{Flight, Mission, Report as MissionReport, Want};
+use crate::mission::{Flight, Mission, Report as MissionReport};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
 use crate::text;
@@ -163,10 +163,7 @@ impl Crew {
         for demand in self.flight.take_demands() {
             let mut seats = self.seats.iter_mut().map(|seat| &mut seat.session);
             if let Some(session) = seats.find(|session| session.vehicle().id == demand.vehicle) {
-                match demand.want {
-                    Want::Parameter { name, value } => session.keep_parameter(name, value),
-                    Want::Radio(fault) => session.set_radio(fault),
-                }
+                session.carry_out(demand.want);
             }
         }
     }

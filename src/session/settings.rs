@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
+use super::RadioFault;
 use crate::commands::Command;
 use crate::parameters::other_name;
 use crate::vehicle::Vehicle;
@@ -19,6 +20,21 @@ const FIRST_PATIENCE: Duration = Duration::from_millis(400);
 const LONGEST_PATIENCE: Duration = Duration::from_secs(5);
 /// So many are under way at once; a link of 57600 baud has room for them.
 const MOST_AT_ONCE: usize = 8;
+
+/// What is done to a simulator or a link without a word about it. It holds until something else of the same kind is
+/// wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Want {
+    /// A parameter of the simulator has a value.
+    Parameter {
+        /// As `ArduCopter` 4.6 calls it.
+        name: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// The radio link is like this.
+    Radio(RadioFault),
+}
 
 /// One of them.
 #[derive(Debug, Clone)]

@@ -9,30 +9,16 @@ use std::collections::BTreeMap;
 use super::fault::{Broken, FaultKind};
 use crate::geo::LatLon;
 use crate::mission::weather::Weather;
-use crate::session::RadioFault;
+use crate::session::{RadioFault, Want};
 use crate::vehicle::VehicleId;
 
 /// Something that has to be done to one vehicle, quietly.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
     /// To which one.
     pub vehicle: VehicleId,
     /// What.
     pub want: Want,
-}
-
-/// What is demanded. It holds until something else is demanded of the same kind.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Want {
-    /// A parameter of its simulator has a value.
-    Parameter {
-        /// As `ArduCopter` 4.6 calls it.
-        name: &'static str,
-        /// The value.
-        value: f64,
-    },
-    /// Its radio link is like this.
-    Radio(RadioFault),
 }
 
 const WIND_SPEED: &str = "SIM_WIND_SPD";

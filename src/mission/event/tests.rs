@@ -1,10 +1,10 @@
 //! Events as they come to a vehicle that flies.
 
 use crate::mission::Mission;
-use crate::mission::event::demand::Want;
 use crate::mission::fake::Pilot;
 use crate::mission::flight::Outcome;
 use crate::scoring::{Report, SafetyKind};
+use crate::session::Want;
 
 /// The first mission with something more in it.
 fn mission(more: &str) -> Result<Mission, Vec<crate::diagnostic::Diagnostic>> {

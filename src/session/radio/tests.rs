@@ -3,8 +3,8 @@
 use mavlink::dialects::ardupilotmega::{GLOBAL_POSITION_INT_DATA, PARAM_VALUE_DATA};
 
 use super::*;
-use crate::session::Session;
 use crate::session::settings::Settings;
+use crate::session::{Session, Want};
 use crate::wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, ground_station_heartbeat};
 
 const LOST_HALF: RadioFault = RadioFault {
@@ -91,7 +91,7 @@ fn what_is_late_comes_in_its_order() {
 fn in_a_blackout_the_operator_sees_nothing_but_the_mission_knows_where_it_is() {
     let mut session = Session::new(1, AUTOPILOT_COMPONENT, Duration::ZERO);
     session.receive(&at_north(10.0), Duration::from_secs(1));
-    session.set_radio(CUT);
+    session.carry_out(Want::Radio(CUT));
     assert!(session.is_cut());
     session.receive(&at_north(80.0), Duration::from_secs(2));
     let vehicle = session.vehicle();
@@ -101,7 +101,7 @@ fn in_a_blackout_the_operator_sees_nothing_but_the_mission_knows_where_it_is() {
     assert!((unheard.at.lat_deg - 50.0) * 111_319.49 > 79.0);
     session.poll(Duration::from_secs(4));
     assert!(session.vehicle().link.lost);
-    session.set_radio(RadioFault::default());
+    session.carry_out(Want::Radio(RadioFault::default()));
     session.receive(&at_north(90.0), Duration::from_secs(5));
     assert_eq!(session.vehicle().unheard, None);
     assert!(!session.vehicle().link.lost);
