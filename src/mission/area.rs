@@ -1,5 +1,7 @@
 //! The areas of a mission that the trainee is told of.
 
+use std::collections::BTreeMap;
+
 use super::Mission;
 use super::zone::{Shape, Zone, ZoneKind};
 use crate::geo::Outline;
@@ -68,5 +70,11 @@ impl Mission {
                 },
             },
         }
+    }
+
+    /// The same by name, for the words of a line.
+    pub fn named_areas(&self) -> BTreeMap<String, Outline> {
+        let areas = self.areas().into_iter();
+        areas.map(|area| (area.name, area.outline)).collect()
     }
 }

@@ -103,6 +103,7 @@ impl Mission {
         let world = World::new(self, 0);
         let nobody = Scene {
             now: Duration::ZERO,
+            over: false,
             vehicles: &[],
             surveys: &[],
             world: &world,
