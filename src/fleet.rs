@@ -6,10 +6,8 @@
 //! waits for another: a full queue drops telemetry, which comes again, and is counted.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use tokio::sync::{mpsc, watch};
-use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
@@ -20,29 +18,16 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
+mod clock;
 mod hub;
 mod vehicle_task;
+
+pub use clock::Clock;
 
 /// Reports that may wait for the console before notices are dropped.
 const EVENTS_KEPT: usize = 4096;
 /// Requests that may wait for the hub.
 const REQUESTS_KEPT: usize = 1024;
-
-/// The program's clock: every `now` in the pure modules counts from its start.
-#[derive(Debug, Clone, Copy)]
-pub struct Clock(Instant);
-
-impl Clock {
-    /// A clock that starts now.
-    pub fn start() -> Self {
-        Self(Instant::now())
-    }
-
-    /// The time since the start.
-    pub fn now(self) -> Duration {
-        self.0.elapsed()
-    }
-}
 
 /// Something that happened in the fleet.
 #[derive(Debug)]

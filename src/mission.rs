@@ -89,7 +89,10 @@ pub use event::demand::Demand;
 pub use event::mover::MoverKind;
 pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};
-pub use progress::{Cell, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading};
+pub use progress::{
+    Cell, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact,
+    ShownMark, Trust,
+};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);

@@ -16,7 +16,7 @@ use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::link::{Address, Endpoint, LinkStatus, Simulator, Transport};
+use crate::link::{Address, Endpoint, LinkStatus, Pace, Simulator, Transport};
 use crate::mission::{Demand, Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
@@ -87,6 +87,8 @@ pub(super) struct Running {
     course: Option<Course>,
     /// What the mission demands of vehicles that have not been told yet.
     wanted: Vec<Demand>,
+    /// While this is true, the embedded simulator stands still.
+    held: watch::Sender<bool>,
     /// What they do together.
     swarm: Swarm,
     /// The processes of its vehicles, and how many there are to be.
@@ -115,7 +117,7 @@ impl Running {
         before: Ending,
     ) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
-        let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
+        let (fleet, events) = Fleet::start(backend.clock.clone(), cancel.clone());
         let mut running = Self {
             plan: plan.clone(),
             fleet,
@@ -129,6 +131,7 @@ impl Running {
             dropped: 0,
             course: None,
             wanted: Vec::new(),
+            held: watch::Sender::new(false),
             swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
             processes: None,
             cancel,
@@ -206,7 +209,11 @@ impl Running {
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();
-        let simulator = Simulator::start(world, backend.speedup, &endpoints, cancel).await?;
+        let pace = Pace {
+            speedup: backend.speedup,
+            held: self.held.subscribe(),
+        };
+        let simulator = Simulator::start(world, pace, &endpoints, cancel).await?;
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }
@@ -310,6 +317,18 @@ impl Running {
                 return;
             }
         }
+    }
+
+    /// Lets the embedded simulator stand still, or go on.
+    pub fn hold(&self, held: bool) {
+        self.held.send_replace(held);
+    }
+
+    /// Takes down in the mission's record that all stood still for so long.
+    pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
+        self.inspection.rest(now);
+        let notice = self.course.as_mut()?.flight.note_pause(lasted)?;
+        Some(Notice { at: now, ..notice })
     }
 
     /// Ends the mission; its report comes with the next tick.

@@ -245,7 +245,7 @@ impl Hub {
         session.heard_via(link_id.0, now);
         let task = VehicleTask {
             session,
-            clock: self.clock,
+            clock: self.clock.clone(),
             inbox: inbox_out,
             route: (link.clone(), peer),
             reconnects: link.status().borrow().reconnects,

@@ -25,6 +25,7 @@ use crate::vehicle::{Severity, Vehicle};
 
 mod deeds;
 mod loads;
+mod pause;
 mod places;
 mod result;
 mod threats;

@@ -8,6 +8,7 @@ use crate::mission::{
 use crate::scoring::score;
 use crate::text::Text;
 
+mod finds;
 mod threats;
 
 impl Flight {
@@ -43,6 +44,9 @@ impl Flight {
             findings: self.findings(),
             hint: self.hint(&standings),
             places: self.places(),
+            contacts: self.shown_contacts(),
+            marks: self.shown_marks(),
+            pledge: self.pledge,
             cells: self.cells(),
             areas: self.areas_now(),
             movers: self.moving_things(),
