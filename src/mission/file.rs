@@ -16,10 +16,12 @@ use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
+mod events;
 mod fleet;
 mod names;
 mod place;
 mod points;
+mod radio;
 mod sections;
 mod zones;
 
@@ -35,7 +37,7 @@ const HEAD: [&str; 11] = [
     "drill_of",
 ];
 /// The sections.
-const SECTIONS: [&str; 10] = [
+const SECTIONS: [&str; 13] = [
     "sim",
     "weather",
     "places",
@@ -44,6 +46,9 @@ const SECTIONS: [&str; 10] = [
     "fleet",
     "rules",
     "objectives",
+    "events",
+    "radio",
+    "instructor",
     "hints",
     "scoring",
 ];

@@ -35,6 +35,7 @@ catalogue! {
     "scoring",
     "swarm",
     "terminal",
+    "threats",
     "vehicle",
     "files",
     "finds",
