@@ -190,7 +190,7 @@ impl Mission {
     }
 
     /// The same with more vehicles than it is made for, for measurements: their pads lie in a row to the south of the
-    /// last one.
+    /// last one, and they carry what the last one carries.
     #[must_use]
     pub fn enlarged(mut self, vehicles: usize) -> Self {
         if let Some(&[east_m, north_m]) = self.pads.last() {
@@ -198,6 +198,9 @@ impl Mission {
             let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
             self.pads.extend((1..=more).map(pad));
             self.vehicles = self.pads.len();
+            if let Some(fit) = self.fits.last().cloned() {
+                self.fits.resize(self.vehicles, fit);
+            }
         }
         self
     }
