@@ -23,11 +23,13 @@ use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
 mod deeds;
+mod loads;
 mod places;
 mod result;
 mod view;
 
 pub use deeds::Pledge;
+pub(crate) use loads::Release;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -66,6 +68,10 @@ pub struct Flight {
     trackers: Vec<Box<dyn Tracker>>,
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
+    /// What each craft has on board.
+    holds: Vec<loads::Hold>,
+    /// Everything that was let go of.
+    releases: Vec<Release>,
     contacts: Contacts,
     marks: Marks,
     pledge: Pledge,
@@ -100,6 +106,8 @@ impl Flight {
                 .collect(),
             surveys: surveys.collect(),
             crafts: Vec::new(),
+            holds: Vec::new(),
+            releases: Vec::new(),
             contacts: Contacts::default(),
             marks: Marks::default(),
             pledge: Pledge::default(),
@@ -133,6 +141,7 @@ impl Flight {
         self.enlist(vehicles);
         self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
+        self.step_loads(&mut notices);
         self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
@@ -189,6 +198,7 @@ impl Flight {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
                 let probes = fit.sensors.iter().enumerate().filter_map(probe);
+                self.holds.push(loads::Hold::new(fit));
                 self.crafts.push(Craft::new(id, probes.collect()));
             }
         }
@@ -208,8 +218,11 @@ impl Flight {
                     .map(|breach| (craft.id, breach)),
             );
             for probe in &mut craft.probes {
-                let amount = |at| self.world.amount(probe.spec.quantity, at, craft.height_m);
-                let amount = craft.at.map_or(0.0, amount);
+                let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
+                let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
+                    true => self.world.column(quantity, at, height_m),
+                    false => self.world.amount(quantity, at, height_m),
+                });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
             }
         }
@@ -418,6 +431,7 @@ impl Flight {
             world: &self.world,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
+            releases: &self.releases,
         }
     }
 
