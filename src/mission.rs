@@ -198,7 +198,7 @@ impl Mission {
     }
 
     /// The same with more vehicles than it is made for, for measurements: their pads lie in a row to the south of the
-    /// last one, and they carry what the last one carries.
+    /// last one, and they carry what that one does.
     #[must_use]
     pub fn enlarged(mut self, vehicles: usize) -> Self {
         if let Some(&[east_m, north_m]) = self.pads.last() {
@@ -206,9 +206,8 @@ impl Mission {
             let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
             self.pads.extend((1..=more).map(pad));
             self.vehicles = self.pads.len();
-            if let Some(fit) = self.fits.last().cloned() {
-                self.fits.resize(self.vehicles, fit);
-            }
+            let fit = self.fits.last().cloned().unwrap_or_default();
+            self.fits.resize(self.vehicles, fit);
         }
         self
     }
