@@ -68,6 +68,7 @@ mod progress;
 mod report;
 mod sensor;
 mod survey;
+mod together;
 mod weather;
 mod world;
 mod zone;
