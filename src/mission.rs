@@ -40,9 +40,15 @@
 //! `walls = [{ from, to, height, passes }, ..]` (`passes`: the share that gets through), `background` (uSv/h, 0.1),
 //! `jitter` (m, for each source).
 //!
+//! Hazard kind `fire`: `area = [west, south, east, north]` in square cells of `cell` m, `fuel` (`grass`, `shrub`,
+//! `timber`, `bare`; `grass`), `patches = [{ area, fuel }, ..]` on top of it, `moisture` (share of water, 0.05), `embers`
+//! (how many times more than usual, 1), `ignitions = [{ at, time, radius }, ..]`, `jitter` (m, for each ignition).
+//!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
-//! `recover` (`radius`, `battery_pct`). Cells are named like chess squares: `A1` is the south-west one, letters go
+//! `recover` (`radius`, `battery_pct`), `locate` (`of`: a hazard, `within`, `partial_to`), `perimeter` (`of`: a fire,
+//! `sensor`, `times`, `target`, `partial_from`), `protect` (`of`: a fire, `zone`), `contain` (`of`: a fire, `target`,
+//! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`). Cells are named like chess squares: `A1` is the south-west one, letters go
 //! east, numbers go north.
 
 use std::collections::BTreeMap;
