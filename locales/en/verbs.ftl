@@ -96,7 +96,7 @@ argument-ground-speed = over ground
 argument-charge = charge left
 argument-satellites = satellites in use
 argument-reading = what the first sensor of the vehicle shows, in its unit
-argument-contacts = contacts of all vehicles together
+argument-contact-count = contacts of all vehicles together
 
 # What a mission understands
 verb-mark = report a find

@@ -112,7 +112,11 @@ pub(super) const WAIT: Verb = Verb {
         },
         Form {
             arguments: &[
-                Argument::value("field", Kind::Choice(&["contacts"]), "argument-contacts"),
+                Argument::value(
+                    "field",
+                    Kind::Choice(&["contacts"]),
+                    "argument-contact-count",
+                ),
                 RELATION,
                 Argument::value("value", Kind::Whole(Unit::None, 0.0, 1e6), ""),
                 TIMEOUT,
