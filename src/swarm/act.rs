@@ -34,7 +34,7 @@ const STANDING_M_S: f64 = 0.05;
 /// A point that has moved by this is a new one.
 const SAME_POINT_M: f64 = 0.2;
 /// How near to a point a vehicle has reached it, on the ground and in height.
-const REACHED_ASIDE_M: f64 = 1.2;
+const REACHED_ASIDE_M: f64 = 0.8;
 const REACHED_ABOVE_M: f64 = 0.7;
 /// How near to its place a vehicle of a moving formation is in its place.
 const IN_PLACE_M: f64 = 2.0;
