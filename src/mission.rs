@@ -40,9 +40,15 @@
 //! `walls = [{ from, to, height, passes }, ..]` (`passes`: the share that gets through), `background` (uSv/h, 0.1),
 //! `jitter` (m, for each source).
 //!
+//! Hazard kind `fire`: `area = [west, south, east, north]` in square cells of `cell` m, `fuel` (`grass`, `shrub`,
+//! `timber`, `bare`; `grass`), `patches = [{ area, fuel }, ..]` on top of it, `moisture` (share of water, 0.05), `embers`
+//! (how many times more than usual, 1), `ignitions = [{ at, time, radius }, ..]`, `jitter` (m, for each ignition).
+//!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
-//! `recover` (`radius`, `battery_pct`). Cells are named like chess squares: `A1` is the south-west one, letters go
+//! `recover` (`radius`, `battery_pct`), `locate` (`of`: a hazard, `within`, `partial_to`), `perimeter` (`of`: a fire,
+//! `sensor`, `times`, `target`, `partial_from`), `protect` (`of`: a fire, `zone`), `contain` (`of`: a fire, `target`,
+//! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`). Cells are named like chess squares: `A1` is the south-west one, letters go
 //! east, numbers go north.
 
 use std::collections::BTreeMap;
@@ -58,6 +64,7 @@ mod area;
 mod clock;
 mod contact;
 mod craft;
+mod event;
 mod file;
 mod fit;
 mod flight;
@@ -65,6 +72,7 @@ mod hazard;
 mod listing;
 mod objective;
 mod progress;
+mod radio;
 mod report;
 mod sensor;
 mod survey;
@@ -76,9 +84,15 @@ mod zone;
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
 pub use clock::Clock;
-pub use flight::{Flight, Outcome, Pledge};
+pub use event::alert::OpenAlert;
+pub use event::demand::Demand;
+pub use event::mover::MoverKind;
+pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};
-pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+pub use progress::{
+    Cell, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact,
+    ShownMark, Trust,
+};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
@@ -130,6 +144,13 @@ pub struct Mission {
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) max_height_m: f64,
     pub(crate) land_reserve_percent: f64,
+    /// Vehicles in the air have to be this far apart.
+    pub(crate) min_separation_m: f64,
+    pub(crate) events: Vec<event::Event>,
+    /// `None` where radio does not matter.
+    pub(crate) radio: Option<radio::Radio>,
+    /// Threats that an instructor may have happen, besides the mission's own.
+    pub(crate) may_inject: Vec<String>,
 }
 
 /// Metres east and north of the origin.

@@ -1,5 +1,6 @@
 //! Objectives: what a trainee has to reach. One file per kind.
 
+use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::time::Duration;
 
@@ -11,8 +12,13 @@ use super::report::Mark;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
+pub(super) mod dose;
+pub(super) mod locate;
 pub(super) mod map_error;
+pub(super) mod perimeter;
+pub(super) mod protect;
 pub(super) mod recover;
 pub(super) mod sample_cells;
 
@@ -52,11 +58,15 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 pub(crate) struct Scene<'a> {
     /// Mission time.
     pub now: Duration,
+    /// Whether the flight is over, or its time is up.
+    pub over: bool,
     pub vehicles: &'a [Craft],
     pub surveys: &'a [Survey],
     pub world: &'a World,
     pub contacts: &'a [Contact],
     pub marks: &'a [Mark],
+    /// How well vehicles are heard, in dB; empty where radio does not matter.
+    pub margins_db: &'a BTreeMap<VehicleId, f64>,
     /// What was let go of.
     pub releases: &'a [Release],
 }
@@ -116,4 +126,9 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("sample_cells", sample_cells::read),
     ("map_error", map_error::read),
     ("recover", recover::read),
+    ("locate", locate::read),
+    ("perimeter", perimeter::read),
+    ("protect", protect::read),
+    ("contain", protect::read_contain),
+    ("dose", dose::read),
 ];
