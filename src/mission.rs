@@ -51,12 +51,14 @@ mod craft;
 mod file;
 mod flight;
 mod hazard;
+mod hint;
 mod listing;
 mod objective;
 mod progress;
 mod report;
 mod sensor;
 mod survey;
+mod usage;
 mod weather;
 mod world;
 mod zone;
@@ -65,8 +67,9 @@ pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
 pub use clock::Clock;
 pub use flight::{Flight, Outcome, Pledge};
+pub use hint::{Clue, Hint, Phase};
 pub use listing::{Listing, ObjectiveListing};
-pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+pub use progress::{Cell, ClueProgress, ObjectiveProgress, ObjectiveState, Progress, Reading};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
@@ -99,6 +102,8 @@ pub struct Mission {
     pub time_limit: Duration,
     /// Advice by phase of the flight.
     pub hints: Vec<Hint>,
+    /// Advice that can be asked for, at a price.
+    pub clues: Vec<Clue>,
     /// How it is scored.
     pub scoring: scoring::Rules,
     pub(crate) origin: Origin,
@@ -114,29 +119,6 @@ pub struct Mission {
 
 /// Metres east and north of the origin.
 pub(crate) type Point = [f64; 2];
-
-/// Advice that fits a phase of the flight.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Hint {
-    /// When it is shown.
-    pub phase: Phase,
-    /// What it says; `{next_cell}` stands for the next cell to sample.
-    pub text: Text,
-}
-
-/// Phases of a flight, for hints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Phase {
-    /// No vehicle is armed, not everything is done.
-    Ground,
-    /// A vehicle is armed, none flies.
-    Armed,
-    /// A vehicle flies, not everything is done.
-    Air,
-    /// All but the landing is done.
-    Done,
-}
 
 /// Where [0, 0] is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -238,7 +238,9 @@ fn every_example_parses_to_its_own_verb() {
         assert!(!verb.examples.is_empty(), "{verb:?} has no example");
         for example in verb.examples {
             match read(example).expect(example).action {
-                Action::Command { verb: said, .. } | Action::Deed { verb: said, .. } => assert_eq!(said, verb, "{example}"),
+                Action::Command { verb: said, .. } | Action::Deed { verb: said, .. } => {
+                    assert_eq!(said, verb, "{example}")
+                }
                 Action::Wait(_) => assert_eq!(verb.name, "wait", "{example}"),
             }
         }

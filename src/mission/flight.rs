@@ -10,21 +10,25 @@ use super::objective::{Scene, Standing, Tracker};
 use super::report::Marks;
 use super::sensor::Probe;
 use super::survey::Survey;
+use super::usage::Usage;
 use super::world::World;
 use super::{Mission, Point, TICK};
-use crate::ledger::Ledger;
+use crate::ledger::{EntryId, Ledger};
 use crate::notice::Notice;
 use crate::scoring::{
-    CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, rounded,
+    CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, SwarmTimes, rounded,
 };
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
+mod clues;
 mod deeds;
 mod places;
+mod pledge;
 mod result;
+mod swarm;
 mod view;
 
 pub use deeds::Pledge;
@@ -78,6 +82,15 @@ pub struct Flight {
     elapsed: Duration,
     ended: Option<Outcome>,
     tally: crate::scoring::CommandTally,
+    /// Which try of this trainee's it is, from 1.
+    attempt: u32,
+    /// The clues that were asked for, and when.
+    clues_given: Vec<(Duration, usize)>,
+    /// What each craft did with its time, in the order of the crafts.
+    usage: Vec<Usage>,
+    swarm: SwarmTimes,
+    /// The newest command to vehicles and for whom it was.
+    ordered: Option<(EntryId, Vec<VehicleId>)>,
 }
 
 impl Flight {
@@ -109,9 +122,19 @@ impl Flight {
             elapsed: Duration::ZERO,
             ended: None,
             tally: crate::scoring::CommandTally::default(),
+            attempt: 1,
+            clues_given: Vec::new(),
+            usage: Vec::new(),
+            swarm: SwarmTimes::default(),
+            ordered: None,
             world,
             mission,
         }
+    }
+
+    /// Says which try of the trainee's it is, from 1, before it begins: on the first one, hints are free.
+    pub fn set_attempt(&mut self, attempt: u32) {
+        self.attempt = attempt.max(1);
     }
 
     /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
@@ -132,6 +155,7 @@ impl Flight {
         self.step_crafts(vehicles, &mut notices);
         self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
+        self.step_usage(ledger);
         self.step_surveys(&mut notices);
         self.step_objectives(&mut notices);
         self.warn_of_time(previous, &mut notices);
@@ -187,6 +211,7 @@ impl Flight {
                 };
                 self.crafts
                     .push(Craft::new(id, sensors.map(probe).collect()));
+                self.usage.push(Usage::new(id));
             }
         }
     }
@@ -351,7 +376,14 @@ impl Flight {
         } else {
             Outcome::Failed
         };
-        if all_lost || (settled && all_down) {
+        let harmed = self
+            .safety
+            .events()
+            .iter()
+            .any(|event| event.kind.is_fatal());
+        if harmed {
+            self.end(Outcome::Failed, notices);
+        } else if all_lost || (settled && all_down) {
             self.end(verdict, notices);
         } else if now >= self.mission.time_limit {
             self.end(

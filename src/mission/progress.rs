@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use super::Pledge;
 use crate::geo::LatLon;
+use crate::scoring::SwarmFigures;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -24,10 +26,29 @@ pub struct Progress {
     pub readings: Vec<Reading>,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
+    /// Hints that can be asked for.
+    pub clues: ClueProgress,
+    /// What the trainee has said before launch.
+    pub pledge: Pledge,
+    /// Whether a prediction and a goal can still be given.
+    pub can_pledge: bool,
+    /// How the operator handles the swarm so far.
+    pub swarm: SwarmFigures,
     /// Places that have come up during the flight, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
+}
+
+/// The hints that can be asked for, as they stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClueProgress {
+    /// Those that were given: level and text, oldest first.
+    pub given: Vec<(u8, Text)>,
+    /// The level of the next one that fits now, and the share of the score that it would take.
+    pub next: Option<(u8, f64)>,
+    /// What is left of the score by those that were given, 0.7 to 1.
+    pub factor: f64,
 }
 
 /// One objective as it stands now.

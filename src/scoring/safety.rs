@@ -33,6 +33,10 @@ pub enum SafetyKind {
     BatteryCritical,
     /// The autopilot's EKF or ground-station failsafe.
     OtherFailsafe,
+    /// A vehicle came down on somebody.
+    Injury,
+    /// A vehicle hit a manned aircraft.
+    AircraftHit,
 }
 
 impl SafetyKind {
@@ -47,12 +51,18 @@ impl SafetyKind {
             Self::OffPad => (0.05, 0.0, 0.05),
             Self::BatteryLow | Self::OtherFailsafe => (0.08, 0.0, 0.08),
             Self::BatteryCritical => (0.20, 0.0, 0.20),
+            Self::Injury | Self::AircraftHit => (1.0, 0.0, 1.0),
         }
     }
 
     /// Whether the vehicle is lost by it.
     pub fn is_loss(self) -> bool {
         matches!(self, Self::Crash | Self::DisarmInFlight)
+    }
+
+    /// Whether somebody may be dead by it: such a flight fails and is worth little.
+    pub fn is_fatal(self) -> bool {
+        matches!(self, Self::Injury | Self::AircraftHit)
     }
 
     /// How to avoid it, in words.
@@ -67,6 +77,8 @@ impl SafetyKind {
             Self::OffPad => text!("scoring-advice-pad"),
             Self::BatteryLow | Self::BatteryCritical => text!("scoring-advice-battery"),
             Self::OtherFailsafe => text!("scoring-advice-failsafe"),
+            Self::Injury => text!("scoring-advice-injury"),
+            Self::AircraftHit => text!("scoring-advice-aircraft"),
         }
     }
 }

@@ -75,6 +75,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         vehicles: setting.fleet.pads.len(),
         time_limit: setting.time_limit,
         hints: content.hints,
+        clues: Vec::new(),
         scoring: scoring?,
         origin: setting.origin,
         weather: setting.weather,

@@ -38,6 +38,10 @@ impl Flight {
             objectives,
             readings: self.readings(),
             hint: self.hint(&standings),
+            clues: self.clue_progress(),
+            pledge: self.pledge,
+            can_pledge: self.before_launch().is_ok(),
+            swarm: self.swarm_figures(),
             places: self.places(),
             cells: self.cells(),
         }
@@ -64,10 +68,17 @@ impl Flight {
     }
 
     fn hint(&self, standings: &[Standing]) -> Option<Text> {
+        let phase = self.phase(standings);
+        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
+        self.ended.is_none().then(|| self.filled(&found.text))
+    }
+
+    /// The phase of the flight, for hints.
+    pub(super) fn phase(&self, standings: &[Standing]) -> Phase {
         let open = standings
             .iter()
             .any(|standing| !standing.landing && !standing.settled);
-        let phase = if !open {
+        if !open {
             Phase::Done
         } else if self.crafts.iter().any(|craft| craft.airborne) {
             Phase::Air
@@ -75,13 +86,11 @@ impl Flight {
             Phase::Armed
         } else {
             Phase::Ground
-        };
-        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
-        self.ended.is_none().then(|| self.filled(&found.text))
+        }
     }
 
     /// A hint with the name of the first cell that is not sampled; once all are, that of the way home.
-    fn filled(&self, text: &Text) -> Text {
+    pub(super) fn filled(&self, text: &Text) -> Text {
         let next = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();
             let mut open = cells.filter(|(index, _)| !survey.is_sampled(*index));
