@@ -1,13 +1,18 @@
-//! Puts the commit that the program is made from beside its version, for `--version`.
+//! Lists the missions and pilot scripts that the program embeds, and puts the commit that it is made from beside its
+//! version, for `--version`.
 //!
 //! Without git, or outside a checkout (a source archive, a package of a registry), the version stands alone.
 
-use std::env;
-use std::path::Path;
+use std::error::Error;
+use std::ffi::OsStr;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
 
-fn main() {
+fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
+    list_missions()?;
     let version = env::var("CARGO_PKG_VERSION").unwrap_or_default();
     // A package inside somebody else's checkout is not of its commits: there the way up is not empty.
     let is_checkout = git(&["rev-parse", "--show-cdup"]).as_deref() == Some("");
@@ -17,6 +22,51 @@ fn main() {
     if is_checkout {
         watch();
     }
+    Ok(())
+}
+
+/// The files of one kind: the name of their list, its description, their folders and their ending.
+type Kind = (
+    &'static str,
+    &'static str,
+    &'static [&'static str],
+    &'static str,
+);
+
+const KINDS: [Kind; 2] = [
+    (
+        "MISSIONS",
+        "Missions",
+        &["missions", "missions/drills"],
+        "toml",
+    ),
+    ("PILOTS", "Pilot scripts", &["missions/pilots"], "pilot"),
+];
+
+/// Writes a list per kind of file, by file name without its ending.
+fn list_missions() -> Result<(), Box<dyn Error>> {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
+    let mut code = String::new();
+    for (list, description, folders, ending) in KINDS {
+        let mut paths = Vec::new();
+        for folder in folders.iter().map(|folder| root.join(folder)) {
+            println!("cargo::rerun-if-changed={}", folder.display());
+            for entry in fs::read_dir(&folder)? {
+                paths.push(entry?.path());
+            }
+        }
+        paths.retain(|path| path.extension() == Some(OsStr::new(ending)));
+        paths.sort();
+        writeln!(code, "/// {description}, by file name without its ending.")?;
+        writeln!(code, "pub(super) const {list}: &[(&str, &str)] = &[")?;
+        for path in &paths {
+            let stem = path.file_stem().unwrap_or_default();
+            writeln!(code, "    ({stem:?}, include_str!({path:?})),")?;
+        }
+        writeln!(code, "];")?;
+    }
+    fs::write(PathBuf::from(env::var("OUT_DIR")?).join("shipped.rs"), code)?;
+    Ok(())
 }
 
 /// Asks for this to be done again after a commit.

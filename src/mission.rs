@@ -74,6 +74,9 @@ pub use progress::{Cell, ClueProgress, ObjectiveProgress, ObjectiveState, Progre
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
 
+/// How far apart the pads of an enlarged mission lie.
+const ROW_SPACING_M: f64 = 6.0;
+
 /// What stands in a hint for the name of the next cell to sample.
 pub(crate) const NEXT_CELL: &str = "{next_cell}";
 
@@ -158,6 +161,19 @@ impl Mission {
             heading_deg: self.origin.heading_deg,
         };
         self.pads.iter().map(pad).collect()
+    }
+
+    /// The same with more vehicles than it is made for, for measurements: their pads lie in a row to the south of the
+    /// last one.
+    #[must_use]
+    pub fn enlarged(mut self, vehicles: usize) -> Self {
+        if let Some(&[east_m, north_m]) = self.pads.last() {
+            let more = vehicles.saturating_sub(self.pads.len());
+            let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
+            self.pads.extend((1..=more).map(pad));
+            self.vehicles = self.pads.len();
+        }
+        self
     }
 
     /// The simulator's world for it: its vehicles on their pads.

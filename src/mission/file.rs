@@ -10,7 +10,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::objective::Objective;
-use super::sensor::Sensor;
+use super::sensor::{ProbeSpec, Sensor};
 use super::survey::SurveyPlan;
 use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
@@ -235,6 +235,21 @@ impl Draft {
             self.refers_to_nothing("sensor of the fleet", name, &known, faults);
         }
         found.copied()
+    }
+
+    /// A sensor that the fleet carries and that measures where it is.
+    pub fn fitted_probe(
+        &self,
+        name: &Spanned<String>,
+        faults: &mut Faults,
+    ) -> Option<(&'static Sensor, &'static ProbeSpec)> {
+        let sensor = self.fitted_sensor(name, faults)?;
+        let probe = sensor.probe();
+        if probe.is_none() {
+            let fault = format!("`{}` finds things, it measures nothing", sensor.id);
+            faults.add(name.span(), fault);
+        }
+        Some((sensor, probe?))
     }
 
     /// The survey of an objective that stands earlier in the file.

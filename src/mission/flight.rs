@@ -76,6 +76,8 @@ pub struct Flight {
     /// The most that a sensor has shown, and where.
     peak: Option<(f64, Point)>,
     commands: CommandLog,
+    /// The state of the ledger that the commands are counted from.
+    counted: Option<u64>,
     safety: SafetyLog,
     met: Vec<bool>,
     events: Vec<EventReport>,
@@ -116,6 +118,7 @@ impl Flight {
             pledge: Pledge::default(),
             peak: None,
             commands: CommandLog::default(),
+            counted: None,
             safety: SafetyLog::default(),
             met: vec![false; mission.objectives.len()],
             events: Vec::new(),
@@ -157,9 +160,9 @@ impl Flight {
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_usage(ledger);
         self.step_surveys(&mut notices);
-        self.step_objectives(&mut notices);
+        let standings = self.step_objectives(&mut notices);
         self.warn_of_time(previous, &mut notices);
-        self.decide(now, &mut notices);
+        self.decide(now, &standings, &mut notices);
         notices
     }
 
@@ -210,7 +213,7 @@ impl Flight {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
                 self.crafts
-                    .push(Craft::new(id, sensors.map(probe).collect()));
+                    .push(Craft::new(id, sensors.filter_map(probe).collect()));
                 self.usage.push(Usage::new(id));
             }
         }
@@ -230,7 +233,7 @@ impl Flight {
                     .map(|breach| (craft.id, breach)),
             );
             for probe in &mut craft.probes {
-                let amount = |at| self.world.amount(probe.sensor.quantity, at, craft.height_m);
+                let amount = |at| self.world.amount(probe.spec.quantity, at, craft.height_m);
                 let amount = craft.at.map_or(0.0, amount);
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
             }
@@ -263,6 +266,10 @@ impl Flight {
         ledger: &Ledger,
         notices: &mut Vec<Notice>,
     ) {
+        // Rows change seldom, and there are thousands of them late in a swarm's mission.
+        if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
+            return;
+        }
         for event in self.commands.step(self.elapsed, vehicles, ledger) {
             match event {
                 // The fleet tells the operator about refusals; here they only go on record.
@@ -320,7 +327,7 @@ impl Flight {
         }
     }
 
-    fn step_objectives(&mut self, notices: &mut Vec<Notice>) {
+    fn step_objectives(&mut self, notices: &mut Vec<Notice>) -> Vec<Standing> {
         let mission = Arc::clone(&self.mission);
         let mut trackers = std::mem::take(&mut self.trackers);
         for tracker in &mut trackers {
@@ -328,7 +335,8 @@ impl Flight {
         }
         self.trackers = trackers;
         let standings = self.standings();
-        for (index, (objective, standing)) in mission.objectives.iter().zip(standings).enumerate() {
+        for (index, (objective, standing)) in mission.objectives.iter().zip(&standings).enumerate()
+        {
             if standing.met != self.met[index] {
                 self.met[index] = standing.met;
                 let (id, result) = (&objective.id, &standing.result);
@@ -340,6 +348,7 @@ impl Flight {
                 self.say("objective", None, Severity::Notice, text, notices);
             }
         }
+        standings
     }
 
     fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
@@ -360,8 +369,7 @@ impl Flight {
         }
     }
 
-    fn decide(&mut self, now: Duration, notices: &mut Vec<Notice>) {
-        let standings = self.standings();
+    fn decide(&mut self, now: Duration, standings: &[Standing], notices: &mut Vec<Notice>) {
         let mut mandatory = standings
             .iter()
             .zip(&self.mission.objectives)

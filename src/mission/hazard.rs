@@ -68,6 +68,22 @@ pub(crate) struct Object {
     pub present: bool,
     /// How much of it is hidden from above, 0 to 1 (canopy, rubble).
     pub cover: f64,
+    /// The direction of the line that it hangs on, for what has to be looked at from the side.
+    pub axis_deg: Option<f64>,
+}
+
+impl Object {
+    /// One that lies open on the ground.
+    pub fn new(class: Class, at: Point) -> Self {
+        Self {
+            class,
+            at,
+            height_m: 0.0,
+            present: true,
+            cover: 0.0,
+            axis_deg: None,
+        }
+    }
 }
 
 /// What an object is. The word after `mark .. as` is [`Class::kind`].

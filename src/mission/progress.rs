@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use super::Pledge;
 use crate::geo::LatLon;
+use crate::language::Findings;
 use crate::scoring::SwarmFigures;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -24,6 +25,8 @@ pub struct Progress {
     pub objectives: Vec<ObjectiveProgress>,
     /// What the virtual sensors show, in order of vehicle.
     pub readings: Vec<Reading>,
+    /// What sensors have found, for waits.
+    pub findings: Findings,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
     /// Hints that can be asked for.

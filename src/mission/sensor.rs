@@ -1,10 +1,14 @@
-//! Virtual sensors: what a sensor on a vehicle would show of a hazard's truth.
+//! Virtual sensors: what a sensor on a vehicle would show of a world's truth. Probes measure a quantity where they
+//! are; detectors find objects around them.
 
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
+mod catalogue;
+mod detector;
+mod probe;
 
-use super::hazard::Quantity;
+pub(crate) use catalogue::SENSORS;
+pub(crate) use detector::DetectorSpec;
+use detector::{Band, Camera, Ground};
+pub(crate) use probe::{Probe, ProbeSpec};
 
 /// A kind of sensor.
 #[derive(Debug, PartialEq)]
@@ -13,117 +17,43 @@ pub(crate) struct Sensor {
     pub id: &'static str,
     /// The message with its name for people.
     pub name: &'static str,
-    /// What it measures.
-    pub quantity: Quantity,
-    /// What it shows.
-    pub unit: &'static str,
-    /// Reading per unit of the quantity.
-    pub gain: f64,
-    /// Time constant in seconds.
-    pub tau_s: f64,
-    /// Noise as a share of the reading.
-    pub noise: f64,
-    /// Smallest reading that stands out of the noise, in its unit.
-    pub floor: f64,
-    /// Largest reading, in its unit.
-    pub ceiling: f64,
+    /// What it does.
+    pub work: Work,
 }
 
-/// The sensors that missions may name.
-///
-/// The photoionisation detector reaches 90 % of a step in 3 s, so five seconds in a cell are enough for it; the
-/// optical particle counter needs 18 s. A ppm is meant as isobutylene at 25 degrees (56.11 g/mol, 24.45 l/mol).
-pub(crate) static SENSORS: [Sensor; 2] = [
-    Sensor {
-        id: "s_voc",
-        name: "mission-sensor-gas",
-        quantity: Quantity::Vapour,
-        unit: "ppm",
-        gain: 24.45 / 56.11 * 1e-3,
-        tau_s: 1.3,
-        noise: 0.10,
-        floor: 0.01,
-        ceiling: 50.0,
-    },
-    Sensor {
-        id: "s_pm25",
-        name: "mission-sensor-particles",
-        quantity: Quantity::Particles,
-        unit: "ug/m3",
-        gain: 1.0,
-        tau_s: 8.0,
-        noise: 0.10,
-        floor: 1.0,
-        ceiling: 1000.0,
-    },
-];
-
-/// From this speed on the rotors' wash reaches the inlet.
-const WASH_FROM_M_S: f64 = 5.0;
-/// The share of a reading that the wash leaves.
-const WASH_SHARE: f64 = 0.7;
-/// By how much the wash smears readings, in seconds.
-const WASH_TAU_S: f64 = 2.0;
-
-/// One sensor on one vehicle.
-#[derive(Debug, Clone)]
-pub(crate) struct Probe {
-    pub sensor: &'static Sensor,
-    /// What it shows, in its unit.
-    pub shown: f64,
-    settled: f64,
-    random: ChaCha8Rng,
+/// What a sensor does.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Work {
+    /// It measures where it is.
+    Probe(ProbeSpec),
+    /// It finds things.
+    Detector(DetectorSpec),
 }
 
-impl Probe {
-    /// A sensor in clean air; its noise is drawn from `stream` of `seed`.
-    pub fn new(sensor: &'static Sensor, seed: u64, stream: u64) -> Self {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(stream);
-        Self {
-            sensor,
-            shown: 0.0,
-            settled: 0.0,
-            random,
+impl Sensor {
+    /// How it measures, if it does.
+    pub fn probe(&self) -> Option<&ProbeSpec> {
+        match &self.work {
+            Work::Probe(spec) => Some(spec),
+            Work::Detector(_) => None,
         }
     }
 
-    /// A step of `dt_s` in so much of its quantity: a first-order lag, then noise of
-    /// `sqrt((noise * reading)^2 + floor^2)`.
-    pub fn step(&mut self, amount: f64, speed_m_s: f64, dt_s: f64) {
-        let washed = speed_m_s >= WASH_FROM_M_S;
-        let share = if washed { WASH_SHARE } else { 1.0 };
-        let tau_s = self.sensor.tau_s + if washed { WASH_TAU_S } else { 0.0 };
-        let input = amount * self.sensor.gain * share;
-        self.settled += (input - self.settled) * (1.0 - (-dt_s / tau_s).exp());
-        let noise: f64 = StandardNormal.sample(&mut self.random);
-        let spread = (self.sensor.noise * self.settled).hypot(self.sensor.floor);
-        self.shown = (self.settled + noise * spread).clamp(0.0, self.sensor.ceiling);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn after_a_step(seconds: f64, speed_m_s: f64) -> f64 {
-        let mut probe = Probe::new(&SENSORS[0], 1, 0);
-        let one_ppm = 1.0 / SENSORS[0].gain;
-        for _ in 0..(seconds * 10.0) as u32 {
-            probe.step(one_ppm, speed_m_s, 0.1);
+    /// How it finds things, if it does.
+    pub fn detector(&self) -> Option<&DetectorSpec> {
+        match &self.work {
+            Work::Probe(_) => None,
+            Work::Detector(spec) => Some(spec),
         }
-        probe.settled
     }
 
-    #[test]
-    fn the_gas_sensor_reaches_ninety_percent_in_three_seconds() {
-        let value = after_a_step(3.0, 0.0);
-        assert!((value - 0.90).abs() < 0.01, "{value}");
+    /// How wide a strip it covers on a pass at a height above the ground; `None` for what measures at one point.
+    pub fn swath_m(&self, height_m: f64) -> Option<f64> {
+        self.detector().map(|spec| spec.swath_m(height_m))
     }
 
-    #[test]
-    fn the_rotor_wash_thins_readings_of_a_fast_vehicle() {
-        assert!((after_a_step(60.0, 6.0) - WASH_SHARE).abs() < 1e-6);
-        assert!((after_a_step(60.0, 4.9) - 1.0).abs() < 1e-6);
+    /// The sensor of an id.
+    pub fn by_id(id: &str) -> Option<&'static Self> {
+        SENSORS.iter().find(|sensor| sensor.id == id)
     }
 }

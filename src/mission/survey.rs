@@ -1,6 +1,6 @@
 //! A survey: a grid of cells that a sensor has to be carried through.
 
-use super::sensor::Sensor;
+use super::sensor::{ProbeSpec, Sensor};
 use super::{Point, TICK};
 
 /// A survey as the mission asks for it.
@@ -11,6 +11,8 @@ pub(crate) struct SurveyPlan {
     pub cells: Vec<CellPlan>,
     pub side_m: f64,
     pub sensor: &'static Sensor,
+    /// How that measures.
+    pub probe: &'static ProbeSpec,
     pub dwell_s: f64,
     pub max_speed_m_s: f64,
     /// Lowest and highest height that counts, above the origin.

@@ -34,6 +34,7 @@ catalogue! {
     "terminal",
     "vehicle",
     "files",
+    "finds",
     "grammar",
     "outcomes",
     "refusals",

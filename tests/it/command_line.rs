@@ -93,7 +93,7 @@ fn a_pilot_that_only_arms_fails_with_a_low_score() {
         "run",
         "01",
         "--pilot",
-        "missions/pilots/01-arm-only.pilot",
+        "missions/pilots/01-naive.pilot",
         "--json",
         "--no-timing",
     ]);
@@ -195,11 +195,11 @@ fn missions_and_pilots_of_the_user_are_found_by_name_number_and_id() {
     let mission = mission.replace("id = \"01-air-sample\"", "id = \"mine\"");
     assert!(mission.contains("id = \"mine\""));
     let folder = folder_with(&[
-        ("sortie/missions/07-yard.toml", &mission),
-        ("sortie/missions/pilots/07-yard.pilot", "all nonsense\n"),
+        ("sortie/missions/77-yard.toml", &mission),
+        ("sortie/missions/pilots/77-yard.pilot", "all nonsense\n"),
     ]);
-    for name in ["07-yard", "07", "mine"] {
-        for pilot in ["07-yard", "07"] {
+    for name in ["77-yard", "77", "mine"] {
+        for pilot in ["77-yard", "77"] {
             let output = sortie_in(folder.path(), &["run", name, "--pilot", pilot]);
             let said = text(&output.stderr);
             assert!(
@@ -208,9 +208,12 @@ fn missions_and_pilots_of_the_user_are_found_by_name_number_and_id() {
             );
         }
     }
-    let output = sortie_in(folder.path(), &["run", "08", "--pilot", "x"]);
+    let output = sortie_in(folder.path(), &["run", "88", "--pilot", "x"]);
     let said = text(&output.stderr);
-    assert!(said.contains("01-air-sample, 07-yard"), "{said}");
+    assert!(
+        said.contains("01-air-sample, ") && said.contains("77-yard"),
+        "{said}"
+    );
 }
 
 #[test]

@@ -198,7 +198,7 @@ fn the_log_has_the_levels_that_were_asked_for() {
         "[log]\nfile = \"sortie.log\"\nlevel = \"off\"\n",
     )]);
     let log = home.path().join("state/sortie/sortie.log");
-    let run = ["run", "01", "--pilot", "missions/pilots/01-arm-only.pilot"];
+    let run = ["run", "01", "--pilot", "missions/pilots/01-naive.pilot"];
     sortie(home.path(), &[], &run);
     assert_eq!(
         fs::read_to_string(&log).expect("it is in the folder of the state"),
@@ -271,7 +271,7 @@ fn two_missions_with_one_id_are_told() {
             "run",
             "01-air-sample",
             "--pilot",
-            "missions/pilots/01-arm-only.pilot",
+            "missions/pilots/01-naive.pilot",
         ],
     );
     let said = text(&output.stderr);

@@ -147,9 +147,12 @@ pub(super) fn fleet(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<
     }
     let mut sensors = Vec::new();
     for name in &file.sensors {
-        match SENSORS.iter().find(|sensor| sensor.id == name.get_ref()) {
+        match Sensor::by_id(name.get_ref()) {
             Some(sensor) => sensors.push(sensor),
-            None => faults.unknown("sensor", name, &SENSORS.each_ref().map(|sensor| sensor.id)),
+            None => {
+                let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
+                faults.unknown("sensor", name, &known);
+            }
         }
     }
     Some(Fleet {

@@ -1,6 +1,7 @@
 //! How a flight stands, for the mission panel.
 
 use super::{Craft, Flight, Probe, Standing, Survey, result};
+use crate::language::Findings;
 use crate::mission::{
     Cell, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
 };
@@ -37,6 +38,7 @@ impl Flight {
             score_so_far: self.score_so_far(&standings),
             objectives,
             readings: self.readings(),
+            findings: self.findings(),
             hint: self.hint(&standings),
             clues: self.clue_progress(),
             pledge: self.pledge,
@@ -44,6 +46,15 @@ impl Flight {
             swarm: self.swarm_figures(),
             places: self.places(),
             cells: self.cells(),
+        }
+    }
+
+    /// What sensors have found so far, for the waits of scripts.
+    pub fn findings(&self) -> Findings {
+        let reading = |craft: &Craft| Some((craft.id, craft.probes.first()?.shown));
+        Findings {
+            contacts: self.contacts.all().len(),
+            readings: self.crafts.iter().filter_map(reading).collect(),
         }
     }
 
@@ -60,7 +71,7 @@ impl Flight {
                 vehicle: id,
                 sensor: Text::new(probe.sensor.name, Vec::new()),
                 value: probe.shown,
-                unit: probe.sensor.unit,
+                unit: probe.spec.unit,
             };
             craft.probes.iter().map(reading).collect::<Vec<_>>()
         };

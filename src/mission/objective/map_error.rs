@@ -78,13 +78,13 @@ impl Kind for MapError {
             let sum: f64 = points
                 .map(|(x, y)| {
                     world.amount(
-                        self.of.sensor.quantity,
+                        self.of.probe.quantity,
                         [centre[0] + offset(x), centre[1] + offset(y)],
                         self.height_m,
                     )
                 })
                 .sum();
-            sum / f64::from(POINTS_PER_SIDE * POINTS_PER_SIDE) * self.of.sensor.gain
+            sum / f64::from(POINTS_PER_SIDE * POINTS_PER_SIDE) * self.of.probe.gain
         };
         Box::new(MapTracker {
             of: self.of.id.clone(),

@@ -67,12 +67,14 @@ pub(crate) fn read(
             "`heights` must be [low, high], 0 to 1000 m",
         );
     }
+    let (sensor, probe) = draft.fitted_probe(&file.sensor, faults)?;
     Some(Box::new(SampleCells {
         plan: SurveyPlan {
             id: draft.objective.clone(),
             cells,
             side_m,
-            sensor: draft.fitted_sensor(&file.sensor, faults)?,
+            sensor,
+            probe,
             dwell_s: faults.number(&file.dwell, 0.1..=600.0, "dwell"),
             max_speed_m_s: faults.number(&file.max_speed, 0.1..=100.0, "max_speed"),
             heights_m,

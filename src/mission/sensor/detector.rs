@@ -1,0 +1,82 @@
+//! Sensors that find objects: heads that pass closely over the ground, and cameras.
+
+/// How a sensor finds things.
+#[derive(Debug, PartialEq)]
+pub(crate) enum DetectorSpec {
+    /// It feels what lies right below it.
+    Ground(Ground),
+    /// It takes pictures.
+    Camera(Camera),
+}
+
+/// A head that passes closely over the ground.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Ground {
+    /// Width of the strip that it covers.
+    pub swath_m: f64,
+    /// How well it finds mines on one pass.
+    pub mines: MineSpec,
+}
+
+/// How well a sensor finds mines on one pass at best, and how that wears off with height and speed.
+///
+/// Orders of magnitude from humanitarian demining, not measurements of a product.
+#[derive(Debug, PartialEq)]
+pub(crate) struct MineSpec {
+    /// Probability for mines of metal, with hardly any metal, lying open, and for scrap.
+    pub best: [f64; 4],
+    /// Up to this height it works at its best.
+    pub height_m: f64,
+    /// How fast it gets worse above: `exp(-((h - height) / height_scale)^2)`.
+    pub height_scale_m: f64,
+    /// Half is left at this speed: `1 / (1 + exp((v - speed) / (0.15 speed)))`.
+    pub speed_m_s: f64,
+    /// False alarms per square metre that it passes over.
+    pub false_alarms_per_m2: f64,
+}
+
+/// A camera that looks down, or on a gimbal at what it inspects.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Camera {
+    pub band: Band,
+    /// Field of view across and along the course.
+    pub view_deg: [f64; 2],
+    /// Pixels across.
+    pub pixels: f64,
+    /// How well it finds mines, for those that do at all.
+    pub mines: Option<MineSpec>,
+    /// The farthest from which it shows a defect well; `None` for cameras that cannot look to the side.
+    pub inspects_to_m: Option<f64>,
+}
+
+/// The light that a camera sees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Band {
+    /// What eyes see.
+    Visible,
+    /// Warmth.
+    Thermal,
+}
+
+impl DetectorSpec {
+    /// How wide a strip it covers on a pass at a height above the ground.
+    pub fn swath_m(&self, height_m: f64) -> f64 {
+        match self {
+            Self::Ground(ground) => ground.swath_m,
+            Self::Camera(camera) => camera.footprint_m(height_m)[0],
+        }
+    }
+}
+
+impl Camera {
+    /// What it sees of the ground at a height, across and along the course: `2 h tan(FOV / 2)`.
+    pub fn footprint_m(&self, height_m: f64) -> [f64; 2] {
+        let side = |angle: f64| 2.0 * height_m.max(0.0) * (angle.to_radians() / 2.0).tan();
+        self.view_deg.map(side)
+    }
+
+    /// Size of a pixel on the ground: `2 h tan(FOV / 2) / px`.
+    pub fn pixel_m(&self, height_m: f64) -> f64 {
+        self.footprint_m(height_m)[0] / self.pixels
+    }
+}
