@@ -19,7 +19,7 @@ mod setpoint;
 #[cfg(test)]
 mod tests;
 
-pub use deed::{Deed, Goal, Spot, Subject};
+pub use deed::{Deed, Goal, KindName, Spot, Subject};
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
 pub use mav_cmd::{command_by_name, command_name, command_names};

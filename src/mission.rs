@@ -55,6 +55,7 @@ mod hint;
 mod listing;
 mod objective;
 mod progress;
+pub mod record;
 mod report;
 mod sensor;
 mod survey;
@@ -87,6 +88,8 @@ pub struct Mission {
     pub id: String,
     /// Its revision; results compare only within one.
     pub rev: u32,
+    /// The file that it was read from.
+    pub source: String,
     /// Its name for people.
     pub title: Text,
     /// What the trainee is told.

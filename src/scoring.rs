@@ -15,6 +15,7 @@ mod hints;
 mod report;
 mod safety;
 mod swarm;
+mod truth;
 mod utilisation;
 
 pub use advice::{Improvement, improvements};
@@ -25,10 +26,11 @@ pub use gate::Gate;
 pub use hints::HintsUsed;
 pub use report::{
     AlertReport, ComponentReport, EventReport, GoalReport, HintReport, LedgerReport,
-    ObjectiveReport, PredictionReport, Report, RowReport, UseReport, rounded,
+    ObjectiveReport, PredictionReport, Report, RowReport, TryReport, UseReport, rounded,
 };
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};
+pub use truth::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport};
 pub use utilisation::{VehicleUse, utilisation_value};
 
 use crate::text;

@@ -90,6 +90,7 @@ pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
             }
             Ok(Mission {
                 untranslated,
+                source: source.to_owned(),
                 ..mission
             })
         }

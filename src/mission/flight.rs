@@ -7,6 +7,7 @@ use std::time::Duration;
 use super::contact::Contacts;
 use super::craft::Craft;
 use super::objective::{Scene, Standing, Tracker};
+use super::record::{Head, Recorder};
 use super::report::Marks;
 use super::sensor::Probe;
 use super::survey::Survey;
@@ -29,6 +30,7 @@ mod places;
 mod pledge;
 mod result;
 mod swarm;
+mod truth;
 mod view;
 
 pub use deeds::Pledge;
@@ -90,6 +92,9 @@ pub struct Flight {
     clues_given: Vec<(Duration, usize)>,
     /// What each craft did with its time, in the order of the crafts.
     usage: Vec<Usage>,
+    recorder: Option<Box<Recorder>>,
+    /// Where each craft has been, in the order of the crafts.
+    tracks: Vec<Vec<Point>>,
     swarm: SwarmTimes,
     /// The newest command to vehicles and for whom it was.
     ordered: Option<(EntryId, Vec<VehicleId>)>,
@@ -128,6 +133,8 @@ impl Flight {
             attempt: 1,
             clues_given: Vec::new(),
             usage: Vec::new(),
+            recorder: None,
+            tracks: Vec::new(),
             swarm: SwarmTimes::default(),
             ordered: None,
             world,
@@ -138,6 +145,32 @@ impl Flight {
     /// Says which try of the trainee's it is, from 1, before it begins: on the first one, hints are free.
     pub fn set_attempt(&mut self, attempt: u32) {
         self.attempt = attempt.max(1);
+    }
+
+    /// Records everything that the flight is shown and asked from now on, before its first step; the mission, seed
+    /// and try of the head are the flight's own. `when` is the time of day in UTC, `backend` what flies.
+    pub fn start_record(&mut self, when: &str, backend: &str) {
+        let head = Head::of(&self.mission, self.seed, self.attempt);
+        self.recorder = Some(Box::new(Recorder::new(&Head {
+            backend: backend.to_owned(),
+            when: when.to_owned(),
+            ..head
+        })));
+    }
+
+    /// What was recorded since the last call: whole lines.
+    pub fn take_record(&mut self) -> String {
+        let recorder = self.recorder.as_mut();
+        recorder.map_or_else(String::new, |recorder| recorder.take())
+    }
+
+    /// The report, and the end of the record.
+    pub fn close(&mut self, ledger: &Ledger) -> Report {
+        let report = self.report(ledger);
+        if let Some(recorder) = &mut self.recorder {
+            recorder.end(ledger, &report);
+        }
+        report
     }
 
     /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
@@ -151,6 +184,9 @@ impl Flight {
         if self.ended.is_some() {
             return Vec::new();
         }
+        if let Some(recorder) = &mut self.recorder {
+            recorder.step(now, vehicles, ledger);
+        }
         let previous = std::mem::replace(&mut self.elapsed, now.min(self.mission.time_limit));
         let mut notices = Vec::new();
         self.enlist(vehicles);
@@ -159,6 +195,7 @@ impl Flight {
         self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_usage(ledger);
+        self.note_tracks();
         self.step_surveys(&mut notices);
         let standings = self.step_objectives(&mut notices);
         self.warn_of_time(previous, &mut notices);
@@ -168,6 +205,9 @@ impl Flight {
 
     /// A vehicle is no more, by no fault of the trainee's: its simulator has ended. Returns what a human should hear.
     pub fn lose(&mut self, id: VehicleId, vehicles: &BTreeMap<VehicleId, Vehicle>) -> Vec<Notice> {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.lose(id, vehicles);
+        }
         let mut notices = Vec::new();
         self.enlist(vehicles);
         let craft = self.crafts.iter_mut().find(|craft| craft.id == id);
@@ -182,6 +222,9 @@ impl Flight {
     /// Gives up.
     pub fn abandon(&mut self) {
         if self.ended.is_none() {
+            if let Some(recorder) = &mut self.recorder {
+                recorder.abandon();
+            }
             self.end(Outcome::Abandoned, &mut Vec::new());
         }
     }

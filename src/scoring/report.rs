@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, VehicleUse};
+use super::{AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse};
 use crate::text::Text;
 
 /// A flight's result with every point explained. The order of the fields is the order in the JSON document.
@@ -73,6 +73,14 @@ pub struct Report {
     pub usage: Vec<UseReport>,
     /// How the operator handled the swarm.
     pub swarm: SwarmFigures,
+    /// What was there.
+    pub truth: TruthReport,
+    /// The mission that drills what this one needs, if there is one; set by the shell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drill: Option<String>,
+    /// The trainee's tries at this revision of the mission, this one among them, oldest first; set by the shell.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tries: Vec<TryReport>,
     /// Real time that the run took, in seconds; set by the shell, the only field that may differ between equal runs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall_time_s: Option<f64>,
@@ -138,6 +146,25 @@ pub struct RowReport {
     pub tries: u8,
     /// The reason of a refusal, or a remark.
     pub explanation: Option<Text>,
+}
+
+/// One of the trainee's tries at a mission.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TryReport {
+    /// Which, from 1.
+    pub attempt: u32,
+    /// When it began, in UTC: `2026-11-20T14:03:22Z`.
+    pub when: String,
+    /// The points; `None` where it has no end.
+    pub score: Option<u16>,
+    /// The medal, if one was earned.
+    pub medal: Option<Medal>,
+    /// Whether the mission was passed.
+    pub passed: bool,
+    /// Seed of hazards and sensors.
+    pub seed: u64,
+    /// Revision of the mission.
+    pub revision: u32,
 }
 
 /// A hint that was asked for.

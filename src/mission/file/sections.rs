@@ -69,6 +69,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         title: faults.written(head.title, head.title_uk, "title_uk"),
         brief: faults.written(head.brief, head.brief_uk, "brief_uk"),
         untranslated: Vec::new(),
+        source: String::new(),
         tier: head.tier,
         tags: head.tags,
         authors: head.authors,

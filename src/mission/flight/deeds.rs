@@ -25,6 +25,9 @@ impl Flight {
     /// Does something with each of the vehicles, at the mission time of the last step; returns the ledger's rows for
     /// it, on mission time.
     pub fn act(&mut self, entry: EntryId, deed: &Deed, vehicles: &[VehicleId]) -> Vec<RowUpdate> {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.act(deed, vehicles);
+        }
         let mut rows = Vec::new();
         // However many vehicles are named, a hint is one.
         let hint = match deed {

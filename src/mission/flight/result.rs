@@ -108,6 +108,9 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         alerts: facts.alerts.iter().map(AlertReport::from).collect(),
         usage: facts.usage.iter().map(UseReport::from).collect(),
         swarm: flight.swarm_figures(),
+        truth: flight.truth_report(),
+        drill: None,
+        tries: Vec::new(),
         gold_missing: score.gold_missing,
         wall_time_s: None,
     }
