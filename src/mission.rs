@@ -15,20 +15,30 @@
 //! | `title_uk`, `brief_uk`, `text_uk` | each beside its English text, the same in Ukrainian; where one is missing, English is shown |
 //! | `id`, `rev`, `title`, `brief` | name for files and results; revision; for people |
 //! | `tier`, `tags`, `authors` | difficulty 0-3 (0); for lists |
+//! | `drill_of` | id of the mission that this one is a short exercise for |
 //! | `[sim]` `time_limit`, `origin = { lat, lon, alt, heading }` | seconds; where [0, 0] is, height above sea level, heading of the parked vehicles (0) |
 //! | `[weather]` `wind = { speed, dir }` | `dir` is where it comes from (calm) |
 //! | `[[zones]]` `id`, `kind` | `task` (an area) or `geofence` (must not be left; optional `ceiling`) |
 //! | `polygon` or `center`, `radius` | its shape |
 //! | `[[hazards]]` `id`, `kind` | see below |
-//! | `[fleet]` `max_vehicles`, `pads`, `sensors` | one pad per vehicle; sensors that every vehicle carries |
+//! | `[fleet]` `max_vehicles`, `pads`, `sensors`, `loads` | one pad per vehicle; what every vehicle carries; loads: `ball`, `kit`, `node` in pieces, `spray` in seconds |
+//! | `vehicles = [{ sensors, loads }, ..]` | one per pad: more sensors, and loads in the place of the fleet's |
 //! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
 //! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
 //! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
 //! | `[scoring]` `weights`, `par = { time, energy_wh }`, `medals`, `gold_requires` | see [`crate::scoring`]; weights sum to 1 |
 //!
-//! Hazard kind `plume`: a steady Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain`
-//! (`open` or `urban`, `open`), `jitter = { position, rate }`: by how much at most the seed moves the source (m) and
-//! changes its rate (share of it).
+//! Hazard kind `plume`: a Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain` (`open` or
+//! `urban`, `open`), `substance` (`vapour`, `monoxide`, `methane`, `smoke`; `vapour`), `meander` (how much its axis
+//! swings, standard deviation in degrees, 0), `intermittency` (standard deviation of the logarithm of its gusts, 0),
+//! `jitter = { position, rate }`: by how much at most the seed moves the source (m) and changes its rate (share of it).
+//!
+//! Hazard kind `puffs`: a leak that comes in puffs, `every` so many seconds (2); else as `plume`, without `meander` and
+//! `intermittency`.
+//!
+//! Hazard kind `radiation`: `sources = [{ at, height, isotope, activity_gbq }, ..]` (`Cs-137` or `Co-60`, height 0),
+//! `walls = [{ from, to, height, passes }, ..]` (`passes`: the share that gets through), `background` (uSv/h, 0.1),
+//! `jitter` (m, for each source).
 //!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
@@ -49,6 +59,7 @@ mod clock;
 mod contact;
 mod craft;
 mod file;
+mod fit;
 mod flight;
 mod hazard;
 mod hint;
@@ -102,6 +113,8 @@ pub struct Mission {
     pub tags: Vec<String>,
     /// Who wrote it.
     pub authors: Vec<String>,
+    /// The id of the mission that it is a short exercise for.
+    pub drill_of: Option<String>,
     /// How many vehicles fly it.
     pub vehicles: usize,
     /// Mission time allowed.
@@ -115,7 +128,10 @@ pub struct Mission {
     pub(crate) origin: Origin,
     pub(crate) weather: weather::Weather,
     pub(crate) pads: Vec<Point>,
+    /// Every sensor that some vehicle carries.
     pub(crate) sensors: Vec<&'static sensor::Sensor>,
+    /// What each vehicle carries, in the order of the pads.
+    pub(crate) fits: Vec<fit::Fit>,
     pub(crate) zones: Vec<zone::Zone>,
     pub(crate) hazards: Vec<Box<dyn hazard::Hazard>>,
     pub(crate) objectives: Vec<objective::Objective>,

@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::contact::Contacts;
 use super::craft::Craft;
 use super::objective::{Scene, Standing, Tracker};
-use super::record::{Head, Recorder};
+use super::record::Recorder;
 use super::report::Marks;
 use super::sensor::Probe;
 use super::survey::Survey;
@@ -26,14 +26,17 @@ use crate::vehicle::{Severity, Vehicle};
 
 mod clues;
 mod deeds;
+mod loads;
 mod places;
 mod pledge;
+mod recording;
 mod result;
 mod swarm;
 mod truth;
 mod view;
 
 pub use deeds::Pledge;
+pub(crate) use loads::Release;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -72,6 +75,10 @@ pub struct Flight {
     trackers: Vec<Box<dyn Tracker>>,
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
+    /// What each craft has on board.
+    holds: Vec<loads::Hold>,
+    /// Everything that was let go of.
+    releases: Vec<Release>,
     contacts: Contacts,
     marks: Marks,
     pledge: Pledge,
@@ -118,6 +125,8 @@ impl Flight {
                 .collect(),
             surveys: surveys.collect(),
             crafts: Vec::new(),
+            holds: Vec::new(),
+            releases: Vec::new(),
             contacts: Contacts::default(),
             marks: Marks::default(),
             pledge: Pledge::default(),
@@ -147,32 +156,6 @@ impl Flight {
         self.attempt = attempt.max(1);
     }
 
-    /// Records everything that the flight is shown and asked from now on, before its first step; the mission, seed
-    /// and try of the head are the flight's own. `when` is the time of day in UTC, `backend` what flies.
-    pub fn start_record(&mut self, when: &str, backend: &str) {
-        let head = Head::of(&self.mission, self.seed, self.attempt);
-        self.recorder = Some(Box::new(Recorder::new(&Head {
-            backend: backend.to_owned(),
-            when: when.to_owned(),
-            ..head
-        })));
-    }
-
-    /// What was recorded since the last call: whole lines.
-    pub fn take_record(&mut self) -> String {
-        let recorder = self.recorder.as_mut();
-        recorder.map_or_else(String::new, |recorder| recorder.take())
-    }
-
-    /// The report, and the end of the record.
-    pub fn close(&mut self, ledger: &Ledger) -> Report {
-        let report = self.report(ledger);
-        if let Some(recorder) = &mut self.recorder {
-            recorder.end(ledger, &report);
-        }
-        report
-    }
-
     /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
     /// Every entry of the ledger counts. After the end nothing changes any more.
     pub fn step(
@@ -192,6 +175,7 @@ impl Flight {
         self.enlist(vehicles);
         self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
+        self.step_loads(&mut notices);
         self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_usage(ledger);
@@ -251,12 +235,13 @@ impl Flight {
                 return;
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
-                let sensors = self.mission.sensors.iter().enumerate();
+                let fit = &self.mission.fits[self.crafts.len()];
                 let probe = |(index, &sensor)| {
                     Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
                 };
-                self.crafts
-                    .push(Craft::new(id, sensors.filter_map(probe).collect()));
+                let probes = fit.sensors.iter().enumerate().filter_map(probe);
+                self.holds.push(loads::Hold::new(fit));
+                self.crafts.push(Craft::new(id, probes.collect()));
                 self.usage.push(Usage::new(id));
             }
         }
@@ -276,8 +261,11 @@ impl Flight {
                     .map(|breach| (craft.id, breach)),
             );
             for probe in &mut craft.probes {
-                let amount = |at| self.world.amount(probe.spec.quantity, at, craft.height_m);
-                let amount = craft.at.map_or(0.0, amount);
+                let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
+                let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
+                    true => self.world.column(quantity, at, height_m),
+                    false => self.world.amount(quantity, at, height_m),
+                });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
             }
         }
@@ -493,6 +481,7 @@ impl Flight {
             world: &self.world,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
+            releases: &self.releases,
         }
     }
 

@@ -10,7 +10,11 @@ use super::file::Reader;
 use super::weather::Weather;
 use crate::text::Text;
 
+mod dispersion;
 pub(super) mod plume;
+pub(super) mod puffs;
+pub(super) mod radiation;
+mod wander;
 
 /// A hazard as the file describes it.
 pub(crate) trait Hazard: Debug + Send + Sync {
@@ -49,6 +53,10 @@ pub(crate) trait Field: Debug + Send + Sync {
 pub(crate) enum Quantity {
     /// Solvent vapour or gas, in ug/m3.
     Vapour,
+    /// Carbon monoxide, in ug/m3.
+    Monoxide,
+    /// Methane, in ug/m3.
+    Methane,
     /// Fine particles and smoke, in ug/m3.
     Particles,
     /// Dose rate of gamma radiation, in uSv/h.
@@ -168,4 +176,8 @@ pub(crate) enum TruthShape {
 }
 
 /// All kinds by name.
-pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[("plume", plume::read)];
+pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[
+    ("plume", plume::read),
+    ("puffs", puffs::read),
+    ("radiation", radiation::read),
+];

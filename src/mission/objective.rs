@@ -6,6 +6,7 @@ use std::time::Duration;
 use super::contact::Contact;
 use super::craft::Craft;
 use super::file::Reader;
+use super::flight::Release;
 use super::report::Mark;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;
@@ -56,6 +57,8 @@ pub(crate) struct Scene<'a> {
     pub world: &'a World,
     pub contacts: &'a [Contact],
     pub marks: &'a [Mark],
+    /// What was let go of.
+    pub releases: &'a [Release],
 }
 
 impl Scene<'_> {

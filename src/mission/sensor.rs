@@ -8,6 +8,7 @@ mod probe;
 pub(crate) use catalogue::SENSORS;
 pub(crate) use detector::DetectorSpec;
 use detector::{Band, Camera, Ground};
+use probe::{Noise, Response};
 pub(crate) use probe::{Probe, ProbeSpec};
 
 /// A kind of sensor.
