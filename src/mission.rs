@@ -26,6 +26,7 @@
 //! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
 //! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
 //! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
+//! | `[[hints]]` `level`, `text`, `phase`, `objective` | instead of being shown, it is given when it is asked for and costs by its level, 1 to 3; where named, only in that phase and until that objective is met |
 //! | `[scoring]` `weights`, `par = { time, energy_wh }`, `medals`, `gold_requires` | see [`crate::scoring`]; weights sum to 1 |
 //!
 //! Hazard kind `plume`: a Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain` (`open` or
@@ -58,6 +59,7 @@ mod area;
 mod clock;
 mod contact;
 mod craft;
+mod feedback;
 mod file;
 mod fit;
 mod flight;

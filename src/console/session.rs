@@ -22,6 +22,7 @@ use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
+use crate::store::Runs;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -30,12 +31,14 @@ mod course;
 mod hangar;
 mod inspection;
 mod links;
+mod logbook;
 
 use course::Course;
 pub(super) use hangar::Ending;
 use hangar::{News, Processes};
 use inspection::Inspection;
 use links::{LinkNews, round_trip, summary};
+use logbook::Logbook;
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -65,6 +68,8 @@ pub(super) struct Backend {
     pub vehicles: u8,
     pub seed: u64,
     pub speedup: f64,
+    /// Where missions are recorded.
+    pub runs: Option<Runs>,
 }
 
 /// A running session. Dropping it ends its tasks.
@@ -142,13 +147,17 @@ impl Running {
         backend: &Backend,
         before: Ending,
     ) -> Result<Started, Text> {
-        let flight = Flight::new(Arc::clone(&mission), backend.seed);
+        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
         self.simulate(config, backend, before).await?;
-        self.course = Some(match self.processes {
+        let name = self.processes.as_ref().map_or("embedded", |_| "ardupilot");
+        let runs = backend.runs.clone();
+        let logbook = runs.map(|runs| Logbook::begin(runs, &mut flight, name));
+        let course = match self.processes {
             Some(_) => Course::of_processes(flight, backend.speedup),
             None => Course::embedded(flight, backend.speedup, backend.clock.now()),
-        });
+        };
+        self.course = Some(Course { logbook, ..course });
         Ok(Started {
             mission: Some(Box::new(mission.listing())),
             places: mission.places(),

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use super::contact::Contacts;
 use super::craft::Craft;
+use super::feedback::Feedback;
 use super::objective::{Scene, Standing, Tracker};
 use super::record::Recorder;
 use super::report::Marks;
@@ -100,6 +101,7 @@ pub struct Flight {
     /// What each craft did with its time, in the order of the crafts.
     usage: Vec<Usage>,
     recorder: Option<Box<Recorder>>,
+    feedback: Feedback,
     /// Where each craft has been, in the order of the crafts.
     tracks: Vec<Vec<Point>>,
     swarm: SwarmTimes,
@@ -143,6 +145,7 @@ impl Flight {
             clues_given: Vec::new(),
             usage: Vec::new(),
             recorder: None,
+            feedback: Feedback::default(),
             tracks: Vec::new(),
             swarm: SwarmTimes::default(),
             ordered: None,
@@ -184,6 +187,7 @@ impl Flight {
         let standings = self.step_objectives(&mut notices);
         self.warn_of_time(previous, &mut notices);
         self.decide(now, &standings, &mut notices);
+        self.feedback.hear(&notices, self.elapsed);
         notices
     }
 
@@ -493,3 +497,6 @@ impl Flight {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

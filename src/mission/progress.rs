@@ -29,6 +29,8 @@ pub struct Progress {
     pub findings: Findings,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
+    /// The one line of feedback: the newest thing that matters, at most one new in 5 s unless it is critical.
+    pub feedback: Option<Text>,
     /// Hints that can be asked for.
     pub clues: ClueProgress,
     /// What the trainee has said before launch.

@@ -82,6 +82,16 @@ pub struct End {
     pub sim_time_s: f64,
 }
 
+impl End {
+    /// The end in a line, if it is one.
+    pub fn of_line(line: &[u8]) -> Option<Self> {
+        match serde_json::from_slice(line) {
+            Ok(Line::End { end, .. }) => Some(end),
+            _ => None,
+        }
+    }
+}
+
 /// One line after the head.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

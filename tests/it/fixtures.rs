@@ -179,6 +179,7 @@ pub fn progress() -> Progress {
             unit: "ppm",
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
+        feedback: None,
         clues: ClueProgress {
             given: Vec::new(),
             next: None,

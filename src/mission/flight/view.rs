@@ -40,6 +40,7 @@ impl Flight {
             readings: self.readings(),
             findings: self.findings(),
             hint: self.hint(&standings),
+            feedback: self.feedback.line().cloned(),
             clues: self.clue_progress(),
             pledge: self.pledge,
             can_pledge: self.before_launch().is_ok(),
