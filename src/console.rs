@@ -15,9 +15,7 @@ use crate::app::event::Event;
 use crate::app::room::{hangar, messages};
 use crate::app::state::State;
 use crate::app::update;
-use crate::commands::Deed;
-use crate::fleet::{Clock, Unreachable};
-use crate::ledger::{EntryId, RowState};
+use crate::fleet::Clock;
 use crate::notice::sanitised;
 use crate::session::Order;
 use crate::store;
@@ -26,13 +24,14 @@ use crate::terminal::{self, Environment, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
 use crate::ui::{self, Look};
-use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle::Severity;
 
 mod begin;
 mod drive;
 mod files;
 mod missions;
 mod options;
+mod orders;
 pub mod plain;
 mod session;
 mod signals;
@@ -291,6 +290,7 @@ impl Console {
             self.log(&event);
             self.feed(event).await;
         }
+        self.conduct(now).await;
         self.look_at_messages(now).await;
         let wanted = hangar::wanted(&self.state);
         if let Some(running) = &mut self.running {
@@ -302,6 +302,17 @@ impl Console {
             None => Vec::new(),
         };
         for event in flown {
+            self.feed(event).await;
+        }
+    }
+
+    async fn conduct(&mut self, now: Duration) {
+        let events = match &mut self.running {
+            Some(running) => running.conduct(now, &self.state.session.vehicles),
+            None => Vec::new(),
+        };
+        for event in events {
+            self.log(&event);
             self.feed(event).await;
         }
     }
@@ -361,6 +372,11 @@ impl Console {
                 targets,
                 deed,
             } => return self.deed(entry, &targets, &deed).await,
+            Effect::Manoeuvre {
+                entry,
+                targets,
+                manoeuvre,
+            } => return self.begin_manoeuvre(entry, &manoeuvre, &targets).await,
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
                 .map_err(|error| Text::from(&error)),
@@ -395,39 +411,6 @@ impl Console {
             }
             // Nothing that a failure causes is an effect.
             Err(error) => drop(update(&mut self.state, Event::Failed(Text::from(&error)))),
-        }
-    }
-
-    /// Has the mission do something with each target.
-    async fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
-        let now = self.clock.now();
-        let rows = match &mut self.running {
-            Some(running) => running.act(entry, deed, targets, now),
-            None => Vec::new(),
-        };
-        for row in rows {
-            Box::pin(self.feed(Event::Row(row))).await;
-        }
-    }
-
-    /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
-    async fn command(&mut self, targets: &[VehicleId], order: &Order) {
-        for &vehicle in targets {
-            let given = match &self.running {
-                Some(running) => running.order(vehicle, order.clone()),
-                None => Err(Unreachable),
-            };
-            if let Err(error) = given {
-                let now = self.clock.now();
-                let row = order.unsent(
-                    vehicle,
-                    RowState::Refused,
-                    text!("outcome-not-sent", reason = Text::from(error)),
-                    now,
-                );
-                // Others may have waited for the end of this one.
-                Box::pin(self.feed(Event::Row(row))).await;
-            }
         }
     }
 }

@@ -14,7 +14,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
-use crate::session::{Order, Report, Stream, WANTED_STREAMS};
+use crate::session::{Order, Report, Steering, Stream, WANTED_STREAMS};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -63,6 +63,7 @@ pub enum FleetEvent {
 enum Request {
     Connect(Transport),
     Order(VehicleId, Order),
+    Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
     Restarted(VehicleId),
 }
@@ -112,6 +113,14 @@ impl Fleet {
     /// The hub has ended or cannot keep up; nothing was sent.
     pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
         self.ask(Request::Order(vehicle, order))
+    }
+
+    /// Says where a vehicle of a manoeuvre is to be now.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was sent.
+    pub fn steer(&self, vehicle: VehicleId, steering: Steering) -> Result<(), Unreachable> {
+        self.ask(Request::Steer(vehicle, steering))
     }
 
     /// Asks a vehicle for all its parameters. They arrive at the receiver of [`FleetEvent::Parameters`].

@@ -1,6 +1,6 @@
 //! What the shell has to do.
 
-use crate::commands::{Command, Deed};
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::language::Verb;
 use crate::ledger::EntryId;
 use crate::text::Text;
@@ -39,6 +39,15 @@ pub enum Effect {
         targets: Vec<VehicleId>,
         /// What to do.
         deed: Deed,
+    },
+    /// Have vehicles do something together; the ledger entry is open already.
+    Manoeuvre {
+        /// Where the outcome belongs.
+        entry: EntryId,
+        /// The vehicles, sorted.
+        targets: Vec<VehicleId>,
+        /// What to do.
+        manoeuvre: Manoeuvre,
     },
     /// Ask vehicles for all their parameters.
     FetchParameters(Vec<VehicleId>),

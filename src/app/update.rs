@@ -79,6 +79,7 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
             lines,
         } => hangar::printed(state, vehicle, anew, lines),
         Event::Links(links) => state.session.links = links,
+        Event::Paths(paths) => state.session.paths = paths,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Failed(text) => telemetry::failed(state, text),

@@ -23,6 +23,7 @@ use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
 use crate::store::Runs;
+use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -32,6 +33,7 @@ mod hangar;
 mod inspection;
 mod links;
 mod logbook;
+mod swarm;
 
 use course::Course;
 pub(super) use hangar::Ending;
@@ -39,6 +41,7 @@ use hangar::{News, Processes};
 use inspection::Inspection;
 use links::{LinkNews, round_trip, summary};
 use logbook::Logbook;
+use swarm::Swarm;
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -87,9 +90,21 @@ pub(super) struct Running {
     /// Reports that the fleet dropped so far.
     dropped: u64,
     course: Option<Course>,
+    /// What they do together.
+    swarm: Swarm,
     /// The processes of its vehicles, and how many there are to be.
     processes: Option<(Processes, usize)>,
     cancel: CancellationToken,
+}
+
+impl Plan {
+    /// What holds for vehicles that do something together.
+    fn swarm_rules(&self) -> Rules {
+        match self {
+            Self::Mission(mission) => mission.swarm_rules(),
+            Self::Free(_) | Self::Connect(_) => Rules::default(),
+        }
+    }
 }
 
 impl Running {
@@ -116,6 +131,7 @@ impl Running {
             links_ended: 0,
             dropped: 0,
             course: None,
+            swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
             processes: None,
             cancel,
         };

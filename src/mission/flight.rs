@@ -480,6 +480,7 @@ impl Flight {
     fn scene(&self) -> Scene<'_> {
         Scene {
             now: self.elapsed,
+            over: self.ended.is_some() || self.elapsed >= self.mission.time_limit,
             vehicles: &self.crafts,
             surveys: &self.surveys,
             world: &self.world,

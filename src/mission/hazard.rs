@@ -11,10 +11,13 @@ use super::weather::Weather;
 use crate::text::Text;
 
 mod dispersion;
+pub(super) mod fire;
 pub(super) mod plume;
 pub(super) mod puffs;
 pub(super) mod radiation;
 mod wander;
+
+pub(crate) use fire::{Fire, Grid};
 
 /// A hazard as the file describes it.
 pub(crate) trait Hazard: Debug + Send + Sync {
@@ -39,6 +42,11 @@ pub(crate) trait Field: Debug + Send + Sync {
 
     /// What a load does to it where it comes down; `None` where the load does not concern it.
     fn affect(&mut self, _load: Load, _at: Point) -> Option<Effect> {
+        None
+    }
+
+    /// The fire that it is, if it is one.
+    fn fire(&self) -> Option<&Fire> {
         None
     }
 
@@ -180,4 +188,5 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[
     ("plume", plume::read),
     ("puffs", puffs::read),
     ("radiation", radiation::read),
+    ("fire", fire::read),
 ];

@@ -102,6 +102,7 @@ impl Mission {
         let world = World::new(self, 0);
         let nobody = Scene {
             now: Duration::ZERO,
+            over: false,
             vehicles: &[],
             surveys: &[],
             world: &world,

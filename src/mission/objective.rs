@@ -12,7 +12,11 @@ use super::survey::{Survey, SurveyPlan};
 use super::world::World;
 use crate::text::Text;
 
+pub(super) mod dose;
+pub(super) mod locate;
 pub(super) mod map_error;
+pub(super) mod perimeter;
+pub(super) mod protect;
 pub(super) mod recover;
 pub(super) mod sample_cells;
 
@@ -52,6 +56,8 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 pub(crate) struct Scene<'a> {
     /// Mission time.
     pub now: Duration,
+    /// Whether the flight is over, or its time is up.
+    pub over: bool,
     pub vehicles: &'a [Craft],
     pub surveys: &'a [Survey],
     pub world: &'a World,
@@ -116,4 +122,9 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("sample_cells", sample_cells::read),
     ("map_error", map_error::read),
     ("recover", recover::read),
+    ("locate", locate::read),
+    ("perimeter", perimeter::read),
+    ("protect", protect::read),
+    ("contain", protect::read_contain),
+    ("dose", dose::read),
 ];

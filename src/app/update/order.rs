@@ -88,7 +88,10 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
     let now = state.now;
     let given = Given {
         line: &order.line,
-        verb: order.verb.name,
+        verb: match &order.what {
+            Asked::Manoeuvre(manoeuvre) => manoeuvre.name(),
+            _ => order.verb.name,
+        },
         risk: order.what.risk(),
     };
     let entry = state.session.open(now, given, &order.targets);
@@ -107,6 +110,11 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
             targets,
             deed,
         },
+        Asked::Manoeuvre(manoeuvre) => Effect::Manoeuvre {
+            entry,
+            targets,
+            manoeuvre,
+        },
     }]
 }
 
@@ -114,6 +122,7 @@ fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Or
     let (verb, what) = match statement.action {
         Action::Command { verb, command } => (verb, Asked::Command(command)),
         Action::Deed { verb, deed } => (verb, Asked::Deed(deed)),
+        Action::Manoeuvre { verb, manoeuvre } => (verb, Asked::Manoeuvre(manoeuvre)),
         Action::Wait(_) => return Err(lines::only_in_scripts(line)),
     };
     // The ledger has to say to whom the command went, also after the selection has changed.

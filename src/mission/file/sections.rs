@@ -142,7 +142,8 @@ fn content(
         declared,
         ..Draft::default()
     };
-    let hazards = hazards(sections.optional("hazards"), &draft, faults);
+    let (hazards, named) = hazards(sections.optional("hazards"), &draft, faults);
+    draft.hazards = named;
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
     // Hints may refer to objectives and their cells.
     let advice = array(sections.optional("hints"), faults, |value, faults| {
@@ -290,17 +291,19 @@ fn array<'i, T>(
         .collect()
 }
 
+/// The hazards and their names; those that could not be read have a name only.
 fn hazards(
     value: Option<Spanned<DeValue<'_>>>,
     draft: &Draft,
     faults: &mut Faults,
-) -> Vec<Box<dyn Hazard>> {
+) -> (Vec<Box<dyn Hazard>>, Vec<String>) {
     let mut seen = Vec::new();
-    array(value, faults, |value, faults| {
+    let hazards = array(value, faults, |value, faults| {
         let section = kinded(value, faults)?;
         check_unique(&mut seen, &section.id, faults);
         by_kind("hazard", section, hazard::KINDS, draft, faults)
-    })
+    });
+    (hazards, seen)
 }
 
 fn objectives(

@@ -31,6 +31,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::KeepOut => Stroke::dotted(Role::Danger),
         SketchKind::Plan => Stroke::dense(Role::Info),
         SketchKind::Rally => Stroke::dotted(Role::Title),
+        SketchKind::Course => Stroke::sparse(Role::Accent),
     }
 }
 

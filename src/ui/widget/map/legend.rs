@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::canvas::Stroke;
 use super::ground::{RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
-use crate::app::room::map::SketchKind::{Fence, KeepOut, Plan, Rally, Task};
+use crate::app::room::map::SketchKind::{Course, Fence, KeepOut, Plan, Rally, Task};
 use crate::app::room::map::{leg, sketches};
 use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
@@ -98,7 +98,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 8] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 9] {
     let map = &state.rooms.map;
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
@@ -113,6 +113,7 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 8] {
         (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
         (has(Plan), stroke(Plan), "map-legend-plan"),
         (has(Rally), stroke(Rally), "map-legend-rally"),
+        (has(Course), stroke(Course), "map-legend-course"),
         (map.mark.is_some(), RULER, "map-legend-ruler"),
     ]
 }
