@@ -169,11 +169,12 @@ impl Running {
         let name = self.processes.as_ref().map_or("embedded", |_| "ardupilot");
         let runs = backend.runs.clone();
         let logbook = runs.map(|runs| Logbook::begin(runs, &mut flight, name));
-        let course = match self.processes {
+        let mut course = match self.processes {
             Some(_) => Course::of_processes(flight, backend.speedup),
             None => Course::embedded(flight, backend.speedup, backend.clock.now()),
         };
-        self.course = Some(Course { logbook, ..course });
+        course.logbook = logbook;
+        self.course = Some(course);
         Ok(Started {
             mission: Some(Box::new(mission.listing())),
             places: mission.places(),
