@@ -65,6 +65,7 @@ mod area;
 mod clock;
 mod contact;
 mod craft;
+mod event;
 mod feedback;
 mod file;
 mod fit;
@@ -74,6 +75,7 @@ mod hint;
 mod listing;
 mod objective;
 mod progress;
+mod radio;
 pub mod record;
 mod report;
 mod sensor;
@@ -87,10 +89,16 @@ mod zone;
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
 pub use clock::Clock;
-pub use flight::{Flight, Outcome, Pledge};
+pub use event::alert::OpenAlert;
+pub use event::demand::Demand;
+pub use event::mover::MoverKind;
+pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use listing::{Listing, ObjectiveListing};
-pub use progress::{Cell, ClueProgress, ObjectiveProgress, ObjectiveState, Progress, Reading};
+pub use progress::{
+    Cell, ClueProgress, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading,
+    ShownContact, ShownMark, Trust,
+};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
@@ -146,6 +154,13 @@ pub struct Mission {
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) max_height_m: f64,
     pub(crate) land_reserve_percent: f64,
+    /// Vehicles in the air have to be this far apart.
+    pub(crate) min_separation_m: f64,
+    pub(crate) events: Vec<event::Event>,
+    /// `None` where radio does not matter.
+    pub(crate) radio: Option<radio::Radio>,
+    /// Threats that an instructor may have happen, besides the mission's own.
+    pub(crate) may_inject: Vec<String>,
 }
 
 /// Metres east and north of the origin.

@@ -37,9 +37,6 @@ use crate::text;
 use crate::text::Text;
 use serde::{Deserialize, Serialize};
 
-/// The most points of a flight that injured somebody or hit a manned aircraft.
-const MOST_AFTER_HARM: u16 = 300;
-
 /// How a mission wants to be scored.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rules {
@@ -168,13 +165,18 @@ impl Score {
     }
 }
 
+/// A flight that did people harm gets no more than this.
+pub const HARM_POINTS: u16 = 300;
+
 /// Scores a flight.
 pub fn score(rules: &Rules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
+    let harm = facts.safety.iter().any(|event| event.kind.is_harm());
+    let most = if harm { HARM_POINTS } else { 1000 };
     let hint_factor = facts.hints.factor();
     let points = (f64::from(tenths) * hint_factor / 10.0).round();
-    let points = (points as u16).min(most_points(facts));
+    let points = (points as u16).min(most);
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
     let gold_missing: Vec<Text> = rules
         .gold_requires
@@ -190,15 +192,6 @@ pub fn score(rules: &Rules, facts: &Facts) -> Score {
         points,
         medal,
         gold_missing,
-    }
-}
-
-/// A flight that hurt somebody is worth little, whatever else it reached.
-fn most_points(facts: &Facts) -> u16 {
-    if facts.safety.iter().any(|event| event.kind.is_fatal()) {
-        MOST_AFTER_HARM
-    } else {
-        1000
     }
 }
 

@@ -72,3 +72,4 @@ debrief-next = NEXT
 debrief-next-drill = Fly the drill { $drill }, then this mission again with one thing in mind: { $what }
 debrief-next-again = Fly it again with one thing in mind: { $what }
 debrief-next-on = Go on to the next mission.
+debrief-last-mission = there is no mission after this one

@@ -46,8 +46,6 @@ scoring-advice-reserve = Turn home earlier: land above the battery reserve.
 scoring-advice-pad = Land on the pad: rtl flies there by itself.
 scoring-advice-battery = Turn home before the battery failsafe does it for you.
 scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.
-scoring-advice-injury = Never fly low over people: give them room, and bring a failing vehicle down away from them.
-scoring-advice-aircraft = Give way to manned aircraft at once: descend or land before it is near.
 
 # Attention.
 scoring-alerts-answered = { $count ->
@@ -73,3 +71,9 @@ scoring-advice-hints = { $count ->
     [one] Fly the same without { $count } hint.
    *[other] Fly the same without the { $count } hints.
 }
+
+# Rules of the air.
+scoring-advice-no-fly = Plan around no-fly zones, also those that appear: stop first, then fly out the shortest way.
+scoring-advice-separation = Keep vehicles apart: give each its own height or its own area before they cross.
+scoring-advice-aircraft = Clear the way of aircraft at once: descend or land, and wait until they have passed.
+scoring-advice-people = Stop when people come near, and fly high over those who stay.

@@ -72,3 +72,4 @@ debrief-next = ДАЛІ
 debrief-next-drill = Виконайте вправу { $drill }, а тоді це завдання ще раз, зваживши на одне: { $what }
 debrief-next-again = Виконайте завдання ще раз, зваживши на одне: { $what }
 debrief-next-on = Переходьте до наступного завдання.
+debrief-last-mission = після цього завдань немає

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use super::contact::Contacts;
 use super::craft::Craft;
+use super::event::engine::Engine;
 use super::feedback::Feedback;
 use super::objective::{Scene, Standing, Tracker};
 use super::record::Recorder;
@@ -28,16 +29,19 @@ use crate::vehicle::{Severity, Vehicle};
 mod clues;
 mod deeds;
 mod loads;
+mod pause;
 mod places;
 mod pledge;
 mod recording;
 mod result;
 mod swarm;
+mod threats;
 mod truth;
 mod view;
 
 pub use deeds::Pledge;
 pub(crate) use loads::Release;
+pub use threats::Inject;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -88,11 +92,14 @@ pub struct Flight {
     commands: CommandLog,
     /// The state of the ledger that the commands are counted from.
     counted: Option<u64>,
-    safety: SafetyLog,
+    pub(super) safety: SafetyLog,
     met: Vec<bool>,
     events: Vec<EventReport>,
     elapsed: Duration,
     ended: Option<Outcome>,
+    pub(super) engine: Engine,
+    /// Whether an event has ended the mission as failed.
+    failed: bool,
     tally: crate::scoring::CommandTally,
     /// Which try of this trainee's it is, from 1.
     attempt: u32,
@@ -140,6 +147,8 @@ impl Flight {
             events: Vec::new(),
             elapsed: Duration::ZERO,
             ended: None,
+            engine: Engine::new(&mission, seed),
+            failed: false,
             tally: crate::scoring::CommandTally::default(),
             attempt: 1,
             clues_given: Vec::new(),
@@ -185,6 +194,7 @@ impl Flight {
         self.note_tracks();
         self.step_surveys(&mut notices);
         let standings = self.step_objectives(&mut notices);
+        self.step_threats(vehicles, &standings, &mut notices);
         self.warn_of_time(previous, &mut notices);
         self.decide(now, &standings, &mut notices);
         self.feedback.hear(&notices, self.elapsed);
@@ -260,17 +270,19 @@ impl Flight {
             };
             breaches.extend(
                 craft
-                    .step(vehicle, &mission)
+                    .step(vehicle, &mission, self.engine.active())
                     .into_iter()
                     .map(|breach| (craft.id, breach)),
             );
-            for probe in &mut craft.probes {
+            for (index, probe) in craft.probes.iter_mut().enumerate() {
                 let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
                 let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
                     true => self.world.column(quantity, at, height_m),
                     false => self.world.amount(quantity, at, height_m),
                 });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
+                let shown = probe.shown;
+                probe.shown = self.engine.shown(craft.id, index, shown, self.elapsed);
             }
         }
         for (id, (kind, text)) in breaches {
@@ -423,8 +435,8 @@ impl Flight {
             .safety
             .events()
             .iter()
-            .any(|event| event.kind.is_fatal());
-        if harmed {
+            .any(|event| event.kind.is_harm());
+        if self.failed || harmed {
             self.end(Outcome::Failed, notices);
         } else if all_lost || (settled && all_down) {
             self.end(verdict, notices);
@@ -486,6 +498,7 @@ impl Flight {
             world: &self.world,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
+            margins_db: self.engine.margins_db(),
             releases: &self.releases,
         }
     }

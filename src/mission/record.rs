@@ -114,6 +114,8 @@ enum Line {
         #[serde(flatten)]
         change: Change,
     },
+    /// [`Flight::inject`](super::Flight::inject).
+    Inject { name: String },
     /// [`Flight::abandon`](super::Flight::abandon).
     Abandon,
     /// What became of commands after the last step, and the score.
@@ -226,6 +228,11 @@ impl Recorder {
             ..Change::default()
         };
         self.write(&Line::Lose { vehicle, change });
+    }
+
+    pub fn inject(&mut self, name: &str) {
+        let name = name.to_owned();
+        self.write(&Line::Inject { name });
     }
 
     pub fn abandon(&mut self) {

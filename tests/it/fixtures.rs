@@ -185,12 +185,18 @@ pub fn progress() -> Progress {
             next: None,
             factor: 1.0,
         },
-        pledge: Pledge::default(),
         can_pledge: false,
         swarm: SwarmFigures::default(),
         findings: Findings::default(),
         places: std::collections::BTreeMap::new(),
+        contacts: Vec::new(),
+        marks: Vec::new(),
+        pledge: Pledge::default(),
         cells: cells.collect(),
+        areas: Vec::new(),
+        movers: Vec::new(),
+        alerts: Vec::new(),
+        margins_db: std::collections::BTreeMap::new(),
     }
 }
 

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::geo::LatLon;
 use crate::vehicle::{
     Battery, GlobalPosition, Heartbeat, LandedState, Mode, Severity, StatusText, SystemStatus,
-    TEXTS_KEPT, Vehicle, VehicleClass, VehicleId,
+    TEXTS_KEPT, Unheard, Vehicle, VehicleClass, VehicleId,
 };
 use crate::wire::AUTOPILOT_COMPONENT;
 
@@ -21,8 +21,18 @@ pub(super) struct Observed {
     mode: Option<ModeLine>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     landed: Option<LandedState>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "said"
+    )]
     at: Option<Option<PositionLine>>,
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "said"
+    )]
+    unheard: Option<Option<UnheardLine>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     battery: Option<BatteryLine>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -34,6 +44,8 @@ type ModeLine = (VehicleClass, u32, bool);
 /// Latitude and longitude in 1e-7 degrees, height above sea level and above home in mm, velocity north, east and down
 /// in cm/s.
 type PositionLine = (i32, i32, i64, i64, i32, i32, i32);
+/// Where it is while nobody hears it: latitude and longitude in 1e-7 degrees, height above home in mm.
+type UnheardLine = (i32, i32, i64);
 /// Voltage in mV, charge in mAh, energy in hJ, percent.
 type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
 
@@ -57,6 +69,7 @@ impl Watched {
             }),
             landed: Some(vehicle.landed),
             at: Some(vehicle.global.map(position)),
+            unheard: Some(vehicle.unheard.map(unheard)),
             battery: vehicle.battery().map(battery),
             said: Vec::new(),
         };
@@ -70,6 +83,9 @@ impl Watched {
             mode: now.mode.filter(|_| now.mode != known.mode),
             landed: now.landed.filter(|_| now.landed != known.landed),
             at: now.at.filter(|_| now.at != known.at),
+            unheard: now
+                .unheard
+                .filter(|_| now.unheard != known.unheard.or(Some(None))),
             battery: now.battery.filter(|_| now.battery != known.battery),
             said,
         };
@@ -138,6 +154,12 @@ impl Observed {
         if let Some(at) = self.at {
             vehicle.global = at.map(|at| global(at, now));
         }
+        if let Some(unheard) = self.unheard {
+            vehicle.unheard = unheard.map(|(lat, lon, up)| Unheard {
+                at: LatLon::from_e7(lat, lon),
+                altitude_m: up as f64 * 1e-3,
+            });
+        }
         if let Some((mv, mah, hj, percent)) = self.battery {
             vehicle.batteries = vec![Battery {
                 id: 0,
@@ -158,6 +180,23 @@ impl Observed {
         let more = vehicle.texts.len().saturating_sub(TEXTS_KEPT);
         vehicle.texts.drain(..more);
     }
+}
+
+/// What stands there was said, even if it is that nothing is known.
+#[expect(
+    clippy::option_option,
+    reason = "not said differs from said to be unknown"
+)]
+fn said<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    deserializer: D,
+) -> Result<Option<Option<T>>, D::Error> {
+    Option::deserialize(deserializer).map(Some)
+}
+
+fn unheard(unheard: Unheard) -> UnheardLine {
+    let e7 = |degrees: f64| (degrees * 1e7).round() as i32;
+    let (lat, lon) = (e7(unheard.at.lat_deg), e7(unheard.at.lon_deg));
+    (lat, lon, (unheard.altitude_m * 1e3).round() as i64)
 }
 
 fn position(global: GlobalPosition) -> PositionLine {

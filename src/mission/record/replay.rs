@@ -133,6 +133,7 @@ impl Replay {
                 self.change(change, self.now.unwrap_or_default());
                 drop(self.flight.lose(*vehicle, &self.vehicles));
             }
+            Line::Inject { name } => drop(self.flight.inject(name)),
             Line::Abandon => self.flight.abandon(),
             Line::End { t, change, .. } => {
                 let at = Duration::from_millis(*t);
