@@ -50,6 +50,7 @@ impl Flight {
             swarm: self.swarm_figures(),
             places: self.places(),
             contacts: self.shown_contacts(),
+            injects: self.injects(),
             marks: self.shown_marks(),
             cells: self.cells(),
             areas: self.areas_now(),
