@@ -32,11 +32,12 @@ mod files;
 mod missions;
 mod options;
 mod orders;
+mod pause;
 pub mod plain;
 mod session;
 mod signals;
 
-use begin::parse;
+use begin::{Attempt, parse};
 pub use drive::drive;
 use missions::listings;
 pub use options::{Opening, Options, Preferences};
@@ -145,6 +146,8 @@ struct Console {
     state: State,
     look: Look,
     running: Option<Running>,
+    /// The try at what runs.
+    attempt: Attempt,
     /// What is left of the session before.
     ending: Ending,
     /// What has to be said at the start.
@@ -195,6 +198,7 @@ impl Console {
             clock: Clock::start(),
             state,
             running: None,
+            attempt: Attempt::default(),
             ending: Ending::default(),
             drawn: None,
             fps: None,
@@ -219,7 +223,7 @@ impl Console {
             Opening::Free => Plan::Free(None),
             Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
-        if let Err(error) = self.start(plan).await {
+        if let Err(error) = self.start_afresh(plan).await {
             self.feed(Event::Failed(error)).await;
         }
     }
@@ -357,7 +361,9 @@ impl Console {
             Effect::FetchParameters(_)
             | Effect::ReadParameters { .. }
             | Effect::SaveParameters { .. } => return self.parameters(effect),
-            Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),
+            Effect::AbandonMission => return self.abandon(),
+            Effect::Pause => return self.pause(),
+            Effect::GoOn => return self.go_on(),
             Effect::Command {
                 entry,
                 targets,
@@ -389,15 +395,22 @@ impl Console {
                     .for_each(|running| running.process(deed, vehicle));
             }
             Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect),
-            Effect::RestartMission => match &self.running {
-                Some(running) => Ok(running.plan()),
+            Effect::RestartMission { alike } => match &self.running {
+                Some(running) => {
+                    let plan = running.plan();
+                    return self.start_again(plan, alike).await;
+                }
                 None => return,
             },
         };
         let outcome = match plan {
-            Ok(plan) => self.start(plan).await,
+            Ok(plan) => self.start_afresh(plan).await,
             Err(error) => Err(error),
         };
+        self.tell_failure(outcome);
+    }
+
+    fn tell_failure(&mut self, outcome: Result<(), Text>) {
         if let Err(error) = outcome {
             // Nothing that a failure causes is an effect.
             update(&mut self.state, Event::Failed(error));

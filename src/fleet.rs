@@ -6,43 +6,28 @@
 //! waits for another: a full queue drops telemetry, which comes again, and is counted.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use tokio::sync::{mpsc, watch};
-use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
-use crate::session::{Order, Report, Steering, Stream, WANTED_STREAMS};
+use crate::session::{Order, Report, Steering, Stream, WANTED_STREAMS, Want};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
+mod clock;
 mod hub;
 mod vehicle_task;
+
+pub use clock::Clock;
 
 /// Reports that may wait for the console before notices are dropped.
 const EVENTS_KEPT: usize = 4096;
 /// Requests that may wait for the hub.
 const REQUESTS_KEPT: usize = 1024;
-
-/// The program's clock: every `now` in the pure modules counts from its start.
-#[derive(Debug, Clone, Copy)]
-pub struct Clock(Instant);
-
-impl Clock {
-    /// A clock that starts now.
-    pub fn start() -> Self {
-        Self(Instant::now())
-    }
-
-    /// The time since the start.
-    pub fn now(self) -> Duration {
-        self.0.elapsed()
-    }
-}
 
 /// Something that happened in the fleet.
 #[derive(Debug)]
@@ -66,6 +51,7 @@ enum Request {
     Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
     Restarted(VehicleId),
+    Want(VehicleId, Want),
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
@@ -137,6 +123,14 @@ impl Fleet {
     /// The hub has ended or cannot keep up.
     pub fn restarted(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
         self.ask(Request::Restarted(vehicle))
+    }
+
+    /// Has something done to a vehicle's simulator or to the radio between it and us.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was done.
+    pub fn carry_out(&self, vehicle: VehicleId, want: Want) -> Result<(), Unreachable> {
+        self.ask(Request::Want(vehicle, want))
     }
 
     fn ask(&self, request: Request) -> Result<(), Unreachable> {

@@ -47,3 +47,6 @@ action-goto-here = написати `goto` з точкою під курсоро
 action-trails = показати або сховати пройдені шляхи
 action-legend = показати або сховати пояснення позначок
 action-next-sensor = виміри наступного датчика
+map-legend-seen = контакт, бачив один датчик
+map-legend-confirmed = контакт, бачили два різні
+map-legend-reported = про це доповіли

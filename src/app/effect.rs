@@ -78,7 +78,14 @@ pub enum Effect {
     /// End the mission now; its report follows as an event.
     AbandonMission,
     /// Start the same mission again.
-    RestartMission,
+    RestartMission {
+        /// Whether chance plays the same again.
+        alike: bool,
+    },
+    /// Let everything that is simulated stand still, and every deadline with it.
+    Pause,
+    /// Let it go on.
+    GoOn,
     /// Stop what runs and drop its links; the state has forgotten it already.
     LeaveSession,
     /// Draw with this theme from now on, and remember it.

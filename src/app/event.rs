@@ -96,6 +96,8 @@ pub enum Event {
     Findings(Vec<Finding>),
     /// A look at the messages on the links.
     Traffic(Vec<LinkTraffic>),
+    /// What is simulated stands still from now on, or goes on.
+    Paused(bool),
     /// What vehicles that do something together are going to fly.
     Paths(Vec<Path>),
     /// How the mission is going.

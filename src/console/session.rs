@@ -16,8 +16,8 @@ use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::link::{Address, Endpoint, LinkStatus, Simulator, Transport};
-use crate::mission::{Flight, Mission};
+use crate::link::{Address, Endpoint, LinkStatus, Pace, Simulator, Transport};
+use crate::mission::{Demand, Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
@@ -85,6 +85,10 @@ pub(super) struct Running {
     /// Reports that the fleet dropped so far.
     dropped: u64,
     course: Option<Course>,
+    /// What the mission demands of vehicles that have not been told yet.
+    wanted: Vec<Demand>,
+    /// While this is true, the embedded simulator stands still.
+    held: watch::Sender<bool>,
     /// What they do together.
     swarm: Swarm,
     /// The processes of its vehicles, and how many there are to be.
@@ -113,7 +117,7 @@ impl Running {
         before: Ending,
     ) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
-        let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
+        let (fleet, events) = Fleet::start(backend.clock.clone(), cancel.clone());
         let mut running = Self {
             plan: plan.clone(),
             fleet,
@@ -126,6 +130,8 @@ impl Running {
             links_ended: 0,
             dropped: 0,
             course: None,
+            wanted: Vec::new(),
+            held: watch::Sender::new(false),
             swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
             processes: None,
             cancel,
@@ -203,7 +209,11 @@ impl Running {
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();
-        let simulator = Simulator::start(world, backend.speedup, &endpoints, cancel).await?;
+        let pace = Pace {
+            speedup: backend.speedup,
+            held: self.held.subscribe(),
+        };
+        let simulator = Simulator::start(world, pace, &endpoints, cancel).await?;
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }
@@ -309,6 +319,18 @@ impl Running {
         }
     }
 
+    /// Lets the embedded simulator stand still, or go on.
+    pub fn hold(&self, held: bool) {
+        self.held.send_replace(held);
+    }
+
+    /// Takes down in the mission's record that all stood still for so long.
+    pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
+        self.inspection.rest(now);
+        let notice = self.course.as_mut()?.flight.note_pause(lasted)?;
+        Some(Notice { at: now, ..notice })
+    }
+
     /// Ends the mission; its report comes with the next tick.
     pub fn abandon(&mut self) {
         if let Some(course) = &mut self.course {
@@ -402,8 +424,17 @@ impl Running {
 
     /// Steps the mission up to now and returns what came of it.
     pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
-        let course = self.course.as_mut();
-        course.map_or_else(Vec::new, |course| course.fly(now, shown))
+        let Some(course) = &mut self.course else {
+            return Vec::new();
+        };
+        let events = course.fly(now, shown);
+        // What a vehicle cannot be told before it is heard waits until it is.
+        let heard = |demand: &Demand| shown.vehicles.contains_key(&demand.vehicle);
+        self.wanted.extend(course.flight.take_demands());
+        for demand in self.wanted.extract_if(.., |demand| heard(demand)) {
+            let _ = self.fleet.carry_out(demand.vehicle, demand.want);
+        }
+        events
     }
 }
 

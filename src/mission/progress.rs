@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use super::{Area, MoverKind, OpenAlert, Pledge};
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::text::Text;
@@ -29,8 +30,37 @@ pub struct Progress {
     pub hint: Option<Text>,
     /// Places that have come up during the flight, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,
+    /// What detectors have found so far, in the order of its numbers.
+    pub contacts: Vec<ShownContact>,
+    /// What the trainee has reported so far.
+    pub marks: Vec<ShownMark>,
+    /// What the trainee has said before launch.
+    pub pledge: Pledge,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
+    /// The areas that are there now; events bring some and take others away.
+    pub areas: Vec<Area>,
+    /// People, aircraft and drones of others that are on the way.
+    pub movers: Vec<MovingThing>,
+    /// Alerts that wait for an answer, the most urgent first.
+    pub alerts: Vec<OpenAlert>,
+    /// How well vehicles are heard, in dB above what the receiver needs; empty where radio does not matter.
+    pub margins_db: BTreeMap<VehicleId, f64>,
+}
+
+/// Somebody or something that moves through the mission.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovingThing {
+    /// What conditions of the mission call it.
+    pub name: String,
+    /// What it is.
+    pub kind: MoverKind,
+    /// Where it is.
+    pub at: LatLon,
+    /// How high it moves, in metres above the origin.
+    pub height_m: f64,
+    /// How far from it vehicles have to stay, in metres.
+    pub keep_out_m: f64,
 }
 
 /// One objective as it stands now.
@@ -55,6 +85,39 @@ pub enum ObjectiveState {
     Met,
     /// Not reached when the flight ended.
     Missed,
+}
+
+/// Something that detectors believe to have found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShownContact {
+    /// What it is called: `c1`.
+    pub name: String,
+    /// What it is taken for, in the grammar's word.
+    pub kind: &'static str,
+    /// Where it is believed to be.
+    pub at: LatLon,
+    /// How far anybody trusts it.
+    pub trust: Trust,
+}
+
+/// How far a contact is trusted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Trust {
+    /// One kind of sensor has seen it.
+    Seen,
+    /// Two kinds have.
+    Confirmed,
+    /// The trainee has reported it.
+    Reported,
+}
+
+/// What the trainee has reported.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShownMark {
+    /// What it is said to be, in the grammar's word.
+    pub kind: Option<&'static str>,
+    /// Where.
+    pub at: LatLon,
 }
 
 /// What a virtual sensor shows.

@@ -48,6 +48,8 @@ pub struct Session {
     pub mission: Option<Progress>,
     /// Whether the mission is over: its debrief is there.
     pub over: bool,
+    /// Whether it stands still.
+    pub paused: bool,
     /// The groups that commands may name.
     pub groups: Groups,
     /// The places that commands may name.

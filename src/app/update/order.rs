@@ -22,6 +22,10 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
         if state.session.is_starting() && state.flown_mission().is_some() {
             return Err(Diagnostic::new(first_word(line), text!("hangar-not-begun")));
         }
+        if state.session.paused {
+            return Err(Diagnostic::new(first_word(line), text!("pause-refuses"))
+                .with_help(text!("pause-refuses-help")));
+        }
         let selection = state.addressed();
         let targets = statement
             .targets

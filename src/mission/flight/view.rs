@@ -8,6 +8,9 @@ use crate::mission::{
 use crate::scoring::score;
 use crate::text::Text;
 
+mod finds;
+mod threats;
+
 impl Flight {
     /// How it stands, for the mission panel.
     pub fn progress(&self) -> Progress {
@@ -41,7 +44,14 @@ impl Flight {
             findings: self.findings(),
             hint: self.hint(&standings),
             places: self.places(),
+            contacts: self.shown_contacts(),
+            marks: self.shown_marks(),
+            pledge: self.pledge,
             cells: self.cells(),
+            areas: self.areas_now(),
+            movers: self.moving_things(),
+            alerts: self.open_alerts(),
+            margins_db: self.engine.margins_db().clone(),
         }
     }
 

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
+use super::finds;
 use super::ground::{RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
 use crate::app::room::map::SketchKind::{Course, Fence, KeepOut, Plan, Rally, Task};
@@ -92,9 +93,14 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         ("(4)".to_owned(), Role::Text, "map-legend-several"),
         ("H".to_owned(), Role::Title, "map-legend-home"),
     ];
+    let finds = finds::SIGNS
+        .iter()
+        .filter(|(trust, ..)| finds::has(state, *trust));
+    let finds = finds.map(|(_, sign, role, id)| (format!("{sign}c1"), *role, *id));
     let strokes = strokes(state).into_iter().filter(|(shown, ..)| *shown);
     let strokes = strokes.map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
-    signs.into_iter().chain(strokes).map(row).collect()
+    let signs = signs.into_iter().chain(finds);
+    signs.chain(strokes).map(row).collect()
 }
 
 /// The kinds of lines, and whether there are any on the map.
