@@ -14,8 +14,8 @@ const NAMED_CONTACTS: usize = 200;
 const PEAK: &str = "peak";
 
 impl Flight {
-    /// Places that have come up so far: contacts (`c1`), `peak`, where a sensor has shown the most, and `peak1`,
-    /// where that of vehicle 1 has.
+    /// Places that have come up so far: contacts (`c1`), `peak`, where a sensor has shown the most, `peak1`, where
+    /// that of vehicle 1 has, and those that the seed decides: `gate1`, and `next` for the one to go to.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let place = |point| self.mission.origin.place(point);
         let contacts = self.contacts.all().iter().enumerate();
@@ -24,7 +24,9 @@ impl Flight {
         let peaks = peaks.map(|(id, (_, at))| (peak_of(*id), place(*at)));
         let highest = self.peaks.values().max_by(|a, b| a.0.total_cmp(&b.0));
         let peak = highest.map(|(_, at)| (PEAK.to_owned(), place(*at)));
-        contacts.chain(peaks).chain(peak).collect()
+        let drawn = self.trackers.iter().flat_map(|tracker| tracker.places());
+        let drawn = drawn.map(|(name, at)| (name, place(at)));
+        contacts.chain(peaks).chain(peak).chain(drawn).collect()
     }
 
     /// Keeps where the first sensor of each vehicle has shown the most.
@@ -53,6 +55,10 @@ impl Mission {
         let own = (1..=self.vehicles as VehicleId).map(peak_of);
         let later = own.chain([PEAK.to_owned()]);
         for name in later.chain((0..NAMED_CONTACTS).map(Contacts::name)) {
+            places.entry(name).or_insert(self.origin.at);
+        }
+        let drawn = self.objectives.iter();
+        for name in drawn.flat_map(|objective| objective.kind.place_names()) {
             places.entry(name).or_insert(self.origin.at);
         }
         places
