@@ -52,6 +52,7 @@ mod file;
 mod flight;
 mod hazard;
 mod listing;
+mod lookout;
 mod objective;
 mod progress;
 mod report;

@@ -6,9 +6,9 @@ use std::time::Duration;
 
 use super::contact::Contacts;
 use super::craft::Craft;
+use super::lookout::Lookout;
 use super::objective::{Scene, Standing, Tracker};
 use super::report::Marks;
-use super::sensor::Probe;
 use super::survey::Survey;
 use super::world::World;
 use super::{Mission, Point, TICK};
@@ -26,6 +26,7 @@ mod deeds;
 mod places;
 mod result;
 mod view;
+mod watch;
 
 pub use deeds::Pledge;
 
@@ -66,6 +67,7 @@ pub struct Flight {
     trackers: Vec<Box<dyn Tracker>>,
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
+    lookout: Lookout,
     contacts: Contacts,
     marks: Marks,
     pledge: Pledge,
@@ -98,6 +100,7 @@ impl Flight {
                 .collect(),
             surveys: surveys.collect(),
             crafts: Vec::new(),
+            lookout: Lookout::new(seed),
             contacts: Contacts::default(),
             marks: Marks::default(),
             pledge: Pledge::default(),
@@ -131,6 +134,7 @@ impl Flight {
         self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
         self.note_peak();
+        self.watch(&mut notices);
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
         self.step_objectives(&mut notices);
@@ -181,12 +185,8 @@ impl Flight {
                 return;
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
-                let sensors = self.mission.sensors.iter().enumerate();
-                let probe = |(index, &sensor)| {
-                    Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
-                };
-                self.crafts
-                    .push(Craft::new(id, sensors.filter_map(probe).collect()));
+                let craft = Craft::new(id, &self.mission.sensors, self.seed);
+                self.crafts.push(craft);
             }
         }
     }

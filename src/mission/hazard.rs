@@ -10,6 +10,8 @@ use super::file::Reader;
 use super::weather::Weather;
 use crate::text::Text;
 
+pub(super) mod minefield;
+mod placing;
 pub(super) mod plume;
 
 /// A hazard as the file describes it.
@@ -168,4 +170,5 @@ pub(crate) enum TruthShape {
 }
 
 /// All kinds by name.
-pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[("plume", plume::read)];
+pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] =
+    &[("minefield", minefield::read), ("plume", plume::read)];

@@ -59,6 +59,17 @@ pub(crate) enum Band {
 }
 
 impl DetectorSpec {
+    /// Nothing farther than this to the east or north is seen from a height.
+    pub fn reach_m(&self, height_m: f64) -> f64 {
+        match self {
+            Self::Ground(ground) => ground.swath_m,
+            Self::Camera(camera) => {
+                let [across, along] = camera.footprint_m(height_m);
+                (across.hypot(along) / 2.0).max(2.0 * camera.inspects_to_m.unwrap_or(0.0))
+            }
+        }
+    }
+
     /// How wide a strip it covers on a pass at a height above the ground.
     pub fn swath_m(&self, height_m: f64) -> f64 {
         match self {
