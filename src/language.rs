@@ -39,7 +39,7 @@ pub use pilot::{Pilot, PilotEvent, Script};
 pub use table::{verb, verbs};
 pub use targets::Targets;
 pub use verb::{Danger, Form, Retry, Verb};
-pub use wait::{Field, Relation, Situation, Until, Wait};
+pub use wait::{Field, Findings, Relation, Seen, Situation, Until, Wait};
 
 /// What the words of a line may refer to.
 #[derive(Debug, Clone, Copy)]

@@ -171,6 +171,7 @@ impl Entry {
 pub struct Ledger {
     entries: VecDeque<Entry>,
     next: u32,
+    revision: u64,
 }
 
 impl Ledger {
@@ -183,6 +184,7 @@ impl Ledger {
     pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
         let id = EntryId(self.next);
         self.next += 1;
+        self.revision += 1;
         let rows = targets
             .iter()
             .map(|&vehicle| Row {
@@ -213,6 +215,7 @@ impl Ledger {
         let Some(entry) = self.position(update.entry).map(|at| &mut self.entries[at]) else {
             return;
         };
+        self.revision += 1;
         let given_at = entry.at;
         let Some(row) = entry
             .rows
@@ -234,6 +237,11 @@ impl Ledger {
         if update.explanation.is_some() {
             row.explanation.clone_from(&update.explanation);
         }
+    }
+
+    /// Goes up whenever something changes: who has seen this one need not look again.
+    pub fn revision(&self) -> u64 {
+        self.revision
     }
 
     /// One entry.

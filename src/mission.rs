@@ -15,12 +15,14 @@
 //! | `title_uk`, `brief_uk`, `text_uk` | each beside its English text, the same in Ukrainian; where one is missing, English is shown |
 //! | `id`, `rev`, `title`, `brief` | name for files and results; revision; for people |
 //! | `tier`, `tags`, `authors` | difficulty 0-3 (0); for lists |
+//! | `drill_of` | id of the mission that this one is a short exercise for |
 //! | `[sim]` `time_limit`, `origin = { lat, lon, alt, heading }` | seconds; where [0, 0] is, height above sea level, heading of the parked vehicles (0) |
 //! | `[weather]` `wind = { speed, dir }` | `dir` is where it comes from (calm) |
 //! | `[[zones]]` `id`, `kind` | `task` (an area) or `geofence` (must not be left; optional `ceiling`) |
 //! | `polygon` or `center`, `radius` | its shape |
 //! | `[[hazards]]` `id`, `kind` | see below |
-//! | `[fleet]` `max_vehicles`, `pads`, `sensors` | one pad per vehicle; sensors that every vehicle carries |
+//! | `[fleet]` `max_vehicles`, `pads`, `sensors`, `loads` | one pad per vehicle; what every vehicle carries; loads: `ball`, `kit`, `node` in pieces, `spray` in seconds |
+//! | `vehicles = [{ sensors, loads }, ..]` | one per pad: more sensors, and loads in the place of the fleet's |
 //! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
 //! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
 //! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
@@ -49,6 +51,7 @@ mod clock;
 mod contact;
 mod craft;
 mod file;
+mod fit;
 mod flight;
 mod hazard;
 mod listing;
@@ -72,6 +75,9 @@ pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
 
+/// How far apart the pads of an enlarged mission lie.
+const ROW_SPACING_M: f64 = 6.0;
+
 /// What stands in a hint for the name of the next cell to sample.
 pub(crate) const NEXT_CELL: &str = "{next_cell}";
 
@@ -94,6 +100,8 @@ pub struct Mission {
     pub tags: Vec<String>,
     /// Who wrote it.
     pub authors: Vec<String>,
+    /// The id of the mission that it is a short exercise for.
+    pub drill_of: Option<String>,
     /// How many vehicles fly it.
     pub vehicles: usize,
     /// Mission time allowed.
@@ -105,7 +113,10 @@ pub struct Mission {
     pub(crate) origin: Origin,
     pub(crate) weather: weather::Weather,
     pub(crate) pads: Vec<Point>,
+    /// Every sensor that some vehicle carries.
     pub(crate) sensors: Vec<&'static sensor::Sensor>,
+    /// What each vehicle carries, in the order of the pads.
+    pub(crate) fits: Vec<fit::Fit>,
     pub(crate) zones: Vec<zone::Zone>,
     pub(crate) hazards: Vec<Box<dyn hazard::Hazard>>,
     pub(crate) objectives: Vec<objective::Objective>,
@@ -177,6 +188,19 @@ impl Mission {
             heading_deg: self.origin.heading_deg,
         };
         self.pads.iter().map(pad).collect()
+    }
+
+    /// The same with more vehicles than it is made for, for measurements: their pads lie in a row to the south of the
+    /// last one.
+    #[must_use]
+    pub fn enlarged(mut self, vehicles: usize) -> Self {
+        if let Some(&[east_m, north_m]) = self.pads.last() {
+            let more = vehicles.saturating_sub(self.pads.len());
+            let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
+            self.pads.extend((1..=more).map(pad));
+            self.vehicles = self.pads.len();
+        }
+        self
     }
 
     /// The simulator's world for it: its vehicles on their pads.

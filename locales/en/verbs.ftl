@@ -71,6 +71,8 @@ argument-altitude-or-distance = above home, to home
 argument-ground-speed = over ground
 argument-charge = charge left
 argument-satellites = satellites in use
+argument-reading = what the first sensor of the vehicle shows, in its unit
+argument-contacts = contacts of all vehicles together
 
 # What a mission understands
 verb-mark = report a find

@@ -71,6 +71,8 @@ argument-altitude-or-distance = над домом, до дому
 argument-ground-speed = відносно землі
 argument-charge = залишок заряду
 argument-satellites = супутників у роботі
+argument-reading = що показує перший датчик апарата, у його одиницях
+argument-contacts = контактів усіх апаратів разом
 
 # Що розуміє місія
 verb-mark = доповісти про знахідку

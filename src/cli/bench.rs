@@ -11,6 +11,7 @@ mod decode;
 mod fidelity;
 mod frame;
 mod load;
+mod missions;
 mod scale;
 mod sim;
 
@@ -25,6 +26,8 @@ pub(super) enum Bench {
     Frame(frame::FrameArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.
     Load(load::LoadArguments),
+    /// How much faster than real time the reference pilots fly the shipped missions.
+    Missions(missions::MissionsArguments),
     /// What a growing number of vehicles costs the simulator and the console, as the paper measured it.
     Scale(scale::ScaleArguments),
     /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
@@ -38,6 +41,7 @@ pub(super) fn bench(bench: &Bench, settings: &Settings) -> Result<ExitCode, Fail
         Bench::Fidelity(options) => fidelity::fidelity(options),
         Bench::Frame(options) => frame::frame(options),
         Bench::Load(options) => load::load(options),
+        Bench::Missions(options) => missions::missions(options),
         Bench::Scale(options) => scale::scale(options, settings),
         Bench::Sim(options) => sim::sim(options),
     }

@@ -16,7 +16,7 @@ use super::{Console, Happened, Opening, Options, Running, Signals, key, ticks};
 use crate::app::event::Event;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
-use crate::language::{Pilot, PilotEvent, Script};
+use crate::language::{Findings, Pilot, PilotEvent, Script, Seen};
 use crate::text::{Text, text};
 use crossterm::event::KeyCode;
 
@@ -217,7 +217,14 @@ impl Plain {
         let Some(pilot) = &mut self.pilot else { return };
         let state = &self.console.state;
         let session = &state.session;
-        let events = pilot.step(state.now, &session.vehicles, &session.ledger);
+        let findings = session.mission.as_ref().map(|progress| &progress.findings);
+        let none = Findings::default();
+        let seen = Seen {
+            vehicles: &session.vehicles,
+            ledger: &session.ledger,
+            findings: findings.unwrap_or(&none),
+        };
+        let events = pilot.step(state.now, seen);
         if !events.is_empty() {
             self.pilot = None;
         }

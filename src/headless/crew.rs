@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::geo::LatLon;
-use crate::language::{self, Action, Context, Pilot, PilotEvent, Script, Statement, Verb};
+use crate::language::{self, Action, Context, Pilot, PilotEvent, Script, Seen, Statement, Verb};
 use crate::ledger::{EntryId, Given, Ledger, Risk, RowUpdate};
 use crate::mission::{Flight, Mission, Report as MissionReport};
 use crate::notice::Notice;
@@ -139,7 +139,12 @@ impl Crew {
     pub fn fly(&mut self, now: Duration) {
         self.look();
         let elapsed = now.saturating_sub(self.begun);
-        for event in self.pilot.step(now, &self.vehicles, &self.ledger) {
+        let seen = Seen {
+            vehicles: &self.vehicles,
+            ledger: &self.ledger,
+            findings: &self.flight.findings(),
+        };
+        for event in self.pilot.step(now, seen) {
             match event {
                 PilotEvent::Do(statement) => self.carry_out(&statement, now),
                 PilotEvent::WaitTimedOut { line, text } => self.notices.push(Notice {

@@ -1,15 +1,12 @@
 //! Pilot scripts: lines of the language, one after the other.
 
-use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::lexer::words;
-use super::wait::{Until, Wait};
+use super::wait::{Seen, Until, Wait};
 use super::{Action, Context, Statement, Targets, parse};
 use crate::diagnostic::Diagnostic;
-use crate::ledger::Ledger;
 use crate::text;
-use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
 /// A script that has no fault.
@@ -29,7 +26,7 @@ struct Step {
 
 impl Script {
     /// Reads a script. Empty lines and comments (`#`) are fine. A script has no selection: every line but a wait
-    /// for a time says whom it means.
+    /// for a time or for contacts says whom it means.
     ///
     /// # Errors
     /// Every fault, with its place in the whole source.
@@ -59,16 +56,11 @@ impl Script {
 
 fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic> {
     let statement = parse(line, context)?;
-    let pause = matches!(
-        statement.action,
-        Action::Wait(Wait {
-            until: Until::Passed(_),
-            ..
-        })
-    );
+    let needs_no_vehicle =
+        matches!(&statement.action, Action::Wait(wait) if !wait.until.is_of_vehicles());
     let span = words(line).first().map_or(0..0, |word| word.span.clone());
     let vehicles = match &statement.targets {
-        Targets::Selection if !pause => {
+        Targets::Selection if !needs_no_vehicle => {
             return Err(Diagnostic::new(span, text!("grammar-script-selection"))
                 .with_help(text!("grammar-say-who", line = with_all(&statement))));
         }
@@ -134,19 +126,14 @@ impl Pilot {
     ///
     /// The caller opens the ledger's entries for the statements before the next step: a wait that follows a
     /// command is looked at no earlier than that, so that `wait all arrived` means the goto before it.
-    pub fn step(
-        &mut self,
-        now: Duration,
-        vehicles: &BTreeMap<VehicleId, Vehicle>,
-        ledger: &Ledger,
-    ) -> Vec<PilotEvent> {
+    pub fn step(&mut self, now: Duration, seen: Seen<'_>) -> Vec<PilotEvent> {
         let mut events = Vec::new();
         let mut acted = false;
         while let Some(step) = self.script.steps.get(self.next) {
             if let Action::Wait(wait) = &step.statement.action {
                 let since = *self.waiting_since.get_or_insert(now);
                 let waited = now.saturating_sub(since);
-                if !(is_over(wait, waited) || !acted && step.met(wait, vehicles, ledger)) {
+                if !(is_over(wait, waited) || !acted && step.met(wait, seen)) {
                     if acted || waited < wait.timeout || is_pause(wait) {
                         return events;
                     }
@@ -181,18 +168,16 @@ fn is_over(wait: &Wait, waited: Duration) -> bool {
 
 impl Step {
     /// Whether the condition holds for all that are meant, and for one at least.
-    fn met(&self, wait: &Wait, vehicles: &BTreeMap<VehicleId, Vehicle>, ledger: &Ledger) -> bool {
+    fn met(&self, wait: &Wait, seen: Seen<'_>) -> bool {
+        let vehicles = seen.vehicles;
         match &self.vehicles {
             None => {
-                !vehicles.is_empty()
-                    && vehicles
-                        .values()
-                        .all(|vehicle| wait.until.holds(vehicle, ledger))
+                let mut all = vehicles.values();
+                !vehicles.is_empty() && all.all(|vehicle| wait.until.holds(vehicle, seen))
             }
             Some(ids) => ids.iter().all(|id| {
-                vehicles
-                    .get(id)
-                    .is_some_and(|vehicle| wait.until.holds(vehicle, ledger))
+                let vehicle = vehicles.get(id);
+                vehicle.is_some_and(|vehicle| wait.until.holds(vehicle, seen))
             }),
         }
     }

@@ -1,9 +1,10 @@
 //! What a script waits for.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::ledger::{Ledger, RowState};
-use crate::vehicle::{LandedState, Vehicle};
+use crate::vehicle::{LandedState, Vehicle, VehicleId};
 
 /// How long a wait lasts at most, unless it says otherwise.
 pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
@@ -19,6 +20,26 @@ pub struct Wait {
     pub until: Until,
     /// When to go on regardless.
     pub timeout: Duration,
+}
+
+/// What a script can see, to tell whether a wait is over.
+#[derive(Debug, Clone, Copy)]
+pub struct Seen<'a> {
+    /// The vehicles that there are.
+    pub vehicles: &'a BTreeMap<VehicleId, Vehicle>,
+    /// What was commanded, and what became of it.
+    pub ledger: &'a Ledger,
+    /// What the mission has shown.
+    pub findings: &'a Findings,
+}
+
+/// What a mission has shown so far: what sensors found, never the truth. Empty without a mission.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Findings {
+    /// How many contacts there are.
+    pub contacts: usize,
+    /// What the first sensor of each vehicle shows, in its unit.
+    pub readings: BTreeMap<VehicleId, f64>,
 }
 
 /// What a script waits for, of every target.
@@ -73,6 +94,10 @@ pub enum Field {
     Heading,
     /// Satellites in use.
     Satellites,
+    /// What the first sensor shows, in its unit.
+    Reading,
+    /// Contacts of all vehicles together.
+    Contacts,
 }
 
 /// How a figure has to compare.
@@ -123,12 +148,14 @@ impl Field {
             "distance" => Self::Distance,
             "heading" => Self::Heading,
             "sats" => Self::Satellites,
+            "reading" => Self::Reading,
+            "contacts" => Self::Contacts,
             _ => return None,
         })
     }
 
-    /// The figure, if the vehicle has said it.
-    pub fn of(self, vehicle: &Vehicle) -> Option<f64> {
+    /// The figure, if it is known.
+    pub fn of(self, vehicle: &Vehicle, findings: &Findings) -> Option<f64> {
         match self {
             Self::Altitude => vehicle.altitude_m(),
             Self::Speed => vehicle.ground_speed_m_s().map(f64::from),
@@ -136,6 +163,8 @@ impl Field {
             Self::Distance => vehicle.distance_home_m(),
             Self::Heading => vehicle.heading_deg().map(f64::from),
             Self::Satellites => vehicle.gps?.satellites.map(f64::from),
+            Self::Reading => findings.readings.get(&vehicle.id).copied(),
+            Self::Contacts => Some(findings.contacts as f64),
         }
     }
 }
@@ -163,11 +192,23 @@ impl Relation {
 }
 
 impl Until {
+    /// Whether it is about vehicles, so that a script has to say which; a time and the contacts of all are not.
+    pub(super) fn is_of_vehicles(&self) -> bool {
+        !matches!(
+            self,
+            Self::Passed(_)
+                | Self::Compared {
+                    field: Field::Contacts,
+                    ..
+                }
+        )
+    }
+
     /// Whether it is true of a vehicle. A time is never true of one.
-    pub fn holds(&self, vehicle: &Vehicle, ledger: &Ledger) -> bool {
+    pub fn holds(&self, vehicle: &Vehicle, seen: Seen<'_>) -> bool {
         match self {
             Self::Passed(_) => false,
-            Self::Situation(situation) => situation.holds(vehicle, ledger),
+            Self::Situation(situation) => situation.holds(vehicle, seen.ledger),
             Self::Mode(name) => vehicle.mode().is_some_and(|mode| {
                 mode.is(name)
                     || name
@@ -179,7 +220,7 @@ impl Until {
                 relation,
                 value,
             } => field
-                .of(vehicle)
+                .of(vehicle, seen.findings)
                 .is_some_and(|figure| relation.holds(figure, *value)),
         }
     }

@@ -16,6 +16,7 @@ use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
+mod fleet;
 mod place;
 mod points;
 mod sections;
@@ -28,8 +29,9 @@ pub(super) const POINT_RANGE: f64 = 20_000.0;
 const SHORTEST_LIMIT: std::time::Duration = std::time::Duration::from_secs(10);
 
 /// Keys of the file that stand before its first section.
-const HEAD: [&str; 10] = [
+const HEAD: [&str; 11] = [
     "schema", "id", "rev", "title", "title_uk", "tier", "tags", "authors", "brief", "brief_uk",
+    "drill_of",
 ];
 /// The sections.
 const SECTIONS: [&str; 9] = [

@@ -74,6 +74,8 @@ pub struct Flight {
     /// The most that a sensor has shown, and where.
     peak: Option<(f64, Point)>,
     commands: CommandLog,
+    /// The state of the ledger that the commands are counted from.
+    counted: Option<u64>,
     safety: SafetyLog,
     met: Vec<bool>,
     events: Vec<EventReport>,
@@ -106,6 +108,7 @@ impl Flight {
             pledge: Pledge::default(),
             peak: None,
             commands: CommandLog::default(),
+            counted: None,
             safety: SafetyLog::default(),
             met: vec![false; mission.objectives.len()],
             events: Vec::new(),
@@ -137,9 +140,9 @@ impl Flight {
         self.watch(&mut notices);
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
-        self.step_objectives(&mut notices);
+        let standings = self.step_objectives(&mut notices);
         self.warn_of_time(previous, &mut notices);
-        self.decide(now, &mut notices);
+        self.decide(now, &standings, &mut notices);
         notices
     }
 
@@ -185,8 +188,8 @@ impl Flight {
                 return;
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
-                let craft = Craft::new(id, &self.mission.sensors, self.seed);
-                self.crafts.push(craft);
+                let fit = &self.mission.fits[self.crafts.len()];
+                self.crafts.push(Craft::new(id, &fit.sensors, self.seed));
             }
         }
     }
@@ -238,6 +241,10 @@ impl Flight {
         ledger: &Ledger,
         notices: &mut Vec<Notice>,
     ) {
+        // Rows change seldom, and there are thousands of them late in a swarm's mission.
+        if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
+            return;
+        }
         for event in self.commands.step(self.elapsed, vehicles, ledger) {
             match event {
                 // The fleet tells the operator about refusals; here they only go on record.
@@ -295,7 +302,7 @@ impl Flight {
         }
     }
 
-    fn step_objectives(&mut self, notices: &mut Vec<Notice>) {
+    fn step_objectives(&mut self, notices: &mut Vec<Notice>) -> Vec<Standing> {
         let mission = Arc::clone(&self.mission);
         let mut trackers = std::mem::take(&mut self.trackers);
         for tracker in &mut trackers {
@@ -303,7 +310,8 @@ impl Flight {
         }
         self.trackers = trackers;
         let standings = self.standings();
-        for (index, (objective, standing)) in mission.objectives.iter().zip(standings).enumerate() {
+        for (index, (objective, standing)) in mission.objectives.iter().zip(&standings).enumerate()
+        {
             if standing.met != self.met[index] {
                 self.met[index] = standing.met;
                 let (id, result) = (&objective.id, &standing.result);
@@ -315,6 +323,7 @@ impl Flight {
                 self.say("objective", None, Severity::Notice, text, notices);
             }
         }
+        standings
     }
 
     fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
@@ -335,8 +344,7 @@ impl Flight {
         }
     }
 
-    fn decide(&mut self, now: Duration, notices: &mut Vec<Notice>) {
-        let standings = self.standings();
+    fn decide(&mut self, now: Duration, standings: &[Standing], notices: &mut Vec<Notice>) {
         let mut mandatory = standings
             .iter()
             .zip(&self.mission.objectives)

@@ -17,6 +17,8 @@ pub struct Listing {
     pub title: Text,
     /// What the trainee is told.
     pub brief: Text,
+    /// The id of the mission that it is a short exercise for.
+    pub drill_of: Option<String>,
     /// How many vehicles fly it.
     pub vehicles: usize,
     /// Mission time allowed.
@@ -72,6 +74,7 @@ impl Mission {
             id: self.id.clone(),
             title: self.title.clone(),
             brief: self.brief.clone(),
+            drill_of: self.drill_of.clone(),
             vehicles: self.vehicles,
             time_limit: self.time_limit,
             par_time: self.scoring.par_time,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::geo::LatLon;
+use crate::language::Findings;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -22,6 +23,8 @@ pub struct Progress {
     pub objectives: Vec<ObjectiveProgress>,
     /// What the virtual sensors show, in order of vehicle.
     pub readings: Vec<Reading>,
+    /// What sensors have found, for waits.
+    pub findings: Findings,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
     /// Places that have come up during the flight, for the grammar: contacts (`c1`) and `peak`.

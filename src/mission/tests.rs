@@ -374,3 +374,19 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn vehicles_carry_what_the_fleet_does_and_their_own() {
+    let fleet = "sensors = [\"s_voc\"]\nloads = { ball = 2, kit = 1 }\n\
+        vehicles = [{ sensors = [\"s_pm25\", \"s_voc\"], loads = { ball = 4, kit = 0 } }]";
+    let source = AIR_SAMPLE.replace("sensors = [\"s_voc\"]", fleet);
+    let mission = Mission::parse(&source).expect("it is good");
+    let [fit] = &mission.fits[..] else {
+        panic!("one vehicle, one fit: {:?}", mission.fits)
+    };
+    let sensors: Vec<&str> = fit.sensors.iter().map(|sensor| sensor.id).collect();
+    assert_eq!(sensors, ["s_voc", "s_pm25"]);
+    let loads: Vec<(hazard::Load, u32)> = fit.loads.clone().into_iter().collect();
+    assert_eq!(loads, [(hazard::Load::Ball, 4)]);
+    assert_eq!(mission.sensors, fit.sensors);
+}

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use sortie::geo::LatLon;
+use sortie::language::Findings;
 use sortie::mission::{
     Cell, Listing, Mission, ObjectiveProgress, ObjectiveState, Progress, Reading,
 };
@@ -175,6 +176,7 @@ pub fn progress() -> Progress {
             unit: "ppm",
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
+        findings: Findings::default(),
         places: std::collections::BTreeMap::new(),
         cells: cells.collect(),
     }

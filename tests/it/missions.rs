@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use sortie::mission::Mission;
 use sortie::text::{Language, Locale};
 
+mod faults;
+
 /// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.
 const REFUSALS: &[&str] = &[
     "bad-id.toml:2:6: a mission's id is 1 to 40 small letters, digits and `-`",

@@ -272,6 +272,33 @@ fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator(
     scene.assert_nothing_is_left();
 }
 
+/// Missions whose score is to be the same: the basics, three drones that fly together, and detectors over a lane.
+const SAME_ON_BOTH: [&str; 3] = ["00-first-flight", "02-formation", "06-lane-survey"];
+
+#[test]
+fn missions_score_on_real_arducopters_within_a_tenth_of_the_embedded_simulator() {
+    for name in SAME_ON_BOTH {
+        let Some(mut scene) = Scene::on_the_real_one() else {
+            return;
+        };
+        scene.mission = name.into();
+        let embedded = Command::new(env!("CARGO_BIN_EXE_sortie"))
+            .args(["run", name, "--pilot", name, "--json"])
+            .output()
+            .expect("it runs");
+        let embedded: serde_json::Value = serde_json::from_slice(&embedded.stdout).expect("JSON");
+        let real = scene.report(name, &["--json", "--speedup", "5"]);
+        let score = |report: &serde_json::Value| report["score"].as_f64().expect("a number");
+        let (real_score, wanted) = (score(&real), score(&embedded));
+        eprintln!("{name}: {wanted} embedded, {real_score} on ArduPilot");
+        assert!(
+            (real_score - wanted).abs() <= 0.1 * wanted,
+            "{name}: {wanted} embedded, but {real:#}"
+        );
+        scene.assert_nothing_is_left();
+    }
+}
+
 #[test]
 fn a_real_arducopter_loses_its_gps_by_the_newer_firmware_s_name() {
     let Some(scene) = Scene::on_the_real_one() else {

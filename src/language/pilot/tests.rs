@@ -1,6 +1,9 @@
+use std::collections::BTreeMap;
+
 use super::*;
-use crate::ledger::{Given, RowState, RowUpdate};
-use crate::vehicle::{Heartbeat, Mode, SystemStatus, VehicleClass};
+use crate::language::Findings;
+use crate::ledger::{Given, Ledger, RowState, RowUpdate};
+use crate::vehicle::{Heartbeat, Mode, SystemStatus, Vehicle, VehicleClass};
 
 const SCRIPT: &str = "# up and away
 all guided
@@ -37,6 +40,22 @@ fn pilot(source: &str) -> Pilot {
     Pilot::new(Script::parse(source, &Context::default()).expect("a good script"))
 }
 
+/// What a pilot does, without any mission.
+fn step(
+    pilot: &mut Pilot,
+    seconds: f64,
+    vehicles: &BTreeMap<VehicleId, Vehicle>,
+    ledger: &Ledger,
+) -> Vec<PilotEvent> {
+    let findings = Findings::default();
+    let seen = Seen {
+        vehicles,
+        ledger,
+        findings: &findings,
+    };
+    pilot.step(at(seconds), seen)
+}
+
 fn given<'a>(line: &'a str, verb: &'a str) -> Given<'a> {
     Given {
         line,
@@ -66,7 +85,7 @@ fn a_script_runs_from_wait_to_wait() {
     let mut ledger = Ledger::new();
     let (idle, armed) = (swarm(false), swarm(true));
     let mut step =
-        |seconds, vehicles, ledger: &Ledger| lines(&pilot.step(at(seconds), vehicles, ledger));
+        |seconds, vehicles, ledger: &Ledger| lines(&step(&mut pilot, seconds, vehicles, ledger));
     assert_eq!(step(1.0, &idle, &ledger), ["all guided", "all arm"]);
     assert_eq!(step(2.0, &idle, &ledger), [""; 0]);
     assert_eq!(step(3.0, &armed, &ledger), ["1 goto n 10 e 0"]);
@@ -90,14 +109,14 @@ fn a_script_runs_from_wait_to_wait() {
 fn a_wait_that_never_comes_true_times_out_and_the_script_goes_on() {
     let mut pilot = pilot("wait all armed timeout 5s\nall rtl\nwait all landed");
     let (ledger, idle) = (Ledger::new(), swarm(false));
-    assert!(pilot.step(at(0.0), &idle, &ledger).is_empty());
-    assert!(pilot.step(at(4.9), &idle, &ledger).is_empty());
+    assert!(step(&mut pilot, 0.0, &idle, &ledger).is_empty());
+    assert!(step(&mut pilot, 4.9, &idle, &ledger).is_empty());
     assert_eq!(
-        lines(&pilot.step(at(5.0), &idle, &ledger)),
+        lines(&step(&mut pilot, 5.0, &idle, &ledger)),
         ["line 1 timed out: wait all armed timeout 5s", "all rtl"]
     );
     // The rtl is not in the ledger yet when its own step ends; they are on the ground at the next.
-    assert_eq!(lines(&pilot.step(at(5.1), &idle, &ledger)), ["finished"]);
+    assert_eq!(lines(&step(&mut pilot, 5.1, &idle, &ledger)), ["finished"]);
 }
 
 #[test]
@@ -116,16 +135,12 @@ fn a_condition_holds_only_when_it_does_for_every_vehicle_there_is() {
         ("wait 1 altitude < 1", false),
     ] {
         assert_eq!(
-            pilot(line).step(at(0.0), &mixed, &ledger).len(),
+            step(&mut pilot(line), 0.0, &mixed, &ledger).len(),
             usize::from(met),
             "{line}"
         );
     }
-    assert!(
-        pilot("wait all armed")
-            .step(at(0.0), &BTreeMap::new(), &ledger)
-            .is_empty()
-    );
+    assert!(step(&mut pilot("wait all armed"), 0.0, &BTreeMap::new(), &ledger).is_empty());
 }
 
 #[test]
@@ -135,7 +150,7 @@ fn nobody_has_arrived_while_the_order_is_on_its_way() {
     ledger.open(at(1.0), given("all yaw 90", "yaw"), &[1, 2]);
     let mut pilot = pilot("wait all arrived");
     let idle = swarm(false);
-    assert!(pilot.step(at(1.0), &idle, &ledger).is_empty());
+    assert!(step(&mut pilot, 1.0, &idle, &ledger).is_empty());
     for vehicle in [1, 2] {
         ledger.apply(&RowUpdate {
             entry,
@@ -146,7 +161,7 @@ fn nobody_has_arrived_while_the_order_is_on_its_way() {
             explanation: None,
         });
     }
-    assert_eq!(lines(&pilot.step(at(2.0), &idle, &ledger)), ["finished"]);
+    assert_eq!(lines(&step(&mut pilot, 2.0, &idle, &ledger)), ["finished"]);
 }
 
 #[test]
@@ -163,4 +178,29 @@ fn every_fault_is_reported_where_it_is_in_the_source() {
     );
     let help = faults[1].help.as_ref().map(ToString::to_string);
     assert_eq!(help.as_deref(), Some("say who, as `all arm`"));
+}
+
+#[test]
+fn a_script_waits_for_what_sensors_have_found() {
+    let (ledger, swarm) = (Ledger::new(), swarm(true));
+    let findings = Findings {
+        contacts: 3,
+        readings: BTreeMap::from([(1, 20.5), (2, 4.0)]),
+    };
+    for (line, met) in [
+        ("wait contacts >= 3", true),
+        ("wait 1 contacts > 3", false),
+        ("wait 1 reading > 20", true),
+        ("wait 2 reading > 20", false),
+        ("wait all reading > 3.9 timeout 2min", true),
+        ("wait 3 reading < 1", false),
+    ] {
+        let seen = Seen {
+            vehicles: &swarm,
+            ledger: &ledger,
+            findings: &findings,
+        };
+        let events = pilot(line).step(at(0.0), seen);
+        assert_eq!(events.len(), usize::from(met), "{line}");
+    }
 }

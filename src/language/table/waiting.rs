@@ -23,6 +23,8 @@ pub(super) const WAIT: Verb = Verb {
         "wait all arrived",
         "wait 1-3 mode GUIDED timeout 10s",
         "wait all disarmed timeout 3min",
+        "wait contacts >= 3 timeout 2min",
+        "wait 1 reading > 20",
     ],
     forms: &[
         Form {
@@ -95,6 +97,24 @@ pub(super) const WAIT: Verb = Verb {
                 Argument::value("field", Kind::Choice(&["heading"]), "argument-heading"),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Degrees, 0.0, 360.0), ""),
+                TIMEOUT,
+            ],
+            build: compare,
+        },
+        Form {
+            arguments: &[
+                Argument::value("field", Kind::Choice(&["reading"]), "argument-reading"),
+                RELATION,
+                Argument::value("value", Kind::Number(Unit::None, 0.0, 1e9), ""),
+                TIMEOUT,
+            ],
+            build: compare,
+        },
+        Form {
+            arguments: &[
+                Argument::value("field", Kind::Choice(&["contacts"]), "argument-contacts"),
+                RELATION,
+                Argument::value("value", Kind::Whole(Unit::None, 0.0, 1e6), ""),
                 TIMEOUT,
             ],
             build: compare,

@@ -1,4 +1,4 @@
-//! The sections that say where and with what: `sim`, `weather`, `rules`, `fleet`.
+//! The sections that say where, in what weather and by which rules: `sim`, `weather`, `rules`.
 
 use std::time::Duration;
 
@@ -8,12 +8,9 @@ use toml::de::DeValue;
 
 use super::Faults;
 use crate::geo::LatLon;
-use crate::mission::sensor::{SENSORS, Sensor};
+use crate::mission::Origin;
 use crate::mission::weather::{Light, Weather, Wind};
-use crate::mission::{Origin, Point};
 
-/// More than a console can fly.
-const MOST_VEHICLES: usize = 250;
 const DEFAULT_MAX_HEIGHT_M: f64 = 120.0;
 const DEFAULT_RESERVE_PERCENT: f64 = 20.0;
 
@@ -114,49 +111,4 @@ pub(super) fn rules(
         height.unwrap_or(DEFAULT_MAX_HEIGHT_M),
         reserve.unwrap_or(DEFAULT_RESERVE_PERCENT),
     ))
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FleetFile {
-    max_vehicles: Spanned<usize>,
-    pads: Spanned<Vec<Spanned<Point>>>,
-    #[serde(default)]
-    sensors: Vec<Spanned<String>>,
-}
-
-/// What flies, and from where.
-pub(super) struct Fleet {
-    pub pads: Vec<Point>,
-    pub sensors: Vec<&'static Sensor>,
-}
-
-pub(super) fn fleet(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Fleet> {
-    let file: FleetFile = faults.read_value(value)?;
-    let (count, pads) = (*file.max_vehicles.get_ref(), file.pads.get_ref());
-    if !(1..=MOST_VEHICLES).contains(&count) {
-        faults.add(
-            file.max_vehicles.span(),
-            format!("`max_vehicles` must lie between 1 and {MOST_VEHICLES}"),
-        );
-    } else if pads.len() != count {
-        faults.add(
-            file.pads.span(),
-            format!("{count} vehicles need {count} pads, not {}", pads.len()),
-        );
-    }
-    let mut sensors = Vec::new();
-    for name in &file.sensors {
-        match Sensor::by_id(name.get_ref()) {
-            Some(sensor) => sensors.push(sensor),
-            None => {
-                let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
-                faults.unknown("sensor", name, &known);
-            }
-        }
-    }
-    Some(Fleet {
-        pads: pads.iter().map(|pad| faults.point(pad, "pads")).collect(),
-        sensors,
-    })
 }

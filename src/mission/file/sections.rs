@@ -7,7 +7,8 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::place::{self, Fleet};
+use super::fleet::{self, Fleet};
+use super::place;
 use super::{
     Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, kinded, objective, points, zones,
 };
@@ -72,14 +73,16 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         tier: head.tier,
         tags: head.tags,
         authors: head.authors,
+        drill_of: head.drill_of.map(Spanned::into_inner),
         vehicles: setting.fleet.pads.len(),
+        sensors: setting.fleet.sensors(),
         time_limit: setting.time_limit,
         hints: content.hints,
         scoring: scoring?,
         origin: setting.origin,
         weather: setting.weather,
         pads: setting.fleet.pads,
-        sensors: setting.fleet.sensors,
+        fits: setting.fleet.fits,
         zones: content.draft.zones,
         hazards: content.hazards,
         objectives: content.objectives,
@@ -108,7 +111,7 @@ fn setting(sections: &mut Sections<'_>, faults: &mut Faults) -> Option<Setting> 
         .and_then(|value| place::sim(value, faults));
     let fleet = sections
         .needed("fleet", faults)
-        .and_then(|value| place::fleet(value, faults));
+        .and_then(|value| fleet::fleet(value, faults));
     let weather = sections
         .optional("weather")
         .map_or(Some(Weather::CALM), |value| place::weather(value, faults));
@@ -132,7 +135,7 @@ fn content(
 ) -> Content {
     let mut draft = Draft {
         zones: array(sections.optional("zones"), faults, zones::reader()),
-        sensors: setting.map_or(Vec::new(), |setting| setting.fleet.sensors.clone()),
+        sensors: setting.map_or(Vec::new(), |setting| setting.fleet.sensors()),
         declared,
         ..Draft::default()
     };
@@ -165,9 +168,9 @@ fn scoring(
 }
 
 /// The names that other sections may refer to, good or faulty.
-fn declared_names(root: &DeTable<'_>) -> Vec<String> {
+fn declared_names<'t, 'i>(root: &'t DeTable<'i>) -> Vec<String> {
     let value = |key: &str| root.get(key).map(Spanned::get_ref);
-    let ids = ["zones", "objectives"]
+    let ids = ["zones", "hazards", "objectives"]
         .into_iter()
         .filter_map(|key| value(key)?.as_array())
         .flat_map(|items| {
@@ -175,10 +178,14 @@ fn declared_names(root: &DeTable<'_>) -> Vec<String> {
                 .iter()
                 .filter_map(|item| item.get_ref().get("id")?.get_ref().as_str())
         });
-    let sensors = value("fleet").and_then(|fleet| fleet.get("sensors")?.get_ref().as_array());
-    let sensors = sensors
-        .into_iter()
-        .flat_map(|items| items.iter().filter_map(|item| item.get_ref().as_str()));
+    let list = |table: &'t DeValue<'i>, key| table.get(key)?.get_ref().as_array();
+    let fleet = value("fleet").into_iter();
+    let vehicles = fleet.clone().filter_map(|fleet| list(fleet, "vehicles"));
+    let vehicles = vehicles.flatten().map(Spanned::get_ref);
+    let sensors = fleet
+        .chain(vehicles)
+        .filter_map(|table| list(table, "sensors"));
+    let sensors = sensors.flatten().filter_map(|item| item.get_ref().as_str());
     ids.chain(sensors).map(str::to_owned).collect()
 }
 
@@ -210,6 +217,7 @@ struct HeadFile {
     authors: Vec<String>,
     brief: Spanned<String>,
     brief_uk: Option<Spanned<String>>,
+    drill_of: Option<Spanned<String>>,
 }
 
 impl HeadFile {
@@ -220,15 +228,16 @@ impl HeadFile {
                 format!("this program reads schema {SCHEMA} only"),
             );
         }
-        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-        if self.id.get_ref().is_empty()
-            || self.id.get_ref().len() > 40
-            || !self.id.get_ref().chars().all(plain)
-        {
-            faults.add(
-                self.id.span(),
-                "a mission's id is 1 to 40 small letters, digits and `-`",
-            );
+        for id in std::iter::once(&self.id).chain(&self.drill_of) {
+            if !is_mission_id(id.get_ref()) {
+                faults.add(
+                    id.span(),
+                    "a mission's id is 1 to 40 small letters, digits and `-`",
+                );
+            }
+        }
+        if let Some(of) = self.drill_of.as_ref().filter(|of| **of == self.id) {
+            faults.add(of.span(), "a mission is no drill of itself");
         }
         for (title, key) in [
             (Some(&self.title), "title"),
@@ -242,6 +251,11 @@ impl HeadFile {
         }
         self
     }
+}
+
+fn is_mission_id(id: &str) -> bool {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+    (1..=40).contains(&id.len()) && id.chars().all(plain)
 }
 
 /// Reads an array of tables; a missing one is empty.

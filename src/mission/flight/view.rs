@@ -1,6 +1,7 @@
 //! How a flight stands, for the mission panel.
 
 use super::{Craft, Flight, Standing, Survey, result};
+use crate::language::Findings;
 use crate::mission::sensor::Probe;
 use crate::mission::{
     Cell, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
@@ -38,9 +39,19 @@ impl Flight {
             score_so_far: self.score_so_far(&standings),
             objectives,
             readings: self.readings(),
+            findings: self.findings(),
             hint: self.hint(&standings),
             places: self.places(),
             cells: self.cells(),
+        }
+    }
+
+    /// What sensors have found so far, for the waits of scripts.
+    pub fn findings(&self) -> Findings {
+        let reading = |craft: &Craft| Some((craft.id, craft.probes.first()?.shown));
+        Findings {
+            contacts: self.contacts.all().len(),
+            readings: self.crafts.iter().filter_map(reading).collect(),
         }
     }
 

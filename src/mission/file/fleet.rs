@@ -1,0 +1,148 @@
+//! The section `fleet`: what flies, from where, and what each vehicle carries.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::Faults;
+use crate::mission::Point;
+use crate::mission::fit::Fit;
+use crate::mission::hazard::Load;
+use crate::mission::sensor::{SENSORS, Sensor};
+
+/// More than a console can fly.
+const MOST_VEHICLES: usize = 250;
+/// Pieces of one load, or seconds of the sprayer, on one vehicle.
+const MOST_LOAD: u32 = 1000;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FleetFile {
+    max_vehicles: Spanned<usize>,
+    pads: Spanned<Vec<Spanned<Point>>>,
+    #[serde(default)]
+    sensors: Vec<Spanned<String>>,
+    #[serde(default)]
+    loads: LoadsFile,
+    vehicles: Option<Spanned<Vec<VehicleFile>>>,
+}
+
+/// What one vehicle carries besides what all do.
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields, default)]
+struct VehicleFile {
+    sensors: Vec<Spanned<String>>,
+    loads: LoadsFile,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields, default)]
+struct LoadsFile {
+    ball: Option<Spanned<u32>>,
+    spray: Option<Spanned<u32>>,
+    kit: Option<Spanned<u32>>,
+    node: Option<Spanned<u32>>,
+}
+
+/// What flies, and from where.
+pub(super) struct Fleet {
+    pub pads: Vec<Point>,
+    /// One for each pad.
+    pub fits: Vec<Fit>,
+}
+
+impl Fleet {
+    /// Every sensor that some vehicle carries.
+    pub fn sensors(&self) -> Vec<&'static Sensor> {
+        let mut all = Fit::default();
+        let carried = self.fits.iter().flat_map(|fit| &fit.sensors);
+        carried.for_each(|sensor| all.add(sensor));
+        all.sensors
+    }
+}
+
+pub(super) fn fleet(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Fleet> {
+    let file: FleetFile = faults.read_value(value)?;
+    let (count, pads) = (*file.max_vehicles.get_ref(), file.pads.get_ref());
+    if !(1..=MOST_VEHICLES).contains(&count) {
+        faults.add(
+            file.max_vehicles.span(),
+            format!("`max_vehicles` must lie between 1 and {MOST_VEHICLES}"),
+        );
+    } else if pads.len() != count {
+        faults.add(
+            file.pads.span(),
+            format!("{count} vehicles need {count} pads, not {}", pads.len()),
+        );
+    }
+    let fits = fits(&file, faults);
+    Some(Fleet {
+        pads: pads.iter().map(|pad| faults.point(pad, "pads")).collect(),
+        fits,
+    })
+}
+
+/// What each vehicle carries: what all do, and its own.
+fn fits(file: &FleetFile, faults: &mut Faults) -> Vec<Fit> {
+    let common = VehicleFile::fit(&file.sensors, &file.loads, Fit::default(), faults);
+    let count = file.pads.get_ref().len();
+    let Some(vehicles) = &file.vehicles else {
+        return vec![common; count];
+    };
+    let own = vehicles.get_ref();
+    if own.len() != count {
+        faults.add(
+            vehicles.span(),
+            format!("`vehicles` has {} for {count} pads: one each", own.len()),
+        );
+    }
+    let fit =
+        |own: &VehicleFile| VehicleFile::fit(&own.sensors, &own.loads, common.clone(), faults);
+    own.iter().map(fit).collect()
+}
+
+impl VehicleFile {
+    /// A fit with more sensors, and with these loads in the place of others of their kind.
+    fn fit(
+        sensors: &[Spanned<String>],
+        loads: &LoadsFile,
+        mut fit: Fit,
+        faults: &mut Faults,
+    ) -> Fit {
+        for name in sensors {
+            match Sensor::by_id(name.get_ref()) {
+                Some(sensor) => fit.add(sensor),
+                None => {
+                    let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
+                    faults.unknown("sensor", name, &known);
+                }
+            }
+        }
+        fit.loads.extend(loads.counted(faults));
+        fit.loads.retain(|_, count| *count > 0);
+        fit
+    }
+}
+
+impl LoadsFile {
+    fn counted(&self, faults: &mut Faults) -> BTreeMap<Load, u32> {
+        let all = [
+            (Load::Ball, &self.ball, "ball"),
+            (Load::Spray, &self.spray, "spray"),
+            (Load::Kit, &self.kit, "kit"),
+            (Load::Node, &self.node, "node"),
+        ];
+        let mut loads = BTreeMap::new();
+        for (load, written, name) in all {
+            let Some(written) = written else { continue };
+            if *written.get_ref() > MOST_LOAD {
+                let fault = format!("`{name}` must lie between 0 and {MOST_LOAD}");
+                faults.add(written.span(), fault);
+            }
+            loads.insert(load, *written.get_ref());
+        }
+        loads
+    }
+}

@@ -1,0 +1,24 @@
+//! What vehicles carry on a mission.
+
+use std::collections::BTreeMap;
+
+use super::hazard::Load;
+use super::sensor::Sensor;
+
+/// What one vehicle carries.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Fit {
+    /// Its sensors: those of the whole fleet, then its own.
+    pub sensors: Vec<&'static Sensor>,
+    /// What it starts with and gets again when it is served on its pad; a load that is not here it never has.
+    pub loads: BTreeMap<Load, u32>,
+}
+
+impl Fit {
+    /// Adds a sensor, unless it is on board already.
+    pub fn add(&mut self, sensor: &'static Sensor) {
+        if self.sensors.iter().all(|fitted| fitted.id != sensor.id) {
+            self.sensors.push(sensor);
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! The shipped missions: each can be passed by who knows how, is lost by who does not, and never pays for idling.
+//!
+//! Every file of `missions/` and its drills is flown with one seed; `sortie check --fly` does it with twenty.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::thread;
+
+use sortie::headless::Exercise;
+use sortie::language::{Context, Script};
+use sortie::mission::{Mission, Report};
+use sortie::scoring::Medal;
+
+/// The score that doing nothing must not exceed.
+const IDLE_AT_MOST: u16 = 250;
+
+/// A mission with those who fly it.
+struct Course {
+    name: String,
+    mission: Arc<Mission>,
+    pilots: BTreeMap<String, String>,
+    is_drill: bool,
+}
+
+impl Course {
+    fn script(&self, source: &str) -> Script {
+        let vehicles: Vec<u16> = (1..=self.mission.vehicles as u16).collect();
+        let places = self.mission.places_to_name();
+        let context = Context {
+            places: Some(&places),
+            vehicles: &vehicles,
+            ..Context::default()
+        };
+        Script::parse(source, &context)
+            .unwrap_or_else(|faults| panic!("{}: {faults:#?}", self.name))
+    }
+
+    fn reference(&self) -> Script {
+        let source = self.pilots.get(&self.name);
+        self.script(source.unwrap_or_else(|| panic!("{} has no reference pilot", self.name)))
+    }
+
+    fn naive(&self) -> Script {
+        let name = format!("{}-naive", number(&self.name));
+        let source = self.pilots.get(&name);
+        self.script(source.unwrap_or_else(|| panic!("there is no {name}.pilot")))
+    }
+
+    fn fly(&self, script: &Script, seed: u64) -> Report {
+        let mission = Arc::clone(&self.mission);
+        let mut exercise = Exercise::new(mission, seed, script.clone(), Vec::new());
+        while !exercise.is_over() {
+            exercise.step();
+        }
+        exercise.report()
+    }
+}
+
+fn number(name: &str) -> &str {
+    name.split('-').next().unwrap_or(name)
+}
+
+fn files(folder: &str, ending: &str) -> BTreeMap<String, String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let entries = std::fs::read_dir(folder).expect("the folder is there");
+    let paths = entries.map(|entry| entry.expect("readable").path());
+    let wanted = paths.filter(|path: &PathBuf| path.extension().is_some_and(|it| it == ending));
+    wanted
+        .map(|path| {
+            let stem = path.file_stem().expect("a file").to_string_lossy();
+            (
+                stem.into_owned(),
+                std::fs::read_to_string(&path).expect("text"),
+            )
+        })
+        .collect()
+}
+
+/// All of them, in the order of their numbers.
+fn courses() -> Vec<Course> {
+    let pilots = files("missions/pilots", "pilot");
+    let mut courses = Vec::new();
+    for (folder, is_drill) in [("missions", false), ("missions/drills", true)] {
+        for (name, source) in files(folder, "toml") {
+            let mission =
+                Mission::parse(&source).unwrap_or_else(|faults| panic!("{name}: {faults:#?}"));
+            courses.push(Course {
+                name,
+                mission: Arc::new(mission),
+                pilots: pilots.clone(),
+                is_drill,
+            });
+        }
+    }
+    courses
+}
+
+/// Does it for all, on all processors.
+fn for_each(courses: Vec<Course>, check: impl Fn(&Course) + Sync) {
+    let left = Mutex::new(courses);
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let next = left.lock().expect("nobody has panicked").pop();
+                    let Some(course) = next else { break };
+                    check(&course);
+                }
+            });
+        }
+    });
+}
+
+fn told(course: &Course, report: &Report) -> String {
+    let locale = sortie::text::Locale::default();
+    format!(
+        "{}\n{}",
+        course.name,
+        sortie::debrief::text(report, &locale)
+    )
+}
+
+#[test]
+fn every_mission_speaks_both_languages_and_has_its_pilots() {
+    let courses = courses();
+    let ids: Vec<&str> = courses.iter().map(|course| course.name.as_str()).collect();
+    for course in &courses {
+        let mission = &course.mission;
+        assert_eq!(course.name, mission.id);
+        assert!(
+            mission.untranslated.is_empty(),
+            "{}: {:?}",
+            course.name,
+            mission.untranslated
+        );
+        course.reference();
+        if !course.is_drill {
+            course.naive();
+            let drill = format!("d{}-", number(&course.name));
+            assert!(
+                ids.iter().any(|id| id.starts_with(&drill)),
+                "{} has no drill",
+                course.name
+            );
+        }
+    }
+    for pilot in courses[0].pilots.keys() {
+        let wanted = ids.contains(&pilot.as_str()) || pilot.ends_with("-naive");
+        assert!(wanted, "{pilot}.pilot flies no mission");
+    }
+}
+
+#[test]
+fn who_knows_how_earns_silver_and_the_same_again() {
+    for_each(courses(), |course| {
+        let script = course.reference();
+        let report = course.fly(&script, 1);
+        assert!(report.passed, "{}", told(course, &report));
+        assert!(
+            report.medal >= Some(Medal::Silver),
+            "{}",
+            told(course, &report)
+        );
+        if number(&course.name) == "00" || !cfg!(debug_assertions) {
+            let json = |report: &Report| serde_json::to_string(report).expect("plain data");
+            assert_eq!(
+                json(&report),
+                json(&course.fly(&script, 1)),
+                "{}",
+                course.name
+            );
+        }
+    });
+}
+
+#[test]
+fn who_does_not_know_how_fails_or_stays_below_bronze() {
+    for_each(courses(), |course| {
+        if course.is_drill {
+            return;
+        }
+        let report = course.fly(&course.naive(), 1);
+        assert_eq!(report.medal, None, "{}", told(course, &report));
+    });
+}
+
+#[test]
+fn doing_nothing_pays_nothing() {
+    for_each(courses(), |course| {
+        let report = course.fly(&course.script(""), 1);
+        assert!(
+            !report.passed && report.score <= IDLE_AT_MOST,
+            "{}",
+            told(course, &report)
+        );
+    });
+}
