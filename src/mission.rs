@@ -28,9 +28,17 @@
 //! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
 //! | `[scoring]` `weights`, `par = { time, energy_wh }`, `medals`, `gold_requires` | see [`crate::scoring`]; weights sum to 1 |
 //!
-//! Hazard kind `plume`: a steady Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain`
-//! (`open` or `urban`, `open`), `jitter = { position, rate }`: by how much at most the seed moves the source (m) and
-//! changes its rate (share of it).
+//! Hazard kind `plume`: a Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain` (`open` or
+//! `urban`, `open`), `substance` (`vapour`, `monoxide`, `methane`, `smoke`; `vapour`), `meander` (how much its axis
+//! swings, standard deviation in degrees, 0), `intermittency` (standard deviation of the logarithm of its gusts, 0),
+//! `jitter = { position, rate }`: by how much at most the seed moves the source (m) and changes its rate (share of it).
+//!
+//! Hazard kind `puffs`: a leak that comes in puffs, `every` so many seconds (2); else as `plume`, without `meander` and
+//! `intermittency`.
+//!
+//! Hazard kind `radiation`: `sources = [{ at, height, isotope, activity_gbq }, ..]` (`Cs-137` or `Co-60`, height 0),
+//! `walls = [{ from, to, height, passes }, ..]` (`passes`: the share that gets through), `background` (uSv/h, 0.1),
+//! `jitter` (m, for each source).
 //!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),

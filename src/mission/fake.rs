@@ -51,6 +51,11 @@ impl Pilot {
     pub fn new(seed: u64) -> Self {
         let mission =
             Mission::parse(include_str!("../../missions/01-air-sample.toml")).expect("it is good");
+        Self::flying(mission, seed)
+    }
+
+    /// On the first pad of a mission.
+    pub fn flying(mission: Mission, seed: u64) -> Self {
         let mut vehicle = Vehicle::new(1, 1);
         vehicle.landed = LandedState::OnGround;
         vehicle.heartbeat = Some(Heartbeat {

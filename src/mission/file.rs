@@ -57,6 +57,8 @@ pub(super) struct Draft {
     pub zones: Vec<Zone>,
     pub sensors: Vec<&'static Sensor>,
     pub surveys: Vec<SurveyPlan>,
+    /// Ids of the hazards, in the order of the file.
+    pub hazards: Vec<String>,
     /// All names in the file that could be referred to, whether they could be read or not.
     pub declared: Vec<String>,
     /// Id of the objective that is being read.
@@ -252,6 +254,16 @@ impl Draft {
             faults.add(name.span(), fault);
         }
         Some((sensor, probe?))
+    }
+
+    /// A hazard, as its place in the file.
+    pub fn hazard(&self, name: &Spanned<String>, faults: &mut Faults) -> Option<usize> {
+        let found = self.hazards.iter().position(|id| id == name.get_ref());
+        if found.is_none() {
+            let known: Vec<&str> = self.hazards.iter().map(String::as_str).collect();
+            self.refers_to_nothing("hazard", name, &known, faults);
+        }
+        found
     }
 
     /// The survey of an objective that stands earlier in the file.

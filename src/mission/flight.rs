@@ -23,12 +23,14 @@ use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
 mod deeds;
+mod loads;
 mod places;
 mod result;
 mod view;
 mod watch;
 
 pub use deeds::Pledge;
+pub(crate) use loads::Release;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -68,6 +70,10 @@ pub struct Flight {
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
     lookout: Lookout,
+    /// What each craft has on board.
+    holds: Vec<loads::Hold>,
+    /// Everything that was let go of.
+    releases: Vec<Release>,
     contacts: Contacts,
     marks: Marks,
     pledge: Pledge,
@@ -103,6 +109,8 @@ impl Flight {
             surveys: surveys.collect(),
             crafts: Vec::new(),
             lookout: Lookout::new(seed),
+            holds: Vec::new(),
+            releases: Vec::new(),
             contacts: Contacts::default(),
             marks: Marks::default(),
             pledge: Pledge::default(),
@@ -136,6 +144,7 @@ impl Flight {
         self.enlist(vehicles);
         self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
+        self.step_loads(&mut notices);
         self.note_peak();
         self.watch(&mut notices);
         self.step_commands(vehicles, ledger, &mut notices);
@@ -189,6 +198,7 @@ impl Flight {
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
                 let fit = &self.mission.fits[self.crafts.len()];
+                self.holds.push(loads::Hold::new(fit));
                 self.crafts.push(Craft::new(id, &fit.sensors, self.seed));
             }
         }
@@ -208,8 +218,11 @@ impl Flight {
                     .map(|breach| (craft.id, breach)),
             );
             for probe in &mut craft.probes {
-                let amount = |at| self.world.amount(probe.spec.quantity, at, craft.height_m);
-                let amount = craft.at.map_or(0.0, amount);
+                let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
+                let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
+                    true => self.world.column(quantity, at, height_m),
+                    false => self.world.amount(quantity, at, height_m),
+                });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
             }
         }
@@ -418,6 +431,7 @@ impl Flight {
             world: &self.world,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
+            releases: &self.releases,
         }
     }
 

@@ -10,9 +10,19 @@ use super::file::Reader;
 use super::weather::Weather;
 use crate::text::Text;
 
+mod dispersion;
+pub(super) mod flood;
+pub(super) mod line;
 pub(super) mod minefield;
+pub(super) mod people;
 mod placing;
 pub(super) mod plume;
+pub(super) mod puffs;
+pub(super) mod radiation;
+pub(super) mod survivors;
+mod wander;
+
+pub(crate) use people::Care;
 
 /// A hazard as the file describes it.
 pub(crate) trait Hazard: Debug + Send + Sync {
@@ -40,6 +50,16 @@ pub(crate) trait Field: Debug + Send + Sync {
         None
     }
 
+    /// What has been done for the people in it; `None` where there are none.
+    fn care(&self) -> Option<Care> {
+        None
+    }
+
+    /// How near a place is to the structure; `None` for hazards without one.
+    fn distance_m(&self, _at: Point, _height_m: f64) -> Option<f64> {
+        None
+    }
+
     /// What the debrief reveals of it on the map.
     fn truth(&self) -> Vec<Truth> {
         Vec::new()
@@ -51,6 +71,10 @@ pub(crate) trait Field: Debug + Send + Sync {
 pub(crate) enum Quantity {
     /// Solvent vapour or gas, in ug/m3.
     Vapour,
+    /// Carbon monoxide, in ug/m3.
+    Monoxide,
+    /// Methane, in ug/m3.
+    Methane,
     /// Fine particles and smoke, in ug/m3.
     Particles,
     /// Dose rate of gamma radiation, in uSv/h.
@@ -170,5 +194,12 @@ pub(crate) enum TruthShape {
 }
 
 /// All kinds by name.
-pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] =
-    &[("minefield", minefield::read), ("plume", plume::read)];
+pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[
+    ("flood", flood::read),
+    ("line", line::read),
+    ("minefield", minefield::read),
+    ("plume", plume::read),
+    ("puffs", puffs::read),
+    ("radiation", radiation::read),
+    ("survivors", survivors::read),
+];

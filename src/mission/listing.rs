@@ -107,6 +107,7 @@ impl Mission {
             world: &world,
             contacts: &[],
             marks: &[],
+            releases: &[],
         };
         let listed = |objective: &super::objective::Objective| ObjectiveListing {
             title: objective.title.clone(),

@@ -6,14 +6,19 @@ use std::time::Duration;
 use super::contact::Contact;
 use super::craft::Craft;
 use super::file::Reader;
+use super::flight::Release;
 use super::report::Mark;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;
 use crate::text::Text;
 
+pub(super) mod coverage;
+pub(super) mod deliver;
+pub(super) mod detect;
 pub(super) mod map_error;
 pub(super) mod recover;
 pub(super) mod sample_cells;
+pub(super) mod standoff;
 
 /// An objective of a mission.
 #[derive(Debug)]
@@ -56,6 +61,8 @@ pub(crate) struct Scene<'a> {
     pub world: &'a World,
     pub contacts: &'a [Contact],
     pub marks: &'a [Mark],
+    /// What was let go of.
+    pub releases: &'a [Release],
 }
 
 impl Scene<'_> {
@@ -113,4 +120,8 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("sample_cells", sample_cells::read),
     ("map_error", map_error::read),
     ("recover", recover::read),
+    ("coverage", coverage::read),
+    ("deliver", deliver::read),
+    ("detect", detect::read),
+    ("standoff", standoff::read),
 ];

@@ -10,6 +10,7 @@ pub(crate) use catalogue::SENSORS;
 pub(crate) use detector::DetectorSpec;
 use detector::{Band, Camera, Ground};
 pub(crate) use look::{Look, View};
+use probe::{Noise, Response};
 pub(crate) use probe::{Probe, ProbeSpec};
 
 /// A kind of sensor.

@@ -8,6 +8,22 @@ pub(crate) struct Wind {
     pub from_deg: f64,
 }
 
+impl Wind {
+    /// How fast it carries things east and north, in m/s.
+    pub fn drift_m_s(self) -> [f64; 2] {
+        let (sin, cos) = self.from_deg.to_radians().sin_cos();
+        [-self.speed_m_s * sin, -self.speed_m_s * cos]
+    }
+
+    /// The wind that carries things so fast east and north.
+    pub fn of_drift([east_m_s, north_m_s]: [f64; 2]) -> Self {
+        Self {
+            speed_m_s: east_m_s.hypot(north_m_s),
+            from_deg: (-east_m_s).atan2(-north_m_s).to_degrees(),
+        }
+    }
+}
+
 /// The light, which decides what cameras see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]

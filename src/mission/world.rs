@@ -11,6 +11,11 @@ use super::hazard::{Effect, Field, Hazard, Load, Object, Quantity};
 use super::weather::Weather;
 use super::{Mission, Point};
 
+/// A beam is added up in so many slices.
+const COLUMN_SLICES: u32 = 8;
+/// How much light a gram of smoke takes (Mulholland and Croarkin 2000, for smoke of flames).
+const SMOKE_EXTINCTION_M2_G: f64 = 8.7;
+
 /// The world of one flight.
 #[derive(Debug)]
 pub(crate) struct World {
@@ -73,6 +78,20 @@ impl World {
             .iter()
             .map(|field| field.amount(quantity, at, height_m))
             .sum()
+    }
+
+    /// How much of a quantity a beam straight down from there passes, per square metre.
+    pub fn column(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
+        let slice_m = height_m.max(0.0) / f64::from(COLUMN_SLICES);
+        let middle = |slice: u32| (f64::from(slice) + 0.5) * slice_m;
+        let amounts = (0..COLUMN_SLICES).map(|slice| self.amount(quantity, at, middle(slice)));
+        amounts.sum::<f64>() * slice_m
+    }
+
+    /// The share of a picture's contrast that the smoke below a camera leaves, 0 to 1.
+    pub fn clear_view(&self, at: Point, height_m: f64) -> f64 {
+        let smoke_g_m2 = self.column(Quantity::Particles, at, height_m) * 1e-6;
+        (-SMOKE_EXTINCTION_M2_G * smoke_g_m2).exp()
     }
 
     /// Everything that could be found, by hazard in the order of the file.

@@ -22,6 +22,7 @@ catalogue! {
     "doctor",
     "fly",
     "hangar",
+    "hazards",
     "home",
     "links",
     "map",

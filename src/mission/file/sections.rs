@@ -139,7 +139,7 @@ fn content(
         declared,
         ..Draft::default()
     };
-    let hazards = hazards(sections.optional("hazards"), &draft, faults);
+    let hazards = hazards(sections.optional("hazards"), &mut draft, faults);
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
     Content {
         hazards,
@@ -280,14 +280,17 @@ fn array<'i, T>(
 
 fn hazards(
     value: Option<Spanned<DeValue<'_>>>,
-    draft: &Draft,
+    draft: &mut Draft,
     faults: &mut Faults,
 ) -> Vec<Box<dyn Hazard>> {
     let mut seen = Vec::new();
     array(value, faults, |value, faults| {
         let section = kinded(value, faults)?;
         check_unique(&mut seen, &section.id, faults);
-        by_kind("hazard", section, hazard::KINDS, draft, faults)
+        let id = section.id.get_ref().clone();
+        let hazard = by_kind("hazard", section, hazard::KINDS, draft, faults)?;
+        draft.hazards.push(id);
+        Some(hazard)
     })
 }
 

@@ -19,7 +19,7 @@ pub struct Pledge {
 }
 
 /// How a deed went with one vehicle: a remark, or the reason why not.
-type Done = Result<Option<Text>, Text>;
+pub(super) type Done = Result<Option<Text>, Text>;
 
 impl Flight {
     /// Does something with each of the vehicles, at the mission time of the last step; returns the ledger's rows for
@@ -73,7 +73,9 @@ impl Flight {
                 self.pledge.goal = Some(*goal);
                 Ok(None)
             }
-            Deed::Sample | Deed::Drop | Deed::Spray { .. } => Err(text!("deed-no-load")),
+            Deed::Sample => self.take_sample(vehicle),
+            Deed::Drop => self.drop_piece(vehicle),
+            Deed::Spray { on } => self.set_sprayer(vehicle, *on),
             Deed::Hint => Err(text!("deed-no-hint")),
         }
     }

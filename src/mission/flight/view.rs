@@ -72,7 +72,9 @@ impl Flight {
             };
             craft.probes.iter().map(reading).collect::<Vec<_>>()
         };
-        self.crafts.iter().flat_map(of).collect()
+        let mut readings: Vec<Reading> = self.crafts.iter().flat_map(of).collect();
+        readings.extend(self.loads_left());
+        readings
     }
 
     fn hint(&self, standings: &[Standing]) -> Option<Text> {

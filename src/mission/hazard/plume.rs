@@ -1,20 +1,33 @@
-//! A steady Gaussian plume over flat ground (Pasquill-Gifford; spreads by Briggs 1973).
+//! A Gaussian plume over flat ground (Pasquill-Gifford; spreads by Briggs 1973) that lies as the wind does, swings
+//! about that, and comes in gusts; in calm air a cloud about its source.
 
+use std::collections::VecDeque;
 use std::f64::consts::TAU;
+use std::time::Duration;
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Field, Hazard, Quantity};
-use crate::mission::Point;
+use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
+use super::wander::Wander;
+use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
 use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
 use crate::mission::weather::{Weather, Wind};
+use crate::mission::{Point, TICK};
 
-/// The formula divides by the wind's speed and means nothing in calm air.
-const SLOWEST_WIND_M_S: f64 = 0.5;
 const UG_PER_G: f64 = 1e6;
+/// How long the air over the whole site takes to follow the weather, in seconds.
+const FOLLOWS_IN_S: f64 = 20.0;
+/// How long the axis remembers where it swung, in seconds.
+const MEANDER_TAU_S: f64 = 120.0;
+/// How long a gust of thicker or thinner air lasts, in seconds.
+const GUST_TAU_S: f64 = 3.0;
+/// Gusts older than this many ticks have left the site.
+const GUSTS_KEPT: usize = 3000;
+/// No cloud is denser than at this distance from its source, in metres.
+const NEAREST_M: f64 = 1.0;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -25,46 +38,59 @@ struct PlumeFile {
     stability: Stability,
     #[serde(default)]
     terrain: Terrain,
+    #[serde(default)]
+    substance: Substance,
+    meander: Option<Spanned<f64>>,
+    intermittency: Option<Spanned<f64>>,
     jitter: Option<JitterFile>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct JitterFile {
-    position: Spanned<f64>,
-    rate: Spanned<f64>,
+pub(super) struct JitterFile {
+    pub position: Spanned<f64>,
+    pub rate: Spanned<f64>,
 }
 
-/// Pasquill's stability class of the air, very unstable to stable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-pub(crate) enum Stability {
-    A,
-    B,
-    C,
-    D,
-    E,
-    F,
-}
-
-/// What the ground is like.
+/// What comes out of a source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(crate) enum Terrain {
-    /// Open country.
+pub(crate) enum Substance {
+    /// The vapour of a solvent.
     #[default]
-    Open,
-    /// Built over.
-    Urban,
+    Vapour,
+    /// Carbon monoxide.
+    Monoxide,
+    /// Natural gas.
+    Methane,
+    /// Smoke.
+    Smoke,
+}
+
+impl Substance {
+    /// What it is measured in.
+    pub fn quantity(self) -> Quantity {
+        match self {
+            Self::Vapour => Quantity::Vapour,
+            Self::Monoxide => Quantity::Monoxide,
+            Self::Methane => Quantity::Methane,
+            Self::Smoke => Quantity::Particles,
+        }
+    }
 }
 
 #[derive(Debug)]
 struct PlumeHazard {
     plume: Plume,
+    substance: Substance,
+    /// Standard deviations: of the axis, and of the logarithm of the concentration.
+    meander_deg: f64,
+    intermittency: f64,
     position_jitter_m: f64,
     rate_jitter: f64,
 }
 
-/// A plume.
+/// A source in the wind.
 #[derive(Debug, Clone)]
 pub(crate) struct Plume {
     pub source: Point,
@@ -72,7 +98,24 @@ pub(crate) struct Plume {
     pub rate_g_s: f64,
     pub stability: Stability,
     pub terrain: Terrain,
-    pub wind: Wind,
+}
+
+/// The plume of one flight.
+#[derive(Debug)]
+struct PlumeField {
+    plume: Plume,
+    substance: Substance,
+    leak: [Object; 1],
+    /// The wind at the site, east and north, before it swings.
+    drift_m_s: [f64; 2],
+    /// The wind that the plume lies in.
+    wind: Wind,
+    axis_deg: Wander,
+    gust: Wander,
+    intermittency: f64,
+    /// The gusts that left the source, the newest first, one a tick.
+    gusts: VecDeque<f64>,
+    random: ChaCha8Rng,
 }
 
 /// Reads a `[[hazards]]` of kind `plume`.
@@ -83,24 +126,26 @@ pub(crate) fn read(
 ) -> Option<Box<dyn Hazard>> {
     let file: PlumeFile = faults.read(section)?;
     let jitter = file.jitter.as_ref();
+    let mut or_none = |value: Option<&Spanned<f64>>, most: f64, name: &str| {
+        value.map_or(0.0, |value| faults.number(value, 0.0..=most, name))
+    };
     Some(Box::new(PlumeHazard {
+        substance: file.substance,
+        meander_deg: or_none(file.meander.as_ref(), 60.0, "meander"),
+        intermittency: or_none(file.intermittency.as_ref(), 2.0, "intermittency"),
+        position_jitter_m: or_none(
+            jitter.map(|jitter| &jitter.position),
+            POINT_RANGE,
+            "jitter.position",
+        ),
+        rate_jitter: or_none(jitter.map(|jitter| &jitter.rate), 0.9, "jitter.rate"),
         plume: Plume {
             source: faults.point(&file.source, "source"),
             height_m: faults.number(&file.height, 0.0..=500.0, "height"),
             rate_g_s: faults.number(&file.rate, 1e-6..=1e6, "rate"),
             stability: file.stability,
             terrain: file.terrain,
-            wind: Wind {
-                speed_m_s: SLOWEST_WIND_M_S,
-                from_deg: 0.0,
-            },
         },
-        position_jitter_m: jitter.map_or(0.0, |jitter| {
-            faults.number(&jitter.position, 0.0..=POINT_RANGE, "jitter.position")
-        }),
-        rate_jitter: jitter.map_or(0.0, |jitter| {
-            faults.number(&jitter.rate, 0.0..=0.9, "jitter.rate")
-        }),
     }))
 }
 
@@ -111,113 +156,135 @@ impl Hazard for PlumeHazard {
         plume.source[0] += sway(self.position_jitter_m);
         plume.source[1] += sway(self.position_jitter_m);
         plume.rate_g_s *= 1.0 + sway(self.rate_jitter);
-        plume.wind = weather.wind;
-        Box::new(plume)
+        let axis_deg = Wander::new(self.meander_deg, MEANDER_TAU_S, &mut random);
+        let mut field = PlumeField {
+            leak: [leak(plume.source, plume.height_m)],
+            plume,
+            substance: self.substance,
+            drift_m_s: weather.wind.drift_m_s(),
+            wind: weather.wind,
+            axis_deg,
+            gust: Wander::new(self.intermittency, GUST_TAU_S, &mut random),
+            intermittency: self.intermittency,
+            gusts: VecDeque::new(),
+            random,
+        };
+        field.lie_in_the_wind();
+        Box::new(field)
     }
 }
 
-impl Field for Plume {
-    fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
-        match quantity {
-            Quantity::Vapour | Quantity::Particles => self.concentration_ug_m3(at, height_m),
-            Quantity::DoseRate | Quantity::Heat => 0.0,
+/// Where something comes out.
+pub(super) fn leak(at: Point, height_m: f64) -> Object {
+    Object {
+        height_m,
+        ..Object::new(Class::Leak, at)
+    }
+}
+
+impl Field for PlumeField {
+    fn step(&mut self, _: Duration, weather: &Weather) {
+        let dt_s = TICK.as_secs_f64();
+        let follows = 1.0 - (-dt_s / FOLLOWS_IN_S).exp();
+        for (drift, now) in self.drift_m_s.iter_mut().zip(weather.wind.drift_m_s()) {
+            *drift += (now - *drift) * follows;
+        }
+        self.axis_deg.step(dt_s, &mut self.random);
+        self.lie_in_the_wind();
+        if self.intermittency > 0.0 {
+            self.gust.step(dt_s, &mut self.random);
+            self.gusts.push_front(self.gust.value);
+            self.gusts.truncate(GUSTS_KEPT);
         }
     }
+
+    fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
+        if quantity != self.substance.quantity() {
+            return 0.0;
+        }
+        self.plume.concentration_ug_m3(self.wind, at, height_m) * self.gust_at(at)
+    }
+
+    fn objects(&self) -> &[Object] {
+        &self.leak
+    }
+
+    fn truth(&self) -> Vec<Truth> {
+        vec![Truth {
+            at: self.plume.source,
+            shape: TruthShape::Object(Class::Leak, true),
+        }]
+    }
+}
+
+impl PlumeField {
+    fn lie_in_the_wind(&mut self) {
+        let mean = Wind::of_drift(self.drift_m_s);
+        self.wind = Wind {
+            from_deg: mean.from_deg + self.axis_deg.value,
+            ..mean
+        };
+    }
+
+    /// How much thicker than its mean the air is at a point: what left the source some time ago is carried there
+    /// as it was. Lognormal, with a mean of 1.
+    fn gust_at(&self, at: Point) -> f64 {
+        if self.intermittency <= 0.0 {
+            return 1.0;
+        }
+        let (downwind, _) = along_and_across(self.wind, self.plume.source, at);
+        let age_s = downwind.max(0.0) / self.wind.speed_m_s.max(CALM_BELOW_M_S);
+        let age = ((age_s / TICK.as_secs_f64()) as usize).min(self.gusts.len().saturating_sub(1));
+        let gust = self.gusts.get(age).copied().unwrap_or(self.gust.value);
+        (gust - 0.5 * self.intermittency.powi(2)).exp()
+    }
+}
+
+/// How far a point lies downwind and to the side of a source.
+fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
+    let (east, north) = (at[0] - source[0], at[1] - source[1]);
+    let (sin, cos) = wind.from_deg.to_radians().sin_cos();
+    // The wind blows away from where it comes from.
+    (-(east * sin + north * cos), east * cos - north * sin)
 }
 
 impl Plume {
+    /// The mean concentration; between calm air and the slowest wind that the plume is good for, a mixture.
+    fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
+        let windy = (wind.speed_m_s / CALM_BELOW_M_S).clamp(0.0, 1.0);
+        let mut concentration = 0.0;
+        if windy > 0.0 {
+            concentration += windy * self.in_wind_ug_m3(wind, at, height_m);
+        }
+        if windy < 1.0 {
+            concentration += (1.0 - windy) * self.in_calm_ug_m3(at, height_m);
+        }
+        concentration
+    }
+
     /// `Q / (2 pi u sy sz) exp(-y2/2sy2) [exp(-(z-H)2/2sz2) + exp(-(z+H)2/2sz2)]`, zero upwind of the source.
-    fn concentration_ug_m3(&self, at: Point, height_m: f64) -> f64 {
-        let (east, north) = (at[0] - self.source[0], at[1] - self.source[1]);
-        let (sin, cos) = self.wind.from_deg.to_radians().sin_cos();
-        // The wind blows away from where it comes from.
-        let downwind = -(east * sin + north * cos);
-        let crosswind = east * cos - north * sin;
+    fn in_wind_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
+        let (downwind, crosswind) = along_and_across(wind, self.source, at);
         if downwind <= 0.0 {
             return 0.0;
         }
-        let (sy, sz) = spreads_m(self.stability, self.terrain, downwind);
+        let (sy, sz) = spreads_m(self.stability, self.terrain, downwind.max(NEAREST_M));
         let bell = |offset: f64, spread: f64| (-0.5 * (offset / spread).powi(2)).exp();
-        let speed = self.wind.speed_m_s.max(SLOWEST_WIND_M_S);
+        let speed = wind.speed_m_s.max(CALM_BELOW_M_S);
         let vertical = bell(height_m - self.height_m, sz) + bell(height_m + self.height_m, sz);
         UG_PER_G * self.rate_g_s / (TAU * speed * sy * sz) * bell(crosswind, sy) * vertical
     }
-}
 
-/// Horizontal and vertical spread at a distance downwind (Briggs 1973; x in metres, 100 m to 10 km).
-fn spreads_m(stability: Stability, terrain: Terrain, x: f64) -> (f64, f64) {
-    use Stability::{A, B, C, D, E, F};
-    let fall = |factor: f64, per_m: f64| factor * x / (1.0 + per_m * x).sqrt();
-    let rise = |factor: f64, per_m: f64| factor * x * (1.0 + per_m * x).sqrt();
-    let slow = |factor: f64| factor * x / (1.0 + 0.0003 * x);
-    match (terrain, stability) {
-        (Terrain::Open, A) => (fall(0.22, 1e-4), 0.20 * x),
-        (Terrain::Open, B) => (fall(0.16, 1e-4), 0.12 * x),
-        (Terrain::Open, C) => (fall(0.11, 1e-4), fall(0.08, 2e-4)),
-        (Terrain::Open, D) => (fall(0.08, 1e-4), fall(0.06, 1.5e-3)),
-        (Terrain::Open, E) => (fall(0.06, 1e-4), slow(0.03)),
-        (Terrain::Open, F) => (fall(0.04, 1e-4), slow(0.016)),
-        (Terrain::Urban, A | B) => (fall(0.32, 4e-4), rise(0.24, 1e-3)),
-        (Terrain::Urban, C) => (fall(0.22, 4e-4), 0.20 * x),
-        (Terrain::Urban, D) => (fall(0.16, 4e-4), fall(0.14, 3e-4)),
-        (Terrain::Urban, E | F) => (fall(0.11, 4e-4), fall(0.08, 1.5e-3)),
+    /// Puffs that grow in proportion to their age, added up for ever:
+    /// `Q / ((2 pi)^1.5 g) [1 / (R2 + a2/g2 (z-H)2) + 1 / (R2 + a2/g2 (z+H)2)]`.
+    fn in_calm_ug_m3(&self, at: Point, height_m: f64) -> f64 {
+        let (a, g) = calm_growth_m_s(self.stability);
+        let r2 = (at[0] - self.source[0]).powi(2) + (at[1] - self.source[1]).powi(2);
+        let term = |rise: f64| 1.0 / (r2 + (a / g * rise).powi(2)).max(NEAREST_M.powi(2));
+        let both = term(height_m - self.height_m) + term(height_m + self.height_m);
+        UG_PER_G * self.rate_g_s / (TAU.powf(1.5) * g) * both
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn plume() -> Plume {
-        Plume {
-            source: [0.0, 0.0],
-            height_m: 15.0,
-            rate_g_s: 1.0,
-            stability: Stability::D,
-            terrain: Terrain::Open,
-            wind: Wind {
-                speed_m_s: 4.0,
-                from_deg: 270.0,
-            },
-        }
-    }
-
-    #[test]
-    fn the_centreline_has_the_published_concentrations() {
-        for (x, expected) in [
-            (50.0, 774.0),
-            (100.0, 599.0),
-            (200.0, 214.0),
-            (400.0, 77.0),
-            (800.0, 31.0),
-        ] {
-            let value = plume().concentration_ug_m3([x, 0.0], 20.0);
-            assert!(
-                (value - expected).abs() < 0.51,
-                "{x} m: {value} instead of {expected}"
-            );
-        }
-    }
-
-    #[test]
-    fn the_plume_lies_downwind_and_is_symmetric() {
-        let plume = plume();
-        assert!(plume.concentration_ug_m3([-1.0, 0.0], 15.0).abs() < 1e-12);
-        let (left, right) = ([100.0, 12.0], [100.0, -12.0]);
-        let difference =
-            plume.concentration_ug_m3(left, 15.0) - plume.concentration_ug_m3(right, 15.0);
-        assert!(difference.abs() < 1e-9);
-        assert!(
-            plume.concentration_ug_m3([100.0, 12.0], 15.0)
-                < plume.concentration_ug_m3([100.0, 0.0], 15.0)
-        );
-    }
-
-    #[test]
-    fn a_north_wind_carries_it_south() {
-        let mut plume = plume();
-        plume.wind.from_deg = 0.0;
-        assert!(plume.concentration_ug_m3([0.0, -100.0], 15.0) > 100.0);
-        assert!(plume.concentration_ug_m3([0.0, 100.0], 15.0).abs() < 1e-12);
-    }
-}
+mod tests;

@@ -1,13 +1,15 @@
 //! The sensors that missions may name, with the ids of the parts catalogue.
 
 use super::detector::MineSpec;
-use super::{Band, Camera, DetectorSpec, Ground, ProbeSpec, Sensor, Work};
+use super::{Band, Camera, DetectorSpec, Ground, Noise, ProbeSpec, Response, Sensor, Work};
 use crate::mission::hazard::Quantity;
 
 /// All of them.
 ///
 /// The photoionisation detector reaches 90 % of a step in 3 s, so five seconds in a cell are enough for it; the
-/// optical particle counter needs 18 s. A ppm is meant as isobutylene at 25 degrees (56.11 g/mol, 24.45 l/mol).
+/// optical particle counter needs 18 s, the electrochemical cell 25 s. A ppm of vapour is meant as isobutylene at
+/// 25 degrees (56.11 g/mol, 24.45 l/mol). The scintillator counts 65 times a second in natural background and needs
+/// 5 us for a pulse; the Geiger tube counts 1.5 times a second in 1 uSv/h.
 pub(crate) static SENSORS: &[Sensor] = &[
     Sensor {
         id: "s_voc",
@@ -17,8 +19,7 @@ pub(crate) static SENSORS: &[Sensor] = &[
             unit: "ppm",
             gain: 24.45 / 56.11 * 1e-3,
             tau_s: 1.3,
-            noise: 0.10,
-            floor: 0.01,
+            response: inlet(0.10, 0.01),
             ceiling: 50.0,
         }),
     },
@@ -30,9 +31,65 @@ pub(crate) static SENSORS: &[Sensor] = &[
             unit: "ug/m3",
             gain: 1.0,
             tau_s: 8.0,
-            noise: 0.10,
-            floor: 1.0,
+            response: inlet(0.10, 1.0),
             ceiling: 1000.0,
+        }),
+    },
+    Sensor {
+        id: "s_gas4",
+        name: "mission-sensor-monoxide",
+        work: Work::Probe(ProbeSpec {
+            quantity: Quantity::Monoxide,
+            unit: "ppm",
+            gain: 24.45 / 28.01 * 1e-3,
+            tau_s: 10.9,
+            response: inlet(0.05, 0.05),
+            ceiling: 1000.0,
+        }),
+    },
+    Sensor {
+        id: "s_tdlas",
+        name: "mission-sensor-methane",
+        work: Work::Probe(ProbeSpec {
+            quantity: Quantity::Methane,
+            unit: "ppm*m",
+            gain: 24.45 / 16.04 * 1e-3,
+            tau_s: 0.1,
+            response: Response::Beam(Noise {
+                share: 0.05,
+                floor: 5.0,
+            }),
+            ceiling: 50_000.0,
+        }),
+    },
+    Sensor {
+        id: "s_geiger",
+        name: "mission-sensor-dose-rate",
+        work: Work::Probe(ProbeSpec {
+            quantity: Quantity::DoseRate,
+            unit: "uSv/h",
+            gain: 1.0,
+            tau_s: 3.0,
+            response: Response::Counter {
+                per_unit_s: 1.5,
+                dead_time_s: 190e-6,
+            },
+            ceiling: 3000.0,
+        }),
+    },
+    Sensor {
+        id: "s_csi",
+        name: "mission-sensor-dose-rate",
+        work: Work::Probe(ProbeSpec {
+            quantity: Quantity::DoseRate,
+            unit: "uSv/h",
+            gain: 1.0,
+            tau_s: 1.0,
+            response: Response::Counter {
+                per_unit_s: 650.0,
+                dead_time_s: 5e-6,
+            },
+            ceiling: 250.0,
         }),
     },
     camera("s_rgb", "mission-sensor-camera", RGB),
@@ -78,6 +135,10 @@ pub(crate) static SENSORS: &[Sensor] = &[
         },
     ),
 ];
+
+const fn inlet(share: f64, floor: f64) -> Response {
+    Response::Inlet(Noise { share, floor })
+}
 
 const fn camera(id: &'static str, name: &'static str, camera: Camera) -> Sensor {
     Sensor {

@@ -15,6 +15,8 @@ use crate::mission::weather::Light;
 /// Cycles over a target with which half of all are detected, and recognised.
 const DETECT_CYCLES: f64 = 0.75;
 const RECOGNISE_CYCLES: f64 = 3.0;
+/// Root of the area of a person who lies.
+const PERSON_M: f64 = 0.75;
 /// The share of what a picture shows that is noticed on board.
 const NOTICED: f64 = 0.9;
 /// Time of one independent look at a picture, and at something that is inspected.
@@ -117,10 +119,8 @@ impl MineSpec {
             Class::Clutter if view.object.axis_deg.is_none() => 3,
             _ => return None,
         };
-        let steadiness =
-            1.0 / (1.0 + ((view.speed_m_s - self.speed_m_s) / (0.15 * self.speed_m_s)).exp());
         Some(Look {
-            chance: self.best[class] * self.nearness(view.height_m) * steadiness,
+            chance: self.best[class] * self.left(view.height_m, view.speed_m_s),
             told_apart: 0.0,
             every_s: None,
             taken_for: "mine",
@@ -129,7 +129,13 @@ impl MineSpec {
         })
     }
 
-    /// What height leaves of its probabilities.
+    /// What height and speed leave of its probabilities.
+    pub(super) fn left(&self, height_m: f64, speed_m_s: f64) -> f64 {
+        let over = (speed_m_s - self.speed_m_s) / (0.15 * self.speed_m_s);
+        self.nearness(height_m) / (1.0 + over.exp())
+    }
+
+    /// What height leaves of them.
     fn nearness(&self, height_m: f64) -> f64 {
         let above = (height_m - self.height_m).max(0.0);
         (-(above / self.height_scale_m).powi(2)).exp()
@@ -149,7 +155,7 @@ impl Camera {
         }
         let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
         let (size_m, taken_for) = match view.object.class {
-            Class::Person => (0.75, "person"),
+            Class::Person => (PERSON_M, "person"),
             Class::Animal => (0.6, "person"),
             Class::Fire => (1.0, "fire"),
             _ => return self.look_for_mines(view),
@@ -202,6 +208,12 @@ impl Camera {
             error_m: 0.5,
             merge_within_m: 4.0,
         })
+    }
+
+    /// Whether a look from a height shows at least half of all persons in the open.
+    pub(super) fn shows_persons(&self, height_m: f64, light: Light) -> bool {
+        let cycles = PERSON_M / (2.0 * self.pixel_m(height_m));
+        task_performance(cycles / DETECT_CYCLES) * self.contrast(light) >= 0.5
     }
 
     /// How much a person or a structure stands out.

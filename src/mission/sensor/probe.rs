@@ -1,8 +1,9 @@
-//! Sensors that measure a quantity where they are: gain, lag, noise, range.
+//! Sensors that measure a quantity where they are, or all of it below them: gain, lag, noise, range; and counters of
+//! radiation.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
+use rand_distr::{Distribution, Poisson, StandardNormal};
 
 use super::Sensor;
 use crate::mission::hazard::Quantity;
@@ -18,12 +19,35 @@ pub(crate) struct ProbeSpec {
     pub gain: f64,
     /// Time constant in seconds.
     pub tau_s: f64,
-    /// Noise as a share of the reading.
-    pub noise: f64,
-    /// Smallest reading that stands out of the noise, in its unit.
-    pub floor: f64,
+    /// How the reading comes about.
+    pub response: Response,
     /// Largest reading, in its unit.
     pub ceiling: f64,
+}
+
+/// How a reading comes about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Response {
+    /// The sensor draws in the air around it.
+    Inlet(Noise),
+    /// A beam through all that is between it and the ground; the reading is per metre of it, added up.
+    Beam(Noise),
+    /// It counts.
+    Counter {
+        /// Counts per second and unit of the reading.
+        per_unit_s: f64,
+        /// After each count it is blind for so long.
+        dead_time_s: f64,
+    },
+}
+
+/// The noise of a reading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Noise {
+    /// As a share of the reading.
+    pub share: f64,
+    /// Smallest reading that stands out, in the sensor's unit.
+    pub floor: f64,
 }
 
 /// From this speed on the rotors' wash reaches the inlet.
@@ -58,18 +82,59 @@ impl Probe {
         })
     }
 
-    /// A step of `dt_s` in so much of its quantity: a first-order lag, then noise of
-    /// `sqrt((noise * reading)^2 + floor^2)`.
-    pub fn step(&mut self, amount: f64, speed_m_s: f64, dt_s: f64) {
-        let washed = speed_m_s >= WASH_FROM_M_S;
-        let share = if washed { WASH_SHARE } else { 1.0 };
-        let tau_s = self.spec.tau_s + if washed { WASH_TAU_S } else { 0.0 };
-        let input = amount * self.spec.gain * share;
-        self.settled += (input - self.settled) * (1.0 - (-dt_s / tau_s).exp());
-        let noise: f64 = StandardNormal.sample(&mut self.random);
-        let spread = (self.spec.noise * self.settled).hypot(self.spec.floor);
-        self.shown = (self.settled + noise * spread).clamp(0.0, self.spec.ceiling);
+    /// Whether it measures all that is between it and the ground.
+    pub fn looks_down(&self) -> bool {
+        matches!(self.spec.response, Response::Beam(_))
     }
+
+    /// A step of `dt_s` in so much of its quantity.
+    pub fn step(&mut self, amount: f64, speed_m_s: f64, dt_s: f64) {
+        let reading = amount * self.spec.gain;
+        let shown = match self.spec.response {
+            Response::Inlet(noise) => {
+                let washed = speed_m_s >= WASH_FROM_M_S;
+                let share = if washed { WASH_SHARE } else { 1.0 };
+                let smear_s = if washed { WASH_TAU_S } else { 0.0 };
+                self.settle(reading * share, self.spec.tau_s + smear_s, dt_s);
+                self.noisy(noise)
+            }
+            Response::Beam(noise) => {
+                self.settle(reading, self.spec.tau_s, dt_s);
+                self.noisy(noise)
+            }
+            Response::Counter {
+                per_unit_s,
+                dead_time_s,
+            } => {
+                let counted = counted_per_s(reading * per_unit_s, dead_time_s);
+                let counts = self.counts(counted * dt_s);
+                self.settle(counts / dt_s / per_unit_s, self.spec.tau_s, dt_s);
+                self.settled
+            }
+        };
+        self.shown = shown.clamp(0.0, self.spec.ceiling);
+    }
+
+    /// A first-order lag.
+    fn settle(&mut self, reading: f64, tau_s: f64, dt_s: f64) {
+        self.settled += (reading - self.settled) * (1.0 - (-dt_s / tau_s).exp());
+    }
+
+    /// `sqrt((share * reading)^2 + floor^2)` about the reading.
+    fn noisy(&mut self, noise: Noise) -> f64 {
+        let draw: f64 = StandardNormal.sample(&mut self.random);
+        self.settled + draw * (noise.share * self.settled).hypot(noise.floor)
+    }
+
+    fn counts(&mut self, mean: f64) -> f64 {
+        Poisson::new(mean).map_or(0.0, |counts| counts.sample(&mut self.random))
+    }
+}
+
+/// What is counted of so many events per second by a counter that is blind for a while after each one it counts:
+/// `n / (1 + n tau)`.
+fn counted_per_s(events_per_s: f64, dead_time_s: f64) -> f64 {
+    events_per_s / (1.0 + events_per_s * dead_time_s)
 }
 
 #[cfg(test)]
@@ -90,6 +155,64 @@ mod tests {
     fn the_gas_sensor_reaches_ninety_percent_in_three_seconds() {
         let value = after_a_step(3.0, 0.0);
         assert!((value - 0.90).abs() < 0.01, "{value}");
+    }
+
+    /// Readings of a sensor in so much, one a tick, once they have settled.
+    fn readings(id: &str, amount: f64, ticks: usize) -> Vec<f64> {
+        let sensor = Sensor::by_id(id).expect("it is in the catalogue");
+        let mut probe = Probe::new(sensor, 7, 0).expect("it measures");
+        let mut step = || {
+            probe.step(amount, 0.0, 0.1);
+            probe.shown
+        };
+        for _ in 0..600 {
+            step();
+        }
+        (0..ticks).map(|_| step()).collect()
+    }
+
+    fn mean_and_variance(values: &[f64]) -> (f64, f64) {
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        (mean, squares / count)
+    }
+
+    #[test]
+    fn a_counter_that_is_blind_after_each_count_misses_what_the_formula_says() {
+        for (events, dead_time_s, expected) in [
+            (100.0, 190e-6, 98.14),
+            (1000.0, 190e-6, 840.3),
+            (10_000.0, 190e-6, 3448.3),
+        ] {
+            let counted = counted_per_s(events, dead_time_s);
+            assert!((counted - expected).abs() < 0.06, "{events}: {counted}");
+        }
+    }
+
+    #[test]
+    fn counters_show_the_dose_rate_until_they_saturate() {
+        // 1.5 counts a second in 1 uSv/h; 2000 uSv/h are 3000 events, of which 1911 are counted.
+        for (id, dose_rate, expected) in [
+            ("s_geiger", 20.0, 19.89),
+            ("s_geiger", 2000.0, 1274.0),
+            ("s_csi", 20.0, 18.78),
+            ("s_csi", 0.1, 0.1),
+        ] {
+            let (mean, _) = mean_and_variance(&readings(id, dose_rate, 20_000));
+            assert!((mean / expected - 1.0).abs() < 0.02, "{id}: {mean}");
+        }
+    }
+
+    /// A lag of `tau` averages over `2 tau`: the variance of a rate of n counts a second becomes n / (2 tau).
+    #[test]
+    fn counts_scatter_as_a_poisson_process_does() {
+        let (mean, variance) = mean_and_variance(&readings("s_geiger", 20.0, 100_000));
+        let expected = mean / 1.5 / (2.0 * 3.0);
+        assert!(
+            (variance / expected - 1.0).abs() < 0.1,
+            "{variance} {expected}"
+        );
     }
 
     #[test]

@@ -1,0 +1,281 @@
+//! A leak that comes in puffs: each drifts with the wind as it is and grows as it travels, so that the cloud bends
+//! where the wind has turned.
+
+use std::collections::VecDeque;
+use std::f64::consts::TAU;
+use std::time::Duration;
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
+use super::plume::{JitterFile, Substance, leak};
+use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
+use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
+use crate::mission::weather::Weather;
+use crate::mission::{Point, TICK};
+
+const UG_PER_G: f64 = 1e6;
+/// So many puffs are kept: five minutes of them, one every two seconds.
+const MOST_PUFFS: usize = 150;
+/// A puff begins so wide.
+const FIRST_SPREAD_M: f64 = 0.5;
+/// Beyond so many spreads from its middle, a puff is not felt.
+const FELT_SPREADS: f64 = 5.0;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PuffsFile {
+    source: Spanned<Point>,
+    height: Spanned<f64>,
+    rate: Spanned<f64>,
+    stability: Stability,
+    #[serde(default)]
+    terrain: Terrain,
+    #[serde(default)]
+    substance: Substance,
+    every: Option<Spanned<f64>>,
+    jitter: Option<JitterFile>,
+}
+
+#[derive(Debug)]
+struct PuffsHazard {
+    leak: Leak,
+    position_jitter_m: f64,
+    rate_jitter: f64,
+}
+
+#[derive(Debug, Clone)]
+struct Leak {
+    source: Point,
+    height_m: f64,
+    rate_g_s: f64,
+    stability: Stability,
+    terrain: Terrain,
+    substance: Substance,
+    every_s: f64,
+}
+
+/// One puff of it.
+#[derive(Debug, Clone, Copy)]
+struct Puff {
+    at: Point,
+    mass_g: f64,
+    travelled_m: f64,
+    /// Spreads: horizontal, vertical.
+    spread_m: (f64, f64),
+}
+
+#[derive(Debug)]
+struct PuffsField {
+    leak: Leak,
+    objects: [Object; 1],
+    /// The oldest first.
+    puffs: VecDeque<Puff>,
+    since_last_s: f64,
+}
+
+/// Reads a `[[hazards]]` of kind `puffs`.
+pub(crate) fn read(
+    section: Section<'_>,
+    _: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Hazard>> {
+    let file: PuffsFile = faults.read(section)?;
+    let jitter = file.jitter.as_ref();
+    let mut or = |value: Option<&Spanned<f64>>, usual: f64, range, name: &str| {
+        value.map_or(usual, |value| faults.number(value, range, name))
+    };
+    let every_s = or(file.every.as_ref(), 2.0, 0.2..=60.0, "every");
+    let position = jitter.map(|jitter| &jitter.position);
+    let position_jitter_m = or(position, 0.0, 0.0..=POINT_RANGE, "jitter.position");
+    let rate = jitter.map(|jitter| &jitter.rate);
+    let rate_jitter = or(rate, 0.0, 0.0..=0.9, "jitter.rate");
+    Some(Box::new(PuffsHazard {
+        leak: Leak {
+            source: faults.point(&file.source, "source"),
+            height_m: faults.number(&file.height, 0.0..=500.0, "height"),
+            rate_g_s: faults.number(&file.rate, 1e-6..=1e6, "rate"),
+            stability: file.stability,
+            terrain: file.terrain,
+            substance: file.substance,
+            every_s,
+        },
+        position_jitter_m,
+        rate_jitter,
+    }))
+}
+
+impl Hazard for PuffsHazard {
+    fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
+        let mut sway = |by: f64| by * (2.0 * random.random::<f64>() - 1.0);
+        let mut from = self.leak.clone();
+        from.source[0] += sway(self.position_jitter_m);
+        from.source[1] += sway(self.position_jitter_m);
+        from.rate_g_s *= 1.0 + sway(self.rate_jitter);
+        Box::new(PuffsField {
+            objects: [leak(from.source, from.height_m)],
+            leak: from,
+            puffs: VecDeque::new(),
+            since_last_s: 0.0,
+        })
+    }
+}
+
+impl Field for PuffsField {
+    fn step(&mut self, _: Duration, weather: &Weather) {
+        let dt_s = TICK.as_secs_f64();
+        let drift = weather.wind.drift_m_s();
+        for puff in &mut self.puffs {
+            puff.drift(drift, dt_s, &self.leak);
+        }
+        self.since_last_s += dt_s;
+        if self.since_last_s >= self.leak.every_s - 1e-9 {
+            self.since_last_s = 0.0;
+            self.puffs.push_back(Puff {
+                at: self.leak.source,
+                mass_g: self.leak.rate_g_s * self.leak.every_s,
+                travelled_m: 0.0,
+                spread_m: (FIRST_SPREAD_M, FIRST_SPREAD_M),
+            });
+            if self.puffs.len() > MOST_PUFFS {
+                self.puffs.pop_front();
+            }
+        }
+    }
+
+    fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
+        if quantity != self.leak.substance.quantity() {
+            return 0.0;
+        }
+        let source_m = self.leak.height_m;
+        let of = |puff: &Puff| puff.concentration_ug_m3(at, height_m, source_m);
+        self.puffs.iter().map(of).sum()
+    }
+
+    fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    fn truth(&self) -> Vec<Truth> {
+        vec![Truth {
+            at: self.leak.source,
+            shape: TruthShape::Object(Class::Leak, true),
+        }]
+    }
+}
+
+impl Puff {
+    /// Carries it on. In wind it grows as a plume does with the way it comes, in calm air with time.
+    fn drift(&mut self, drift_m_s: [f64; 2], dt_s: f64, leak: &Leak) {
+        let speed_m_s = drift_m_s[0].hypot(drift_m_s[1]);
+        self.at[0] += drift_m_s[0] * dt_s;
+        self.at[1] += drift_m_s[1] * dt_s;
+        let before = spreads_m(leak.stability, leak.terrain, self.travelled_m);
+        self.travelled_m += speed_m_s * dt_s;
+        let after = spreads_m(leak.stability, leak.terrain, self.travelled_m);
+        let growth = if speed_m_s < CALM_BELOW_M_S {
+            let (a, g) = calm_growth_m_s(leak.stability);
+            (a * dt_s, g * dt_s)
+        } else {
+            (after.0 - before.0, after.1 - before.1)
+        };
+        self.spread_m.0 += growth.0;
+        self.spread_m.1 += growth.1;
+    }
+
+    /// `M / ((2 pi)^1.5 sy2 sz) exp(-r2/2sy2) [exp(-(z-H)2/2sz2) + exp(-(z+H)2/2sz2)]`
+    fn concentration_ug_m3(&self, at: Point, height_m: f64, source_m: f64) -> f64 {
+        let (sy, sz) = self.spread_m;
+        let r2 = (at[0] - self.at[0]).powi(2) + (at[1] - self.at[1]).powi(2);
+        if r2 > (FELT_SPREADS * sy).powi(2) {
+            return 0.0;
+        }
+        let bell = |rise: f64| (-0.5 * (rise / sz).powi(2)).exp();
+        let vertical = bell(height_m - source_m) + bell(height_m + source_m);
+        let middle = UG_PER_G * self.mass_g / (TAU.powf(1.5) * sy * sy * sz);
+        middle * (-0.5 * r2 / (sy * sy)).exp() * vertical
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mission::weather::Wind;
+
+    fn puffs() -> PuffsField {
+        let leak = Leak {
+            source: [0.0, 0.0],
+            height_m: 5.0,
+            rate_g_s: 3.0,
+            stability: Stability::C,
+            terrain: Terrain::Open,
+            substance: Substance::Vapour,
+            every_s: 2.0,
+        };
+        PuffsField {
+            objects: [super::leak(leak.source, leak.height_m)],
+            leak,
+            puffs: VecDeque::new(),
+            since_last_s: 0.0,
+        }
+    }
+
+    fn wind(speed_m_s: f64, from_deg: f64) -> Weather {
+        Weather {
+            wind: Wind {
+                speed_m_s,
+                from_deg,
+            },
+            ..Weather::CALM
+        }
+    }
+
+    fn run(field: &mut PuffsField, seconds: u32, weather: &Weather) {
+        for tick in 1..=seconds * 10 {
+            field.step(TICK * tick, weather);
+        }
+    }
+
+    #[test]
+    fn all_that_came_out_is_in_the_air() {
+        let mut field = puffs();
+        run(&mut field, 40, &wind(3.0, 270.0));
+        // The last puff is still a ball of half a metre: it is left out of the grid and of the sum.
+        field.puffs.pop_back();
+        let mut mass_g = 0.0;
+        for east in -40..180 {
+            for north in -60..60 {
+                for up in 0..80 {
+                    let at = [f64::from(east) + 0.5, f64::from(north) + 0.5];
+                    let value = field.amount(Quantity::Vapour, at, f64::from(up) + 0.5);
+                    mass_g += value / UG_PER_G;
+                }
+            }
+        }
+        assert!((mass_g / (19.0 * 6.0) - 1.0).abs() < 0.01, "{mass_g}");
+    }
+
+    #[test]
+    fn the_cloud_bends_where_the_wind_has_turned() {
+        let mut field = puffs();
+        run(&mut field, 20, &wind(3.0, 270.0));
+        run(&mut field, 20, &wind(3.0, 180.0));
+        let at = |at| field.amount(Quantity::Vapour, at, 5.0);
+        // The old part lies east and has moved north; the new one lies north of the source.
+        assert!(at([40.0, 60.0]) > 100.0);
+        assert!(at([0.0, 30.0]) > 100.0);
+        assert!(at([40.0, 0.0]) < 1.0);
+    }
+
+    #[test]
+    fn calm_air_keeps_the_puffs_where_they_are_and_they_grow() {
+        let mut field = puffs();
+        run(&mut field, 10, &wind(0.0, 0.0));
+        let oldest = field.puffs[0];
+        assert_eq!(oldest.at, [0.0, 0.0]);
+        assert!((oldest.spread_m.0 - (0.5 + 0.635 * 8.0)).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,305 @@
+//! Gamma radiation: points that shine through air and through walls.
+//!
+//! `H = sum G A / r2 exp(-mu r) shield + background`, with no build-up of scattered radiation.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
+use crate::mission::Point;
+use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
+use crate::mission::weather::Weather;
+
+/// What there is everywhere, in uSv/h.
+const BACKGROUND_USV_H: f64 = 0.1;
+/// A detector comes no nearer to a source than this.
+const NEAREST_M: f64 = 0.5;
+/// More sources or walls than this would slow a step down.
+const MOST_PARTS: usize = 50;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RadiationFile {
+    sources: Spanned<Vec<SourceFile>>,
+    #[serde(default)]
+    walls: Vec<WallFile>,
+    background: Option<Spanned<f64>>,
+    jitter: Option<Spanned<f64>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SourceFile {
+    at: Spanned<Point>,
+    #[serde(default)]
+    height: Option<Spanned<f64>>,
+    isotope: Isotope,
+    activity_gbq: Spanned<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WallFile {
+    from: Spanned<Point>,
+    to: Spanned<Point>,
+    height: Spanned<f64>,
+    passes: Spanned<f64>,
+}
+
+/// What shines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+enum Isotope {
+    #[serde(rename = "Cs-137")]
+    Caesium137,
+    #[serde(rename = "Co-60")]
+    Cobalt60,
+}
+
+impl Isotope {
+    /// Dose rate at 1 m in uSv/h per GBq, and the share that a metre of air absorbs.
+    fn constants(self) -> (f64, f64) {
+        match self {
+            Self::Caesium137 => (92.7, 0.0093),
+            Self::Cobalt60 => (351.0, 0.0071),
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Source {
+    at: Point,
+    height_m: f64,
+    isotope: Isotope,
+    activity_gbq: f64,
+}
+
+/// A straight upright wall.
+#[derive(Debug, Clone, Copy)]
+struct Wall {
+    from: Point,
+    to: Point,
+    height_m: f64,
+    /// The share of the radiation that passes it.
+    passes: f64,
+}
+
+#[derive(Debug)]
+struct RadiationHazard {
+    sources: Vec<Source>,
+    walls: Vec<Wall>,
+    background_usv_h: f64,
+    jitter_m: f64,
+}
+
+#[derive(Debug)]
+struct RadiationField {
+    sources: Vec<Source>,
+    walls: Vec<Wall>,
+    background_usv_h: f64,
+    objects: Vec<Object>,
+}
+
+/// Reads a `[[hazards]]` of kind `radiation`.
+pub(crate) fn read(
+    section: Section<'_>,
+    _: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Hazard>> {
+    let file: RadiationFile = faults.read(section)?;
+    let count = file.sources.get_ref().len();
+    if count == 0 || count > MOST_PARTS || file.walls.len() > MOST_PARTS {
+        let message = format!("1 to {MOST_PARTS} sources and at most as many walls are needed");
+        faults.add(file.sources.span(), message);
+    }
+    let sources = file.sources.into_inner();
+    Some(Box::new(RadiationHazard {
+        sources: sources.iter().map(|file| source(file, faults)).collect(),
+        walls: file.walls.iter().map(|file| wall(file, faults)).collect(),
+        background_usv_h: file.background.map_or(BACKGROUND_USV_H, |value| {
+            faults.number(&value, 0.0..=1000.0, "background")
+        }),
+        jitter_m: file.jitter.map_or(0.0, |value| {
+            faults.number(&value, 0.0..=POINT_RANGE, "jitter")
+        }),
+    }))
+}
+
+fn source(file: &SourceFile, faults: &mut Faults) -> Source {
+    Source {
+        at: faults.point(&file.at, "at"),
+        height_m: file
+            .height
+            .as_ref()
+            .map_or(0.0, |height| faults.number(height, 0.0..=500.0, "height")),
+        isotope: file.isotope,
+        activity_gbq: faults.number(&file.activity_gbq, 1e-6..=1e6, "activity_gbq"),
+    }
+}
+
+fn wall(file: &WallFile, faults: &mut Faults) -> Wall {
+    Wall {
+        from: faults.point(&file.from, "from"),
+        to: faults.point(&file.to, "to"),
+        height_m: faults.number(&file.height, 0.1..=500.0, "height"),
+        passes: faults.number(&file.passes, 0.0..=1.0, "passes"),
+    }
+}
+
+impl Hazard for RadiationHazard {
+    fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
+        let mut sway = || self.jitter_m * (2.0 * random.random::<f64>() - 1.0);
+        let mut sources = self.sources.clone();
+        for source in &mut sources {
+            source.at = [source.at[0] + sway(), source.at[1] + sway()];
+        }
+        let object = |source: &Source| Object {
+            height_m: source.height_m,
+            ..Object::new(Class::Source, source.at)
+        };
+        Box::new(RadiationField {
+            objects: sources.iter().map(object).collect(),
+            sources,
+            walls: self.walls.clone(),
+            background_usv_h: self.background_usv_h,
+        })
+    }
+}
+
+impl Field for RadiationField {
+    fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
+        if quantity != Quantity::DoseRate {
+            return 0.0;
+        }
+        let of = |source: &Source| {
+            let walls = self.walls.iter();
+            let shield: f64 = walls.map(|wall| wall.share(source, at, height_m)).product();
+            source.dose_rate_usv_h(at, height_m) * shield
+        };
+        self.background_usv_h + self.sources.iter().map(of).sum::<f64>()
+    }
+
+    fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    fn truth(&self) -> Vec<Truth> {
+        let of = |object: &Object| Truth {
+            at: object.at,
+            shape: TruthShape::Object(object.class, true),
+        };
+        self.objects.iter().map(of).collect()
+    }
+}
+
+impl Source {
+    /// In air alone.
+    fn dose_rate_usv_h(&self, at: Point, height_m: f64) -> f64 {
+        let (per_gbq, absorbed_per_m) = self.isotope.constants();
+        let level = (at[0] - self.at[0]).hypot(at[1] - self.at[1]);
+        let r = level.hypot(height_m - self.height_m).max(NEAREST_M);
+        per_gbq * self.activity_gbq / (r * r) * (-absorbed_per_m * r).exp()
+    }
+}
+
+impl Wall {
+    /// The share of a source's radiation that passes on its straight way to a point.
+    fn share(&self, source: &Source, at: Point, height_m: f64) -> f64 {
+        let way = [at[0] - source.at[0], at[1] - source.at[1]];
+        let along = [self.to[0] - self.from[0], self.to[1] - self.from[1]];
+        let cross = way[0] * along[1] - way[1] * along[0];
+        if cross.abs() < 1e-9 {
+            return 1.0;
+        }
+        let gap = [self.from[0] - source.at[0], self.from[1] - source.at[1]];
+        let on_way = (gap[0] * along[1] - gap[1] * along[0]) / cross;
+        let on_wall = (gap[0] * way[1] - gap[1] * way[0]) / cross;
+        let crossing_m = source.height_m + on_way * (height_m - source.height_m);
+        let hit = (0.0..=1.0).contains(&on_way)
+            && (0.0..=1.0).contains(&on_wall)
+            && crossing_m <= self.height_m;
+        if hit { self.passes } else { 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn field(sources: Vec<Source>, walls: Vec<Wall>) -> RadiationField {
+        RadiationField {
+            sources,
+            walls,
+            background_usv_h: BACKGROUND_USV_H,
+            objects: Vec::new(),
+        }
+    }
+
+    const CAESIUM: Source = Source {
+        at: [0.0, 0.0],
+        height_m: 0.0,
+        isotope: Isotope::Caesium137,
+        activity_gbq: 10.0,
+    };
+
+    /// 927 / r2 exp(-0.0093 r) + 0.1, and for cobalt 3510 / r2 exp(-0.0071 r) + 0.1.
+    #[test]
+    fn the_dose_rate_falls_with_the_square_of_the_distance_and_in_air() {
+        for (isotope, expected) in [
+            (Isotope::Caesium137, [35.50, 8.547, 2.024, 0.4994]),
+            (Isotope::Cobalt60, [135.6, 32.79, 7.713, 1.751]),
+        ] {
+            let field = field(vec![Source { isotope, ..CAESIUM }], Vec::new());
+            for (r, expected) in [5.0, 10.0, 20.0, 40.0].into_iter().zip(expected) {
+                let value = field.amount(Quantity::DoseRate, [r, 0.0], 0.0);
+                assert!(
+                    (value / expected - 1.0).abs() < 0.002,
+                    "{isotope:?} at {r} m: {value} instead of {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn several_sources_add_up_over_one_background() {
+        let other = Source {
+            at: [30.0, 0.0],
+            ..CAESIUM
+        };
+        let alone =
+            |source| field(vec![source], Vec::new()).amount(Quantity::DoseRate, [10.0, 5.0], 12.0);
+        let both = field(vec![CAESIUM, other], Vec::new());
+        let sum = alone(CAESIUM) + alone(other) - BACKGROUND_USV_H;
+        assert!((both.amount(Quantity::DoseRate, [10.0, 5.0], 12.0) - sum).abs() < 1e-9);
+        assert!(both.amount(Quantity::Vapour, [10.0, 5.0], 12.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_wall_shields_what_lies_behind_it_and_not_what_looks_over_it() {
+        let wall = Wall {
+            from: [5.0, -10.0],
+            to: [5.0, 10.0],
+            height_m: 4.0,
+            passes: 0.1,
+        };
+        let field = field(vec![CAESIUM], vec![wall]);
+        let share = |at: Point, height_m: f64| {
+            let seen = field.amount(Quantity::DoseRate, at, height_m) - BACKGROUND_USV_H;
+            seen / CAESIUM.dose_rate_usv_h(at, height_m)
+        };
+        for (at, height_m, expected) in [
+            ([10.0, 0.0], 2.0, 0.1),
+            ([10.0, 0.0], 20.0, 1.0),
+            ([4.0, 0.0], 2.0, 1.0),
+            ([-10.0, 0.0], 2.0, 1.0),
+            ([10.0, 30.0], 2.0, 1.0),
+        ] {
+            let value = share(at, height_m);
+            assert!(
+                (value - expected).abs() < 1e-9,
+                "{at:?} {height_m}: {value}"
+            );
+        }
+    }
+}
