@@ -12,6 +12,7 @@ mod deed;
 mod effect;
 mod encode;
 mod explain;
+mod manoeuvre;
 mod mav_cmd;
 mod request;
 mod risk;
@@ -22,8 +23,10 @@ mod tests;
 pub use deed::{Deed, Goal, Spot, Subject};
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
+pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use request::{Answer, Repeat, Request};
+pub use setpoint::{Setpoint, ready_for};
 
 /// A command to one vehicle. Every variant is said with one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]

@@ -15,9 +15,7 @@ use crate::app::event::Event;
 use crate::app::room::{hangar, messages};
 use crate::app::state::State;
 use crate::app::update;
-use crate::commands::Deed;
-use crate::fleet::{Clock, Unreachable};
-use crate::ledger::{EntryId, RowState};
+use crate::fleet::Clock;
 use crate::notice::sanitised;
 use crate::session::Order;
 use crate::store;
@@ -26,18 +24,20 @@ use crate::terminal::{self, Environment, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
 use crate::ui::{self, Look};
-use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle::Severity;
 
 mod begin;
 mod drive;
 mod files;
 mod missions;
 mod options;
+mod orders;
+mod pause;
 pub mod plain;
 mod session;
 mod signals;
 
-use begin::parse;
+use begin::{Attempt, parse};
 pub use drive::drive;
 use missions::listings;
 pub use options::{Opening, Options, Preferences};
@@ -146,6 +146,8 @@ struct Console {
     state: State,
     look: Look,
     running: Option<Running>,
+    /// The try at what runs.
+    attempt: Attempt,
     /// What is left of the session before.
     ending: Ending,
     /// What has to be said at the start.
@@ -196,6 +198,7 @@ impl Console {
             clock: Clock::start(),
             state,
             running: None,
+            attempt: Attempt::default(),
             ending: Ending::default(),
             drawn: None,
             fps: None,
@@ -220,7 +223,7 @@ impl Console {
             Opening::Free => Plan::Free(None),
             Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
         };
-        if let Err(error) = self.start(plan).await {
+        if let Err(error) = self.start_afresh(plan).await {
             self.feed(Event::Failed(error)).await;
         }
     }
@@ -291,6 +294,7 @@ impl Console {
             self.log(&event);
             self.feed(event).await;
         }
+        self.conduct(now).await;
         self.look_at_messages(now).await;
         let wanted = hangar::wanted(&self.state);
         if let Some(running) = &mut self.running {
@@ -302,6 +306,17 @@ impl Console {
             None => Vec::new(),
         };
         for event in flown {
+            self.feed(event).await;
+        }
+    }
+
+    async fn conduct(&mut self, now: Duration) {
+        let events = match &mut self.running {
+            Some(running) => running.conduct(now, &self.state.session.vehicles),
+            None => Vec::new(),
+        };
+        for event in events {
+            self.log(&event);
             self.feed(event).await;
         }
     }
@@ -346,7 +361,9 @@ impl Console {
             Effect::FetchParameters(_)
             | Effect::ReadParameters { .. }
             | Effect::SaveParameters { .. } => return self.parameters(effect),
-            Effect::AbandonMission => return self.running.iter_mut().for_each(Running::abandon),
+            Effect::AbandonMission => return self.abandon(),
+            Effect::Pause => return self.pause(),
+            Effect::GoOn => return self.go_on(),
             Effect::Command {
                 entry,
                 targets,
@@ -361,6 +378,11 @@ impl Console {
                 targets,
                 deed,
             } => return self.deed(entry, &targets, &deed).await,
+            Effect::Manoeuvre {
+                entry,
+                targets,
+                manoeuvre,
+            } => return self.begin_manoeuvre(entry, &manoeuvre, &targets).await,
             Effect::StartMission(id) => store::mission(&id)
                 .map(|mission| Plan::Mission(Arc::new(mission)))
                 .map_err(|error| Text::from(&error)),
@@ -373,15 +395,22 @@ impl Console {
                     .for_each(|running| running.process(deed, vehicle));
             }
             Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect),
-            Effect::RestartMission => match &self.running {
-                Some(running) => Ok(running.plan()),
+            Effect::RestartMission { alike } => match &self.running {
+                Some(running) => {
+                    let plan = running.plan();
+                    return self.start_again(plan, alike).await;
+                }
                 None => return,
             },
         };
         let outcome = match plan {
-            Ok(plan) => self.start(plan).await,
+            Ok(plan) => self.start_afresh(plan).await,
             Err(error) => Err(error),
         };
+        self.tell_failure(outcome);
+    }
+
+    fn tell_failure(&mut self, outcome: Result<(), Text>) {
         if let Err(error) = outcome {
             // Nothing that a failure causes is an effect.
             update(&mut self.state, Event::Failed(error));
@@ -395,39 +424,6 @@ impl Console {
             }
             // Nothing that a failure causes is an effect.
             Err(error) => drop(update(&mut self.state, Event::Failed(Text::from(&error)))),
-        }
-    }
-
-    /// Has the mission do something with each target.
-    async fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
-        let now = self.clock.now();
-        let rows = match &mut self.running {
-            Some(running) => running.act(entry, deed, targets, now),
-            None => Vec::new(),
-        };
-        for row in rows {
-            Box::pin(self.feed(Event::Row(row))).await;
-        }
-    }
-
-    /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
-    async fn command(&mut self, targets: &[VehicleId], order: &Order) {
-        for &vehicle in targets {
-            let given = match &self.running {
-                Some(running) => running.order(vehicle, order.clone()),
-                None => Err(Unreachable),
-            };
-            if let Err(error) = given {
-                let now = self.clock.now();
-                let row = order.unsent(
-                    vehicle,
-                    RowState::Refused,
-                    text!("outcome-not-sent", reason = Text::from(error)),
-                    now,
-                );
-                // Others may have waited for the end of this one.
-                Box::pin(self.feed(Event::Row(row))).await;
-            }
         }
     }
 }

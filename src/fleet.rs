@@ -6,43 +6,28 @@
 //! waits for another: a full queue drops telemetry, which comes again, and is counted.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use tokio::sync::{mpsc, watch};
-use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
-use crate::session::{Order, Report, Stream, WANTED_STREAMS};
+use crate::session::{Order, Report, Steering, Stream, WANTED_STREAMS};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
 
+mod clock;
 mod hub;
 mod vehicle_task;
+
+pub use clock::Clock;
 
 /// Reports that may wait for the console before notices are dropped.
 const EVENTS_KEPT: usize = 4096;
 /// Requests that may wait for the hub.
 const REQUESTS_KEPT: usize = 1024;
-
-/// The program's clock: every `now` in the pure modules counts from its start.
-#[derive(Debug, Clone, Copy)]
-pub struct Clock(Instant);
-
-impl Clock {
-    /// A clock that starts now.
-    pub fn start() -> Self {
-        Self(Instant::now())
-    }
-
-    /// The time since the start.
-    pub fn now(self) -> Duration {
-        self.0.elapsed()
-    }
-}
 
 /// Something that happened in the fleet.
 #[derive(Debug)]
@@ -63,6 +48,7 @@ pub enum FleetEvent {
 enum Request {
     Connect(Transport),
     Order(VehicleId, Order),
+    Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
     Restarted(VehicleId),
 }
@@ -112,6 +98,14 @@ impl Fleet {
     /// The hub has ended or cannot keep up; nothing was sent.
     pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
         self.ask(Request::Order(vehicle, order))
+    }
+
+    /// Says where a vehicle of a manoeuvre is to be now.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was sent.
+    pub fn steer(&self, vehicle: VehicleId, steering: Steering) -> Result<(), Unreachable> {
+        self.ask(Request::Steer(vehicle, steering))
     }
 
     /// Asks a vehicle for all its parameters. They arrive at the receiver of [`FleetEvent::Parameters`].

@@ -9,8 +9,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::commands::{Command, Deed};
-use crate::geo::LatLon;
+use crate::commands::{Command, Deed, Manoeuvre};
+use crate::geo::{LatLon, Outline};
 use crate::parameters::Parameters;
 use crate::vehicle::VehicleClass;
 use crate::vehicle::VehicleId;
@@ -49,6 +49,8 @@ pub struct Context<'a> {
     /// Named places; a name with blanks in it cannot be said. `None` when nobody knows yet, and then every name
     /// will do: such a line is good to be checked, but a command that it builds leads nowhere.
     pub places: Option<&'a BTreeMap<String, LatLon>>,
+    /// Named areas; `None` when nobody knows yet, as with places.
+    pub areas: Option<&'a BTreeMap<String, Outline>>,
     /// The vehicles there are; empty when nobody knows yet, and then every number will do.
     pub vehicles: &'a [VehicleId],
     /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
@@ -59,13 +61,15 @@ pub struct Context<'a> {
 
 static NO_GROUPS: BTreeMap<String, Vec<VehicleId>> = BTreeMap::new();
 static NO_PLACES: BTreeMap<String, LatLon> = BTreeMap::new();
+static NO_AREAS: BTreeMap<String, Outline> = BTreeMap::new();
 
 impl Default for Context<'_> {
-    /// No groups, no places, unknown vehicles, copters.
+    /// No groups, no places, no areas, unknown vehicles, copters.
     fn default() -> Self {
         Self {
             groups: &NO_GROUPS,
             places: Some(&NO_PLACES),
+            areas: Some(&NO_AREAS),
             vehicles: &[],
             class: VehicleClass::Copter,
             parameters: None,
@@ -93,6 +97,13 @@ pub enum Action {
         verb: &'static Verb,
         /// What the row built of the arguments.
         command: Command,
+    },
+    /// Something that the targets do together.
+    Manoeuvre {
+        /// Its row in the table.
+        verb: &'static Verb,
+        /// What the row built of the arguments.
+        manoeuvre: Manoeuvre,
     },
     /// Something that the mission does, with each target.
     Deed {

@@ -52,6 +52,7 @@ pub mod session;
 pub mod sim;
 pub mod sitl;
 pub mod store;
+pub mod swarm;
 pub mod terminal;
 pub mod text;
 pub mod ui;

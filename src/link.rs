@@ -39,7 +39,7 @@ mod tests;
 mod tlog;
 
 pub use address::{Address, AddressError};
-pub use simulator::{Endpoint, Simulator, SimulatorError, Started, step_on_threads};
+pub use simulator::{Endpoint, Pace, Simulator, SimulatorError, Started, step_on_threads};
 pub use tap::Tap;
 pub use tlog::{TlogError, TlogReader, TlogRecord, TlogWriter};
 

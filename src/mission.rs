@@ -40,9 +40,15 @@
 //! `walls = [{ from, to, height, passes }, ..]` (`passes`: the share that gets through), `background` (uSv/h, 0.1),
 //! `jitter` (m, for each source).
 //!
+//! Hazard kind `fire`: `area = [west, south, east, north]` in square cells of `cell` m, `fuel` (`grass`, `shrub`,
+//! `timber`, `bare`; `grass`), `patches = [{ area, fuel }, ..]` on top of it, `moisture` (share of water, 0.05), `embers`
+//! (how many times more than usual, 1), `ignitions = [{ at, time, radius }, ..]`, `jitter` (m, for each ignition).
+//!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
-//! `recover` (`radius`, `battery_pct`). Cells are named like chess squares: `A1` is the south-west one, letters go
+//! `recover` (`radius`, `battery_pct`), `locate` (`of`: a hazard, `within`, `partial_to`), `perimeter` (`of`: a fire,
+//! `sensor`, `times`, `target`, `partial_from`), `protect` (`of`: a fire, `zone`), `contain` (`of`: a fire, `target`,
+//! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`). Cells are named like chess squares: `A1` is the south-west one, letters go
 //! east, numbers go north.
 
 use std::collections::BTreeMap;
@@ -69,6 +75,7 @@ mod progress;
 mod report;
 mod sensor;
 mod survey;
+mod together;
 mod weather;
 mod world;
 mod zone;
@@ -78,7 +85,9 @@ pub use area::{Area, AreaKind};
 pub use clock::Clock;
 pub use flight::{Flight, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};
-pub use progress::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+pub use progress::{
+    Cell, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact, ShownMark, Trust,
+};
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
@@ -199,7 +208,7 @@ impl Mission {
     }
 
     /// The same with more vehicles than it is made for, for measurements: their pads lie in a row to the south of the
-    /// last one.
+    /// last one, and they carry what that one does.
     #[must_use]
     pub fn enlarged(mut self, vehicles: usize) -> Self {
         if let Some(&[east_m, north_m]) = self.pads.last() {
@@ -207,6 +216,8 @@ impl Mission {
             let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
             self.pads.extend((1..=more).map(pad));
             self.vehicles = self.pads.len();
+            let fit = self.fits.last().cloned().unwrap_or_default();
+            self.fits.resize(self.vehicles, fit);
         }
         self
     }

@@ -41,7 +41,8 @@ use timesync::Timesync;
 use transaction::{Progress, Transaction};
 
 pub use naming::Renamed;
-pub use order::{Order, Report};
+pub use order::{Order, Report, Steering};
+pub use precedence::moves_the_vehicle;
 pub use streams::{Stream, WANTED_STREAMS};
 
 /// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
@@ -213,6 +214,18 @@ impl Session {
         }
         self.queue.push_back((order, now));
         self.advance(now);
+    }
+
+    /// Says where the vehicle is to be, as a part of what several do together: no command, nothing is awaited and
+    /// nothing is noted but that earlier movements end.
+    ///
+    /// # Errors
+    /// In plain words when there is no such place to fly to; nothing was sent.
+    pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
+        let message = steering.setpoint.message(&self.vehicle)?;
+        self.supersede_movements(&steering.verb.into(), now);
+        self.output.messages.push(message);
+        Ok(())
     }
 
     /// Lets time pass: retries, deadlines, silence. Call it at least as often as [`Self::patience`] says.

@@ -120,3 +120,5 @@ console-ack = take note of the worst alerts, or of these
 console-mute = alerts of a kind stay silent; none: which are
 console-unmute = alerts of a kind ring again; none: all do
 setting-lang-ascii = the screen shows only ASCII: set symbols block or braille first
+console-pause = let the simulation and every clock stand still
+console-continue = let them go on

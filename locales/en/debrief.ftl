@@ -30,3 +30,5 @@ debrief-improve = WHAT TO IMPROVE   (biggest gain first)
 debrief-nothing = Nothing that would bring another point.
 # At most 5 columns.
 debrief-good = good
+
+debrief-last-mission = there is no mission after this one

@@ -196,3 +196,15 @@ hint-goto = goto
 hint-ruler = ruler
 hint-signs = signs
 hint-trails = trails
+
+header-paused = PAUSED
+hint-predict = predict
+hint-goal = goal
+hint-hint = hint
+hint-pause = pause
+hint-abandon = give up
+hint-section = section
+hint-alike = same seed
+hint-next = next
+hint-fly = fly it
+hint-drill = drill

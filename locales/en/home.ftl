@@ -21,3 +21,11 @@ home-running = { $session } goes on: { $key } returns to it
 home-connect-empty = write an address, such as tcp:127.0.0.1:5760
 home-starting-mission = starting the mission ...
 home-starting-simulator = starting the simulator ...
+
+# Headings of the list of missions, by difficulty.
+home-tier-0 = first steps
+home-tier-1 = one skill each
+home-tier-2 = several skills
+home-tier-3 = everything together
+home-drill = drill, { $seconds } s: { $title }
+home-no-drill = there is no drill for it

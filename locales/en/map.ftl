@@ -31,6 +31,7 @@ map-legend-fence = fence
 map-legend-keep-out = keep out
 map-legend-plan = plan, waypoint w3
 map-legend-rally = rally point (R1)
+map-legend-course = part of a manoeuvre, place p3
 map-legend-ruler = ruler
 
 action-left = left
@@ -45,3 +46,6 @@ action-goto-here = write `goto` with the place under the cursor
 action-trails = show or hide the trails
 action-legend = show or hide the signs' meaning
 action-next-sensor = samples of the next sensor
+map-legend-seen = contact, seen by one sensor
+map-legend-confirmed = contact, by two kinds
+map-legend-reported = reported

@@ -115,3 +115,30 @@ deed-marked = { $count } reported
 deed-no-load = it carries nothing for that
 deed-no-hint = this mission has no further hint
 deed-no-mission = no mission is flown
+
+# A pause.
+mission-paused = paused { $seconds } s
+pause-begins = PAUSED: `continue` or p goes on
+pause-ends = goes on
+pause-is-one = it is paused already
+pause-is-none = nothing is paused
+pause-not-processes = no pause with ArduPilot: each of its processes has a time of its own, and none of them can be stopped
+pause-not-real = no pause: real drones cannot be stopped in the air
+pause-not-allowed = the rules of this mission allow no pause
+pause-refuses = commands wait for nobody: it is paused
+pause-refuses-help = `continue` or p goes on; then give the command
+
+# Before launch, in the room of the mission. Names at most 14 columns.
+mission-launch = before launch
+mission-pledge = your word
+mission-prediction = your score
+mission-prediction-none = s predicts it, such as `predict 800`: the debrief compares
+mission-prediction-is = { $points } predicted
+mission-goal = your goal
+mission-goal-none = g sets one, such as `goal time 200s`: score, time, battery, safety, commands, attention
+mission-then = to begin
+mission-then-is = Enter shows the drones, `:` takes commands, ? explains both
+mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported { $reported }
+mission-marks-count = reports { $count }
+mission-pledge-line = you said: { $words }
+mission-said-score = { $points } points

@@ -30,3 +30,5 @@ debrief-improve = ЩО ПОКРАЩИТИ   (спершу те, що дає на
 debrief-nothing = Немає нічого, що дало б ще бал.
 # Щонайбільше 5 колонок.
 debrief-good = добре
+
+debrief-last-mission = після цього завдань немає

@@ -198,3 +198,15 @@ hint-goto = goto
 hint-ruler = лінійка
 hint-signs = знаки
 hint-trails = сліди
+
+header-paused = ПАУЗА
+hint-predict = бали
+hint-goal = мета
+hint-hint = порада
+hint-pause = пауза
+hint-abandon = припинити
+hint-section = розділ
+hint-alike = те саме зерно
+hint-next = наступне
+hint-fly = летіти
+hint-drill = вправа

@@ -19,3 +19,41 @@ load-on-ground = він стоїть на землі
 load-too-high = { $height } м - це зависоко: щонайбільше { $limit } м
 load-sample = { $sensor } { $value } { $unit }
 load-sample-speed = проби беруть на швидкості щонайбільше { $limit } м/с
+
+# What loads do to a fire.
+fire-put-out = там вогонь погашено
+fire-goes-on = там вогонь не згас
+fire-wetted = там земля мокра
+fire-none-there = там нічого не горить
+
+# Finding where something is.
+locate-reports = повідомлено: { $count }
+locate-off = похибка { $distance } м
+locate-missed = не знайдено
+locate-astray = хибних: { $count }
+locate-quality = повідомляйте лише те, в чому певні, а перед тим повільно пролетіть над тим місцем
+locate-target = { $count } з точністю { $within } м
+locate-advice = Перетніть хмару з двох боків, летіть повільно там, де покази найбільші, і повідомте місце: mark peak.
+
+# The edge of a fire.
+perimeter-none = карти ще немає
+perimeter-next = карта за { $seconds } с
+perimeter-target = { $fit } на { $times } с
+perimeter-advice = огляньте весь край незадовго до зняття карти, фронт за вітром - останнім
+
+# Fire and what it must not reach.
+protect-safe = не згоріло нічого
+protect-still = нічого не горить, пожежа триває
+protect-burnt = згоріло клітинок: { $lost } з { $all }
+protect-target = нічого не горить
+protect-advice = Змочіть землю на шляху фронту від дороги до дороги, поки він не дійшов, а далі гасіть те, що прорвалося.
+contain-hits = з користю: { $good } з { $all }
+contain-share = { $percent } % того, що згоріло б
+contain-target = { $percent } %
+contain-quality = скидайте й розпилюйте лише над полум'ям і сухим паливом, повільно й низько
+contain-advice = Почніть із боку, що біжить за вітром: щохвилини він виростає на стільки, як за весь час до того.
+
+# Radiation that vehicles gather.
+dose-most = щонайбільше { $dose } мкЗв
+dose-target = { $limit } мкЗв
+dose-advice = Тримайтеся вище й не зупиняйтеся: доза падає з квадратом відстані та з часом.

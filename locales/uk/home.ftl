@@ -21,3 +21,11 @@ home-running = { $session } триває: { $key } повертає туди
 home-connect-empty = впишіть адресу, наприклад tcp:127.0.0.1:5760
 home-starting-mission = завдання починається ...
 home-starting-simulator = симулятор запускається ...
+
+# Заголовки переліку завдань за складністю.
+home-tier-0 = перші кроки
+home-tier-1 = по одному вмінню
+home-tier-2 = кілька вмінь
+home-tier-3 = усе разом
+home-drill = вправа, { $seconds } s: { $title }
+home-no-drill = вправи до нього немає

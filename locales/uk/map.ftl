@@ -32,6 +32,7 @@ map-legend-fence = межа польотів
 map-legend-keep-out = заборонена зона
 map-legend-plan = маршрут, точка w3
 map-legend-rally = запасна точка (R1)
+map-legend-course = частка маневру, місце p3
 map-legend-ruler = лінійка
 
 action-left = ліворуч
@@ -46,3 +47,6 @@ action-goto-here = написати `goto` з точкою під курсоро
 action-trails = показати або сховати пройдені шляхи
 action-legend = показати або сховати пояснення позначок
 action-next-sensor = виміри наступного датчика
+map-legend-seen = контакт, бачив один датчик
+map-legend-confirmed = контакт, бачили два різні
+map-legend-reported = про це доповіли

@@ -122,3 +122,30 @@ deed-marked = доповідей: { $count }
 deed-no-load = у нього нічого для цього немає
 deed-no-hint = у цій місії більше немає підказок
 deed-no-mission = місії немає
+
+# Пауза.
+mission-paused = пауза { $seconds } s
+pause-begins = ПАУЗА: `continue` або p - далі
+pause-ends = далі
+pause-is-one = пауза вже триває
+pause-is-none = паузи немає
+pause-not-processes = з ArduPilot паузи немає: у кожного його процесу власний час, і жоден не можна зупинити
+pause-not-real = паузи немає: справжні дрони в повітрі не зупинити
+pause-not-allowed = правила цього завдання не дозволяють пауз
+pause-refuses = на паузі команд не віддають
+pause-refuses-help = `continue` або p - далі; тоді віддайте команду
+
+# Перед зльотом, на екрані завдання. Назви щонайбільше 14 колонок.
+mission-launch = перед зльотом
+mission-pledge = ваше слово
+mission-prediction = ваші бали
+mission-prediction-none = s - передбачити їх, як-от `predict 800`: розбір порівняє
+mission-prediction-is = передбачено { $points }
+mission-goal = ваша мета
+mission-goal-none = g - поставити її, як-от `goal time 200s`: score, time, battery, safety, commands, attention
+mission-then = початок
+mission-then-is = Enter показує дрони, `:` приймає команди, ? пояснює і те, і те
+mission-contacts-count = контактів { $count }, підтверджено { $confirmed }, доповіли про { $reported }
+mission-marks-count = доповідей { $count }
+mission-pledge-line = ви сказали: { $words }
+mission-said-score = бали { $points }

@@ -29,8 +29,22 @@ pub enum Action {
     Submit,
     /// Take back: what was typed, the selection, the overlay.
     Escape,
-    /// Fly the same mission again.
+    /// Fly the same mission again, as chance will have it this time.
     Again,
+    /// Fly the same mission again, exactly as it was.
+    AgainAlike,
+    /// Fly the mission after this one.
+    NextMission,
+    /// Fly the short exercise for a mission.
+    Drill,
+    /// Let the mission stand still, or go on.
+    PauseMission,
+    /// End the mission now.
+    Abandon,
+    /// To the next section of a text.
+    NextSection,
+    /// To the section before.
+    PreviousSection,
     /// Back to the home screen.
     Leave,
     /// Put the next completion into the command line.
@@ -169,6 +183,13 @@ impl Action {
         ("submit", Self::Submit),
         ("escape", Self::Escape),
         ("again", Self::Again),
+        ("again-alike", Self::AgainAlike),
+        ("next-mission", Self::NextMission),
+        ("drill", Self::Drill),
+        ("pause-mission", Self::PauseMission),
+        ("abandon", Self::Abandon),
+        ("next-section", Self::NextSection),
+        ("previous-section", Self::PreviousSection),
         ("leave", Self::Leave),
         ("complete", Self::Complete),
         ("complete-back", Self::CompleteBack),

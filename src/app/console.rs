@@ -122,6 +122,10 @@ pub enum Deed {
     Notices,
     /// The mission's brief.
     Brief,
+    /// Let the session stand still.
+    Pause,
+    /// Let it go on.
+    GoOn,
     /// End the mission.
     Abandon,
     /// The same mission again.
@@ -172,6 +176,8 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
     verb("ledger", "ledger", Kind::Plain(Deed::Ledger)),
     verb("notices", "notices", Kind::Plain(Deed::Notices)),
     verb("brief", "brief", Kind::Plain(Deed::Brief)),
+    verb("pause", "pause", Kind::Plain(Deed::Pause)),
+    verb("continue", "continue", Kind::Plain(Deed::GoOn)),
     verb("abandon", "abandon", Kind::Plain(Deed::Abandon)),
     verb("restart", "restart", Kind::Plain(Deed::Restart)),
     verb("leave", "leave", Kind::Plain(Deed::Leave)),

@@ -1,6 +1,6 @@
 //! What the shell has to do.
 
-use crate::commands::{Command, Deed};
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::language::Verb;
 use crate::ledger::EntryId;
 use crate::text::Text;
@@ -40,6 +40,15 @@ pub enum Effect {
         /// What to do.
         deed: Deed,
     },
+    /// Have vehicles do something together; the ledger entry is open already.
+    Manoeuvre {
+        /// Where the outcome belongs.
+        entry: EntryId,
+        /// The vehicles, sorted.
+        targets: Vec<VehicleId>,
+        /// What to do.
+        manoeuvre: Manoeuvre,
+    },
     /// Ask vehicles for all their parameters.
     FetchParameters(Vec<VehicleId>),
     /// Read a parameter file.
@@ -69,7 +78,14 @@ pub enum Effect {
     /// End the mission now; its report follows as an event.
     AbandonMission,
     /// Start the same mission again.
-    RestartMission,
+    RestartMission {
+        /// Whether chance plays the same again.
+        alike: bool,
+    },
+    /// Let everything that is simulated stand still, and every deadline with it.
+    Pause,
+    /// Let it go on.
+    GoOn,
     /// Stop what runs and drop its links; the state has forgotten it already.
     LeaveSession,
     /// Draw with this theme from now on, and remember it.

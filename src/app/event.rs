@@ -14,6 +14,7 @@ use crate::mission::{Area, Listing, Progress};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::scoring::Report;
+use crate::swarm::Path;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
 
@@ -95,6 +96,10 @@ pub enum Event {
     Findings(Vec<Finding>),
     /// A look at the messages on the links.
     Traffic(Vec<LinkTraffic>),
+    /// What is simulated stands still from now on, or goes on.
+    Paused(bool),
+    /// What vehicles that do something together are going to fly.
+    Paths(Vec<Path>),
     /// How the mission is going.
     Mission(Box<Progress>),
     /// The mission is over.

@@ -200,6 +200,7 @@ const GENERAL: &[Row] = &[
     does(key('n'), Action::Notices),
     does(key('c'), Action::Show(Room::Ledger)),
     does(key('b'), Action::Brief),
+    does(key('p'), Action::PauseMission),
     does(Press::Control('c'), Action::Quit),
 ];
 

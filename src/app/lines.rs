@@ -38,11 +38,12 @@ pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
     let context = Context {
         groups: &groups,
         places: None,
+        areas: None,
         class: VehicleClass::Other,
         ..Context::default()
     };
     match language::parse(line, &context)?.action {
-        Action::Command { .. } | Action::Deed { .. } => Ok(()),
+        Action::Command { .. } | Action::Deed { .. } | Action::Manoeuvre { .. } => Ok(()),
         Action::Wait(_) => Err(only_in_scripts(line)),
     }
 }

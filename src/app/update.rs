@@ -11,6 +11,7 @@ mod console_line;
 mod hangar;
 mod keys;
 mod links;
+pub(super) mod mission;
 mod offer;
 pub(super) mod order;
 mod palette;
@@ -79,6 +80,8 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
             lines,
         } => hangar::printed(state, vehicle, anew, lines),
         Event::Links(links) => state.session.links = links,
+        Event::Paused(paused) => mission::paused(state, paused),
+        Event::Paths(paths) => state.session.paths = paths,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Failed(text) => telemetry::failed(state, text),

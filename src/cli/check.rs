@@ -144,6 +144,7 @@ fn examined(kind: Kind, path: &Path, source: &Source) -> (Vec<Diagnostic>, Vec<D
             // Which mission it will fly, nobody has said: its places may have any name.
             let context = Context {
                 places: None,
+                areas: None,
                 ..Context::default()
             };
             Script::parse(text, &context).err()

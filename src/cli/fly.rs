@@ -38,9 +38,9 @@ pub(super) struct FlyArguments {
     /// Fly vehicles that are already there instead of simulated ones.
     #[arg(long, value_name = "ADDR", num_args = 1.., conflicts_with_all = ["mission", "vehicles"])]
     connect: Vec<Address>,
-    /// What varies the mission's world.
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
+    /// What varies the mission's world; without it every new try is another one.
+    #[arg(long)]
+    seed: Option<u64>,
     /// Simulated seconds per second.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
@@ -132,7 +132,7 @@ fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
         backend: Backend::default(),
         ardupilot,
         vehicles: VEHICLES,
-        seed: 1,
+        seed: None,
         speedup: 1.0,
         look: look(&settings),
         preferences: Preferences {

@@ -179,9 +179,10 @@ pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
 pub(super) fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
-    let places = mission.places_to_name();
+    let (places, areas) = (mission.places_to_name(), mission.named_areas());
     let context = Context {
         places: Some(&places),
+        areas: Some(&areas),
         vehicles: &vehicles,
         ..Context::default()
     };

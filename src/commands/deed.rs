@@ -1,5 +1,6 @@
 //! Deeds: what a mission is asked, not an autopilot. Payloads, reports of finds, and the trainee's word before launch.
 
+use std::fmt;
 use std::time::Duration;
 
 use crate::geo::LatLon;
@@ -88,4 +89,18 @@ pub enum Goal {
     Attention,
     /// Reach at least this score.
     Score(u16),
+}
+
+impl fmt::Display for Goal {
+    /// As the grammar writes it, after `goal`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Time(within) => write!(f, "time {}s", within.as_secs_f64()),
+            Self::Battery(percent) => write!(f, "battery {percent}%"),
+            Self::Safety => f.write_str("safety"),
+            Self::Commands => f.write_str("commands"),
+            Self::Attention => f.write_str("attention"),
+            Self::Score(points) => write!(f, "score {points}"),
+        }
+    }
 }

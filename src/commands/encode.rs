@@ -193,6 +193,22 @@ pub(super) fn global_position(
     )
 }
 
+/// A position target on the earth that moves, in m/s north, east, down.
+pub(super) fn moving_position(
+    vehicle: &Vehicle,
+    (point, altitude_m): (LatLon, f64),
+    velocity_m_s: [f64; 3],
+) -> Result<Outgoing, Text> {
+    let [vx, vy, vz] = velocity_m_s.map(|speed| speed as f32);
+    finite(&[vx, vy, vz])?;
+    let mut message = global_position(vehicle, point, altitude_m, None)?;
+    if let Outgoing::Message(MavMessage::SET_POSITION_TARGET_GLOBAL_INT(fields)) = &mut message {
+        (fields.vx, fields.vy, fields.vz) = (vx, vy, vz);
+        fields.type_mask = mask(IGNORE_ACCELERATION | IGNORE_YAW | IGNORE_YAW_RATE);
+    }
+    Ok(message)
+}
+
 /// `PARAM_REQUEST_READ` by name.
 pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, Text> {
     Ok(MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {

@@ -231,3 +231,40 @@ pub(super) fn acknowledged_int(vehicle: &Vehicle, fields: &IntFields) -> Result<
 pub(super) fn setpoint(message: Result<Outgoing, Text>) -> Result<Request, Text> {
     Ok(Request::new(message?, Answer::None))
 }
+
+/// Where a vehicle of a manoeuvre is to be, said again and again while it lasts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Setpoint {
+    /// Where.
+    pub at_point: LatLon,
+    /// Height above home.
+    pub altitude_m: f64,
+    /// How that place moves: north, east, down in m/s; `None` where it does not.
+    pub velocity_m_s: Option<[f64; 3]>,
+}
+
+impl Setpoint {
+    /// The message for a vehicle.
+    ///
+    /// # Errors
+    /// In plain words when it would fly into the ground or is no place.
+    pub fn message(&self, vehicle: &Vehicle) -> Result<Outgoing, Text> {
+        above_ground(vehicle, self.altitude_m)?;
+        match self.velocity_m_s {
+            None => encode::global_position(vehicle, self.at_point, self.altitude_m, None),
+            Some(velocity) => {
+                encode::moving_position(vehicle, (self.at_point, self.altitude_m), velocity)
+            }
+        }
+    }
+}
+
+/// Whether a vehicle can take part in what several do together, which `verb` says.
+///
+/// # Errors
+/// In plain words what is missing: GUIDED, motors, height, a position.
+pub fn ready_for(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
+    needs_guided(verb, vehicle)?;
+    position(vehicle)?;
+    height(vehicle).map(drop)
+}

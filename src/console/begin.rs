@@ -12,9 +12,42 @@ use crate::text::Text;
 /// How long the end of the program waits for the processes of its vehicles to end.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 
+/// A seed for the first try where none is given.
+const FIRST_SEED: u64 = 1;
+
+/// One of the tries at a mission.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Attempt {
+    /// What varies it.
+    pub seed: u64,
+}
+
+impl Default for Attempt {
+    fn default() -> Self {
+        Self { seed: FIRST_SEED }
+    }
+}
+
 impl Console {
+    /// Starts something else than what runs.
+    pub(super) async fn start_afresh(&mut self, plan: Plan) -> Result<(), Text> {
+        let seed = self.options.seed.unwrap_or(FIRST_SEED);
+        self.attempt = Attempt { seed };
+        self.start(plan).await
+    }
+
+    /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same.
+    pub(super) async fn start_again(&mut self, plan: Plan, alike: bool) {
+        if !alike && self.options.seed.is_none() {
+            self.attempt.seed = self.attempt.seed.wrapping_add(1);
+        }
+        let outcome = self.start(plan).await;
+        self.tell_failure(outcome);
+    }
+
     /// Ends the session. What takes a while to end is waited for by who has to.
     pub(super) fn end_session(&mut self) {
+        self.go_on();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();
         }
@@ -27,13 +60,13 @@ impl Console {
         ending.over(LAST_PROCESS_PATIENCE).await;
     }
 
-    pub(super) async fn start(&mut self, plan: Plan) -> Result<(), Text> {
+    async fn start(&mut self, plan: Plan) -> Result<(), Text> {
         // The old session ends first: the new one may need its ports.
         self.end_session();
         let backend = Backend {
-            clock: self.clock,
+            clock: self.clock.clone(),
             vehicles: self.options.vehicles,
-            seed: self.options.seed,
+            seed: self.attempt.seed,
             speedup: self.options.speedup,
             simulation: self.options.backend.clone(),
         };

@@ -35,8 +35,8 @@ pub struct Options {
     pub ardupilot: Option<Source>,
     /// Simulated vehicles in free flight.
     pub vehicles: u8,
-    /// What varies missions and simulation.
-    pub seed: u64,
+    /// What varies missions and simulation; `None` leaves it to the console.
+    pub seed: Option<u64>,
     /// Simulated seconds per second.
     pub speedup: f64,
     /// What it looks like.

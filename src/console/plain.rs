@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use tokio::sync::mpsc;
 
-use super::{Console, Happened, Opening, Options, Running, Signals, key, ticks};
+use super::{Console, Happened, Opening, Options, Signals, key, ticks};
 use crate::app::event::Event;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -166,10 +166,11 @@ impl Plain {
         self.is_person || (heard && !state.session.is_starting() && self.is_idle())
     }
 
-    /// The stages are told in lines; there is no room to be in.
-    fn leave_hangar(&mut self) {
+    /// The stages and the brief are told in lines; there is no room to be in.
+    fn leave_rooms(&mut self) {
         let state = &mut self.console.state;
-        if state.room == Room::Hangar && state.session.is_starting() {
+        let is_waiting = state.room == Room::Hangar && state.session.is_starting();
+        if is_waiting || state.room == Room::Mission {
             state.room = Room::Fly;
         }
     }
@@ -269,7 +270,7 @@ impl Plain {
 
     /// What a screen would have answered to a line.
     fn tell_outcome(&mut self) {
-        self.leave_hangar();
+        self.leave_rooms();
         let state = &mut self.console.state;
         let mut texts = Vec::new();
         if let Some(message) = state.message() {
@@ -371,7 +372,7 @@ impl Plain {
     /// Ends what is left at the end of the input: a mission gets its debrief.
     async fn abandon(&mut self) {
         if self.console.state.session.mission.is_some() {
-            self.console.running.iter_mut().for_each(Running::abandon);
+            self.console.abandon();
             self.console.tick().await;
         } else {
             self.console.over = true;

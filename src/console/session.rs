@@ -16,12 +16,13 @@ use crate::fleet::{Clock, Fleet, FleetEvent, Unreachable};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::link::{Address, Endpoint, LinkStatus, Simulator, Transport};
+use crate::link::{Address, Endpoint, LinkStatus, Pace, Simulator, Transport};
 use crate::mission::{Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
+use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -30,12 +31,14 @@ mod course;
 mod hangar;
 mod inspection;
 mod links;
+mod swarm;
 
 use course::Course;
 pub(super) use hangar::Ending;
 use hangar::{News, Processes};
 use inspection::Inspection;
 use links::{LinkNews, round_trip, summary};
+use swarm::Swarm;
 
 /// Where free flight begins.
 const FREE_FLIGHT_START: Start = Start {
@@ -82,9 +85,23 @@ pub(super) struct Running {
     /// Reports that the fleet dropped so far.
     dropped: u64,
     course: Option<Course>,
+    /// While this is true, the embedded simulator stands still.
+    held: watch::Sender<bool>,
+    /// What they do together.
+    swarm: Swarm,
     /// The processes of its vehicles, and how many there are to be.
     processes: Option<(Processes, usize)>,
     cancel: CancellationToken,
+}
+
+impl Plan {
+    /// What holds for vehicles that do something together.
+    fn swarm_rules(&self) -> Rules {
+        match self {
+            Self::Mission(mission) => mission.swarm_rules(),
+            Self::Free(_) | Self::Connect(_) => Rules::default(),
+        }
+    }
 }
 
 impl Running {
@@ -98,7 +115,7 @@ impl Running {
         before: Ending,
     ) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
-        let (fleet, events) = Fleet::start(backend.clock, cancel.clone());
+        let (fleet, events) = Fleet::start(backend.clock.clone(), cancel.clone());
         let mut running = Self {
             plan: plan.clone(),
             fleet,
@@ -111,6 +128,8 @@ impl Running {
             links_ended: 0,
             dropped: 0,
             course: None,
+            held: watch::Sender::new(false),
+            swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
             processes: None,
             cancel,
         };
@@ -187,7 +206,11 @@ impl Running {
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();
-        let simulator = Simulator::start(world, backend.speedup, &endpoints, cancel).await?;
+        let pace = Pace {
+            speedup: backend.speedup,
+            held: self.held.subscribe(),
+        };
+        let simulator = Simulator::start(world, pace, &endpoints, cancel).await?;
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }
@@ -291,6 +314,18 @@ impl Running {
                 return;
             }
         }
+    }
+
+    /// Lets the embedded simulator stand still, or go on.
+    pub fn hold(&self, held: bool) {
+        self.held.send_replace(held);
+    }
+
+    /// Takes down in the mission's record that all stood still for so long.
+    pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
+        self.inspection.rest(now);
+        let notice = self.course.as_mut()?.flight.note_pause(lasted)?;
+        Some(Notice { at: now, ..notice })
     }
 
     /// Ends the mission; its report comes with the next tick.

@@ -104,6 +104,9 @@ pub(super) async fn run(surroundings: Surroundings, mut requests: mpsc::Receiver
             request = requests.recv() => match request {
                 Some(Request::Connect(transport)) => hub.connect(transport).await,
                 Some(Request::Order(vehicle, order)) => hub.order(vehicle, order).await,
+                Some(Request::Steer(vehicle, steering)) => {
+                    hub.pass_on(vehicle, ToVehicle::Steer(steering));
+                }
                 Some(Request::FetchParameters(vehicle)) => {
                     hub.pass_on(vehicle, ToVehicle::FetchParameters);
                 }
@@ -241,7 +244,7 @@ impl Hub {
         session.heard_via(link_id.0, now);
         let task = VehicleTask {
             session,
-            clock: self.clock,
+            clock: self.clock.clone(),
             inbox: inbox_out,
             route: (link.clone(), peer),
             reconnects: link.status().borrow().reconnects,

@@ -10,7 +10,7 @@ use tokio_util::sync::CancellationToken;
 use super::{Clock, FleetEvent};
 use crate::link::{LinkHandle, Peer, To};
 use crate::parameters::{Fetching, Snapshot};
-use crate::session::{Order, Report, Session};
+use crate::session::{Order, Report, Session, Steering};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
@@ -25,6 +25,8 @@ pub(super) enum ToVehicle {
     Frames(Vec<Frame>),
     /// A command.
     Order(Order),
+    /// Where it is to be, as a part of a manoeuvre.
+    Steer(Steering),
     /// All its parameters are wanted.
     FetchParameters,
     /// Its autopilot was started anew.
@@ -117,6 +119,7 @@ impl VehicleTask {
                 }
             }
             ToVehicle::Order(order) => self.session.order(order, now),
+            ToVehicle::Steer(steering) => self.steer(&steering, now),
             ToVehicle::FetchParameters => self.session.fetch_parameters(now),
             ToVehicle::Restarted => self.session.restarted(now),
             ToVehicle::Route(link, peer) => {
@@ -124,6 +127,13 @@ impl VehicleTask {
                 self.reconnects = link.status().borrow().reconnects;
                 self.route = (link, peer);
             }
+        }
+    }
+
+    /// What cannot be flown to is not said again: whoever steers sees that nothing moves.
+    fn steer(&mut self, steering: &Steering, now: Duration) {
+        if let Err(reason) = self.session.steer(steering, now) {
+            tracing::warn!(vehicle = self.session.vehicle().id, "not steered: {reason}");
         }
     }
 

@@ -4,12 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::geo::LatLon;
+use crate::commands::{Command, Manoeuvre};
+use crate::geo::{LatLon, Outline};
 use crate::language::{self, Action, Context, Pilot, PilotEvent, Script, Seen, Statement, Verb};
 use crate::ledger::{EntryId, Given, Ledger, Risk, RowUpdate};
 use crate::mission::{Flight, Mission, Report as MissionReport};
 use crate::notice::Notice;
 use crate::session::{Order, Report, Session};
+use crate::swarm::{Call, Conductor, Ordered};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -32,7 +34,9 @@ pub(super) struct Crew {
     ledger: Ledger,
     pilot: Pilot,
     flight: Flight,
+    conductor: Conductor,
     places: BTreeMap<String, LatLon>,
+    areas: BTreeMap<String, Outline>,
     notices: Vec<Notice>,
     /// When the mission began; sessions may have begun before.
     begun: Duration,
@@ -51,7 +55,9 @@ impl Crew {
             vehicles: BTreeMap::new(),
             ledger: Ledger::new(),
             pilot: Pilot::new(script),
+            conductor: Conductor::new(mission.swarm_rules()),
             places: mission.places(),
+            areas: mission.named_areas(),
             flight: Flight::new(mission, seed),
             notices: Vec::new(),
             begun: Duration::ZERO,
@@ -156,8 +162,30 @@ impl Crew {
                 PilotEvent::Finished => {}
             }
         }
+        self.conduct(now);
         let said = self.flight.step(elapsed, &self.vehicles, &self.ledger);
         self.notices.extend(said);
+    }
+
+    /// Leads those who do something together.
+    fn conduct(&mut self, now: Duration) {
+        let turn = self.conductor.step(now, &self.vehicles);
+        for row in &turn.rows {
+            self.ledger.apply(row);
+        }
+        for (id, steering) in &turn.steering {
+            let mut seats = self.seats.iter_mut().map(|seat| &mut seat.session);
+            if let Some(session) = seats.find(|session| session.vehicle().id == *id) {
+                // What cannot be flown to is not said again: it shows in what the vehicle does not do.
+                let _ = session.steer(steering, now);
+            }
+        }
+        let begun = self.begun;
+        self.notices
+            .extend(turn.notices.into_iter().map(|notice| Notice {
+                at: notice.at.saturating_sub(begun),
+                ..notice
+            }));
     }
 
     /// Takes snapshots of the vehicles.
@@ -175,6 +203,7 @@ impl Crew {
         places.extend(self.places.clone());
         let context = Context {
             places: Some(&places),
+            areas: Some(&self.areas),
             vehicles: &all,
             ..Context::default()
         };
@@ -193,39 +222,73 @@ impl Crew {
                 return;
             }
         };
+        let line = &statement.line;
         match action {
             Action::Command { verb, command } => {
-                let entry = self.open(&statement.line, verb, command.risk(), &targets, now);
-                for seat in &mut self.seats {
-                    if targets.contains(&seat.session.vehicle().id) {
-                        let order = Order::new(entry, verb, command.clone());
-                        seat.session.order(order, now);
-                    }
-                }
+                let entry = self.open(line, (verb.name, command.risk()), &targets, now);
+                self.order(entry, (verb, &command), &targets, now);
             }
             Action::Deed { verb, deed } => {
-                let entry = self.open(&statement.line, verb, Risk::None, &targets, now);
+                let entry = self.open(line, (verb.name, Risk::None), &targets, now);
                 for row in self.flight.act(entry, &deed, &targets) {
                     self.ledger.apply(&RowUpdate { at: now, ..row });
                 }
+            }
+            Action::Manoeuvre { manoeuvre, .. } => {
+                let given = (manoeuvre.name(), Risk::None);
+                let entry = self.open(line, given, &targets, now);
+                self.begin_manoeuvre(entry, &manoeuvre, &targets, now);
             }
             Action::Wait(_) => {}
         }
     }
 
+    fn order(
+        &mut self,
+        entry: EntryId,
+        (verb, command): (&'static Verb, &Command),
+        targets: &[VehicleId],
+        now: Duration,
+    ) {
+        let ordered = Ordered {
+            entry,
+            verb: verb.name,
+            command,
+            targets,
+        };
+        let (targets, rows) = self.conductor.order(ordered, &self.vehicles, now);
+        rows.iter().for_each(|row| self.ledger.apply(row));
+        for seat in &mut self.seats {
+            if targets.contains(&seat.session.vehicle().id) {
+                let order = Order::new(entry, verb, command.clone());
+                seat.session.order(order, now);
+            }
+        }
+    }
+
+    fn begin_manoeuvre(
+        &mut self,
+        entry: EntryId,
+        manoeuvre: &Manoeuvre,
+        targets: &[VehicleId],
+        now: Duration,
+    ) {
+        let call = Call {
+            entry,
+            manoeuvre,
+            targets,
+        };
+        let rows = self.conductor.begin(call, &self.vehicles, now);
+        rows.iter().for_each(|row| self.ledger.apply(row));
+    }
+
     fn open(
         &mut self,
         line: &str,
-        verb: &'static Verb,
-        risk: Risk,
+        (verb, risk): (&str, Risk),
         targets: &[VehicleId],
         now: Duration,
     ) -> EntryId {
-        let given = Given {
-            line,
-            verb: verb.name,
-            risk,
-        };
-        self.ledger.open(now, given, targets)
+        self.ledger.open(now, Given { line, verb, risk }, targets)
     }
 }

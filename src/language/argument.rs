@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::geo::LatLon;
+use crate::geo::{LatLon, Outline};
 use crate::text;
 use crate::text::Text;
 
@@ -127,6 +127,8 @@ pub enum Kind {
     Mode,
     /// A named place, or latitude and longitude in degrees.
     Point,
+    /// A named area.
+    Area,
     /// A parameter's name.
     Parameter,
     /// A MAVLink message, by name or id.
@@ -216,6 +218,7 @@ pub(super) enum Value {
     Number(f64),
     Word(String),
     Point(LatLon),
+    Area(Outline),
 }
 
 /// A fault in arguments that only show together.
@@ -284,6 +287,14 @@ impl Arguments {
         match self.get(name)? {
             Value::Point(point) => Some(*point),
             _ => None,
+        }
+    }
+
+    /// An area that the form requires.
+    pub fn required_area(&self, name: &'static str) -> Result<&Outline, Problem> {
+        match self.get(name) {
+            Some(Value::Area(outline)) => Ok(outline),
+            _ => Err(Problem::missing(name)),
         }
     }
 

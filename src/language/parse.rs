@@ -37,6 +37,10 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
             verb: head.verb,
             command,
         },
+        Meaning::Manoeuvre(manoeuvre) => Action::Manoeuvre {
+            verb: head.verb,
+            manoeuvre,
+        },
         Meaning::Deed(deed) => Action::Deed {
             verb: head.verb,
             deed,

@@ -6,7 +6,7 @@ use super::Context;
 use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use crate::commands::{command_by_name, command_names};
-use crate::geo::LatLon;
+use crate::geo::{LatLon, Outline};
 use crate::parameters::{Parameters, shown};
 use crate::text;
 use crate::text::Text;
@@ -108,6 +108,7 @@ impl Kind {
                 })?,
             Self::Mode => Value::Word(mode(text, context)?),
             Self::Point => return point(words, context),
+            Self::Area => Value::Area(area(text, context)?),
             Self::Parameter => Value::Word(parameter(text)?),
             Self::Message => Value::Number(f64::from(message(text)?)),
             Self::MavCommand => Value::Number(f64::from(command(text)?)),
@@ -138,6 +139,12 @@ impl Kind {
                     let degrees = format!("{:.6} {:.6}", at.lat_deg, at.lon_deg);
                     (name.clone(), degrees.into())
                 })
+                .collect(),
+            Self::Area => context
+                .areas
+                .into_iter()
+                .flatten()
+                .map(|(name, _)| (name.clone(), text!("grammar-area")))
                 .collect(),
             Self::Message => MavMessage::all_messages()
                 .iter()
@@ -310,6 +317,15 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
     let lon_deg = number(second.text, Unit::Degrees, -180.0, 180.0)
         .map_err(|misread| misread.part(1, "LON"))?;
     Ok((Value::Point(LatLon::new(lat_deg, lon_deg)), 2))
+}
+
+/// An area of which only the name is known has no corners: nobody could fly there.
+fn area(text: &str, context: &Context) -> Result<Outline, Misread> {
+    match context.areas {
+        None if number_length(text) == 0 => Ok(Outline::Polygon(Vec::new())),
+        Some(areas) if areas.contains_key(text) => Ok(areas[text].clone()),
+        _ => Err(Misread::kind(text!("grammar-no-area", area = text))),
+    }
 }
 
 fn parameter(text: &str) -> Result<String, Misread> {

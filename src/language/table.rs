@@ -8,6 +8,7 @@ mod devices;
 mod flight;
 mod mission;
 mod motion;
+mod swarm;
 mod waiting;
 
 /// All verbs, in the order in which they are shown.
@@ -38,6 +39,11 @@ static VERBS: &[Verb] = &[
     motion::ORBIT,
     motion::ROI,
     motion::HOME,
+    swarm::SURVEY,
+    swarm::SEARCH,
+    swarm::FORMATION,
+    swarm::FOLLOW,
+    swarm::SPREAD,
     waiting::WAIT,
     mission::MARK,
     mission::UNMARK,

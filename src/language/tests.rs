@@ -9,6 +9,11 @@ pub(super) fn places() -> BTreeMap<String, LatLon> {
     BTreeMap::from([("tower".to_owned(), LatLon::new(50.45, 30.52))])
 }
 
+static LANES: std::sync::LazyLock<BTreeMap<String, Outline>> = std::sync::LazyLock::new(|| {
+    let corner = LatLon::new(50.45, 30.52);
+    BTreeMap::from([("lane".to_owned(), Outline::square(corner, 100.0))])
+});
+
 pub(super) fn groups() -> BTreeMap<String, Vec<VehicleId>> {
     BTreeMap::from([("red".to_owned(), vec![1, 3]), ("none".to_owned(), vec![])])
 }
@@ -26,6 +31,7 @@ pub(super) fn context<'a>(
     Context {
         groups,
         places: Some(places),
+        areas: Some(&LANES),
         vehicles: &[1, 2, 3, 4, 5, 6, 7, 8],
         class: VehicleClass::Copter,
         parameters: None,
@@ -238,7 +244,9 @@ fn every_example_parses_to_its_own_verb() {
         assert!(!verb.examples.is_empty(), "{verb:?} has no example");
         for example in verb.examples {
             match read(example).expect(example).action {
-                Action::Command { verb: said, .. } | Action::Deed { verb: said, .. } => {
+                Action::Command { verb: said, .. }
+                | Action::Deed { verb: said, .. }
+                | Action::Manoeuvre { verb: said, .. } => {
                     assert_eq!(said, verb, "{example}")
                 }
                 Action::Wait(_) => assert_eq!(verb.name, "wait", "{example}"),

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::argument::{Argument, Arguments, Problem};
 use super::wait::Wait;
-use crate::commands::{Command, Deed};
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::text::Text;
 
 /// One verb: everything that the program knows about it. The message `verb-NAME` says what it does.
@@ -38,6 +38,7 @@ pub struct Form {
 pub(super) enum Meaning {
     Command(Command),
     Deed(Deed),
+    Manoeuvre(Manoeuvre),
     Wait(Wait),
 }
 

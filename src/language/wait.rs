@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use crate::commands::Manoeuvre;
 use crate::ledger::{Ledger, RowState};
 use crate::vehicle::{LandedState, Vehicle, VehicleId};
 
@@ -69,7 +70,8 @@ pub enum Situation {
     Armed,
     /// Its motors are disarmed.
     Disarmed,
-    /// It has reached where the last takeoff, goto, altitude, land or rtl was to bring it.
+    /// It has reached where the last takeoff, goto, altitude, land or rtl was to bring it, or has done its part of
+    /// what several were to do together.
     Arrived,
     /// It is on the ground.
     Landed,
@@ -238,7 +240,9 @@ fn landed(vehicle: &Vehicle) -> bool {
 /// in time, standing still at the target counts.
 fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
     let last = ledger.entries().rev().find_map(|entry| {
-        let moves = ["takeoff", "goto", "altitude", "rtl", "land"].contains(&entry.verb.as_str());
+        let verb = entry.verb.as_str();
+        let moves = ["takeoff", "goto", "altitude", "rtl", "land"].contains(&verb)
+            || Manoeuvre::is_named(verb);
         let row = entry.rows.iter().find(|row| row.vehicle == vehicle.id)?;
         moves.then_some((entry.verb.as_str(), row.state))
     });

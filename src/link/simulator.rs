@@ -127,6 +127,23 @@ impl From<SimulatorError> for Text {
     }
 }
 
+/// How fast simulated time passes.
+#[derive(Debug, Clone)]
+pub struct Pace {
+    /// Simulated seconds per second.
+    pub speedup: f64,
+    /// While this is true, nothing moves and nobody is served.
+    pub held: watch::Receiver<bool>,
+}
+
+impl From<f64> for Pace {
+    /// A pace that is never held.
+    fn from(speedup: f64) -> Self {
+        let (_, held) = watch::channel(false);
+        Self { speedup, held }
+    }
+}
+
 /// The server of the embedded simulator.
 #[derive(Debug)]
 pub struct Simulator;
@@ -148,7 +165,7 @@ pub struct Started {
 }
 
 impl Simulator {
-    /// Starts to run a world `speedup` times as fast as real time, until it is cancelled. Ground stations can
+    /// Starts to run a world at a pace, until it is cancelled. Ground stations can
     /// connect once this has returned.
     ///
     /// # Errors
@@ -156,10 +173,12 @@ impl Simulator {
     /// runs then.
     pub async fn start(
         mut world: World,
-        speedup: f64,
+        pace: impl Into<Pace>,
         endpoints: &[Endpoint],
         cancel: CancellationToken,
     ) -> Result<Started, SimulatorError> {
+        let pace = pace.into();
+        let speedup = pace.speedup;
         if !(speedup > 0.0 && speedup <= SPEEDUP_MAX) {
             return Err(SimulatorError::Speedup(speedup));
         }
@@ -181,7 +200,7 @@ impl Simulator {
             doors,
             count,
         };
-        let task = tokio::spawn(unconstrained(running.run(speedup, cancel)));
+        let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
         Ok(Started {
             pipes,
             addresses: addresses.iter().map(|[zero, ..]| *zero).collect(),
@@ -292,7 +311,7 @@ struct Running {
 }
 
 impl Running {
-    async fn run(mut self, speedup: f64, cancel: CancellationToken) {
+    async fn run(mut self, given: Pace, cancel: CancellationToken) {
         let mut wake = interval(STEP);
         wake.set_missed_tick_behavior(MissedTickBehavior::Skip);
         let mut last = Instant::now();
@@ -303,9 +322,13 @@ impl Running {
                 _ = wake.tick() => {}
             }
             let now = Instant::now();
+            if *given.held.borrow() {
+                last = now;
+                continue;
+            }
             // A vehicle that was given another pace sets it for all.
             let wanted = self.world.wanted_speedup();
-            let pace = wanted.unwrap_or(speedup).min(SPEEDUP_MAX);
+            let pace = wanted.unwrap_or(given.speedup).min(SPEEDUP_MAX);
             owed += (now - last).min(CATCH_UP).mul_f64(pace);
             last = now;
             self.doors.read(&mut self.world);

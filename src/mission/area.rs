@@ -1,5 +1,7 @@
 //! The areas of a mission that the trainee is told of.
 
+use std::collections::BTreeMap;
+
 use super::Mission;
 use super::zone::{Shape, ZoneKind};
 use crate::geo::Outline;
@@ -45,5 +47,11 @@ impl Mission {
             },
         };
         self.zones.iter().map(area).collect()
+    }
+
+    /// The same by name, for the words of a line.
+    pub fn named_areas(&self) -> BTreeMap<String, Outline> {
+        let areas = self.areas().into_iter();
+        areas.map(|area| (area.name, area.outline)).collect()
     }
 }

@@ -57,7 +57,7 @@ pub(super) struct Draft {
     pub zones: Vec<Zone>,
     pub sensors: Vec<&'static Sensor>,
     pub surveys: Vec<SurveyPlan>,
-    /// Ids of the hazards, in the order of the file.
+    /// Names of the hazards, in the order of the file.
     pub hazards: Vec<String>,
     /// All names in the file that could be referred to, whether they could be read or not.
     pub declared: Vec<String>,
@@ -256,7 +256,7 @@ impl Draft {
         Some((sensor, probe?))
     }
 
-    /// A hazard, as its place in the file.
+    /// The place of a hazard in the file, by name.
     pub fn hazard(&self, name: &Spanned<String>, faults: &mut Faults) -> Option<usize> {
         let found = self.hazards.iter().position(|id| id == name.get_ref());
         if found.is_none() {

@@ -24,6 +24,7 @@ use crate::vehicle::{Severity, Vehicle};
 
 mod deeds;
 mod loads;
+mod pause;
 mod places;
 mod result;
 mod view;
@@ -426,6 +427,7 @@ impl Flight {
     fn scene(&self) -> Scene<'_> {
         Scene {
             now: self.elapsed,
+            over: self.ended.is_some() || self.elapsed >= self.mission.time_limit,
             vehicles: &self.crafts,
             surveys: &self.surveys,
             world: &self.world,

@@ -16,6 +16,7 @@ pub(super) mod line;
 pub(super) mod minefield;
 pub(super) mod people;
 mod placing;
+pub(super) mod fire;
 pub(super) mod plume;
 pub(super) mod puffs;
 pub(super) mod radiation;
@@ -23,6 +24,7 @@ pub(super) mod survivors;
 mod wander;
 
 pub(crate) use people::Care;
+pub(crate) use fire::{Fire, Grid};
 
 /// A hazard as the file describes it.
 pub(crate) trait Hazard: Debug + Send + Sync {
@@ -57,6 +59,11 @@ pub(crate) trait Field: Debug + Send + Sync {
 
     /// How near a place is to the structure; `None` for hazards without one.
     fn distance_m(&self, _at: Point, _height_m: f64) -> Option<f64> {
+        None
+    }
+
+    /// The fire that it is, if it is one.
+    fn fire(&self) -> Option<&Fire> {
         None
     }
 
@@ -202,4 +209,5 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[
     ("puffs", puffs::read),
     ("radiation", radiation::read),
     ("survivors", survivors::read),
+    ("fire", fire::read),
 ];

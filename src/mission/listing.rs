@@ -19,6 +19,8 @@ pub struct Listing {
     pub brief: Text,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
+    /// Difficulty, 0 (first steps) to 3.
+    pub tier: u8,
     /// How many vehicles fly it.
     pub vehicles: usize,
     /// Mission time allowed.
@@ -45,6 +47,8 @@ pub struct Listing {
     pub weights: Vec<(Text, f64)>,
     /// Points needed for medals.
     pub medals: Medals,
+    /// Whether it may be paused.
+    pub pausable: bool,
     /// What gold needs besides points.
     pub gold_requires: Vec<Text>,
 }
@@ -75,6 +79,7 @@ impl Mission {
             title: self.title.clone(),
             brief: self.brief.clone(),
             drill_of: self.drill_of.clone(),
+            tier: self.tier,
             vehicles: self.vehicles,
             time_limit: self.time_limit,
             par_time: self.scoring.par_time,
@@ -88,6 +93,7 @@ impl Mission {
             hints: self.hints.clone(),
             weights: Component::ALL.into_iter().filter_map(weight).collect(),
             medals: self.scoring.medals,
+            pausable: true,
             gold_requires: self
                 .scoring
                 .gold_requires
@@ -102,6 +108,7 @@ impl Mission {
         let world = World::new(self, 0);
         let nobody = Scene {
             now: Duration::ZERO,
+            over: false,
             vehicles: &[],
             surveys: &[],
             world: &world,

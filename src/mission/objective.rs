@@ -15,7 +15,11 @@ use crate::text::Text;
 pub(super) mod coverage;
 pub(super) mod deliver;
 pub(super) mod detect;
+pub(super) mod dose;
+pub(super) mod locate;
 pub(super) mod map_error;
+pub(super) mod perimeter;
+pub(super) mod protect;
 pub(super) mod recover;
 pub(super) mod sample_cells;
 pub(super) mod standoff;
@@ -56,6 +60,8 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 pub(crate) struct Scene<'a> {
     /// Mission time.
     pub now: Duration,
+    /// Whether the flight is over, or its time is up.
+    pub over: bool,
     pub vehicles: &'a [Craft],
     pub surveys: &'a [Survey],
     pub world: &'a World,
@@ -124,4 +130,9 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("deliver", deliver::read),
     ("detect", detect::read),
     ("standoff", standoff::read),
+    ("locate", locate::read),
+    ("perimeter", perimeter::read),
+    ("protect", protect::read),
+    ("contain", protect::read_contain),
+    ("dose", dose::read),
 ];

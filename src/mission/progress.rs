@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use super::Pledge;
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::text::Text;
@@ -29,6 +30,12 @@ pub struct Progress {
     pub hint: Option<Text>,
     /// Places that have come up during the flight, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,
+    /// What detectors have found so far, in the order of its numbers.
+    pub contacts: Vec<ShownContact>,
+    /// What the trainee has reported so far.
+    pub marks: Vec<ShownMark>,
+    /// What the trainee has said before launch.
+    pub pledge: Pledge,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
 }
@@ -55,6 +62,39 @@ pub enum ObjectiveState {
     Met,
     /// Not reached when the flight ended.
     Missed,
+}
+
+/// Something that detectors believe to have found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShownContact {
+    /// What it is called: `c1`.
+    pub name: String,
+    /// What it is taken for, in the grammar's word.
+    pub kind: &'static str,
+    /// Where it is believed to be.
+    pub at: LatLon,
+    /// How far anybody trusts it.
+    pub trust: Trust,
+}
+
+/// How far a contact is trusted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Trust {
+    /// One kind of sensor has seen it.
+    Seen,
+    /// Two kinds have.
+    Confirmed,
+    /// The trainee has reported it.
+    Reported,
+}
+
+/// What the trainee has reported.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShownMark {
+    /// What it is said to be, in the grammar's word.
+    pub kind: Option<&'static str>,
+    /// Where.
+    pub at: LatLon,
 }
 
 /// What a virtual sensor shows.

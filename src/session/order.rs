@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::naming::Renamed;
-use crate::commands::Command;
+use crate::commands::{Command, Setpoint};
 use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -23,6 +23,15 @@ pub struct Order {
     pub command: Command,
     /// What its parameter was called by whoever gave it, where the vehicle calls it differently.
     pub renamed: Option<Renamed>,
+}
+
+/// One vehicle's part in what several do together, at one moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Steering {
+    /// What they do, for explanations.
+    pub verb: &'static str,
+    /// Where the vehicle is to be.
+    pub setpoint: Setpoint,
 }
 
 /// Something to report.

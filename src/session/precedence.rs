@@ -33,7 +33,7 @@ pub(super) fn is_urgent(command: &Command, vehicle: &Vehicle) -> bool {
 }
 
 /// Whether the command decides where the vehicle flies, so that a newer one of the kind replaces it.
-pub(super) fn moves_the_vehicle(command: &Command) -> bool {
+pub fn moves_the_vehicle(command: &Command) -> bool {
     matches!(
         command,
         Command::SetMode { .. }

@@ -32,6 +32,7 @@ catalogue! {
     "plain",
     "rooms",
     "scoring",
+    "swarm",
     "terminal",
     "vehicle",
     "files",

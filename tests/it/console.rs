@@ -17,6 +17,7 @@ mod map;
 mod palette;
 mod panes;
 pub mod parameters;
+mod pause;
 mod swarm;
 
 fn selection(console: &Console) -> Vec<u16> {

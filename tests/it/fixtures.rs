@@ -5,7 +5,7 @@ use std::time::Duration;
 use sortie::geo::LatLon;
 use sortie::language::Findings;
 use sortie::mission::{
-    Cell, Listing, Mission, ObjectiveProgress, ObjectiveState, Progress, Reading,
+    Cell, Listing, Mission, ObjectiveProgress, ObjectiveState, Pledge, Progress, Reading,
 };
 use sortie::scoring::{ComponentReport, EventReport, ObjectiveReport, Report};
 use sortie::vehicle::{
@@ -178,6 +178,9 @@ pub fn progress() -> Progress {
         hint: Some("hover 3 s over a cell before you fly on".into()),
         findings: Findings::default(),
         places: std::collections::BTreeMap::new(),
+        contacts: Vec::new(),
+        marks: Vec::new(),
+        pledge: Pledge::default(),
         cells: cells.collect(),
     }
 }

@@ -15,7 +15,7 @@ const PURE: &[&[&str]] = &[
     &["notice", "ledger"],
     &["commands", "messages"],
     &["language"],
-    &["session", "sim"],
+    &["session", "sim", "swarm"],
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["headless"],

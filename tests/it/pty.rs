@@ -160,6 +160,41 @@ fn a_mission_that_is_abandoned_ends_in_its_debrief() {
 }
 
 #[test]
+fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
+    let mut terminal = Terminal::start(&["fly", "01", "--speedup", "4"], 80, 24);
+    terminal
+        .see("MISSION")
+        .see("before launch")
+        .see("1 vehicle");
+    terminal
+        .press("s")
+        .see("predict ")
+        .press("800\r")
+        .see("800 predicted");
+    terminal
+        .press("g")
+        .see("goal ")
+        .press("time 300s\r")
+        .see("time 300s");
+    terminal.press("\r").see("FLY").see("ready");
+    terminal.command("1 guided").see("GUIDED");
+    terminal.command("1 arm").see("1 armed");
+    terminal.command("1 takeoff 20").see("1 takeoff 20  done");
+    terminal.press("p").see("PAUSED");
+    terminal
+        .command("1 rtl")
+        .see("commands wait for nobody")
+        .press("\u{1b}");
+    terminal.command("continue").see_no_more("PAUSED");
+    terminal.press("n").see("paused ").press("\u{1b}");
+    terminal.command("abandon").see("type y").press("y");
+    terminal.see("DEBRIEF").see("ABANDONED");
+    signal(&terminal, "-TERM");
+    terminal.end();
+    is_given_back(&terminal);
+}
+
+#[test]
 fn a_terminal_that_is_too_small_is_told_so_until_it_grows() {
     let mut terminal = free_flight(80, 24);
     terminal

@@ -58,6 +58,7 @@ fn busy() -> Console {
         id: "m01".to_owned(),
         title: "Air sample at the yard".into(),
     });
+    console.press("F");
     let mut lost: Vehicle = fixtures::airborne(3, 120.0, 31.5);
     lost.link.lost = true;
     lost.link.last_heard = Some(Duration::from_secs(180));

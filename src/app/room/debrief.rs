@@ -2,14 +2,21 @@
 
 use std::time::Duration;
 
+use crossterm::event::KeyCode;
+
 use crate::app::action::Action;
 use crate::app::effect::Effect;
-use crate::app::keymap::{ESCAPE, Row, does, key};
+use crate::app::keymap::{ESCAPE, Press, Row, does, key};
+use crate::app::room::home::fly_drill;
 use crate::app::state::State;
+use crate::app::update::act::guarded;
 use crate::debrief;
+use crate::mission::Listing;
 use crate::notice::sanitised;
 use crate::scoring::Report;
+use crate::text;
 use crate::text::Locale;
+use crate::vehicle::Severity;
 
 /// Keys pressed so soon after the debrief has opened were meant for the flight.
 const DEAF: Duration = Duration::from_secs(1);
@@ -41,21 +48,72 @@ impl Debrief {
 /// Its keys.
 pub const KEYS: &[Row] = &[
     does(key('r'), Action::Again),
+    does(key('s'), Action::AgainAlike),
+    does(key('n'), Action::NextMission),
+    does(key('t'), Action::Drill),
     does(key('h'), Action::Leave),
     does(ESCAPE, Action::Leave),
+    does(Press::Plain(KeyCode::Tab), Action::NextSection),
+    does(Press::Plain(KeyCode::BackTab), Action::PreviousSection),
 ];
 
 /// What its actions do.
 pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let Action::Move(step) = action else {
-        return None;
-    };
-    // Scrolling ends with the last page; the header and the footer take a row each.
-    let rows = usize::from(state.size.1).saturating_sub(2);
-    if let Some(debrief) = &mut state.rooms.debrief {
-        let lines = debrief.lines(&state.locale).len();
-        let positions = (lines + 1).saturating_sub(rows).max(1);
-        debrief.scroll = step.apply(debrief.scroll.min(positions - 1), positions);
+    match action {
+        Action::Move(step) => turn(state, |scroll, _, positions| step.apply(scroll, positions)),
+        Action::NextSection => turn(state, |scroll, sections, _| {
+            let next = sections.iter().find(|&&line| line > scroll);
+            next.copied().unwrap_or(0)
+        }),
+        Action::PreviousSection => turn(state, |scroll, sections, last| {
+            let before = sections.iter().rfind(|&&line| line < scroll);
+            before.or(sections.last()).copied().unwrap_or(last)
+        }),
+        Action::NextMission => return Some(next_mission(state)),
+        Action::Drill => {
+            let flown = state.rooms.debrief.as_ref()?.report.mission.clone();
+            return Some(fly_drill(state, &flown));
+        }
+        _ => return None,
     }
     Some(Vec::new())
+}
+
+/// Shows another line first, made from the present one, the first lines of the sections, and how many lines can be
+/// first: scrolling ends with the last page.
+fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
+    // The header and the footer take a row each.
+    let rows = usize::from(state.size.1).saturating_sub(2);
+    if let Some(debrief) = &mut state.rooms.debrief {
+        let lines = debrief.lines(&state.locale);
+        let positions = (lines.len() + 1).saturating_sub(rows).max(1);
+        let sections = lines
+            .iter()
+            .enumerate()
+            .filter(|(_, line)| is_section(line));
+        let sections: Vec<usize> = sections.map(|(at, _)| at.min(positions - 1)).collect();
+        debrief.scroll = to(debrief.scroll.min(positions - 1), &sections, positions);
+    }
+}
+
+/// Whether a line is the name of a section: the debrief writes those in capitals, after one blank.
+pub fn is_section(line: &str) -> bool {
+    line.starts_with(' ') && line.chars().skip(1).take(2).all(char::is_uppercase)
+}
+
+/// Flies the mission after the one that was flown.
+fn next_mission(state: &mut State) -> Vec<Effect> {
+    let flown = state.rooms.debrief.as_ref();
+    let flown = flown.map(|debrief| debrief.report.mission.as_str());
+    let of = |it: &Listing| it.drill_of.clone().unwrap_or_else(|| it.id.clone());
+    let mut all = state.missions.iter();
+    let flown = all.find(|it| Some(it.id.as_str()) == flown).map(of);
+    let mut missions = state.missions.iter().filter(|it| it.drill_of.is_none());
+    let is_there = missions.any(|it| Some(&it.id) == flown.as_ref());
+    let next = missions.next().filter(|_| is_there);
+    let Some(id) = next.map(|next| next.id.clone()) else {
+        state.say(Severity::Notice, text!("debrief-last-mission"));
+        return Vec::new();
+    };
+    guarded(state, text!("ask-start"), Effect::StartMission(id))
 }

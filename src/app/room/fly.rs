@@ -49,6 +49,7 @@ pub const KEYS: &[Row] = &[
     does(key('S'), Action::SortReverse),
     does(key('x'), Action::Acknowledge),
     writes('@', "select @"),
+    writes('w', "hint"),
 ];
 
 impl Fly {

@@ -5,6 +5,7 @@ use crate::app::effect::Effect;
 use crate::app::keymap::{ENTER, Row, does, key};
 use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act::{guarded, quit};
+use crate::mission::Listing;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -32,11 +33,19 @@ pub enum HomeItem {
 }
 
 /// Its keys.
-pub const KEYS: &[Row] = &[does(ENTER, Action::Submit), does(key('q'), Action::Quit)];
+pub const KEYS: &[Row] = &[
+    does(ENTER, Action::Submit),
+    does(key('t'), Action::Drill),
+    does(key('q'), Action::Quit),
+];
 
 /// What the home screen offers, from the top.
 pub fn items(state: &State) -> Vec<HomeItem> {
-    let missions = (0..state.missions.len()).map(HomeItem::Mission);
+    let mut missions: Vec<usize> = (0..state.missions.len())
+        .filter(|&at| of_drill(state, &state.missions[at]).is_none())
+        .collect();
+    missions.sort_by_key(|&at| state.missions[at].tier);
+    let missions = missions.into_iter().map(HomeItem::Mission);
     let ardupilot = state.has_ardupilot.then_some(HomeItem::ArduPilot);
     let others = [HomeItem::Connect, HomeItem::Quit];
     missions
@@ -44,6 +53,27 @@ pub fn items(state: &State) -> Vec<HomeItem> {
         .chain(ardupilot)
         .chain(others)
         .collect()
+}
+
+/// The mission that a drill trains for, if it is on offer: such a drill is not listed by itself.
+fn of_drill<'a>(state: &'a State, drill: &Listing) -> Option<&'a Listing> {
+    let of = drill.drill_of.as_ref()?;
+    state.missions.iter().find(|mission| mission.id == *of)
+}
+
+/// The drill for a mission, by the mission's id.
+pub fn drill<'a>(state: &'a State, mission: &str) -> Option<&'a Listing> {
+    let mut all = state.missions.iter();
+    all.find(|listing| listing.drill_of.as_deref() == Some(mission))
+}
+
+/// Flies the drill for a mission.
+pub fn fly_drill(state: &mut State, mission: &str) -> Vec<Effect> {
+    let Some(id) = drill(state, mission).map(|drill| drill.id.clone()) else {
+        state.say(Severity::Notice, text!("home-no-drill"));
+        return Vec::new();
+    };
+    guarded(state, text!("ask-start"), Effect::StartMission(id))
 }
 
 /// What its actions do.
@@ -55,6 +85,14 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
             // The room of the mission shows another one now.
             state.rooms.mission.scroll = 0;
             Some(Vec::new())
+        }
+        Action::Drill => {
+            let item = items(state).get(state.rooms.home.cursor).copied();
+            let Some(HomeItem::Mission(at)) = item else {
+                return Some(Vec::new());
+            };
+            let id = state.missions[at].id.clone();
+            Some(fly_drill(state, &id))
         }
         Action::Submit => {
             let item = items(state).get(state.rooms.home.cursor).copied();

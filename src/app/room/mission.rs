@@ -3,7 +3,7 @@
 
 use crate::app::action::Action;
 use crate::app::effect::Effect;
-use crate::app::keymap::{ENTER, ESCAPE, Row, does};
+use crate::app::keymap::{ENTER, ESCAPE, Row, does, key, writes};
 use crate::app::room::Room;
 use crate::app::room::home::{self, HomeItem};
 use crate::app::state::State;
@@ -36,7 +36,15 @@ impl Mission {
 }
 
 /// Its keys.
-pub const KEYS: &[Row] = &[does(ENTER, Action::Submit), does(ESCAPE, Action::Escape)];
+pub const KEYS: &[Row] = &[
+    does(ENTER, Action::Submit),
+    does(ESCAPE, Action::Escape),
+    writes('s', "predict "),
+    writes('g', "goal "),
+    writes('w', "hint"),
+    does(key('r'), Action::Again),
+    does(key('a'), Action::Abandon),
+];
 
 /// The mission that is shown.
 pub fn shown(state: &State) -> Option<&Listing> {
@@ -65,7 +73,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
             shown(state)?;
             home::act(state, action)
         }
-        Action::Escape => {
+        Action::Escape | Action::Submit => {
             let flying = state.session.activity.is_some();
             show(state, if flying { Room::Fly } else { Room::Home });
             Some(Vec::new())

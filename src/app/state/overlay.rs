@@ -5,7 +5,7 @@ use tui_input::Input;
 use crate::app::effect::Effect;
 use crate::app::room::Room;
 use crate::app::room::parameters::Setting;
-use crate::commands::{Command, Deed};
+use crate::commands::{Command, Deed, Manoeuvre};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Completion, Verb};
 use crate::ledger::Risk;
@@ -127,6 +127,8 @@ pub enum Asked {
     Command(Command),
     /// The mission does it.
     Deed(Deed),
+    /// The targets do it together.
+    Manoeuvre(Manoeuvre),
 }
 
 impl Asked {
@@ -134,7 +136,7 @@ impl Asked {
     pub fn risk(&self) -> Risk {
         match self {
             Self::Command(command) => command.risk(),
-            Self::Deed(_) => Risk::None,
+            Self::Deed(_) | Self::Manoeuvre(_) => Risk::None,
         }
     }
 }

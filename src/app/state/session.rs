@@ -9,6 +9,7 @@ use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::{Area, Listing, Progress};
+use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -47,12 +48,16 @@ pub struct Session {
     pub mission: Option<Progress>,
     /// Whether the mission is over: its debrief is there.
     pub over: bool,
+    /// Whether it stands still.
+    pub paused: bool,
     /// The groups that commands may name.
     pub groups: Groups,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.
     pub areas: Vec<Area>,
+    /// What vehicles that do something together are going to fly.
+    pub paths: Vec<Path>,
     /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
     /// Whether the user has put the cursor somewhere.

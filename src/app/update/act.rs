@@ -1,6 +1,6 @@
 //! What actions mean where a room has no meaning of its own for them.
 
-use super::{order, palette};
+use super::{mission, order, palette};
 use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::room::{self, Room, fly};
@@ -27,7 +27,10 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Erase => drop(state.typed.pop()),
         Action::Submit => submit(state),
         Action::Escape => escape(state),
-        Action::Again => return restart(state),
+        Action::Again => return mission::restart(state, false),
+        Action::AgainAlike => return mission::restart(state, true),
+        Action::PauseMission => return mission::turn(state),
+        Action::Abandon => return mission::abandon(state),
         Action::Leave => return leave(state),
         Action::Quit => return quit(state),
         // Only prompts and single rooms know the others.
@@ -73,25 +76,6 @@ pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Vec<Effect>
 /// Leaves the session; asks first where something would be lost.
 pub fn leave(state: &mut State) -> Vec<Effect> {
     guarded(state, text!("ask-leave"), Effect::LeaveSession)
-}
-
-/// Flies the same mission again; asks first where something would be lost.
-pub fn restart(state: &mut State) -> Vec<Effect> {
-    if state.flown_mission().is_none() {
-        state.say(Severity::Notice, text!("mission-none"));
-        return Vec::new();
-    }
-    guarded(state, text!("ask-restart"), Effect::RestartMission)
-}
-
-/// Ends the mission, after a question.
-pub fn abandon(state: &mut State) -> Vec<Effect> {
-    if state.session.mission.is_none() || state.session.over {
-        state.say(Severity::Notice, text!("mission-none"));
-        return Vec::new();
-    }
-    let reason = text!("ask-abandon-reason");
-    ask(state, text!("ask-abandon"), reason, Effect::AbandonMission)
 }
 
 /// Forgets the session and shows the home screen. The debrief stays until another session starts.

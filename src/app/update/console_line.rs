@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{act, swarm};
+use super::{act, mission, swarm};
 use crate::app::console::{self, ConsoleLine, Deed};
 use crate::app::effect::Effect;
 use crate::app::lines;
@@ -126,8 +126,10 @@ fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
         Deed::Ledger => act::show(state, Room::Ledger),
         Deed::Notices => act::look_back(state, Log::Notices),
         Deed::Brief => act::brief(state),
-        Deed::Abandon => return act::abandon(state),
-        Deed::Restart => return act::restart(state),
+        Deed::Pause => return mission::pause(state),
+        Deed::GoOn => return mission::go_on(state),
+        Deed::Abandon => return mission::abandon(state),
+        Deed::Restart => return mission::restart(state, false),
         Deed::Leave => return act::leave(state),
         Deed::Quit => return act::quit(state),
     }

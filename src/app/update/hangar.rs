@@ -70,7 +70,12 @@ fn begin(state: &mut State, count: usize) {
     );
     state.session.began_at = state.now;
     if state.room == Room::Hangar {
-        state.room = Room::Fly;
+        let has_mission = state.flown_mission().is_some();
+        state.room = if has_mission {
+            Room::Mission
+        } else {
+            Room::Fly
+        };
         state.hush();
     }
 }

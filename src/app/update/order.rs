@@ -22,6 +22,10 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
         if state.session.is_starting() && state.flown_mission().is_some() {
             return Err(Diagnostic::new(first_word(line), text!("hangar-not-begun")));
         }
+        if state.session.paused {
+            return Err(Diagnostic::new(first_word(line), text!("pause-refuses"))
+                .with_help(text!("pause-refuses-help")));
+        }
         let selection = state.addressed();
         let targets = statement
             .targets
@@ -88,7 +92,10 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
     let now = state.now;
     let given = Given {
         line: &order.line,
-        verb: order.verb.name,
+        verb: match &order.what {
+            Asked::Manoeuvre(manoeuvre) => manoeuvre.name(),
+            _ => order.verb.name,
+        },
         risk: order.what.risk(),
     };
     let entry = state.session.open(now, given, &order.targets);
@@ -107,6 +114,11 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
             targets,
             deed,
         },
+        Asked::Manoeuvre(manoeuvre) => Effect::Manoeuvre {
+            entry,
+            targets,
+            manoeuvre,
+        },
     }]
 }
 
@@ -114,6 +126,7 @@ fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Or
     let (verb, what) = match statement.action {
         Action::Command { verb, command } => (verb, Asked::Command(command)),
         Action::Deed { verb, deed } => (verb, Asked::Deed(deed)),
+        Action::Manoeuvre { verb, manoeuvre } => (verb, Asked::Manoeuvre(manoeuvre)),
         Action::Wait(_) => return Err(lines::only_in_scripts(line)),
     };
     // The ledger has to say to whom the command went, also after the selection has changed.

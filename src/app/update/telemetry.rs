@@ -89,9 +89,16 @@ pub fn started(state: &mut State, started: Started) {
     state.rooms.forget_session();
     map::began(state);
     state.typed.clear();
-    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are.
-    let is_starting = state.session.is_starting();
-    state.room = if is_starting { Room::Hangar } else { Room::Fly };
+    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are. Who
+    // comes to a mission reads first what it is about; who flies it again knows.
+    let comes = matches!(state.room, Room::Home | Room::Mission);
+    state.room = if state.session.is_starting() {
+        Room::Hangar
+    } else if comes && state.flown_mission().is_some() {
+        Room::Mission
+    } else {
+        Room::Fly
+    };
     state.overlay = None;
     state.hush();
     state.session.alarms.mute(&state.config.alerts.mute);

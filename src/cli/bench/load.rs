@@ -56,7 +56,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         ardupilot: None,
         opening: Opening::Free,
         vehicles: options.vehicles,
-        seed: 1,
+        seed: Some(1),
         speedup: 1.0,
         look: Look::default(),
         preferences: Preferences::default(),

@@ -36,6 +36,11 @@ impl Inspection {
         self.taps.push(tap);
     }
 
+    /// Nothing was heard because nothing moved: the doctor is asked only when something could be heard again.
+    pub fn rest(&mut self, now: Duration) {
+        self.next_exam = now + EXAMINE_EVERY;
+    }
+
     /// What the doctor says, if it is time to ask.
     pub fn examine(
         &mut self,

@@ -1,6 +1,6 @@
 //! Verbs about outputs, messages, parameters and bare MAVLink.
 
-use super::{ASK, Built, ONCE, command};
+use super::{ASK, Built, ONCE, command, swarm};
 use crate::commands::Command;
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Danger, Form, Verb};
@@ -41,23 +41,32 @@ pub(super) const SERVO: Verb = Verb {
 pub(super) const RELAY: Verb = Verb {
     name: "relay",
     aliases: &[],
-    examples: &["relay 0 on"],
-    forms: &[Form {
-        arguments: &[
-            Argument::value(
-                "relay",
-                Kind::Whole(Unit::None, 0.0, 15.0),
-                "argument-relay",
-            ),
-            Argument::value("state", Kind::Choice(&["on", "off"]), ""),
-        ],
-        build: |given| {
-            command(Command::Relay {
-                relay: given.required("relay")? as u8,
-                on: given.required_word("state")? == "on",
-            })
+    examples: &[
+        "relay 0 on",
+        "2-4 relay to n 900 e 0 up 60",
+        "2-4 relay to vehicle 1",
+    ],
+    forms: &[
+        Form {
+            arguments: &[
+                Argument::value(
+                    "relay",
+                    Kind::Whole(Unit::None, 0.0, 15.0),
+                    "argument-relay",
+                ),
+                Argument::value("state", Kind::Choice(&["on", "off"]), ""),
+            ],
+            build: |given| {
+                command(Command::Relay {
+                    relay: given.required("relay")? as u8,
+                    on: given.required_word("state")? == "on",
+                })
+            },
         },
-    }],
+        swarm::CHAIN_TO_PLACE,
+        swarm::CHAIN_TO_VEHICLE,
+        swarm::CHAIN_TO_POINT,
+    ],
     danger: Danger::None,
     retry: ASK,
 };

@@ -108,7 +108,7 @@ pub(super) const RTL: Verb = Verb {
 
 pub(super) const HOLD: Verb = Verb {
     name: "hold",
-    aliases: &["pause", "stop"],
+    aliases: &["stop"],
     examples: &["all hold"],
     forms: &[Form {
         arguments: &[],
@@ -120,8 +120,8 @@ pub(super) const HOLD: Verb = Verb {
 
 pub(super) const RESUME: Verb = Verb {
     name: "resume",
-    aliases: &["continue"],
-    examples: &["resume", "1-2 continue"],
+    aliases: &[],
+    examples: &["resume", "1-2 resume"],
     forms: &[Form {
         arguments: &[],
         build: |_| command(Command::Resume),

@@ -239,3 +239,21 @@ async fn a_cancelled_simulator_ends_its_pipes() {
     rig.until(|s| s.state == LinkState::Ended).await;
     started.task.await.expect("no panic");
 }
+
+#[tokio::test(start_paused = true)]
+async fn while_it_is_held_no_vehicle_moves_or_says_anything() {
+    let (hold, held) = watch::channel(false);
+    let pace = Pace { speedup: 1.0, held };
+    let cancel = CancellationToken::new();
+    let started = Simulator::start(world(1), pace, &[Endpoint::Pipes], cancel).await;
+    let mut started = started.expect("the simulator starts");
+    let mut rig = Rig::over(Transport::Pipe(started.pipes.remove(0)));
+    assert!(heartbeats(&mut rig, Duration::from_secs(5)).await >= 4);
+    hold.send_replace(true);
+    // What was said before may still be on its way.
+    heartbeats(&mut rig, Duration::from_millis(100)).await;
+    assert_eq!(heartbeats(&mut rig, Duration::from_secs(60)).await, 0);
+    hold.send_replace(false);
+    let count = heartbeats(&mut rig, Duration::from_secs(5)).await;
+    assert!((4..=6).contains(&count), "{count}: time was made up for");
+}

@@ -139,7 +139,8 @@ fn content(
         declared,
         ..Draft::default()
     };
-    let hazards = hazards(sections.optional("hazards"), &mut draft, faults);
+    let (hazards, named) = hazards(sections.optional("hazards"), &draft, faults);
+    draft.hazards = named;
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
     Content {
         hazards,
@@ -278,20 +279,19 @@ fn array<'i, T>(
         .collect()
 }
 
+/// The hazards and their names; those that could not be read have a name only.
 fn hazards(
     value: Option<Spanned<DeValue<'_>>>,
-    draft: &mut Draft,
+    draft: &Draft,
     faults: &mut Faults,
-) -> Vec<Box<dyn Hazard>> {
+) -> (Vec<Box<dyn Hazard>>, Vec<String>) {
     let mut seen = Vec::new();
-    array(value, faults, |value, faults| {
+    let hazards = array(value, faults, |value, faults| {
         let section = kinded(value, faults)?;
         check_unique(&mut seen, &section.id, faults);
-        let id = section.id.get_ref().clone();
-        let hazard = by_kind("hazard", section, hazard::KINDS, draft, faults)?;
-        draft.hazards.push(id);
-        Some(hazard)
-    })
+        by_kind("hazard", section, hazard::KINDS, draft, faults)
+    });
+    (hazards, seen)
 }
 
 fn objectives(

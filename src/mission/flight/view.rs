@@ -9,6 +9,8 @@ use crate::mission::{
 use crate::scoring::score;
 use crate::text::Text;
 
+mod finds;
+
 impl Flight {
     /// How it stands, for the mission panel.
     pub fn progress(&self) -> Progress {
@@ -42,6 +44,9 @@ impl Flight {
             findings: self.findings(),
             hint: self.hint(&standings),
             places: self.places(),
+            contacts: self.shown_contacts(),
+            marks: self.shown_marks(),
+            pledge: self.pledge,
             cells: self.cells(),
         }
     }

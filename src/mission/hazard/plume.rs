@@ -250,7 +250,7 @@ fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
 
 impl Plume {
     /// The mean concentration; between calm air and the slowest wind that the plume is good for, a mixture.
-    fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
+    pub fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
         let windy = (wind.speed_m_s / CALM_BELOW_M_S).clamp(0.0, 1.0);
         let mut concentration = 0.0;
         if windy > 0.0 {

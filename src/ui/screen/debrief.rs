@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
+use crate::app::room::debrief::is_section;
 use crate::app::state::State;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -24,9 +25,11 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(column.height);
     let first = scroll.min(lines.len().saturating_sub(rows));
     for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
-        // The debrief writes the names of its sections in capitals, after one blank.
-        let section = line.starts_with(' ') && line.chars().skip(1).take(2).all(char::is_uppercase);
-        let role = if section { Role::Title } else { Role::Text };
+        let role = if is_section(line) {
+            Role::Title
+        } else {
+            Role::Text
+        };
         put(
             buffer,
             column,

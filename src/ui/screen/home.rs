@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::room::home::{HomeItem, items};
+use crate::app::room::home::{HomeItem, drill, items};
 use crate::app::state::{Room, State};
 use crate::text;
 use crate::ui::look::Look;
@@ -15,6 +15,11 @@ use crate::ui::widget::{below, clip, columns, put, reflow, row_of, titled, wrap}
 const LIST_WIDTH: u16 = 34;
 /// Columns of the text at most: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
+
+/// Headings of the missions by difficulty.
+const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
+/// Up to so many lines are set apart by blank ones.
+const FEW: usize = 12;
 
 /// Lines that can be given as they stand, up to the one that takes a while.
 const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
@@ -78,19 +83,33 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
 /// The lines of the list: items with their number, headings and blanks without.
 fn list(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
-    for (at, item) in items(state).into_iter().enumerate() {
-        let heading = match item {
-            HomeItem::Mission(0) => Some("home-missions"),
-            HomeItem::Free => Some("home-others"),
+    let items = items(state);
+    let tier = |item: &HomeItem| match item {
+        HomeItem::Mission(at) => Some(state.missions[*at].tier),
+        _ => None,
+    };
+    let (least, most) = (
+        items.first().and_then(tier),
+        items.iter().filter_map(tier).max(),
+    );
+    let mut before = None;
+    for (at, &item) in items.iter().enumerate() {
+        let heading = match (item, tier(&item)) {
+            (_, Some(now)) if before == Some(now) => None,
+            (_, Some(_)) if least == most => Some("home-missions"),
+            (_, Some(now)) => Some(TIERS[usize::from(now).min(TIERS.len() - 1)]),
+            (HomeItem::Free, _) => Some("home-others"),
             _ => None,
         };
         if let Some(heading) = heading {
-            if at > 0 {
+            // A blank line is worth less than a line of a long list.
+            if at > 0 && items.len() <= FEW {
                 lines.push((None, String::new()));
             }
             lines.push((None, look.say(heading)));
         }
         lines.push((Some(at), name(state, item, look)));
+        before = tier(&item);
     }
     lines
 }
@@ -113,14 +132,32 @@ fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mu
         let rules = look.say("home-mission-rules");
         keys.push((Room::Mission.key().to_string(), rules));
     }
-    let spans = keys.into_iter().flat_map(|(key, what)| {
-        [
+    if let HomeItem::Mission(at) = item
+        && let Some(drill) = drill(state, &state.missions[at].id)
+    {
+        let about = text!(
+            "home-drill",
+            title = &drill.title,
+            seconds = drill.time_limit.as_secs()
+        );
+        keys.push(("t".to_owned(), look.text(&about)));
+    }
+    // As many to a line as fit; with a long text above them, the last lines are theirs.
+    let most = inner.height.saturating_sub(keys.len() as u16);
+    let (mut row, mut used) = ((row + 1).min(most), 0);
+    for (key, what) in keys {
+        let spans = [
             Span::styled(key, look.style(Role::Key)),
             Span::styled(format!(" {what}   "), look.style(Role::Muted)),
-        ]
-    });
-    let line: Line<'_> = spans.collect();
-    put(buffer, inner, row + 1, &line);
+        ];
+        let line: Line<'_> = spans.into_iter().collect();
+        let width = line.width() as u16;
+        if used > 0 && used + width > inner.width + 3 {
+            (row, used) = (row + 1, 0);
+        }
+        put(buffer, columns(inner, used, inner.width), row, &line);
+        used += width;
+    }
 }
 
 fn name(state: &State, item: HomeItem, look: &Look) -> String {

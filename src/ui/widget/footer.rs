@@ -65,16 +65,33 @@ const MAP: &[(&str, &str)] = &[
     ("i", "hint-signs"),
     ("w", "hint-trails"),
 ];
+const BRIEF: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("j k", "hint-scroll"),
+    ("Enter", "hint-fly"),
+    ("Esc", "hint-back"),
+];
 const MISSION: &[(&str, &str)] = &[
     (":", "hint-command"),
     ("?", "hint-help"),
     ("j k", "hint-scroll"),
+    ("s", "hint-predict"),
+    ("g", "hint-goal"),
+    ("w", "hint-hint"),
+    ("p", "hint-pause"),
+    ("r", "hint-again"),
+    ("a", "hint-abandon"),
     ("F", "room-fly"),
     ("M", "room-map"),
 ];
 const DEBRIEF: &[(&str, &str)] = &[
     ("j k", "hint-scroll"),
+    ("Tab", "hint-section"),
     ("r", "hint-again"),
+    ("s", "hint-alike"),
+    ("t", "hint-drill"),
+    ("n", "hint-next"),
     ("h", "hint-home"),
     (":", "hint-command"),
     ("?", "hint-help"),
@@ -131,6 +148,7 @@ fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
             parameters::COMPARISON_HINTS
         }
         Room::Parameters => parameters::HINTS,
+        Room::Mission if state.session.activity.is_none() => BRIEF,
         Room::Mission => MISSION,
         Room::Fly => FLY,
     }

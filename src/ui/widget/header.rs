@@ -20,7 +20,12 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
     let activity = state.session.activity.as_ref();
     let title = activity.map_or_else(String::new, |activity| look.text(&activity.title()));
     let room = usize::from(area.width);
-    let left = width(&name) + 1;
+    let paused = if state.session.paused {
+        format!(" {} ", look.say("header-paused"))
+    } else {
+        String::new()
+    };
+    let left = width(&name) + width(&paused) + 1;
     // The figures give way to the title as long as they lose no meaning by it.
     let fits = |right: &String| left + width(&title) + 3 + width(right) < room;
     let long = right_part(state, look, false);
@@ -33,6 +38,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect
     let bold = look.style(Role::Header).add_modifier(Modifier::BOLD);
     let line = Line::from(vec![
         Span::styled(name, bold),
+        Span::styled(paused, look.style(Role::Cursor)),
         Span::raw(format!(" {title}")),
     ]);
     put(buffer, header, 0, &line);

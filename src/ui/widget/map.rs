@@ -13,6 +13,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{below, centred, put, row_of, titled, wrap};
 
 mod canvas;
+mod finds;
 mod ground;
 mod heat;
 mod legend;

@@ -7,8 +7,9 @@ use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::state::State;
-use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading};
+use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading, Trust};
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, clock, columns, put, titled, wrap};
@@ -23,7 +24,9 @@ const GRID_LIMIT: usize = 64;
 pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();
-    (1 + progress.objectives.len() + progress.readings.chunks(2).len() + grid + hint) as u16
+    let counts = counts(progress).len();
+    (1 + progress.objectives.len() + progress.readings.chunks(2).len() + counts + grid + hint)
+        as u16
 }
 
 /// Draws the pane.
@@ -48,7 +51,11 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         .readings
         .chunks(2)
         .map(|pair| reading_line(pair, look));
-    for line in objectives.chain(readings) {
+    let counts = counts(progress).into_iter().map(|text| {
+        let words = clip(&look.text(&text), width);
+        Line::styled(words, look.style(Role::Muted))
+    });
+    for line in objectives.chain(readings).chain(counts) {
         put(buffer, rest, 0, &line);
         rest = below(rest, 1);
     }
@@ -72,6 +79,34 @@ fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
         return Vec::new();
     };
     wrap(&look.text(&text!("mission-hint", hint = hint)), width)
+}
+
+/// What has been found and reported, and what the trainee has said: a line for each where there is anything.
+fn counts(progress: &Progress) -> Vec<Text> {
+    let trusted = |trust| {
+        let contacts = progress.contacts.iter();
+        contacts.filter(|contact| contact.trust == trust).count()
+    };
+    let contacts = (!progress.contacts.is_empty()).then(|| {
+        text!(
+            "mission-contacts-count",
+            count = progress.contacts.len(),
+            confirmed = trusted(Trust::Confirmed),
+            reported = trusted(Trust::Reported)
+        )
+    });
+    let marks = progress.marks.len();
+    let marks = (marks > 0).then(|| text!("mission-marks-count", count = marks));
+    let pledge = progress.pledge;
+    let score = pledge.prediction;
+    let said: Vec<Text> = score
+        .map(|points| text!("mission-said-score", points = points))
+        .into_iter()
+        .chain(pledge.goal.map(|goal| goal.to_string().into()))
+        .collect();
+    let said =
+        (!said.is_empty()).then(|| text!("mission-pledge-line", words = Text::joined(", ", said)));
+    contacts.into_iter().chain(marks).chain(said).collect()
 }
 
 fn objective_line(objective: &ObjectiveProgress, width: usize, look: &Look) -> Line<'static> {

@@ -3,6 +3,7 @@
 use crate::app::state::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::AreaKind;
+use crate::swarm::Path;
 use crate::vehicle::{FencePlan, FenceShape, Vehicle};
 
 /// A line on the map, or a single point.
@@ -31,6 +32,8 @@ pub enum SketchKind {
     Plan,
     /// A place where RTL may end.
     Rally,
+    /// What a vehicle is going to fly as its part of what several do together.
+    Course,
 }
 
 impl Sketch {
@@ -65,6 +68,13 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
         Sketch::area(kind, &area.name, &area.outline)
     });
     let mut sketches: Vec<Sketch> = areas.collect();
+    sketches.extend(
+        state
+            .session
+            .paths
+            .iter()
+            .filter_map(|path| course(state, path)),
+    );
     for sketch in shown(state).flat_map(on_board) {
         let is_border = matches!(sketch.kind, SketchKind::Fence | SketchKind::KeepOut);
         if !is_border || !sketches.contains(&sketch) {
@@ -74,14 +84,38 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
     sketches
 }
 
-/// The places of plans and rally points that are on the map.
+/// The way of a vehicle, or the place that it is to keep while it is not there.
+fn course(state: &State, path: &Path) -> Option<Sketch> {
+    let vehicle = state.session.vehicles.get(&path.vehicle);
+    let here = vehicle.and_then(|vehicle| vehicle.global);
+    match path.points.as_slice() {
+        [] => None,
+        [place] => {
+            let is_away = here.is_none_or(|it| it.at_point.distance_m(*place) > IN_PLACE_M);
+            let label = format!("p{}", path.vehicle);
+            is_away.then(|| Sketch::point(SketchKind::Course, label, *place))
+        }
+        points => Some(Sketch {
+            kind: SketchKind::Course,
+            label: String::new(),
+            points: points.to_vec(),
+            closed: false,
+        }),
+    }
+}
+
+/// The places of plans and rally points that are on the map, and of what is flown together.
 pub fn planned(state: &State) -> impl Iterator<Item = LatLon> {
     let flown = [SketchKind::Plan, SketchKind::Rally];
     let sketches = shown(state).flat_map(on_board);
     let sketches = sketches.filter(move |sketch| flown.contains(&sketch.kind));
-    sketches.flat_map(|sketch| sketch.points)
+    let paths = state.session.paths.iter();
+    let paths = paths.flat_map(|path| path.points.iter().copied());
+    sketches.flat_map(|sketch| sketch.points).chain(paths)
 }
 
+/// Nearer to its place than this a vehicle covers it.
+const IN_PLACE_M: f64 = 3.0;
 /// Plans are shown of so many vehicles at most.
 const MOST_SHOWN: usize = 16;
 

@@ -10,6 +10,8 @@ use crate::mission::{Listing, ObjectiveState};
 use crate::text;
 use crate::text::{Locale, Text, reflow, wrap};
 
+mod launch;
+
 /// From this width on there are two columns.
 const TWO_COLUMNS: u16 = 110;
 /// Longer lines are hard to read.
@@ -61,6 +63,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     };
     let mut first = page();
     first.brief();
+    first.launch();
     if two {
         first.hints();
         let mut second = page();
@@ -111,6 +114,9 @@ impl Page<'_> {
         self.title(&self.mission.title.clone());
         let brief = reflow(&self.locale.text(&self.mission.brief));
         self.paragraph(Tone::Plain, &brief);
+        if self.awaits_launch() {
+            return;
+        }
         self.add(Tone::Plain, "");
         let course = self.locale.text(&self.course());
         self.add(Tone::Muted, course);
@@ -191,7 +197,7 @@ impl Page<'_> {
 
     fn hints(&mut self) {
         let hints = &self.state.rooms.mission.hints;
-        if hints.is_empty() {
+        if hints.is_empty() || self.awaits_launch() {
             return;
         }
         self.title(&text!("mission-hints"));

@@ -59,6 +59,11 @@ impl Stroke {
         Self { role, on: 1, of: 3 }
     }
 
+    /// A line of single dots far from each other.
+    pub const fn sparse(role: Role) -> Self {
+        Self { role, on: 1, of: 5 }
+    }
+
     /// A few cells of such a line, for the legend.
     pub fn sample(self, symbols: Symbols) -> String {
         let row = i32::from(DOTS_DOWN / 2);

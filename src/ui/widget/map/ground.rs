@@ -1,9 +1,12 @@
 //! What lies on the ground: areas, survey cells, homes, and the ways of the vehicles.
 
+use std::collections::BTreeSet;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::canvas::{Canvas, Stroke};
+use super::finds;
 use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
 use crate::app::state::State;
 use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
@@ -31,14 +34,18 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::KeepOut => Stroke::dotted(Role::Danger),
         SketchKind::Plan => Stroke::dense(Role::Info),
         SketchKind::Rally => Stroke::dotted(Role::Title),
+        SketchKind::Course => Stroke::sparse(Role::Accent),
     }
 }
 
 /// A text at a cell.
-struct Label {
-    cell: (u16, u16),
-    text: String,
-    role: Role,
+pub struct Label {
+    /// Where it begins.
+    pub cell: (u16, u16),
+    /// What it says.
+    pub text: String,
+    /// How it looks.
+    pub role: Role,
 }
 
 /// Draws all lines, and the words that belong to them.
@@ -51,6 +58,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     }
     draw_ways(state, view, &mut canvas, &mut labels);
     draw_homes(state, view, &mut labels);
+    labels.extend(finds::labels(state, view));
     let map = &state.rooms.map;
     if let Some(mark) = map.mark {
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
@@ -166,10 +174,16 @@ fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
         .collect();
     homes.sort_unstable();
     homes.dedup();
-    let cells = session.mission.iter().flat_map(|it| &it.cells);
-    let cells: Vec<&str> = cells.map(|cell| cell.name.as_str()).collect();
+    // Cells and contacts have been drawn already.
+    let mission = session.mission.iter();
+    let cells = mission.clone().flat_map(|it| &it.cells);
+    let contacts = mission.flat_map(|it| &it.contacts);
+    let cells = cells.map(|cell| cell.name.as_str());
+    let drawn: BTreeSet<&str> = cells
+        .chain(contacts.map(|contact| contact.name.as_str()))
+        .collect();
     let places = session.places.iter();
-    for (name, &place) in places.filter(|(name, _)| !cells.contains(&name.as_str())) {
+    for (name, &place) in places.filter(|(name, _)| !drawn.contains(name.as_str())) {
         let cell = view.cell(place).filter(|cell| !homes.contains(cell));
         labels.extend(cell.map(|cell| Label {
             cell,

@@ -5,9 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
+use super::finds;
 use super::ground::{RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
-use crate::app::room::map::SketchKind::{Fence, KeepOut, Plan, Rally, Task};
+use crate::app::room::map::SketchKind::{Course, Fence, KeepOut, Plan, Rally, Task};
 use crate::app::room::map::{leg, sketches};
 use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
@@ -92,13 +93,18 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         ("(4)".to_owned(), Role::Text, "map-legend-several"),
         ("H".to_owned(), Role::Title, "map-legend-home"),
     ];
+    let finds = finds::SIGNS
+        .iter()
+        .filter(|(trust, ..)| finds::has(state, *trust));
+    let finds = finds.map(|(_, sign, role, id)| (format!("{sign}c1"), *role, *id));
     let strokes = strokes(state).into_iter().filter(|(shown, ..)| *shown);
     let strokes = strokes.map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
-    signs.into_iter().chain(strokes).map(row).collect()
+    let signs = signs.into_iter().chain(finds);
+    signs.chain(strokes).map(row).collect()
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 8] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 9] {
     let map = &state.rooms.map;
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
@@ -113,6 +119,7 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 8] {
         (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
         (has(Plan), stroke(Plan), "map-legend-plan"),
         (has(Rally), stroke(Rally), "map-legend-rally"),
+        (has(Course), stroke(Course), "map-legend-course"),
         (map.mark.is_some(), RULER, "map-legend-ruler"),
     ]
 }

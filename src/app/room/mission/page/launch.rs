@@ -1,0 +1,56 @@
+//! What a trainee is asked before launch, and what was answered.
+
+use super::{Page, Tone};
+use crate::mission::Pledge;
+use crate::text;
+use crate::text::Text;
+
+impl Page<'_> {
+    /// Whether a mission has been started and nothing has flown yet.
+    pub(super) fn awaits_launch(&self) -> bool {
+        let session = &self.state.session;
+        let flown = |progress: &crate::mission::Progress| progress.score_so_far.is_some();
+        session.activity.is_some() && !session.over && !session.mission.as_ref().is_some_and(flown)
+    }
+
+    /// Before launch, the questions and how to begin; afterwards what was answered, if anything was.
+    pub(super) fn launch(&mut self) {
+        if self.state.session.activity.is_none() {
+            return;
+        }
+        let progress = self.state.session.mission.as_ref();
+        let pledge = progress.map_or_else(Pledge::default, |progress| progress.pledge);
+        let waits = self.awaits_launch();
+        let open = |text: Text| waits.then_some(text);
+        let prediction = match pledge.prediction {
+            Some(points) => Some(text!("mission-prediction-is", points = points)),
+            None => open(text!("mission-prediction-none")),
+        };
+        let goal = match pledge.goal {
+            Some(goal) => Some(goal.to_string().into()),
+            None => open(text!("mission-goal-none")),
+        };
+        let named = [
+            (text!("mission-prediction"), prediction),
+            (text!("mission-goal"), goal),
+            (text!("mission-then"), open(text!("mission-then-is"))),
+        ];
+        let rows = named
+            .into_iter()
+            .filter_map(|(name, what)| Some((name, what?)));
+        let rows: Vec<(Text, Text)> = rows.collect();
+        if rows.is_empty() {
+            return;
+        }
+        self.title(&if waits {
+            text!("mission-launch")
+        } else {
+            text!("mission-pledge")
+        });
+        self.rows(&rows);
+        if waits && let Some(hint) = progress.and_then(|progress| progress.hint.as_ref()) {
+            let hint = self.locale.text(hint);
+            self.paragraph(Tone::Hint, &hint);
+        }
+    }
+}

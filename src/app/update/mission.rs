@@ -1,0 +1,83 @@
+//! The course of a session: pause, end, once more.
+
+use super::act::{ask, guarded};
+use crate::app::effect::Effect;
+use crate::app::state::{Activity, State};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// Lets the session stand still, or go on where it does.
+pub fn turn(state: &mut State) -> Vec<Effect> {
+    if state.session.paused {
+        go_on(state)
+    } else {
+        pause(state)
+    }
+}
+
+/// Lets the session stand still, where that is possible; says why where it is not.
+pub fn pause(state: &mut State) -> Vec<Effect> {
+    match obstacle(state) {
+        Some(reason) => {
+            state.say(Severity::Notice, reason);
+            Vec::new()
+        }
+        None => vec![Effect::Pause],
+    }
+}
+
+/// Lets the session go on.
+pub fn go_on(state: &mut State) -> Vec<Effect> {
+    if state.session.paused {
+        return vec![Effect::GoOn];
+    }
+    state.say(Severity::Notice, text!("pause-is-none"));
+    Vec::new()
+}
+
+/// It stands still from now on, or goes on.
+pub fn paused(state: &mut State, paused: bool) {
+    state.session.paused = paused;
+    let text = if paused {
+        text!("pause-begins")
+    } else {
+        text!("pause-ends")
+    };
+    state.say(Severity::Notice, text);
+}
+
+/// Why the session cannot stand still.
+fn obstacle(state: &State) -> Option<Text> {
+    let session = &state.session;
+    let forbidden = || session.listing.as_ref().is_some_and(|it| !it.pausable);
+    match &session.activity {
+        None => Some(text!("mission-none")),
+        _ if session.over => Some(text!("deed-over")),
+        _ if session.paused => Some(text!("pause-is-one")),
+        _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
+        Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
+        _ => forbidden().then(|| text!("pause-not-allowed")),
+    }
+}
+
+/// Flies the same mission again, `alike` if chance is to play the same again; asks first where something would be
+/// lost.
+pub fn restart(state: &mut State, alike: bool) -> Vec<Effect> {
+    if state.flown_mission().is_none() {
+        state.say(Severity::Notice, text!("mission-none"));
+        return Vec::new();
+    }
+    let effect = Effect::RestartMission { alike };
+    guarded(state, text!("ask-restart"), effect)
+}
+
+/// Ends the mission, after a question.
+pub fn abandon(state: &mut State) -> Vec<Effect> {
+    if state.session.mission.is_none() || state.session.over {
+        state.say(Severity::Notice, text!("mission-none"));
+        return Vec::new();
+    }
+    let reason = text!("ask-abandon-reason");
+    ask(state, text!("ask-abandon"), reason, Effect::AbandonMission)
+}

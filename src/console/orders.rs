@@ -1,0 +1,73 @@
+//! Carries out what was asked of vehicles: by their autopilots, by the mission, or by several of them together.
+
+use super::Console;
+use crate::app::event::Event;
+use crate::commands::{Deed, Manoeuvre};
+use crate::fleet::Unreachable;
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::session::Order;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+impl Console {
+    /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
+    pub(super) async fn command(&mut self, targets: &[VehicleId], order: &Order) {
+        let (now, shown) = (self.clock.now(), &self.state.session);
+        let (targets, rows) = match &mut self.running {
+            Some(running) => running.settle(targets, order, &shown.vehicles, now),
+            None => (targets.to_vec(), Vec::new()),
+        };
+        self.feed_rows(rows).await;
+        for vehicle in targets {
+            let given = match &self.running {
+                Some(running) => running.order(vehicle, order.clone()),
+                None => Err(Unreachable),
+            };
+            if let Err(error) = given {
+                let now = self.clock.now();
+                let row = order.unsent(
+                    vehicle,
+                    RowState::Refused,
+                    text!("outcome-not-sent", reason = Text::from(error)),
+                    now,
+                );
+                // Others may have waited for the end of this one.
+                Box::pin(self.feed(Event::Row(row))).await;
+            }
+        }
+    }
+
+    /// Has the mission do something with each target.
+    pub(super) async fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
+        let now = self.clock.now();
+        let rows = match &mut self.running {
+            Some(running) => running.act(entry, deed, targets, now),
+            None => Vec::new(),
+        };
+        self.feed_rows(rows).await;
+    }
+
+    /// Has the targets do something together.
+    pub(super) async fn begin_manoeuvre(
+        &mut self,
+        entry: EntryId,
+        manoeuvre: &Manoeuvre,
+        targets: &[VehicleId],
+    ) {
+        let (now, shown) = (self.clock.now(), &self.state.session);
+        let rows = match &mut self.running {
+            Some(running) => {
+                running.begin_manoeuvre((entry, manoeuvre), targets, &shown.vehicles, now)
+            }
+            None => Vec::new(),
+        };
+        self.feed_rows(rows).await;
+    }
+
+    async fn feed_rows(&mut self, rows: Vec<RowUpdate>) {
+        for row in rows {
+            Box::pin(self.feed(Event::Row(row))).await;
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The program's clock, which can stand still.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use tokio::sync::watch;
+use tokio::time::Instant;
+
+/// The program's clock: every `now` in the pure modules counts from its start. All its clones are one clock: when
+/// one of them is stopped, no deadline of any vehicle comes nearer.
+#[derive(Debug, Clone)]
+pub struct Clock {
+    start: Instant,
+    stand: Arc<watch::Sender<Stand>>,
+}
+
+/// How a clock has stood still.
+#[derive(Debug, Clone, Copy, Default)]
+struct Stand {
+    /// Since when it does.
+    since: Option<Instant>,
+    /// For how long it did before, altogether.
+    before: Duration,
+}
+
+impl Clock {
+    /// A clock that starts now.
+    pub fn start() -> Self {
+        Self {
+            start: Instant::now(),
+            stand: Arc::new(watch::Sender::new(Stand::default())),
+        }
+    }
+
+    /// The time since the start, without that for which it stood still.
+    pub fn now(&self) -> Duration {
+        let stand = *self.stand.borrow();
+        let until = stand.since.unwrap_or_else(Instant::now);
+        until
+            .duration_since(self.start)
+            .saturating_sub(stand.before)
+    }
+
+    /// Lets it stand still. One that does so already goes on doing so.
+    pub fn stop(&self) {
+        self.stand.send_modify(|stand| {
+            stand.since.get_or_insert_with(Instant::now);
+        });
+    }
+
+    /// Lets it go on, and says for how long it has stood still; `None` if it did not.
+    pub fn go_on(&self) -> Option<Duration> {
+        let mut stood = None;
+        self.stand.send_modify(|stand| {
+            stood = stand.since.take().map(|since| since.elapsed());
+            stand.before += stood.unwrap_or_default();
+        });
+        stood
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tokio::time::advance;
+
+    use super::*;
+
+    const fn s(s: u64) -> Duration {
+        Duration::from_secs(s)
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_clock_that_is_stopped_stands_still_for_everybody_and_says_for_how_long() {
+        let clock = Clock::start();
+        let other = clock.clone();
+        advance(s(5)).await;
+        clock.stop();
+        advance(s(10)).await;
+        clock.stop();
+        advance(s(2)).await;
+        assert_eq!((clock.now(), other.now()), (s(5), s(5)));
+        assert_eq!(other.go_on(), Some(s(12)));
+        advance(s(3)).await;
+        assert_eq!((clock.now(), other.now()), (s(8), s(8)));
+        assert_eq!(clock.go_on(), None);
+        clock.stop();
+        advance(s(1)).await;
+        assert_eq!(clock.now(), s(8));
+    }
+}

@@ -1,0 +1,264 @@
+//! Verbs that several vehicles carry out together.
+
+use super::{Built, CHANGE};
+use crate::commands::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::verb::{Danger, Form, Meaning, Verb};
+use crate::text;
+use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
+
+const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
+const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
+const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
+/// Between vehicles and between lines.
+const GAP: Kind = Kind::Number(Unit::Metres, 1.0, 1000.0);
+const RADIUS: Kind = Kind::Number(Unit::Metres, 1.0, 10_000.0);
+const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
+
+const NORTH: Argument = Argument::keyed("n", "north", WAY, "argument-north-of-origin");
+const EAST: Argument = Argument::keyed("e", "east", WAY, "argument-east-of-origin");
+const UP: Argument = Argument::keyed("up", "up", HEIGHT, "argument-swarm-height").optional();
+const LINES: Argument =
+    Argument::keyed("spacing", "spacing", GAP, "argument-line-spacing").optional();
+const COURSE: Argument =
+    Argument::keyed("course", "course", HEADING, "argument-line-course").optional();
+const AROUND: Argument = Argument::flag("around", "argument-around");
+const POINT: Argument = Argument::value("point", Kind::Point, "argument-place");
+
+pub(super) const SURVEY: Verb = Verb {
+    name: "survey",
+    aliases: &["scan"],
+    examples: &[
+        "@red survey lane spacing 12 up 25",
+        "all survey n 0 e 0 to n 120 e 60 up 30",
+        "all survey around 50.4501 30.5234 radius 40 course 90",
+    ],
+    forms: &[
+        Form {
+            arguments: &[
+                NORTH,
+                EAST,
+                Argument::flag("to", "argument-opposite-corner"),
+                Argument::keyed("n", "far north", WAY, "argument-north-of-origin"),
+                Argument::keyed("e", "far east", WAY, "argument-east-of-origin"),
+                LINES,
+                UP,
+                COURSE,
+            ],
+            build: |given| {
+                let ground = Ground::Between(
+                    local(given, "north", "east")?,
+                    local(given, "far north", "far east")?,
+                );
+                survey(given, ground)
+            },
+        },
+        Form {
+            arguments: &[
+                AROUND,
+                POINT,
+                Argument::keyed("radius", "radius", RADIUS, "argument-circle-radius"),
+                LINES,
+                UP,
+                COURSE,
+            ],
+            build: |given| {
+                let ground = Ground::Around {
+                    centre: Datum::Global(given.required_point("point")?),
+                    radius_m: given.required("radius")?,
+                };
+                survey(given, ground)
+            },
+        },
+        Form {
+            arguments: &[
+                Argument::value("area", Kind::Area, "argument-area"),
+                LINES,
+                UP,
+                COURSE,
+            ],
+            build: |given| survey(given, Ground::Outline(given.required_area("area")?.clone())),
+        },
+    ],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+fn survey(given: &Arguments, ground: Ground) -> Built {
+    together(Manoeuvre::Survey {
+        ground,
+        spacing_m: given.number("spacing"),
+        up_m: given.number("up"),
+        course_deg: given.number("course"),
+    })
+}
+
+pub(super) const FORMATION: Verb = Verb {
+    name: "formation",
+    aliases: &["form"],
+    examples: &[
+        "all formation wedge spacing 10",
+        "all formation line face 90",
+        "all formation off",
+    ],
+    forms: &[
+        Form {
+            arguments: &[
+                Argument::value("shape", Kind::Choice(Shape::NAMES), "argument-shape"),
+                Argument::keyed("spacing", "spacing", GAP, "argument-neighbour-spacing").optional(),
+                UP,
+                Argument::keyed("face", "heading", HEADING, "argument-formation-face").optional(),
+            ],
+            build: |given| {
+                let shape = Shape::named(given.required_word("shape")?);
+                together(Manoeuvre::Formation {
+                    shape: shape.ok_or_else(|| unknown("shape"))?,
+                    spacing_m: given.number("spacing"),
+                    up_m: given.number("up"),
+                    face_deg: given.number("heading"),
+                })
+            },
+        },
+        Form {
+            arguments: &[Argument::flag("off", "argument-formation-off")],
+            build: |_| together(Manoeuvre::Disband),
+        },
+    ],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+pub(super) const FOLLOW: Verb = Verb {
+    name: "follow",
+    aliases: &[],
+    examples: &["2-4 follow 1 distance 15", "2 follow 1 up 40"],
+    forms: &[Form {
+        arguments: &[
+            Argument::value("leader", VEHICLE, "argument-leader"),
+            Argument::keyed("distance", "distance", GAP, "argument-follow-distance").optional(),
+            Argument::keyed("up", "up", HEIGHT, "argument-follow-height").optional(),
+        ],
+        build: |given| {
+            together(Manoeuvre::Follow {
+                leader: given.required("leader")? as VehicleId,
+                distance_m: given.number("distance").unwrap_or(FOLLOW_DISTANCE_M),
+                up_m: given.number("up"),
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+/// What keeps a follower clear of a leader that stops at once.
+const FOLLOW_DISTANCE_M: f64 = 15.0;
+
+pub(super) const SPREAD: Verb = Verb {
+    name: "spread",
+    aliases: &["disperse"],
+    examples: &["all spread 20"],
+    forms: &[Form {
+        arguments: &[Argument::value("distance", GAP, "argument-spread")],
+        build: |given| {
+            together(Manoeuvre::Spread {
+                spacing_m: given.required("distance")?,
+            })
+        },
+    }],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+const PATTERN: Argument =
+    Argument::value("pattern", Kind::Choice(Pattern::NAMES), "argument-pattern");
+const REACH: Argument =
+    Argument::keyed("radius", "radius", RADIUS, "argument-search-radius").optional();
+
+pub(super) const SEARCH: Verb = Verb {
+    name: "search",
+    aliases: &[],
+    examples: &[
+        "1 search square around 50.4501 30.5234 spacing 20",
+        "1-3 search sector n 200 e 50 radius 100 up 40",
+    ],
+    forms: &[
+        Form {
+            arguments: &[PATTERN, AROUND, POINT, REACH, LINES, UP],
+            build: |given| search(given, Datum::Global(given.required_point("point")?)),
+        },
+        Form {
+            arguments: &[PATTERN, NORTH, EAST, REACH, LINES, UP],
+            build: |given| search(given, local(given, "north", "east")?),
+        },
+    ],
+    danger: Danger::None,
+    retry: CHANGE,
+};
+
+fn search(given: &Arguments, datum: Datum) -> Built {
+    let pattern = Pattern::named(given.required_word("pattern")?);
+    together(Manoeuvre::Search {
+        pattern: pattern.ok_or_else(|| unknown("pattern"))?,
+        datum,
+        radius_m: given.number("radius"),
+        spacing_m: given.number("spacing"),
+        up_m: given.number("up"),
+    })
+}
+
+const TO: Argument = Argument::flag("to", "argument-relay-to");
+
+/// The forms of `relay` that make a chain of vehicles; those that switch a relay stand in the table of devices.
+pub(super) const CHAIN_TO_PLACE: Form = Form {
+    arguments: &[TO, NORTH, EAST, UP],
+    build: |given| chain(given, FarEnd::Place(local(given, "north", "east")?)),
+};
+pub(super) const CHAIN_TO_POINT: Form = Form {
+    arguments: &[TO, POINT, UP],
+    build: |given| {
+        chain(
+            given,
+            FarEnd::Place(Datum::Global(given.required_point("point")?)),
+        )
+    },
+};
+pub(super) const CHAIN_TO_VEHICLE: Form = Form {
+    arguments: &[
+        TO,
+        Argument::keyed("vehicle", "vehicle", VEHICLE, "argument-relay-vehicle"),
+        UP,
+    ],
+    build: |given| {
+        chain(
+            given,
+            FarEnd::Vehicle(given.required("vehicle")? as VehicleId),
+        )
+    },
+};
+
+fn chain(given: &Arguments, to: FarEnd) -> Built {
+    together(Manoeuvre::Chain {
+        to,
+        up_m: given.number("up"),
+    })
+}
+
+fn local(given: &Arguments, north: &'static str, east: &'static str) -> Result<Datum, Problem> {
+    Ok(Datum::Local {
+        north_m: given.required(north)?,
+        east_m: given.required(east)?,
+    })
+}
+
+fn unknown(argument: &'static str) -> Problem {
+    Problem::new(argument, text!("grammar-unknown-word"))
+}
+
+/// A manoeuvre as the result of a builder.
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "it is the last expression of functions that can fail"
+)]
+fn together(manoeuvre: Manoeuvre) -> Built {
+    Ok(Meaning::Manoeuvre(manoeuvre))
+}

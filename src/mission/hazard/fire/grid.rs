@@ -1,0 +1,247 @@
+//! The ground in cells, and what of it burns.
+//!
+//! A cell's front gains on each neighbour that can burn by the speed in that direction; the neighbour catches fire
+//! when the fastest front has crossed the way between their centres. So a front runs at the speed of the formula
+//! along the axes, which an independent chance per second for each neighbour would make faster.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use super::fuel::{Fuel, share_of_rate};
+use crate::mission::Point;
+use crate::mission::weather::Wind;
+
+/// The steps of a fire, in seconds.
+pub(super) const STEP_S: f64 = 1.0;
+/// How unevenly fuel burns: standard deviation of the logarithm of a cell's speed.
+const ROUGHNESS: f64 = 0.2;
+/// Embers of a burning cell that set fire elsewhere, per second and m/s of wind.
+const EMBERS_PER_S: f64 = 2e-5;
+/// How far they fly, in metres, and by how much to the side, in degrees.
+const EMBERS_FLY_M: [f64; 2] = [20.0, 120.0];
+const EMBERS_SPREAD_DEG: f64 = 20.0;
+
+/// The neighbours of a cell, in columns and rows.
+const NEIGHBOURS: [(isize, isize); 8] = [
+    (-1, -1),
+    (0, -1),
+    (1, -1),
+    (-1, 0),
+    (1, 0),
+    (-1, 1),
+    (0, 1),
+    (1, 1),
+];
+
+/// What has become of a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum State {
+    /// It does not burn; a front has come so far through it, 0 to 1.
+    Unburnt(f64),
+    /// It has burnt for so many seconds.
+    Burning(f64),
+    /// It has burnt.
+    Burnt,
+    /// It is wet and will not burn.
+    Wet,
+}
+
+/// One cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cell {
+    pub fuel: Fuel,
+    pub state: State,
+    /// By how much a front is faster here than the formula says.
+    pub pace: f64,
+}
+
+/// A rectangle of ground in square cells, row by row from the south-west.
+#[derive(Debug, Clone)]
+pub(crate) struct Grid {
+    /// Its south-west corner.
+    pub corner: Point,
+    pub columns: usize,
+    pub rows: usize,
+    pub side_m: f64,
+    /// The share of water in its fuel.
+    pub moisture: f64,
+    /// How many more embers than usual it throws.
+    pub embers: f64,
+    pub(super) cells: Vec<Cell>,
+}
+
+impl Grid {
+    /// The cell that a point lies in.
+    pub fn index(&self, at: Point) -> Option<usize> {
+        let column = ((at[0] - self.corner[0]) / self.side_m).floor();
+        let row = ((at[1] - self.corner[1]) / self.side_m).floor();
+        let inside =
+            column >= 0.0 && row >= 0.0 && column < self.columns as f64 && row < self.rows as f64;
+        inside.then(|| row as usize * self.columns + column as usize)
+    }
+
+    /// The cells of the square about a point that reaches so far to each side.
+    pub fn around(&self, at: Point, reach_m: f64) -> impl Iterator<Item = usize> + use<> {
+        let low = |axis: usize| {
+            ((at[axis] - reach_m - self.corner[axis]) / self.side_m)
+                .floor()
+                .max(0.0) as usize
+        };
+        let high = |axis: usize| {
+            ((at[axis] + reach_m - self.corner[axis]) / self.side_m)
+                .ceil()
+                .max(0.0) as usize
+        };
+        let columns = low(0)..high(0).min(self.columns);
+        let across = self.columns;
+        let rows = low(1)..high(1).min(self.rows);
+        rows.flat_map(move |row| columns.clone().map(move |column| row * across + column))
+    }
+
+    /// The middle of a cell.
+    pub fn centre(&self, index: usize) -> Point {
+        let (column, row) = (index % self.columns, index / self.columns);
+        [
+            self.corner[0] + (column as f64 + 0.5) * self.side_m,
+            self.corner[1] + (row as f64 + 0.5) * self.side_m,
+        ]
+    }
+
+    /// How many cells there are.
+    pub fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Whether a cell burns now.
+    pub fn burns(&self, index: usize) -> bool {
+        matches!(self.cells[index].state, State::Burning(_))
+    }
+
+    /// Whether a cell burns or has burnt.
+    pub fn has_burnt(&self, index: usize) -> bool {
+        matches!(self.cells[index].state, State::Burning(_) | State::Burnt)
+    }
+
+    /// The cells that burn now.
+    pub fn burning(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.cells.len()).filter(|&index| self.burns(index))
+    }
+
+    /// How many cells burn or have burnt.
+    pub fn burnt(&self) -> usize {
+        let all = 0..self.cells.len();
+        all.filter(|&index| self.has_burnt(index)).count()
+    }
+
+    /// Sets fire to a cell, if it can burn.
+    pub fn ignite(&mut self, index: usize) {
+        let cell = &mut self.cells[index];
+        if cell.fuel.burns() && matches!(cell.state, State::Unburnt(_)) {
+            cell.state = State::Burning(0.0);
+        }
+    }
+
+    /// Makes fuel burn unevenly.
+    pub fn roughen(&mut self, random: &mut ChaCha8Rng) {
+        for cell in &mut self.cells {
+            let draw: f64 = StandardNormal.sample(random);
+            cell.pace = (ROUGHNESS * draw).exp();
+        }
+    }
+
+    /// Lets [`STEP_S`] pass.
+    pub fn step(&mut self, wind: Wind, random: &mut ChaCha8Rng) {
+        let burning: Vec<usize> = self.burning().collect();
+        let reached = self.reach(&burning, wind);
+        let embers = self.embers(&burning, wind, random);
+        for &index in &burning {
+            let cell = &mut self.cells[index];
+            if let State::Burning(for_s) = cell.state {
+                let for_s = for_s + STEP_S;
+                let rate = cell.fuel.rate_m_s(wind.speed_m_s, self.moisture) * cell.pace;
+                // The front needs its time to cross the cell; the flames stay behind it.
+                let lasts_s = 2.0 * self.side_m / rate.max(1e-3) + cell.fuel.stays_s();
+                cell.state = if for_s < lasts_s {
+                    State::Burning(for_s)
+                } else {
+                    State::Burnt
+                };
+            }
+        }
+        for (index, gain) in reached {
+            if let State::Unburnt(through) = &mut self.cells[index].state {
+                *through += gain;
+                if *through >= 1.0 {
+                    self.ignite(index);
+                }
+            }
+        }
+        for index in embers {
+            self.ignite(index);
+        }
+    }
+
+    /// How much nearer the fastest front comes to each cell that one can reach, as a share of the way.
+    fn reach(&self, burning: &[usize], wind: Wind) -> std::collections::BTreeMap<usize, f64> {
+        let ways = NEIGHBOURS.map(|(column, row)| [column as f64, row as f64]);
+        let shares =
+            ways.map(|way| share_of_rate(wind, way) / (way[0].hypot(way[1]) * self.side_m));
+        let mut reached = std::collections::BTreeMap::new();
+        for &from in burning {
+            for ((column, row), share) in NEIGHBOURS.into_iter().zip(shares) {
+                let Some(to) = self.neighbour(from, column, row) else {
+                    continue;
+                };
+                let cell = &self.cells[to];
+                if !matches!(cell.state, State::Unburnt(_)) || self.is_cut(from, column, row) {
+                    continue;
+                }
+                let rate = cell.fuel.rate_m_s(wind.speed_m_s, self.moisture) * cell.pace;
+                let gain: &mut f64 = reached.entry(to).or_insert(0.0);
+                *gain = gain.max(rate * share * STEP_S);
+            }
+        }
+        reached
+    }
+
+    fn neighbour(&self, index: usize, column: isize, row: isize) -> Option<usize> {
+        let to_column = (index % self.columns).checked_add_signed(column)?;
+        let to_row = (index / self.columns).checked_add_signed(row)?;
+        (to_column < self.columns && to_row < self.rows).then(|| to_row * self.columns + to_column)
+    }
+
+    /// Whether a front that would run over a corner is held by what lies on both sides of it: a road is no less a
+    /// road where it runs diagonally.
+    fn is_cut(&self, from: usize, column: isize, row: isize) -> bool {
+        let holds = |index: Option<usize>| {
+            let cell = index.map(|index| self.cells[index]);
+            cell.is_some_and(|cell| !cell.fuel.burns() || cell.state == State::Wet)
+        };
+        column != 0
+            && row != 0
+            && holds(self.neighbour(from, column, 0))
+            && holds(self.neighbour(from, 0, row))
+    }
+
+    /// Where embers come down that set fire.
+    fn embers(&self, burning: &[usize], wind: Wind, random: &mut ChaCha8Rng) -> Vec<usize> {
+        let chance = EMBERS_PER_S * self.embers * wind.speed_m_s * STEP_S;
+        let mut down = Vec::new();
+        for &from in burning
+            .iter()
+            .filter(|&&from| self.cells[from].fuel.throws_embers())
+        {
+            if random.random::<f64>() >= chance {
+                continue;
+            }
+            let [near, far] = EMBERS_FLY_M;
+            let flown_m = near + (far - near) * random.random::<f64>();
+            let aside_deg = EMBERS_SPREAD_DEG * (2.0 * random.random::<f64>() - 1.0);
+            let (sin, cos) = (wind.from_deg + aside_deg).to_radians().sin_cos();
+            let at = self.centre(from);
+            down.extend(self.index([at[0] - flown_m * sin, at[1] - flown_m * cos]));
+        }
+        down
+    }
+}

@@ -1,0 +1,88 @@
+//! `dose`: no vehicle may gather more radiation than its electronics bear.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::TICK;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::hazard::Quantity;
+use crate::mission::world::World;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// Twice the limit is worth nothing.
+const WORTHLESS: f64 = 2.0;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DoseFile {
+    limit_usv: Spanned<f64>,
+}
+
+#[derive(Debug)]
+struct Dose {
+    limit_usv: f64,
+}
+
+#[derive(Debug)]
+struct DoseTracker {
+    limit_usv: f64,
+    gathered_usv: BTreeMap<VehicleId, f64>,
+}
+
+/// Reads a `[[objectives]]` of kind `dose`.
+pub(crate) fn read(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<Box<dyn Kind>> {
+    let file: DoseFile = faults.read(section)?;
+    Some(Box::new(Dose {
+        limit_usv: faults.number(&file.limit_usv, 1e-3..=1e6, "limit_usv"),
+    }))
+}
+
+impl Kind for Dose {
+    fn start(&self, _: &World) -> Box<dyn Tracker> {
+        Box::new(DoseTracker {
+            limit_usv: self.limit_usv,
+            gathered_usv: BTreeMap::new(),
+        })
+    }
+}
+
+impl Tracker for DoseTracker {
+    fn step(&mut self, scene: &Scene<'_>) {
+        for craft in scene.vehicles {
+            let Some(at) = craft.at else { continue };
+            let rate = scene.world.amount(Quantity::DoseRate, at, craft.height_m);
+            let hours = TICK.as_secs_f64() / 3600.0;
+            *self.gathered_usv.entry(craft.id).or_insert(0.0) += rate * hours;
+        }
+    }
+
+    fn standing(&self, scene: &Scene<'_>) -> Standing {
+        let most = self.gathered_usv.values().copied().fold(0.0, f64::max);
+        // Who stays at home gathers nothing, and has done nothing for it.
+        let begun = scene.vehicles.iter().any(|craft| craft.flown);
+        let within = most <= self.limit_usv;
+        let words = text!("dose-most", dose = format!("{most:.2}"));
+        Standing {
+            fraction: if begun {
+                partial_credit(most, WORTHLESS * self.limit_usv, self.limit_usv)
+            } else {
+                0.0
+            },
+            measure: most,
+            met: begun && within,
+            settled: true,
+            landing: false,
+            quality: None,
+            result: words,
+            outlook: None,
+            quality_advice: Text::default(),
+            target: text!("dose-target", limit = format!("{:.1}", self.limit_usv)),
+            advice: text!("dose-advice"),
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! `locate`: report where something is, as near as can be told from afar.
+//!
+//! How near the reports are is revealed when all vehicles are down or the time is up: else one could ask by reporting.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::Point;
+use crate::mission::craft::Craft;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::report::{Mark, distance_m};
+use crate::mission::world::World;
+use crate::text;
+use crate::text::Text;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LocateFile {
+    of: Spanned<String>,
+    within: Spanned<f64>,
+    partial_to: Spanned<f64>,
+}
+
+#[derive(Debug, Clone)]
+struct Locate {
+    /// The hazard's place in the file.
+    hazard: usize,
+    within_m: f64,
+    partial_to_m: f64,
+}
+
+/// Where something is, and what it must be called.
+#[derive(Debug, Clone, Copy)]
+struct Wanted {
+    at: Point,
+    kind: &'static str,
+}
+
+#[derive(Debug)]
+struct LocateTracker {
+    plan: Locate,
+    wanted: Vec<Wanted>,
+}
+
+/// What came of the reports.
+struct Found {
+    /// From each thing to the nearest report of it.
+    distances_m: Vec<Option<f64>>,
+    /// Reports that are about none of them.
+    astray: usize,
+}
+
+/// Reads a `[[objectives]]` of kind `locate`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: LocateFile = faults.read(section)?;
+    let within_m = faults.number(&file.within, 0.1..=10_000.0, "within");
+    let partial_to_m = faults.number(&file.partial_to, 0.1..=10_000.0, "partial_to");
+    if partial_to_m <= within_m {
+        faults.add(
+            file.partial_to.span(),
+            "`partial_to` must be above `within`",
+        );
+    }
+    Some(Box::new(Locate {
+        hazard: draft.hazard(&file.of, faults)?,
+        within_m,
+        partial_to_m,
+    }))
+}
+
+impl Kind for Locate {
+    fn start(&self, world: &World) -> Box<dyn Tracker> {
+        let objects = world
+            .field(self.hazard)
+            .map_or(&[][..], |field| field.objects());
+        let wanted = |object: &crate::mission::hazard::Object| {
+            let kind = object.class.kind().filter(|_| object.present)?;
+            Some(Wanted {
+                at: object.at,
+                kind,
+            })
+        };
+        Box::new(LocateTracker {
+            wanted: objects.iter().filter_map(wanted).collect(),
+            plan: self.clone(),
+        })
+    }
+}
+
+impl LocateTracker {
+    /// The reports that may be about what is wanted.
+    fn reports<'a>(&'a self, marks: &'a [Mark]) -> impl Iterator<Item = &'a Mark> {
+        marks.iter().filter(|mark| {
+            let named = |wanted: &Wanted| mark.kind.is_none_or(|kind| kind == wanted.kind);
+            self.wanted.iter().any(named)
+        })
+    }
+
+    fn found(&self, marks: &[Mark]) -> Found {
+        let nearest = |wanted: &Wanted| {
+            let distances = self
+                .reports(marks)
+                .map(|mark| distance_m(mark.at, wanted.at));
+            let nearest = distances.min_by(f64::total_cmp);
+            nearest.filter(|&nearest| nearest <= self.plan.partial_to_m)
+        };
+        let astray = |mark: &&Mark| {
+            let far = |wanted: &Wanted| distance_m(mark.at, wanted.at) > self.plan.partial_to_m;
+            self.wanted.iter().all(far)
+        };
+        Found {
+            distances_m: self.wanted.iter().map(nearest).collect(),
+            astray: self.reports(marks).filter(astray).count(),
+        }
+    }
+
+    /// Whether it may be told how near the reports are.
+    fn is_closed(&self, scene: &Scene<'_>) -> bool {
+        let down = |craft: &Craft| craft.lost || craft.is_down();
+        let all_down = !scene.vehicles.is_empty() && scene.vehicles.iter().all(down);
+        scene.over || (all_down && self.is_settled(scene))
+    }
+
+    fn is_settled(&self, scene: &Scene<'_>) -> bool {
+        self.reports(scene.marks).count() >= self.wanted.len()
+    }
+
+    fn fraction(&self, found: &Found) -> f64 {
+        let (far, near) = (self.plan.partial_to_m, self.plan.within_m);
+        let credit = |distance: &Option<f64>| {
+            distance.map_or(0.0, |distance| partial_credit(distance, far, near))
+        };
+        let sum: f64 = found.distances_m.iter().map(credit).sum();
+        sum / self.wanted.len().max(1) as f64
+    }
+
+    fn words(&self, found: &Found) -> Text {
+        let one = |distance: &Option<f64>| match distance {
+            Some(distance) => text!("locate-off", distance = format!("{distance:.0}")),
+            None => text!("locate-missed"),
+        };
+        let mut words: Vec<Text> = found.distances_m.iter().map(one).collect();
+        if found.astray > 0 {
+            words.push(text!("locate-astray", count = found.astray));
+        }
+        Text::joined(", ", words)
+    }
+}
+
+impl Tracker for LocateTracker {
+    fn standing(&self, scene: &Scene<'_>) -> Standing {
+        let closed = self.is_closed(scene);
+        let found = self.found(if closed { scene.marks } else { &[] });
+        let near = |distance: &&Option<f64>| {
+            distance.is_some_and(|distance| distance <= self.plan.within_m)
+        };
+        let located = found.distances_m.iter().filter(near).count();
+        let fraction = self.fraction(&found);
+        let wanted = self.wanted.len();
+        // A report that is about nothing costs as much as half a miss.
+        let wrong = 0.5 * found.astray as f64 / wanted.max(1) as f64;
+        let reports = self.reports(scene.marks).count();
+        let result = if closed {
+            self.words(&found)
+        } else {
+            text!("locate-reports", count = reports)
+        };
+        Standing {
+            fraction,
+            measure: located as f64,
+            met: located == wanted && wanted > 0,
+            settled: self.is_settled(scene),
+            landing: false,
+            quality: Some(((fraction - wrong).max(0.0), result.clone())),
+            result,
+            outlook: None,
+            quality_advice: text!("locate-quality"),
+            target: text!(
+                "locate-target",
+                count = wanted,
+                within = format!("{:.0}", self.plan.within_m)
+            ),
+            advice: text!("locate-advice"),
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! `perimeter`: know at given times which ground burns or has burnt.
+//!
+//! What a thermal camera sees goes on a map by itself: ground below it as it is at that moment, all else as it was when
+//! it was last seen. At each of the times the map is compared with the truth: the area that both call burnt, divided by
+//! the area that either does (intersection over union).
+
+use std::time::Duration;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::hazard::Grid;
+use crate::mission::report::distance_m;
+use crate::mission::sensor::Sensor;
+use crate::mission::world::World;
+use crate::text;
+use crate::text::Text;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PerimeterFile {
+    of: Spanned<String>,
+    sensor: Spanned<String>,
+    times: Spanned<Vec<f64>>,
+    target: Spanned<f64>,
+    #[serde(default)]
+    partial_from: f64,
+}
+
+#[derive(Debug, Clone)]
+struct Perimeter {
+    /// The hazard's place in the file.
+    hazard: usize,
+    sensor: &'static Sensor,
+    times: Vec<Duration>,
+    target: f64,
+    partial_from: f64,
+}
+
+#[derive(Debug)]
+struct PerimeterTracker {
+    plan: Perimeter,
+    /// Whether each cell had burnt when it was last seen.
+    seen: Vec<bool>,
+    /// How well the map fitted at the times that have come.
+    fits: Vec<f64>,
+}
+
+/// Reads a `[[objectives]]` of kind `perimeter`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: PerimeterFile = faults.read(section)?;
+    let target = faults.number(&file.target, 0.01..=1.0, "target");
+    if !(0.0..target).contains(&file.partial_from) {
+        faults.add(
+            file.target.span(),
+            "`target` must be above `partial_from`, which is 0 or more",
+        );
+    }
+    let times = file.times.get_ref();
+    let rising = times.is_sorted_by(|a, b| a < b);
+    let possible = times.iter().all(|time| (1.0..=86_400.0).contains(time));
+    if times.is_empty() || !rising || !possible {
+        faults.add(
+            file.times.span(),
+            "`times` are seconds that rise, from 1 on",
+        );
+        return None;
+    }
+    let sensor = draft.fitted_sensor(&file.sensor, faults)?;
+    if sensor.swath_m(1.0).is_none() {
+        faults.add(file.sensor.span(), "the perimeter needs a camera");
+    }
+    let seconds = |time: &f64| Duration::try_from_secs_f64(*time).ok();
+    Some(Box::new(Perimeter {
+        hazard: draft.hazard(&file.of, faults)?,
+        sensor,
+        times: times.iter().filter_map(seconds).collect(),
+        target,
+        partial_from: file.partial_from,
+    }))
+}
+
+impl Kind for Perimeter {
+    fn start(&self, world: &World) -> Box<dyn Tracker> {
+        let cells = self.grid(world).map_or(0, Grid::len);
+        Box::new(PerimeterTracker {
+            plan: self.clone(),
+            seen: vec![false; cells],
+            fits: Vec::new(),
+        })
+    }
+}
+
+impl Perimeter {
+    fn grid<'a>(&self, world: &'a World) -> Option<&'a Grid> {
+        world.field(self.hazard)?.fire().map(|fire| fire.grid())
+    }
+}
+
+impl PerimeterTracker {
+    /// Looks at the ground below the vehicles.
+    fn look(&mut self, scene: &Scene<'_>, grid: &Grid) {
+        let flying = scene.vehicles.iter();
+        for craft in flying.filter(|craft| craft.heard && craft.airborne && !craft.lost) {
+            let swath_m = self.plan.sensor.swath_m(craft.height_m);
+            let (Some(at), Some(swath_m)) = (craft.at, swath_m) else {
+                continue;
+            };
+            let reach_m = swath_m / 2.0;
+            for index in grid.around(at, reach_m) {
+                if distance_m(grid.centre(index), at) <= reach_m {
+                    self.seen[index] = grid.has_burnt(index);
+                }
+            }
+        }
+    }
+
+    fn fit(&self, grid: &Grid) -> f64 {
+        let (mut both, mut either) = (0_u32, 0_u32);
+        for (index, &seen) in self.seen.iter().enumerate() {
+            let burnt = grid.has_burnt(index);
+            both += u32::from(seen && burnt);
+            either += u32::from(seen || burnt);
+        }
+        if either == 0 {
+            return 1.0;
+        }
+        f64::from(both) / f64::from(either)
+    }
+
+    fn words(&self) -> Text {
+        let fits = self.fits.iter().map(|fit| format!("{fit:.2}"));
+        let words: Vec<String> = fits.collect();
+        match words.is_empty() {
+            true => text!("perimeter-none"),
+            false => words.join(" ").into(),
+        }
+    }
+
+    /// When the map is looked at next.
+    fn next(&self, now: Duration) -> Option<Text> {
+        let next = self.plan.times.get(self.fits.len())?;
+        let left = next.saturating_sub(now).as_secs();
+        Some(text!("perimeter-next", seconds = left))
+    }
+}
+
+impl Tracker for PerimeterTracker {
+    fn step(&mut self, scene: &Scene<'_>) {
+        let Some(grid) = self.plan.grid(scene.world) else {
+            return;
+        };
+        // Half a second of flight is less than a cell.
+        if scene.now.as_millis() % 500 == 0 {
+            self.look(scene, grid);
+        }
+        let due = self.plan.times.get(self.fits.len());
+        if due.is_some_and(|&due| scene.now >= due) {
+            self.fits.push(self.fit(grid));
+        }
+    }
+
+    fn standing(&self, scene: &Scene<'_>) -> Standing {
+        let (all, target) = (self.plan.times.len(), self.plan.target);
+        let sum: f64 = self.fits.iter().sum();
+        let mean = sum / self.fits.len().max(1) as f64;
+        let settled = self.fits.len() == all;
+        let credit = |fit: &f64| partial_credit(*fit, self.plan.partial_from, target);
+        let credits: f64 = self.fits.iter().map(credit).sum();
+        let times = self.plan.times.iter();
+        let times: Vec<String> = times.map(|time| time.as_secs().to_string()).collect();
+        Standing {
+            fraction: credits / all.max(1) as f64,
+            measure: mean,
+            met: settled && mean >= target,
+            settled,
+            landing: false,
+            quality: Some((sum / all.max(1) as f64, self.words())),
+            result: self.words(),
+            outlook: self.next(scene.now),
+            quality_advice: text!("perimeter-advice"),
+            target: text!(
+                "perimeter-target",
+                fit = format!("{target:.2}"),
+                times = times.join(", ")
+            ),
+            advice: text!("perimeter-advice"),
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! What several vehicles do together: surveys, formations, following, spreading, searches and relay chains.
+//!
+//! The [`Conductor`] turns each [`Manoeuvre`] into setpoints for each of its vehicles and judges from their telemetry
+//! how far they are. It is pure: whoever owns it (the console, the headless runner) calls [`Conductor::step`] some
+//! ten times a second, sends what comes out and takes the rows into the ledger.
+//!
+//! **Separation.** Everybody first takes a way on which nobody meets anybody (`transit`), then works where nobody
+//! else of the same manoeuvre comes: survey lines lie side by side (every second vehicle flies higher where they are
+//! nearer than the separation), searches and followers have a height each, a formation moves as a rigid body
+//! (`march`). Who would come too near to a vehicle outside of its manoeuvre waits (`guard`).
+//!
+//! **Who leads.** The first of the targets leads a formation. A `goto` or an `altitude` that is given to it, alone or
+//! with others, moves the whole formation, and the rows of those that go with it end when it has arrived. Any
+//! other movement takes a vehicle out of what it was doing; the others close up, or take over its lines.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::commands::{Command, Destination, Manoeuvre};
+use crate::geo::LatLon;
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::notice::Notice;
+use crate::session::{Steering, moves_the_vehicle};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Vehicle, VehicleId};
+
+mod act;
+mod cast;
+mod geometry;
+mod guard;
+mod lanes;
+mod march;
+mod pattern;
+mod site;
+mod slots;
+#[cfg(test)]
+mod tests;
+mod transit;
+
+use act::{Act, Scene};
+use cast::Cast;
+
+/// What holds for all manoeuvres of a session.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rules {
+    /// Two vehicles never come nearer than this, in metres.
+    pub separation_m: f64,
+    /// How wide a strip the sensor covers, if there is one: the spacing of lines where nothing was said.
+    pub swath: Option<Swath>,
+}
+
+/// How wide a strip a sensor covers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swath {
+    /// At no height, in metres.
+    pub at_ground_m: f64,
+    /// What every metre of height adds, in metres.
+    pub per_metre: f64,
+}
+
+impl Swath {
+    /// At a height in metres.
+    pub fn width_m(&self, height_m: f64) -> f64 {
+        self.at_ground_m + self.per_metre * height_m.max(0.0)
+    }
+}
+
+impl Default for Rules {
+    /// 5 m of separation, no sensor.
+    fn default() -> Self {
+        Self {
+            separation_m: 5.0,
+            swath: None,
+        }
+    }
+}
+
+/// All vehicles of a session by number.
+pub type Vehicles = BTreeMap<VehicleId, Vehicle>;
+
+/// A manoeuvre as it is given.
+#[derive(Debug, Clone, Copy)]
+pub struct Call<'a> {
+    /// Its entry in the ledger, open already.
+    pub entry: EntryId,
+    /// What to do.
+    pub manoeuvre: &'a Manoeuvre,
+    /// Who, the leader first.
+    pub targets: &'a [VehicleId],
+}
+
+/// A command to single vehicles as it is given.
+#[derive(Debug, Clone, Copy)]
+pub struct Ordered<'a> {
+    /// Its entry in the ledger, open already.
+    pub entry: EntryId,
+    /// The verb it was given with.
+    pub verb: &'static str,
+    /// What to do.
+    pub command: &'a Command,
+    /// Who.
+    pub targets: &'a [VehicleId],
+}
+
+/// What came of a step.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Turn {
+    /// Where vehicles are to be now.
+    pub steering: Vec<(VehicleId, Steering)>,
+    /// How far they have come.
+    pub rows: Vec<RowUpdate>,
+    /// What a human should hear.
+    pub notices: Vec<Notice>,
+}
+
+/// What a vehicle is going to fly, for the map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    /// Whose it is.
+    pub vehicle: VehicleId,
+    /// The points ahead, the next first; a single one is a place that it keeps.
+    pub points: Vec<LatLon>,
+}
+
+/// Leads all manoeuvres of a session.
+#[derive(Debug, Clone, Default)]
+pub struct Conductor {
+    rules: Rules,
+    acts: Vec<Act>,
+    /// What is to go out with the next step.
+    waiting: Turn,
+}
+
+impl Conductor {
+    /// Nothing is under way.
+    pub fn new(rules: Rules) -> Self {
+        Self {
+            rules,
+            ..Self::default()
+        }
+    }
+
+    /// Begins a manoeuvre. Those who take part are taken out of what they were doing; those who cannot are refused.
+    pub fn begin(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
+        let name = call.manoeuvre.name();
+        if *call.manoeuvre == Manoeuvre::Disband {
+            return self.disband(call, vehicles, now);
+        }
+        let mut cast = Cast::new(self.rules, vehicles, now, call);
+        cast.audition();
+        let taken = cast.team();
+        let act = cast.make();
+        let mut rows = std::mem::take(&mut cast.rows);
+        if let Some(act) = act {
+            self.release(&taken, &name.into(), vehicles, now);
+            rows.splice(0..0, std::mem::take(&mut self.waiting.rows));
+            self.acts.push(act);
+        }
+        rows
+    }
+
+    /// Takes note of a command that is about to be sent; returns the vehicles that it is to be sent to. A movement
+    /// takes its vehicles out of what they were doing, or moves a whole formation and is sent to none of it.
+    pub fn order(
+        &mut self,
+        ordered: Ordered<'_>,
+        vehicles: &Vehicles,
+        now: Duration,
+    ) -> (Vec<VehicleId>, Vec<RowUpdate>) {
+        let mut left = ordered.targets.to_vec();
+        if moves_the_vehicle(ordered.command) && !is_guided(ordered.command) {
+            for act in &mut self.acts {
+                let claimed = match goal(ordered.command, act, vehicles) {
+                    Some(goal) => act.lead(goal, ordered, now, &mut self.waiting.rows),
+                    None => Vec::new(),
+                };
+                left.retain(|id| !claimed.contains(id));
+            }
+            self.release(&left, &ordered.verb.into(), vehicles, now);
+        }
+        (left, std::mem::take(&mut self.waiting.rows))
+    }
+
+    /// Moves everything on.
+    pub fn step(&mut self, now: Duration, vehicles: &Vehicles) -> Turn {
+        let mut turn = std::mem::take(&mut self.waiting);
+        for index in 0..self.acts.len() {
+            let scene = Scene {
+                now,
+                vehicles,
+                rules: self.rules,
+            };
+            self.acts[index].step(&scene, &mut turn);
+        }
+        self.acts.retain(|act| !act.is_over());
+        turn
+    }
+
+    /// What is going to be flown.
+    pub fn paths(&self) -> Vec<Path> {
+        self.acts.iter().flat_map(Act::paths).collect()
+    }
+
+    /// Whether a vehicle takes part in anything.
+    pub fn has(&self, vehicle: VehicleId) -> bool {
+        self.acts.iter().any(|act| act.has(vehicle))
+    }
+
+    /// Takes vehicles out of what they were doing; the others go on without them.
+    fn release(&mut self, ids: &[VehicleId], by: &Text, vehicles: &Vehicles, now: Duration) {
+        let scene = Scene {
+            now,
+            vehicles,
+            rules: self.rules,
+        };
+        let reason = text!("outcome-superseded", by = by);
+        for act in &mut self.acts {
+            let gone: Vec<VehicleId> = ids.iter().copied().filter(|id| act.has(*id)).collect();
+            if !gone.is_empty() {
+                act.lose(
+                    &gone,
+                    (RowState::Superseded, &reason),
+                    &scene,
+                    &mut self.waiting,
+                );
+            }
+        }
+        self.acts.retain(|act| !act.is_over());
+    }
+
+    fn disband(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
+        let in_formation = |id: &VehicleId| {
+            let mut acts = self.acts.iter();
+            acts.any(|act| act.is_formation() && act.has(*id))
+        };
+        let (free, others): (Vec<VehicleId>, Vec<VehicleId>) =
+            call.targets.iter().partition(|id| in_formation(id));
+        let stops: Vec<(VehicleId, Steering)> = self
+            .acts
+            .iter()
+            .flat_map(|act| act.stops(&free, vehicles))
+            .collect();
+        self.release(&free, &"formation off".into(), vehicles, now);
+        self.waiting.steering.extend(stops);
+        let row = |state, explanation: Option<Text>| {
+            move |vehicle: VehicleId| RowUpdate {
+                entry: call.entry,
+                vehicle,
+                state,
+                tries: 1,
+                at: now,
+                explanation: explanation.clone(),
+            }
+        };
+        let mut rows = std::mem::take(&mut self.waiting.rows);
+        rows.extend(free.into_iter().map(row(RowState::Done, None)));
+        let none = Some(text!("swarm-no-formation"));
+        rows.extend(others.into_iter().map(row(RowState::Refused, none)));
+        rows
+    }
+}
+
+/// Whoever takes part is in GUIDED already: to say so again changes nothing.
+fn is_guided(command: &Command) -> bool {
+    matches!(command, Command::SetMode { name } if name.eq_ignore_ascii_case("GUIDED"))
+}
+
+/// Where a command takes a formation: its first place, and its height.
+fn goal(command: &Command, act: &Act, vehicles: &Vehicles) -> Option<(LatLon, Option<f64>)> {
+    let leader = vehicles.get(&act.leader()?)?;
+    let here = leader.global?;
+    match *command {
+        Command::Altitude { altitude_m } => Some((here.at_point, Some(altitude_m))),
+        Command::Goto { destination, .. } => match destination {
+            Destination::Global {
+                at_point,
+                altitude_m,
+            } => Some((at_point, altitude_m)),
+            Destination::Local {
+                north_m,
+                east_m,
+                up_m,
+            } => {
+                let [north, east, down] = leader.local?.ned_m.map(f64::from);
+                let place = here.at_point.moved(north_m - north, east_m - east);
+                // Heights count from the origin here, and home may lie higher.
+                Some((place, up_m.map(|up_m| here.altitude_m + up_m + down)))
+            }
+            Destination::Offset {
+                north_m,
+                east_m,
+                up_m,
+            } => {
+                let place = here.at_point.moved(north_m, east_m);
+                Some((place, Some(here.altitude_m + up_m)))
+            }
+        },
+        _ => None,
+    }
+}

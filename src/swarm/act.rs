@@ -1,0 +1,431 @@
+//! A manoeuvre under way.
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+
+use super::geometry::length_m;
+use super::guard::is_in_the_way;
+use super::lanes::Lane;
+use super::march::March;
+use super::site::{Site, velocity};
+use super::{Ordered, Path, Rules, Turn, Vehicles};
+use crate::commands::Setpoint;
+use crate::geo::LatLon;
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::notice::Notice;
+use crate::session::Steering;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+mod fate;
+mod work;
+
+pub(super) use work::{Chain, Tail};
+
+/// A point that stands is said again after this, in case it was lost.
+const STANDING_EVERY: Duration = Duration::from_secs(1);
+/// A point that moves is said this often (ArduCopter stops 3 s after the last one, `GUID_TIMEOUT`).
+const MOVING_EVERY: Duration = Duration::from_millis(200);
+/// Slower than this a point stands.
+const STANDING_M_S: f64 = 0.05;
+/// A point that has moved by this is a new one.
+const SAME_POINT_M: f64 = 0.2;
+/// How near to a point a vehicle has reached it, on the ground and in height.
+const REACHED_ASIDE_M: f64 = 1.2;
+const REACHED_ABOVE_M: f64 = 0.7;
+/// How near to its place a vehicle of a moving formation is in its place.
+const IN_PLACE_M: f64 = 2.0;
+
+/// What an act sees of the world.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scene<'a> {
+    pub now: Duration,
+    pub vehicles: &'a Vehicles,
+    pub rules: Rules,
+}
+
+/// One vehicle's part.
+#[derive(Debug, Clone)]
+pub(super) struct Member {
+    pub id: VehicleId,
+    /// Where it was when it began.
+    pub from: DVec3,
+    /// The height at which it crosses.
+    pub layer_m: f64,
+    /// Where its work begins.
+    pub to: DVec3,
+    /// What it flies then.
+    pub course: Vec<DVec3>,
+    /// The next point of that.
+    pub next: usize,
+    pub standing: Standing,
+}
+
+/// How a member's row stands, and what it was told last.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Standing {
+    /// The longest way that was ever left.
+    pub most_m: f64,
+    pub percent: u8,
+    /// Whether its row has ended.
+    pub is_done: bool,
+    told: Option<(Duration, DVec3)>,
+    lost_since: Option<Duration>,
+    /// Where it waits, and for whom.
+    waits: Option<(DVec3, VehicleId)>,
+}
+
+impl Member {
+    pub fn new(id: VehicleId, from: DVec3, to: DVec3) -> Self {
+        Self {
+            id,
+            from,
+            layer_m: to.z,
+            to,
+            course: Vec::new(),
+            next: 0,
+            standing: Standing::default(),
+        }
+    }
+
+    /// The way that is left, from where it is.
+    fn left_m(&self, phase: Phase, at: DVec3) -> f64 {
+        let layer = |point: DVec3| point.truncate().extend(self.layer_m);
+        let mut points = vec![at];
+        if phase <= Phase::Rise {
+            points.push(layer(self.from));
+        }
+        if phase <= Phase::Cross {
+            points.push(layer(self.to));
+        }
+        if phase <= Phase::Sink {
+            points.push(self.to);
+        }
+        points.extend(self.course.iter().skip(self.next));
+        length_m(&points)
+    }
+}
+
+/// How far a manoeuvre has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Phase {
+    /// Everybody goes to its height on the spot.
+    Rise,
+    /// Everybody crosses at its height.
+    Cross,
+    /// Everybody goes to where its work begins.
+    Sink,
+    /// The work itself.
+    Work,
+}
+
+impl Phase {
+    fn next(self) -> Self {
+        match self {
+            Self::Rise => Self::Cross,
+            Self::Cross => Self::Sink,
+            Self::Sink | Self::Work => Self::Work,
+        }
+    }
+}
+
+/// What is done once everybody is there.
+#[derive(Debug, Clone)]
+pub(super) enum Work {
+    /// Each flies its course and is done at its end. Lanes are pairs of points, and others can take them over.
+    Courses {
+        /// Whether the courses are lanes.
+        lanes: bool,
+    },
+    /// All keep their places in a formation.
+    Formation(March),
+    /// Each flies behind the one before.
+    Follow(Tail),
+    /// Each keeps its place between home and a vehicle.
+    Chain(Chain),
+}
+
+/// A formation's order to go somewhere.
+#[derive(Debug, Clone)]
+struct Move {
+    entry: EntryId,
+    who: Vec<VehicleId>,
+    way_m: f64,
+    percent: u8,
+}
+
+/// A manoeuvre under way.
+#[derive(Debug, Clone)]
+pub(super) struct Act {
+    pub entry: EntryId,
+    pub name: &'static str,
+    pub site: Site,
+    pub members: Vec<Member>,
+    pub phase: Phase,
+    pub work: Work,
+    moving: Option<Move>,
+}
+
+impl Act {
+    pub fn new(entry: EntryId, name: &'static str, site: Site, work: Work) -> Self {
+        Self {
+            entry,
+            name,
+            site,
+            members: Vec::new(),
+            phase: Phase::Rise,
+            work,
+            moving: None,
+        }
+    }
+
+    pub fn has(&self, vehicle: VehicleId) -> bool {
+        self.members.iter().any(|member| member.id == vehicle)
+    }
+
+    pub fn is_over(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    pub fn is_formation(&self) -> bool {
+        matches!(self.work, Work::Formation(_))
+    }
+
+    /// The first of a formation.
+    pub fn leader(&self) -> Option<VehicleId> {
+        let first = self.members.first()?.id;
+        self.is_formation().then_some(first)
+    }
+
+    pub fn step(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+        self.drop_unfit(scene, turn);
+        self.move_on(scene);
+        self.work(scene);
+        self.steer(scene, turn);
+        self.tell(scene, turn);
+    }
+
+    /// The next phase begins when everybody has come to the end of this one.
+    fn move_on(&mut self, scene: &Scene<'_>) {
+        let there = |member: &Member| {
+            let aim = self.aim(member, 0).0;
+            let at = self.point(member.id, scene);
+            at.is_some_and(|at| is_reached(at, aim))
+        };
+        if self.phase < Phase::Work && self.members.iter().all(there) {
+            self.phase = self.phase.next();
+        }
+    }
+
+    /// Where a member is to be now, and how fast that point moves.
+    fn aim(&self, member: &Member, index: usize) -> (DVec3, DVec3) {
+        let point = match self.phase {
+            Phase::Rise => member.from.truncate().extend(member.layer_m),
+            Phase::Cross => member.to.truncate().extend(member.layer_m),
+            Phase::Sink => member.to,
+            Phase::Work => return self.work_aim(member, index),
+        };
+        (point, DVec3::ZERO)
+    }
+
+    fn point(&self, id: VehicleId, scene: &Scene<'_>) -> Option<DVec3> {
+        self.site.point(scene.vehicles.get(&id)?)
+    }
+
+    /// Says where everybody is to be.
+    fn steer(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+        for index in 0..self.members.len() {
+            let member = &self.members[index];
+            let (aim, aim_m_s) = self.aim(member, index);
+            let (id, before) = (member.id, member.standing.waits);
+            let waits = self.obstacle(id, aim, scene);
+            let waits = waits.map(|(at, other)| match before {
+                Some((stand, _)) => (stand, other),
+                None => (at, other),
+            });
+            if let (Some((_, other)), None) = (waits, before) {
+                let text = text!("swarm-waits", verb = self.name, other = other);
+                turn.notices
+                    .push(notice(id, Severity::Notice, text, scene.now));
+            }
+            let (point, speed) = waits.map_or((aim, aim_m_s), |(stand, _)| (stand, DVec3::ZERO));
+            self.members[index].standing.waits = waits;
+            let is_moving = speed.length() > STANDING_M_S;
+            if self.members[index]
+                .standing
+                .is_due(point, is_moving, scene.now)
+            {
+                let speed = is_moving.then_some(speed);
+                turn.steering.push((id, self.steering(point, speed)));
+            }
+        }
+    }
+
+    fn steering(&self, point: DVec3, speed: Option<DVec3>) -> Steering {
+        Steering {
+            verb: self.name,
+            setpoint: Setpoint {
+                at_point: self.site.place(point.truncate()),
+                altitude_m: point.z,
+                velocity_m_s: speed.map(|speed| [speed.x, speed.y, -speed.z]),
+            },
+        }
+    }
+
+    /// Somebody from outside who is in the way of a member, with where that member is.
+    fn obstacle(&self, id: VehicleId, aim: DVec3, scene: &Scene<'_>) -> Option<(DVec3, VehicleId)> {
+        let me = scene.vehicles.get(&id)?;
+        let at = self.site.point(me)?;
+        let speed_m_s = velocity(me).length();
+        let in_the_way = |other: &Vehicle| {
+            let place = self.site.point(other).map(|place| (place, velocity(other)));
+            let separation_m = scene.rules.separation_m + 1.0;
+            place.is_some_and(|place| is_in_the_way((at, speed_m_s), aim, place, separation_m))
+        };
+        let mut others = scene.vehicles.values();
+        others
+            .find(|other| other.airborne() && !self.has(other.id) && in_the_way(other))
+            .map(|other| (at, other.id))
+    }
+
+    /// Last setpoints for those that are to stay where they are.
+    pub fn stops(&self, ids: &[VehicleId], vehicles: &Vehicles) -> Vec<(VehicleId, Steering)> {
+        let members = self
+            .members
+            .iter()
+            .filter(|member| ids.contains(&member.id));
+        let stop = |member: &Member| {
+            let at = self.site.point(vehicles.get(&member.id)?)?;
+            Some((member.id, self.steering(at, None)))
+        };
+        members.filter_map(stop).collect()
+    }
+
+    /// Leads a formation somewhere if its first vehicle is among those who are told to go there. Returns who of
+    /// them goes along, and begins their rows.
+    pub fn lead(
+        &mut self,
+        (place, altitude_m): (LatLon, Option<f64>),
+        ordered: Ordered<'_>,
+        now: Duration,
+        rows: &mut Vec<RowUpdate>,
+    ) -> Vec<VehicleId> {
+        let leader = self
+            .leader()
+            .filter(|leader| ordered.targets.contains(leader));
+        let goal = self.site.flat(place);
+        let (Some(leader), true, Work::Formation(march)) =
+            (leader, place.is_valid(), &mut self.work)
+        else {
+            return Vec::new();
+        };
+        let goal = goal.extend(altitude_m.unwrap_or(march.anchor.z));
+        march.goal = Some(goal);
+        let way_m = march.anchor.distance(goal);
+        let targets = ordered.targets.iter().copied();
+        let who: Vec<VehicleId> = targets.filter(|id| self.has(*id)).collect();
+        let by = text!("outcome-superseded", by = ordered.verb);
+        self.end_move(RowState::Superseded, Some(&by), now, rows);
+        let remark = text!("swarm-goes-along", leader = leader);
+        for &vehicle in &who {
+            rows.push(RowUpdate {
+                entry: ordered.entry,
+                vehicle,
+                state: RowState::InProgress(0),
+                tries: 1,
+                at: now,
+                explanation: Some(remark.clone()),
+            });
+        }
+        self.moving = Some(Move {
+            entry: ordered.entry,
+            who: who.clone(),
+            way_m,
+            percent: 0,
+        });
+        who
+    }
+
+    /// What is going to be flown.
+    pub fn paths(&self) -> Vec<Path> {
+        let path = |(index, member): (usize, &Member)| {
+            let place = |point: &DVec3| self.site.place(point.truncate());
+            let mut points = Vec::new();
+            if self.phase < Phase::Work {
+                points.push(place(&member.to));
+            }
+            if let (Phase::Work, false) = (self.phase, matches!(self.work, Work::Courses { .. })) {
+                points.push(place(&self.aim(member, index).0));
+            }
+            points.extend(member.course.iter().skip(member.next).map(place));
+            Path {
+                vehicle: member.id,
+                points,
+            }
+        };
+        self.members.iter().enumerate().map(path).collect()
+    }
+
+    /// The lanes that nobody has finished, of a survey.
+    fn lanes_left(&self) -> Vec<Lane> {
+        let lanes = self.members.iter().flat_map(|member| {
+            let first = member.next / 2;
+            let pairs = member.course.chunks_exact(2).skip(first);
+            pairs.map(|pair| Lane {
+                from: pair[0].truncate(),
+                to: pair[1].truncate(),
+            })
+        });
+        let mut lanes: Vec<Lane> = lanes.collect();
+        let across = lanes.first().map_or(DVec2::X, |lane| {
+            (lane.to - lane.from)
+                .try_normalize()
+                .unwrap_or(DVec2::X)
+                .perp()
+        });
+        let along = -across.perp();
+        for lane in &mut lanes {
+            // All in one direction again, as a survey begins.
+            if (lane.to - lane.from).dot(along) < 0.0 {
+                (lane.from, lane.to) = (lane.to, lane.from);
+            }
+        }
+        lanes.sort_by(|a, b| a.from.dot(across).total_cmp(&b.from.dot(across)));
+        lanes
+    }
+}
+
+impl Standing {
+    /// Whether a point has to be said (again).
+    fn is_due(&mut self, point: DVec3, is_moving: bool, now: Duration) -> bool {
+        let every = if is_moving {
+            MOVING_EVERY
+        } else {
+            STANDING_EVERY
+        };
+        let is_due = self.told.is_none_or(|(at, told)| {
+            let is_new = !is_moving && told.distance(point) > SAME_POINT_M;
+            is_new || now.saturating_sub(at) >= every
+        });
+        if is_due {
+            self.told = Some((now, point));
+        }
+        is_due
+    }
+}
+
+fn is_reached(at: DVec3, aim: DVec3) -> bool {
+    at.truncate().distance(aim.truncate()) <= REACHED_ASIDE_M
+        && (at.z - aim.z).abs() <= REACHED_ABOVE_M
+}
+
+fn notice(vehicle: VehicleId, severity: Severity, text: Text, at: Duration) -> Notice {
+    Notice {
+        at,
+        vehicle: Some(vehicle),
+        severity,
+        text,
+    }
+}

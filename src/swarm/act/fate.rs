@@ -1,0 +1,157 @@
+//! Who falls out, and how the others go on.
+
+use std::time::Duration;
+
+use super::{Act, Phase, Scene, Turn, Work, notice};
+use crate::ledger::{RowState, RowUpdate};
+use crate::swarm::cast;
+use crate::swarm::lanes::Lane;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+/// A vehicle that is silent for longer than this is given up.
+const LOST_FOR: Duration = Duration::from_secs(10);
+
+impl Act {
+    /// Lets those fall out that do not take part any more.
+    pub(super) fn drop_unfit(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+        for index in (0..self.members.len()).rev() {
+            let member = &mut self.members[index];
+            let id = member.id;
+            let vehicle = scene.vehicles.get(&id);
+            let lost_since = &mut member.standing.lost_since;
+            if vehicle.is_some_and(|vehicle| !vehicle.link.lost) {
+                *lost_since = None;
+            }
+            let silent = match vehicle {
+                Some(vehicle) if !vehicle.link.lost => Duration::ZERO,
+                _ => scene
+                    .now
+                    .saturating_sub(*lost_since.get_or_insert(scene.now)),
+            };
+            if let Some((state, reason)) = unfit(vehicle, silent) {
+                let verb = self.name;
+                let text = text!("swarm-falls-out", verb = verb, reason = &reason);
+                turn.notices
+                    .push(notice(id, Severity::Warning, text, scene.now));
+                self.lose(&[id], (state, &reason), scene, turn);
+            }
+        }
+    }
+
+    /// Takes vehicles out; the others take over what is left, or close up.
+    pub fn lose(
+        &mut self,
+        ids: &[VehicleId],
+        (state, reason): (RowState, &Text),
+        scene: &Scene<'_>,
+        turn: &mut Turn,
+    ) {
+        for member in self.members.iter().filter(|it| ids.contains(&it.id)) {
+            turn.rows.push(RowUpdate {
+                entry: self.entry,
+                vehicle: member.id,
+                state,
+                tries: 1,
+                at: scene.now,
+                explanation: Some(reason.clone()),
+            });
+        }
+        if let Some(moving) = &mut self.moving {
+            for &vehicle in moving.who.iter().filter(|id| ids.contains(id)) {
+                turn.rows.push(RowUpdate {
+                    entry: moving.entry,
+                    vehicle,
+                    state,
+                    tries: 1,
+                    at: scene.now,
+                    explanation: Some(reason.clone()),
+                });
+            }
+            moving.who.retain(|id| !ids.contains(id));
+        }
+        let leader = self.leader();
+        let lanes = self.lanes_left();
+        self.members.retain(|member| !ids.contains(&member.id));
+        if !self.members.is_empty() && !self.rearrange(leader, &lanes, scene, turn) {
+            self.give_up(scene, turn);
+        }
+    }
+
+    /// Plans anew for those who are left; false if there is no way.
+    fn rearrange(
+        &mut self,
+        leader: Option<VehicleId>,
+        lanes: &[Lane],
+        scene: &Scene<'_>,
+        turn: &mut Turn,
+    ) -> bool {
+        match &mut self.work {
+            Work::Courses { lanes: true } if !lanes.is_empty() => {
+                cast::share_lanes(self, lanes, scene)
+            }
+            Work::Courses { .. } => true,
+            Work::Formation(march) => {
+                if leader != self.members.first().map(|member| member.id) {
+                    // The next one leads, from where it is.
+                    let first = self
+                        .members
+                        .first()
+                        .and_then(|it| scene.vehicles.get(&it.id));
+                    let at = first.and_then(|first| self.site.point(first));
+                    march.anchor = at.unwrap_or(march.anchor);
+                    march.goal = None;
+                    // Without its leader nobody knows where it was to go.
+                    self.end_move(RowState::Superseded, None, scene.now, &mut turn.rows);
+                }
+                cast::take_places(self, scene)
+            }
+            Work::Follow(tail) => {
+                tail.places.clear();
+                true
+            }
+            Work::Chain(chain) => {
+                let count = self.members.len() as f64 + 1.0;
+                chain.shares = (1..=self.members.len())
+                    .map(|at| at as f64 / count)
+                    .collect();
+                true
+            }
+        }
+    }
+
+    /// There is no safe way to go on: everybody stays where it is.
+    fn give_up(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+        let reason = text!("swarm-no-way");
+        let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
+        turn.steering.extend(self.stops(&ids, scene.vehicles));
+        for &vehicle in &ids {
+            turn.rows.push(RowUpdate {
+                entry: self.entry,
+                vehicle,
+                state: RowState::NoEffect,
+                tries: 1,
+                at: scene.now,
+                explanation: Some(reason.clone()),
+            });
+        }
+        self.end_move(RowState::NoEffect, Some(&reason), scene.now, &mut turn.rows);
+        self.members.clear();
+        self.phase = Phase::Work;
+    }
+}
+
+/// Why a vehicle does not take part any more.
+fn unfit(vehicle: Option<&Vehicle>, silent: Duration) -> Option<(RowState, Text)> {
+    let Some(vehicle) = vehicle.filter(|vehicle| !vehicle.link.lost) else {
+        return (silent >= LOST_FOR).then(|| (RowState::NoEffect, text!("swarm-lost")));
+    };
+    let mode = vehicle.mode()?;
+    if !mode.is("GUIDED") {
+        let reason = text!("swarm-left-guided", mode = mode.to_string());
+        return Some((RowState::Superseded, reason));
+    }
+    let flies = vehicle.armed() && vehicle.airborne();
+    (!flies).then(|| (RowState::NoEffect, text!("swarm-does-not-fly")))
+}

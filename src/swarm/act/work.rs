@@ -1,0 +1,238 @@
+//! What is done once everybody is where it begins, and how far that is.
+
+use glam::DVec3;
+
+use super::{Act, IN_PLACE_M, Member, Phase, Scene, Turn, Work, is_reached};
+use crate::ledger::{RowState, RowUpdate};
+use crate::swarm::site::velocity;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// Vehicles behind another one.
+#[derive(Debug, Clone)]
+pub(in crate::swarm) struct Tail {
+    pub leader: VehicleId,
+    pub distance_m: f64,
+    /// Heights above home; `None` is above the leader.
+    pub up_m: Option<f64>,
+    /// Between the height of one and the next.
+    pub step_m: f64,
+    /// Where each is to be, and how fast that moves.
+    pub places: Vec<(DVec3, DVec3)>,
+}
+
+/// Vehicles between home and another one.
+#[derive(Debug, Clone)]
+pub(in crate::swarm) struct Chain {
+    pub from: DVec3,
+    pub to: VehicleId,
+    /// Which share of the way each is from home.
+    pub shares: Vec<f64>,
+    pub places: Vec<(DVec3, DVec3)>,
+}
+
+impl Act {
+    /// Where a member that works is to be, and how fast that point moves.
+    pub(super) fn work_aim(&self, member: &Member, index: usize) -> (DVec3, DVec3) {
+        let stand = (member.to, DVec3::ZERO);
+        match &self.work {
+            Work::Courses { .. } => {
+                let point = member.course.get(member.next).or(member.course.last());
+                (point.copied().unwrap_or(member.to), DVec3::ZERO)
+            }
+            Work::Formation(march) => march.place(index),
+            Work::Follow(tail) => tail.places.get(index).copied().unwrap_or(stand),
+            Work::Chain(chain) => chain.places.get(index).copied().unwrap_or(stand),
+        }
+    }
+
+    /// Moves what is worked at on.
+    pub(super) fn work(&mut self, scene: &Scene<'_>) {
+        if self.phase < Phase::Work {
+            return;
+        }
+        let points: Vec<Option<DVec3>> = self
+            .members
+            .iter()
+            .map(|member| self.point(member.id, scene))
+            .collect();
+        match &mut self.work {
+            Work::Courses { .. } => {
+                for (member, at) in self.members.iter_mut().zip(points) {
+                    let aim = member.course.get(member.next);
+                    if at.zip(aim).is_some_and(|(at, &aim)| is_reached(at, aim)) {
+                        member.next += 1;
+                    }
+                }
+            }
+            Work::Formation(march) => {
+                let places = (0..points.len()).map(|index| march.place(index).0);
+                let lags = points.iter().zip(places);
+                let lags = lags.filter_map(|(at, place)| Some((*at)?.distance(place)));
+                march.step(scene.now, lags.fold(0.0, f64::max));
+            }
+            Work::Follow(tail) => {
+                let leader = scene.vehicles.get(&tail.leader).filter(|it| !it.link.lost);
+                let leader = leader.and_then(|it| Some((self.site.point(it)?, velocity(it))));
+                if let Some(leader) = leader {
+                    tail.follow(leader, &points);
+                }
+            }
+            Work::Chain(chain) => {
+                let end = scene.vehicles.get(&chain.to).filter(|it| !it.link.lost);
+                if let Some(end) = end.and_then(|it| Some((self.site.point(it)?, velocity(it)))) {
+                    chain.stretch(end, &points);
+                }
+            }
+        }
+    }
+
+    /// Says how far everybody is.
+    pub(super) fn tell(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+        let all_in_place = self.phase == Phase::Work
+            && self.members.iter().enumerate().all(|(index, member)| {
+                let place = self.aim(member, index).0;
+                let at = self.point(member.id, scene);
+                at.is_some_and(|at| at.distance(place) <= IN_PLACE_M)
+            });
+        for index in 0..self.members.len() {
+            let member = &self.members[index];
+            let Some(at) = self.point(member.id, scene) else {
+                continue;
+            };
+            let left_m = member.left_m(self.phase, at);
+            let is_done = match self.work {
+                Work::Courses { .. } => {
+                    self.phase == Phase::Work && member.next >= member.course.len()
+                }
+                _ => all_in_place,
+            };
+            let standing = &mut self.members[index].standing;
+            if let Some(state) = standing.news(left_m, is_done) {
+                turn.rows.push(self.row(index, state, scene));
+            }
+        }
+        self.tell_move(all_in_place, scene, turn);
+        if matches!(self.work, Work::Courses { .. }) {
+            // Whoever is done is free for something else.
+            self.members.retain(|member| !member.standing.is_done);
+        }
+    }
+
+    fn row(&self, index: usize, state: RowState, scene: &Scene<'_>) -> RowUpdate {
+        RowUpdate {
+            entry: self.entry,
+            vehicle: self.members[index].id,
+            state,
+            tries: 1,
+            at: scene.now,
+            explanation: None,
+        }
+    }
+
+    /// How far a formation is on its way.
+    fn tell_move(&mut self, all_in_place: bool, scene: &Scene<'_>, turn: &mut Turn) {
+        let (Work::Formation(march), Some(moving)) = (&self.work, &mut self.moving) else {
+            return;
+        };
+        let Some(goal) = march.goal else {
+            if all_in_place {
+                self.end_move(RowState::Done, None, scene.now, &mut turn.rows);
+            }
+            return;
+        };
+        let flown = 1.0 - march.anchor.distance(goal) / moving.way_m.max(1.0);
+        let percent = (flown * 100.0).clamp(0.0, 99.0) as u8;
+        if percent > moving.percent {
+            moving.percent = percent;
+            turn.rows
+                .extend(moving.who.iter().map(|&vehicle| RowUpdate {
+                    entry: moving.entry,
+                    vehicle,
+                    state: RowState::InProgress(percent),
+                    tries: 1,
+                    at: scene.now,
+                    explanation: None,
+                }));
+        }
+    }
+
+    /// Ends the rows of those that were to go with the formation.
+    pub(super) fn end_move(
+        &mut self,
+        state: RowState,
+        why: Option<&Text>,
+        at: std::time::Duration,
+        rows: &mut Vec<RowUpdate>,
+    ) {
+        let Some(moving) = self.moving.take() else {
+            return;
+        };
+        rows.extend(moving.who.iter().map(|&vehicle| RowUpdate {
+            entry: moving.entry,
+            vehicle,
+            state,
+            tries: 1,
+            at,
+            explanation: why.cloned(),
+        }));
+    }
+}
+
+impl super::Standing {
+    /// A row's new state, if it has one.
+    fn news(&mut self, left_m: f64, is_done: bool) -> Option<RowState> {
+        if self.is_done {
+            return None;
+        }
+        if is_done {
+            self.is_done = true;
+            return Some(RowState::Done);
+        }
+        self.most_m = self.most_m.max(left_m);
+        let flown = 1.0 - left_m / self.most_m.max(1.0);
+        let percent = (flown * 100.0).clamp(0.0, 99.0) as u8;
+        let is_more = percent > self.percent;
+        self.percent = self.percent.max(percent);
+        is_more.then_some(RowState::InProgress(percent))
+    }
+}
+
+impl Tail {
+    /// Draws everybody along as on a rope: nobody swings out when the leader turns, and who is told to come nearer
+    /// than the rope is long gives way backwards. A step in height keeps them apart where the leader turns back.
+    pub fn follow(&mut self, leader: (DVec3, DVec3), points: &[Option<DVec3>]) {
+        let (mut ahead, mut speed) = leader;
+        for (index, at) in points.iter().enumerate() {
+            let known = self.places.get(index).map(|place| place.0);
+            let from = known.or(*at).unwrap_or(ahead);
+            let rope = (from - ahead).truncate();
+            let direction = rope.try_normalize().unwrap_or(glam::DVec2::NEG_X);
+            let level = match self.up_m {
+                Some(up_m) => up_m + self.step_m * index as f64,
+                None => leader.0.z + self.step_m * (index + 1) as f64,
+            };
+            let place = (ahead.truncate() + direction * self.distance_m).extend(level);
+            // A rope passes on what pulls along it.
+            let pull = direction * speed.truncate().dot(direction);
+            let climb = if self.up_m.is_none() { leader.1.z } else { 0.0 };
+            speed = pull.extend(climb);
+            match self.places.get_mut(index) {
+                Some(known) => *known = (place, speed),
+                None => self.places.push((place, speed)),
+            }
+            ahead = place;
+        }
+    }
+}
+
+impl Chain {
+    fn stretch(&mut self, (end, speed): (DVec3, DVec3), points: &[Option<DVec3>]) {
+        let way = (end - self.from).truncate();
+        let places = self.shares.iter().zip(points).map(|(&share, _)| {
+            let place = (self.from.truncate() + way * share).extend(self.from.z);
+            (place, (speed.truncate() * share).extend(0.0))
+        });
+        self.places = places.collect();
+    }
+}

@@ -1,0 +1,217 @@
+//! Distances, and who goes where.
+
+use glam::{DVec2, DVec3};
+
+/// Between a point and a segment.
+pub(super) fn distance_to_segment(point: DVec2, from: DVec2, to: DVec2) -> f64 {
+    let way = to - from;
+    let length_squared = way.length_squared();
+    let share = if length_squared > 0.0 {
+        ((point - from).dot(way) / length_squared).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    point.distance(from + way * share)
+}
+
+/// Between the nearest points of two segments.
+pub(super) fn distance_between(a: (DVec2, DVec2), b: (DVec2, DVec2)) -> f64 {
+    if cross(a, b) {
+        return 0.0;
+    }
+    [
+        distance_to_segment(a.0, b.0, b.1),
+        distance_to_segment(a.1, b.0, b.1),
+        distance_to_segment(b.0, a.0, a.1),
+        distance_to_segment(b.1, a.0, a.1),
+    ]
+    .into_iter()
+    .fold(f64::INFINITY, f64::min)
+}
+
+fn cross(a: (DVec2, DVec2), b: (DVec2, DVec2)) -> bool {
+    let side = |line: (DVec2, DVec2), point: DVec2| (line.1 - line.0).perp_dot(point - line.0);
+    side(a, b.0) * side(a, b.1) < 0.0 && side(b, a.0) * side(b, a.1) < 0.0
+}
+
+/// The length of a way.
+pub(super) fn length_m(points: &[DVec3]) -> f64 {
+    points
+        .windows(2)
+        .map(|pair| pair[0].distance(pair[1]))
+        .sum()
+}
+
+/// Gives each place one of the vehicles so that all together have the shortest way: two ways that cross could be
+/// exchanged for shorter ones, so none do. Returns for each place which vehicle, of which there must be as many at
+/// least, and the length of all ways.
+///
+/// The Hungarian method with potentials, O(places² × vehicles) (H. W. Kuhn, 1955; in the form of J. Munkres).
+pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) {
+    let cost = |place: usize, vehicle: usize| places[place].distance(vehicles[vehicle]);
+    let (rows, columns) = (places.len(), vehicles.len());
+    // Row and column 0 stand for "none".
+    let (mut of_row, mut of_column) = (vec![0.0; rows + 1], vec![0.0; columns + 1]);
+    let mut row_at = vec![0; columns + 1];
+    for row in 1..=rows {
+        let mut before = vec![0; columns + 1];
+        let mut least = vec![f64::INFINITY; columns + 1];
+        let mut used = vec![false; columns + 1];
+        row_at[0] = row;
+        let mut column = 0;
+        while row_at[column] != 0 {
+            used[column] = true;
+            let (at, mut next, mut step) = (row_at[column], 0, f64::INFINITY);
+            for other in 1..=columns {
+                if used[other] {
+                    continue;
+                }
+                let reduced = cost(at - 1, other - 1) - of_row[at] - of_column[other];
+                if reduced < least[other] {
+                    (least[other], before[other]) = (reduced, column);
+                }
+                if least[other] < step {
+                    (step, next) = (least[other], other);
+                }
+            }
+            for other in 0..=columns {
+                if used[other] {
+                    of_row[row_at[other]] += step;
+                    of_column[other] -= step;
+                } else {
+                    least[other] -= step;
+                }
+            }
+            column = next;
+        }
+        while column != 0 {
+            row_at[column] = row_at[before[column]];
+            column = before[column];
+        }
+    }
+    let mut chosen = vec![0; rows];
+    for (column, &row) in row_at.iter().enumerate().skip(1) {
+        if row > 0 {
+            chosen[row - 1] = column - 1;
+        }
+    }
+    let sum = chosen
+        .iter()
+        .enumerate()
+        .map(|(place, &vehicle)| cost(place, vehicle));
+    let sum = sum.sum();
+    (chosen, sum)
+}
+
+/// Moves points apart until no two are nearer than this; each as little as its neighbours allow.
+pub(super) fn spread(points: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
+    /// What makes the last pushes end.
+    const BEYOND: f64 = 1.001;
+    const ROUNDS: usize = 2000;
+    let mut points = points.to_vec();
+    for _ in 0..ROUNDS {
+        let mut moved = false;
+        for a in 0..points.len() {
+            for b in a + 1..points.len() {
+                let way = points[b] - points[a];
+                let distance = way.length();
+                if distance >= spacing_m {
+                    continue;
+                }
+                // Two in one place part in a direction of their own.
+                let turn = (a * points.len() + b) as f64;
+                let direction = way
+                    .try_normalize()
+                    .unwrap_or_else(|| DVec2::from_angle(turn));
+                let push = direction * (spacing_m * BEYOND - distance) / 2.0;
+                points[a] -= push;
+                points[b] += push;
+                moved = true;
+            }
+        }
+        if !moved {
+            break;
+        }
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn points(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<DVec2>> {
+        let point = (-100.0..100.0f64, -100.0..100.0f64);
+        proptest::collection::vec(point.prop_map(DVec2::from), count)
+    }
+
+    #[test]
+    fn segments_that_cross_have_no_distance() {
+        let along = (DVec2::new(-5.0, 0.0), DVec2::new(5.0, 0.0));
+        let across = (DVec2::new(0.0, -5.0), DVec2::new(0.0, 5.0));
+        assert_eq!(distance_between(along, across), 0.0);
+        let beside = (DVec2::new(0.0, 3.0), DVec2::new(0.0, 5.0));
+        assert_eq!(distance_between(along, beside), 3.0);
+    }
+
+    /// Every way to give the places, for comparison.
+    fn best(places: &[DVec2], vehicles: &mut Vec<DVec2>, at: usize) -> f64 {
+        if at == places.len() {
+            return 0.0;
+        }
+        (at..vehicles.len())
+            .map(|other| {
+                vehicles.swap(at, other);
+                let rest = best(places, vehicles, at + 1);
+                let sum = rest + places[at].distance(vehicles[at]);
+                vehicles.swap(at, other);
+                sum
+            })
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    proptest! {
+        #[test]
+        fn nobody_finds_a_cheaper_assignment(places in points(1..5), mut vehicles in points(5..7)) {
+            let (chosen, sum) = assign(&places, &vehicles);
+            let mut seen = chosen.clone();
+            seen.sort_unstable();
+            seen.dedup();
+            prop_assert_eq!(seen.len(), places.len());
+            let least = best(&places, &mut vehicles, 0);
+            prop_assert!((sum - least).abs() < 1e-6, "{sum} {least}");
+        }
+
+        #[test]
+        fn assigned_ways_do_not_cross(places in points(6..7), vehicles in points(6..7)) {
+            let (chosen, _) = assign(&places, &vehicles);
+            let way = |place: usize| (vehicles[chosen[place]], places[place]);
+            for a in 0..places.len() {
+                for b in 0..a {
+                    prop_assert!(!cross(way(a), way(b)), "{a} {b}");
+                }
+            }
+        }
+
+        #[test]
+        fn who_has_been_spread_has_room(start in points(1..12), spacing in 5.0..40.0f64) {
+            let points = spread(&start, spacing);
+            for a in 0..points.len() {
+                for b in 0..a {
+                    prop_assert!(points[a].distance(points[b]) >= spacing - 1e-9);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn who_has_room_stays_and_who_stands_in_one_place_parts() {
+        let wide = [DVec2::ZERO, DVec2::new(20.0, 0.0)];
+        assert_eq!(spread(&wide, 20.0), wide);
+        let parted = spread(&[DVec2::ONE; 5], 10.0);
+        let near = |a: &DVec2| parted.iter().filter(|b| a.distance(**b) < 9.99).count();
+        assert!(parted.iter().all(|point| near(point) == 1));
+    }
+}

@@ -1,0 +1,79 @@
+//! Who has to wait because somebody else is in the way.
+//!
+//! Those of one manoeuvre are kept apart by how it is planned. This is for everybody else: vehicles that hover, that
+//! are flown by hand, or that do something else together.
+
+use glam::DVec3;
+
+/// How far ahead is looked.
+const AHEAD_S: f64 = 3.0;
+/// Somebody who stands still is taken to begin moving this fast.
+const LEAST_SPEED_M_S: f64 = 2.0;
+/// Nearer than this to its aim a vehicle does not move any more.
+const THERE_M: f64 = 1.0;
+
+/// Whether going on to `aim` from `at` would bring a vehicle nearer to the other one than `separation_m`. A vehicle that
+/// is too near already may go away.
+pub(super) fn is_in_the_way(
+    (at, speed_m_s): (DVec3, f64),
+    aim: DVec3,
+    (other, other_m_s): (DVec3, DVec3),
+    separation_m: f64,
+) -> bool {
+    let way = aim - at;
+    if way.length() < THERE_M {
+        return false;
+    }
+    let speed = speed_m_s.max(LEAST_SPEED_M_S);
+    let intended = way.normalize_or_zero() * speed;
+    let (apart, closing) = (other - at, other_m_s - intended);
+    let nearest_s = if closing.length_squared() > 0.0 {
+        -apart.dot(closing) / closing.length_squared()
+    } else {
+        0.0
+    };
+    // Whoever stops before the other one does not come near it.
+    let reach_s = AHEAD_S.min(way.length() / speed);
+    let nearest_m = (apart + closing * nearest_s.clamp(0.0, reach_s)).length();
+    nearest_m < separation_m && nearest_m < apart.length() - 0.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STILL: DVec3 = DVec3::ZERO;
+
+    fn waits(aim: DVec3, other: DVec3, other_m_s: DVec3) -> bool {
+        is_in_the_way((DVec3::ZERO, 5.0), aim, (other, other_m_s), 5.0)
+    }
+
+    #[test]
+    fn somebody_on_the_way_is_waited_for_and_somebody_beside_it_is_not() {
+        let aim = DVec3::new(50.0, 0.0, 0.0);
+        assert!(waits(aim, DVec3::new(12.0, 1.0, 0.0), STILL));
+        assert!(!waits(aim, DVec3::new(12.0, 8.0, 0.0), STILL));
+        assert!(
+            !waits(aim, DVec3::new(12.0, 0.0, 7.0), STILL),
+            "it is above"
+        );
+        assert!(
+            !waits(aim, DVec3::new(-4.0, 0.0, 0.0), STILL),
+            "it is behind"
+        );
+        assert!(!waits(aim, DVec3::new(40.0, 0.0, 0.0), STILL), "it is far");
+        let nearer = DVec3::new(5.0, 0.0, 0.0);
+        assert!(
+            !waits(nearer, DVec3::new(12.0, 0.0, 0.0), STILL),
+            "it stops before"
+        );
+    }
+
+    #[test]
+    fn somebody_who_comes_along_is_seen_early_and_one_who_has_arrived_stays() {
+        let aim = DVec3::new(50.0, 0.0, 0.0);
+        let towards = DVec3::new(-5.0, 0.0, 0.0);
+        assert!(waits(aim, DVec3::new(28.0, 0.0, 0.0), towards));
+        assert!(!waits(DVec3::ZERO, DVec3::new(8.0, 0.0, 0.0), towards));
+    }
+}

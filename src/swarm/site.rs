@@ -1,0 +1,65 @@
+//! The local frame in which manoeuvres are planned.
+
+use glam::{DVec2, DVec3};
+
+use crate::commands::Datum;
+use crate::geo::LatLon;
+use crate::vehicle::Vehicle;
+
+/// A frame around a place: x is metres to the north, y to the east, z above home.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Site {
+    origin: LatLon,
+}
+
+impl Site {
+    pub fn new(origin: LatLon) -> Self {
+        Self { origin }
+    }
+
+    /// A place on the ground.
+    pub fn flat(&self, place: LatLon) -> DVec2 {
+        let (north_m, east_m) = self.origin.offset_to(place);
+        DVec2::new(north_m, east_m)
+    }
+
+    /// The place of a point.
+    pub fn place(&self, point: DVec2) -> LatLon {
+        self.origin.moved(point.x, point.y)
+    }
+
+    /// Where a vehicle is, if it has said so.
+    pub fn point(&self, vehicle: &Vehicle) -> Option<DVec3> {
+        let global = vehicle.global?;
+        Some(self.flat(global.at_point).extend(global.altitude_m))
+    }
+
+    /// A place as it was said, `reference` being the vehicle whose EKF origin counts.
+    pub fn spot(&self, spot: Datum, reference: &Vehicle) -> Option<DVec2> {
+        match spot {
+            Datum::Global(place) => place.is_valid().then(|| self.flat(place)),
+            Datum::Local { north_m, east_m } => {
+                let here = self.point(reference)?.truncate();
+                let local = reference.local?.ned_m.map(f64::from);
+                Some(here + DVec2::new(north_m - local[0], east_m - local[1]))
+            }
+        }
+    }
+}
+
+/// How fast a vehicle moves: north, east, up, in m/s.
+pub(super) fn velocity(vehicle: &Vehicle) -> DVec3 {
+    vehicle.global.map_or(DVec3::ZERO, |global| {
+        DVec3::new(
+            f64::from(global.north_m_s),
+            f64::from(global.east_m_s),
+            -f64::from(global.down_m_s),
+        )
+    })
+}
+
+/// The unit vector of a course, degrees clockwise from north.
+pub(super) fn course(degrees: f64) -> DVec2 {
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    DVec2::new(cosine, sine)
+}

@@ -1,0 +1,213 @@
+//! Pauses, and what begins and ends a try at a mission.
+
+use sortie::app::effect::Effect;
+use sortie::app::event::{Event, Started};
+use sortie::app::state::{Activity, Overlay, Room};
+use sortie::text::{Language, Locale};
+
+use crate::console::hangar::starting;
+use crate::fixtures;
+use crate::harness::Console;
+
+fn mission() -> Activity {
+    Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+    }
+}
+
+fn flying() -> Console {
+    let mut console = Console::new();
+    console.start(mission());
+    console.vehicle(fixtures::airborne(1, 20.0, 20.1));
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.press("F");
+    console
+}
+
+/// What the last line of the screen says.
+fn said(console: &Console) -> String {
+    let message = console.state.message();
+    message.map_or_else(String::new, |message| {
+        Locale::new(Language::English).text(&message.text)
+    })
+}
+
+#[test]
+fn a_key_and_lines_pause_and_go_on_and_the_screen_says_so() {
+    let mut console = flying();
+    assert_eq!(console.press("p").effects, [Effect::Pause]);
+    console.hear(Event::Paused(true));
+    for room in ["F", "M", "B"] {
+        assert!(console.press(room).screen(80, 24).contains("PAUSED"));
+    }
+    assert_eq!(console.press("p").effects, [Effect::GoOn]);
+    console.hear(Event::Paused(false));
+    assert!(!console.press("F").screen(80, 24).contains("PAUSED"));
+    assert_eq!(console.give("pause").effects, [Effect::Pause]);
+    console.hear(Event::Paused(true));
+    assert!(console.give("pause").effects.is_empty());
+    assert_eq!(console.give("continue").effects, [Effect::GoOn]);
+    console.hear(Event::Paused(false));
+    assert!(console.give("continue").effects.is_empty());
+    assert!(said(&console).contains("nothing is paused"));
+}
+
+#[test]
+fn commands_are_refused_while_it_is_paused_and_the_line_stays() {
+    let mut console = flying();
+    console.hear(Event::Paused(true));
+    for line in ["1 rtl", "1 mark", "1 predict 800"] {
+        assert!(console.give(line).effects.is_empty(), "{line}");
+        let Some(Overlay::Palette(palette)) = &console.state.overlay else {
+            panic!("the line is gone: {line}");
+        };
+        let fault = palette.fault.as_ref().expect("it says why");
+        assert!(fault.message.to_string().contains("paused"), "{line}");
+        console.press("esc");
+    }
+    assert_eq!(console.state.session.ledger.entries().len(), 0);
+    console.hear(Event::Paused(false));
+    assert_eq!(console.give("1 rtl").sent_to(), [1]);
+}
+
+#[test]
+fn what_cannot_be_paused_says_why() {
+    let mut processes = starting(mission(), 1);
+    let mut real = Console::new();
+    real.start(Activity::Connected {
+        addresses: vec!["tcp:127.0.0.1:5760".to_owned()],
+    });
+    let mut forbidden = Console::new();
+    let mut listing = fixtures::listing();
+    listing.pausable = false;
+    forbidden.hear(Event::Started(Box::new(Started {
+        activity: mission(),
+        mission: Some(Box::new(listing)),
+        places: std::collections::BTreeMap::new(),
+        areas: Vec::new(),
+        processes: None,
+    })));
+    let mut over = flying();
+    over.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    over.at(300);
+    for (console, reason) in [
+        (&mut processes, "ArduPilot"),
+        (&mut real, "real drones"),
+        (&mut forbidden, "rules of this mission"),
+        (&mut over, "over"),
+        (&mut Console::new(), "no mission"),
+    ] {
+        assert!(console.give("pause").effects.is_empty(), "{reason}");
+        assert!(said(console).contains(reason), "{}", said(console));
+    }
+}
+
+#[test]
+fn a_mission_begins_with_its_brief_and_once_more_in_flight() {
+    let mut console = Console::new();
+    console.start(mission());
+    assert_eq!(console.state.room, Room::Mission);
+    let screen = console.screen(80, 24);
+    for words in ["before launch", "predict 800", "goal time 200s"] {
+        assert!(screen.contains(words), "{words}: {screen}");
+    }
+    assert_eq!(console.press("enter").state.room, Room::Fly);
+    console.start(mission());
+    assert_eq!(console.state.room, Room::Fly, "who flies it again knows it");
+    let mut free = Console::new();
+    free.start(Activity::Free);
+    assert_eq!(free.state.room, Room::Fly);
+}
+
+#[test]
+fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
+    let mut console = Console::new();
+    console.start(mission());
+    console.vehicle(fixtures::parked(1));
+    console.press("s").write("800").press("enter");
+    assert!(
+        matches!(console.effects.as_slice(), [Effect::Deed { .. }]),
+        "{:?}",
+        console.effects
+    );
+    console.press("g").write("time 200s").press("enter");
+    assert!(matches!(console.effects.as_slice(), [Effect::Deed { .. }]));
+    let mut progress = fixtures::progress();
+    progress.score_so_far = None;
+    progress.pledge.prediction = Some(800);
+    console.hear(Event::Mission(Box::new(progress)));
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("800 predicted"), "{screen}");
+    assert!(screen.contains("goal time 200s"), "{screen}");
+    // In the air only what was said is left.
+    let mut progress = fixtures::progress();
+    progress.pledge.prediction = Some(800);
+    console.hear(Event::Mission(Box::new(progress)));
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("your word"), "{screen}");
+    assert!(!screen.contains("goal time 200s"), "{screen}");
+    assert!(
+        console
+            .press("F")
+            .screen(80, 24)
+            .contains("you said: 800 points")
+    );
+}
+
+#[test]
+fn keys_of_the_brief_end_and_repeat_the_mission_after_a_question() {
+    for (key, effect) in [
+        ("a", Effect::AbandonMission),
+        ("r", Effect::RestartMission { alike: false }),
+    ] {
+        let mut console = flying();
+        console.press("B").press(key);
+        assert!(matches!(console.state.overlay, Some(Overlay::Confirm(_))));
+        assert_eq!(console.press("y").effects, [effect]);
+    }
+}
+
+#[test]
+fn the_debrief_leads_to_the_same_seed_another_one_and_the_next_mission() {
+    let mut console = flying();
+    let mut next = fixtures::listing();
+    next.id = "m02".to_owned();
+    let first = console.state.missions[0].id.clone();
+    console.state.missions.push(next);
+    let mut report = fixtures::report();
+    report.mission = first;
+    console.hear(Event::MissionEnded(Box::new(report)));
+    console.at(300);
+    for (key, effect) in [
+        ("r", Effect::RestartMission { alike: false }),
+        ("s", Effect::RestartMission { alike: true }),
+        ("n", Effect::StartMission("m02".to_owned())),
+    ] {
+        assert_eq!(console.press(key).effects, [effect], "{key}");
+    }
+}
+
+#[test]
+fn tab_goes_through_the_sections_of_the_debrief_and_round() {
+    let mut console = flying();
+    let mut report = fixtures::report();
+    let event = report.events[0].clone();
+    report.events.extend(vec![event; 40]);
+    console.hear(Event::MissionEnded(Box::new(report)));
+    console.at(300);
+    let mut seen = Vec::new();
+    for _ in 0..12 {
+        console.press("tab");
+        let screen = console.screen(80, 24);
+        seen.push(screen.lines().nth(1).unwrap_or_default().to_owned());
+    }
+    assert!(
+        seen.iter().any(|line| line.contains("OBJECTIVES")),
+        "{seen:?}"
+    );
+    let there = console.state.rooms.debrief.as_ref().map(|it| it.scroll);
+    console.press("tab").press("shift-tab");
+    let back = console.state.rooms.debrief.as_ref().map(|it| it.scroll);
+    assert_eq!(there, back);
+}
