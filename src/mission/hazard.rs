@@ -11,20 +11,20 @@ use super::weather::Weather;
 use crate::text::Text;
 
 mod dispersion;
+pub(super) mod fire;
 pub(super) mod flood;
 pub(super) mod line;
 pub(super) mod minefield;
 pub(super) mod people;
 mod placing;
-pub(super) mod fire;
 pub(super) mod plume;
 pub(super) mod puffs;
 pub(super) mod radiation;
 pub(super) mod survivors;
 mod wander;
 
-pub(crate) use people::Care;
 pub(crate) use fire::{Fire, Grid};
+pub(crate) use people::Care;
 
 /// A hazard as the file describes it.
 pub(crate) trait Hazard: Debug + Send + Sync {
