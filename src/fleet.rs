@@ -12,7 +12,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
-use crate::session::{Order, Report, Steering, Stream, WANTED_STREAMS};
+use crate::session::{Order, Report, Steering, Stream, WANTED_STREAMS, Want};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -51,6 +51,7 @@ enum Request {
     Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
     Restarted(VehicleId),
+    Want(VehicleId, Want),
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
@@ -122,6 +123,14 @@ impl Fleet {
     /// The hub has ended or cannot keep up.
     pub fn restarted(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
         self.ask(Request::Restarted(vehicle))
+    }
+
+    /// Has something done to a vehicle's simulator or to the radio between it and us.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was done.
+    pub fn carry_out(&self, vehicle: VehicleId, want: Want) -> Result<(), Unreachable> {
+        self.ask(Request::Want(vehicle, want))
     }
 
     fn ask(&self, request: Request) -> Result<(), Unreachable> {

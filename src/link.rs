@@ -7,7 +7,7 @@
 use std::fmt;
 use std::net::SocketAddr;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
 use tokio::io::DuplexStream;
@@ -231,9 +231,15 @@ pub struct LinkHandle {
     refused: Arc<AtomicU64>,
     tap: Tap,
     can_send: bool,
+    hushed: Arc<AtomicBool>,
 }
 
 impl LinkHandle {
+    /// Withholds the link's heartbeats, or lets them go out again; everything else goes out all the same.
+    pub fn hush(&self, hushed: bool) {
+        self.hushed.store(hushed, Ordering::Relaxed);
+    }
+
     /// The link's name within this program.
     pub fn id(&self) -> LinkId {
         self.id
@@ -296,6 +302,7 @@ pub fn open_with(
     let tap = Tap::new();
     let meter = meter::Meter::new(published, Arc::clone(&refused), tap.clone());
     let link = task::Link::new(id, config, meter, inbound, to_send, cancel);
+    let hushed = link.hushed();
     tokio::spawn(task::run(link, transport));
     LinkHandle {
         id,
@@ -304,5 +311,6 @@ pub fn open_with(
         refused,
         tap,
         can_send,
+        hushed,
     }
 }

@@ -64,6 +64,7 @@ mod area;
 mod clock;
 mod contact;
 mod craft;
+mod event;
 mod file;
 mod fit;
 mod flight;
@@ -72,6 +73,7 @@ mod listing;
 mod lookout;
 mod objective;
 mod progress;
+mod radio;
 mod report;
 mod sensor;
 mod survey;
@@ -83,10 +85,14 @@ mod zone;
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
 pub use clock::Clock;
-pub use flight::{Flight, Outcome, Pledge};
+pub use event::alert::OpenAlert;
+pub use event::demand::Demand;
+pub use event::mover::MoverKind;
+pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use listing::{Listing, ObjectiveListing};
 pub use progress::{
-    Cell, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact, ShownMark, Trust,
+    Cell, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact,
+    ShownMark, Trust,
 };
 
 /// The step of missions and scoring.
@@ -139,6 +145,13 @@ pub struct Mission {
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) max_height_m: f64,
     pub(crate) land_reserve_percent: f64,
+    /// Vehicles in the air have to be this far apart.
+    pub(crate) min_separation_m: f64,
+    pub(crate) events: Vec<event::Event>,
+    /// `None` where radio does not matter.
+    pub(crate) radio: Option<radio::Radio>,
+    /// Threats that an instructor may have happen, besides the mission's own.
+    pub(crate) may_inject: Vec<String>,
 }
 
 /// Metres east and north of the origin.

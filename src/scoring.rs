@@ -148,11 +148,16 @@ impl Score {
     }
 }
 
+/// A flight that did people harm gets no more than this.
+pub const HARM_POINTS: u16 = 300;
+
 /// Scores a flight.
 pub fn score(rules: &Rules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
-    let points = ((tenths + 5) / 10).min(1000) as u16;
+    let harm = facts.safety.iter().any(|event| event.kind.is_harm());
+    let most = if harm { HARM_POINTS } else { 1000 };
+    let points = ((tenths + 5) / 10).min(u32::from(most)) as u16;
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
     let gold_missing: Vec<Text> = rules
         .gold_requires

@@ -27,6 +27,8 @@ mod naming;
 mod order;
 mod plans;
 mod precedence;
+mod radio;
+mod settings;
 mod streams;
 #[cfg(test)]
 mod tests;
@@ -43,6 +45,8 @@ use transaction::{Progress, Transaction};
 pub use naming::Renamed;
 pub use order::{Order, Report, Steering};
 pub use precedence::moves_the_vehicle;
+pub use radio::RadioFault;
+pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
 
 /// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
@@ -87,6 +91,13 @@ pub struct Session {
     owed: OwedAcks,
     download: Download,
     output: Output,
+    /// The radio between the vehicle and us.
+    channel: radio::Channel,
+    settings: settings::Settings,
+    /// What goes beside the radio.
+    beside: Vec<Outgoing>,
+    /// When time passed last.
+    now: Duration,
 }
 
 impl Session {
@@ -107,6 +118,10 @@ impl Session {
             owed: OwedAcks::default(),
             download: Download::new(),
             output: Output::default(),
+            channel: radio::Channel::new(),
+            settings: settings::Settings::default(),
+            beside: Vec::new(),
+            now,
         }
     }
 
@@ -153,6 +168,45 @@ impl Session {
     /// Takes in one frame from this vehicle's system. Only its autopilot counts as being heard: a companion
     /// computer with the same system id goes on talking when the autopilot has stopped.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {
+        self.now = now;
+        if frame.component == self.vehicle.component && frame.is_verified() {
+            self.settings.receive(frame);
+        }
+        if self.channel.is_clear() {
+            self.take_in(frame, now);
+            return;
+        }
+        if !self.channel.hear(frame, now)
+            && let Some(unheard) = radio::position(frame)
+        {
+            self.vehicle.unheard = Some(unheard);
+        }
+        self.take_in_arrived(now);
+    }
+
+    /// Has something done to the vehicle's simulator or to the radio between it and us, from now on.
+    pub fn carry_out(&mut self, want: Want) {
+        match want {
+            Want::Parameter { name, value } => self.settings.want(name, value),
+            Want::Radio(fault) => self.channel.set(fault, u64::from(self.vehicle.id)),
+        }
+    }
+
+    /// Whether nothing comes through between the vehicle and us, heartbeats of ours included.
+    pub fn is_cut(&self) -> bool {
+        self.channel.is_cut()
+    }
+
+    fn take_in_arrived(&mut self, now: Duration) {
+        while let Some(frame) = self.channel.arrived(now) {
+            self.take_in(&frame, now);
+        }
+    }
+
+    fn take_in(&mut self, frame: &Frame, now: Duration) {
+        if radio::position(frame).is_some() {
+            self.vehicle.unheard = None;
+        }
         let is_autopilot = frame.component == self.vehicle.component;
         if is_autopilot {
             self.hear(frame, now);
@@ -189,6 +243,7 @@ impl Session {
     fn begin_anew(&mut self, now: Duration) {
         self.streams.forget(now);
         self.plans.forget();
+        self.settings.forget();
         self.forget_parameters();
         // What was meant for the vehicle before must not reach the one that has just booted.
         self.clear_the_line(&text!("outcome-the-reboot"), now);
@@ -230,6 +285,9 @@ impl Session {
 
     /// Lets time pass: retries, deadlines, silence. Call it at least as often as [`Self::patience`] says.
     pub fn poll(&mut self, now: Duration) {
+        self.now = now;
+        self.take_in_arrived(now);
+        self.beside.extend(self.settings.poll(&self.vehicle, now));
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
         self.say(notices);
@@ -255,7 +313,8 @@ impl Session {
         let is_asked = self.active.is_some() || !self.queue.is_empty();
         // Otherwise an effect shows in what arrives, and its deadline is seconds away.
         let is_kept_up = |watched: &Transaction| watched.order.command.repeat().is_some();
-        if is_asked || self.watched.iter().any(is_kept_up) || is_fetching {
+        let is_late = !self.channel.is_clear() || !self.settings.are_settled();
+        if is_late || is_asked || self.watched.iter().any(is_kept_up) || is_fetching {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -264,7 +323,13 @@ impl Session {
 
     /// The messages to send, in order; they are gone from the session then.
     pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
-        std::mem::take(&mut self.output.messages)
+        let said = std::mem::take(&mut self.output.messages);
+        if self.channel.is_clear() && self.beside.is_empty() {
+            return said;
+        }
+        let mut there = self.channel.say(said, self.now);
+        there.append(&mut self.beside);
+        there
     }
 
     /// What there is to report, in order; it is gone from the session then.

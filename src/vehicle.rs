@@ -21,7 +21,7 @@ pub use plan::{
 pub use readings::{
     Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,
     Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText,
-    Target, Vibration, Wind,
+    Target, Unheard, Vibration, Wind,
 };
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 
@@ -89,6 +89,8 @@ pub struct Vehicle {
     pub boot_ms: Option<u32>,
     /// How well we hear it.
     pub link: LinkQuality,
+    /// Where it said to be since it was heard last, where radio is simulated. Nothing that an operator sees.
+    pub unheard: Option<Unheard>,
     /// The reasons not to arm that it reported last, newest last, without the "`PreArm`: " prefix.
     pub prearm: Vec<String>,
     /// The last few status texts, newest last.
@@ -129,6 +131,7 @@ impl Vehicle {
             version: None,
             boot_ms: None,
             link: LinkQuality::default(),
+            unheard: None,
             prearm: Vec::new(),
             texts: Vec::new(),
         }

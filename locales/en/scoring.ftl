@@ -46,3 +46,9 @@ scoring-advice-reserve = Turn home earlier: land above the battery reserve.
 scoring-advice-pad = Land on the pad: rtl flies there by itself.
 scoring-advice-battery = Turn home before the battery failsafe does it for you.
 scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.
+
+# Rules of the air.
+scoring-advice-no-fly = Plan around no-fly zones, also those that appear: stop first, then fly out the shortest way.
+scoring-advice-separation = Keep vehicles apart: give each its own height or its own area before they cross.
+scoring-advice-aircraft = Clear the way of aircraft at once: descend or land, and wait until they have passed.
+scoring-advice-people = Stop when people come near, and fly high over those who stay.

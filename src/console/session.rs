@@ -17,7 +17,7 @@ use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::link::{Address, Endpoint, LinkStatus, Pace, Simulator, Transport};
-use crate::mission::{Flight, Mission};
+use crate::mission::{Demand, Flight, Mission};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
@@ -85,6 +85,8 @@ pub(super) struct Running {
     /// Reports that the fleet dropped so far.
     dropped: u64,
     course: Option<Course>,
+    /// What the mission demands of vehicles that have not been told yet.
+    wanted: Vec<Demand>,
     /// While this is true, the embedded simulator stands still.
     held: watch::Sender<bool>,
     /// What they do together.
@@ -128,6 +130,7 @@ impl Running {
             links_ended: 0,
             dropped: 0,
             course: None,
+            wanted: Vec::new(),
             held: watch::Sender::new(false),
             swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
             processes: None,
@@ -421,8 +424,17 @@ impl Running {
 
     /// Steps the mission up to now and returns what came of it.
     pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
-        let course = self.course.as_mut();
-        course.map_or_else(Vec::new, |course| course.fly(now, shown))
+        let Some(course) = &mut self.course else {
+            return Vec::new();
+        };
+        let events = course.fly(now, shown);
+        // What a vehicle cannot be told before it is heard waits until it is.
+        let heard = |demand: &Demand| shown.vehicles.contains_key(&demand.vehicle);
+        self.wanted.extend(course.flight.take_demands());
+        for demand in self.wanted.extract_if(.., |demand| heard(demand)) {
+            let _ = self.fleet.carry_out(demand.vehicle, demand.want);
+        }
+        events
     }
 }
 

@@ -111,6 +111,7 @@ pub(super) async fn run(surroundings: Surroundings, mut requests: mpsc::Receiver
                     hub.pass_on(vehicle, ToVehicle::FetchParameters);
                 }
                 Some(Request::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
+                Some(Request::Want(vehicle, want)) => hub.pass_on(vehicle, ToVehicle::Want(want)),
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,

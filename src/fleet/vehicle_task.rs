@@ -10,7 +10,7 @@ use tokio_util::sync::CancellationToken;
 use super::{Clock, FleetEvent};
 use crate::link::{LinkHandle, Peer, To};
 use crate::parameters::{Fetching, Snapshot};
-use crate::session::{Order, Report, Session, Steering};
+use crate::session::{Order, Report, Session, Steering, Want};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
@@ -31,6 +31,8 @@ pub(super) enum ToVehicle {
     FetchParameters,
     /// Its autopilot was started anew.
     Restarted,
+    /// Something is to be done to its simulator or its link.
+    Want(Want),
     /// The vehicle is reached by another way from now on.
     Route(LinkHandle, Peer),
 }
@@ -122,6 +124,11 @@ impl VehicleTask {
             ToVehicle::Steer(steering) => self.steer(&steering, now),
             ToVehicle::FetchParameters => self.session.fetch_parameters(now),
             ToVehicle::Restarted => self.session.restarted(now),
+            ToVehicle::Want(want) => {
+                self.session.carry_out(want);
+                // In missions, each vehicle has a link of its own.
+                self.route.0.hush(self.session.is_cut());
+            }
             ToVehicle::Route(link, peer) => {
                 self.session.heard_via(link.id().0, now);
                 self.reconnects = link.status().borrow().reconnects;

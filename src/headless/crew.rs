@@ -108,8 +108,10 @@ impl Crew {
 
     /// Tells a vehicle that a ground station is there.
     pub fn say_heartbeat(&mut self, index: usize, bytes: &mut Vec<u8>) {
-        let encoder = &mut self.seats[index].encoder;
-        encoder.encode(&ground_station_heartbeat(), bytes);
+        let seat = &mut self.seats[index];
+        if !seat.session.is_cut() {
+            seat.encoder.encode(&ground_station_heartbeat(), bytes);
+        }
     }
 
     /// What there is to say to a vehicle.
@@ -165,6 +167,12 @@ impl Crew {
         self.conduct(now);
         let said = self.flight.step(elapsed, &self.vehicles, &self.ledger);
         self.notices.extend(said);
+        for demand in self.flight.take_demands() {
+            let mut seats = self.seats.iter_mut().map(|seat| &mut seat.session);
+            if let Some(session) = seats.find(|session| session.vehicle().id == demand.vehicle) {
+                session.carry_out(demand.want);
+            }
+        }
     }
 
     /// Leads those who do something together.

@@ -1,5 +1,7 @@
 //! The part of a link's task that does not depend on the transport.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use tokio::sync::mpsc;
@@ -43,6 +45,8 @@ pub(super) struct Link {
     /// Frames have come since the last chore: the task is awake anyway.
     has_heard: bool,
     heartbeat: Beat,
+    /// Whether heartbeats are withheld, as a radio would that does not reach.
+    hushed: Arc<AtomicBool>,
     publish: Beat,
 }
 
@@ -87,8 +91,22 @@ impl Link {
             undelivered: None,
             has_heard: false,
             heartbeat: Beat::new(HEARTBEAT),
+            hushed: Arc::new(AtomicBool::new(false)),
             publish: Beat::new(PUBLISH),
         }
+    }
+
+    /// What withholds heartbeats.
+    pub(super) fn hushed(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.hushed)
+    }
+
+    /// The heartbeat, unless it is withheld.
+    fn beat(&self) -> Chore {
+        if self.hushed.load(Ordering::Relaxed) {
+            return Chore::Nothing;
+        }
+        Chore::Send(vec![(To::Everyone, ground_station_heartbeat())])
     }
 
     /// Says that the link carries data from now on, to the peers first of all.
@@ -139,7 +157,7 @@ impl Link {
                 self.meter.publish();
             }
             if may_send && self.heartbeat.is_handy(now) {
-                return Chore::Send(vec![(To::Everyone, ground_station_heartbeat())]);
+                return self.beat();
             }
         }
         tokio::select! {
@@ -156,9 +174,7 @@ impl Link {
                 self.meter.publish();
                 Chore::Nothing
             }
-            () = self.heartbeat.due(), if may_send => {
-                Chore::Send(vec![(To::Everyone, ground_station_heartbeat())])
-            }
+            () = self.heartbeat.due(), if may_send => self.beat(),
             Some(first) = self.to_send.recv(), if may_send => {
                 let mut batch = vec![first];
                 while batch.len() < BATCH_LEN

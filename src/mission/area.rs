@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Mission;
-use super::zone::{Shape, ZoneKind};
+use super::zone::{Shape, Zone, ZoneKind};
 use crate::geo::Outline;
 
 /// An area with a meaning.
@@ -24,17 +24,41 @@ pub enum AreaKind {
     Task,
     /// It must not be left.
     Geofence,
+    /// It must not be flown in.
+    NoFly,
+    /// Satellite navigation fails in it, or misleads.
+    Jamming,
+    /// There are people below.
+    People,
+    /// Radio is weak in it, or behind it.
+    Radio,
+}
+
+impl From<ZoneKind> for AreaKind {
+    fn from(kind: ZoneKind) -> Self {
+        match kind {
+            ZoneKind::Task => Self::Task,
+            ZoneKind::Geofence { .. } => Self::Geofence,
+            ZoneKind::NoFly { .. } => Self::NoFly,
+            ZoneKind::GnssJam { .. } | ZoneKind::GnssGlitch { .. } => Self::Jamming,
+            ZoneKind::People { .. } => Self::People,
+            ZoneKind::RadioJam { .. } | ZoneKind::CommShadow(_) => Self::Radio,
+        }
+    }
 }
 
 impl Mission {
     /// The areas that are known from the start; hazards are not among them: they have to be found.
     pub fn areas(&self) -> Vec<Area> {
-        let area = |zone: &super::zone::Zone| Area {
+        let known = self.zones.iter().filter(|zone| zone.active);
+        known.map(|zone| self.area(zone)).collect()
+    }
+
+    /// A zone as the trainee is told of it.
+    pub(super) fn area(&self, zone: &Zone) -> Area {
+        Area {
             name: zone.id.clone(),
-            kind: match zone.kind {
-                ZoneKind::Task => AreaKind::Task,
-                ZoneKind::Geofence { .. } => AreaKind::Geofence,
-            },
+            kind: zone.kind.into(),
             outline: match &zone.shape {
                 Shape::Polygon(corners) => {
                     let places = corners.iter().map(|&corner| self.origin.place(corner));
@@ -45,8 +69,7 @@ impl Mission {
                     radius_m: *radius_m,
                 },
             },
-        };
-        self.zones.iter().map(area).collect()
+        }
     }
 
     /// The same by name, for the words of a line.

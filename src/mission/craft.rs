@@ -52,6 +52,8 @@ pub(crate) struct Craft {
     pub sensors: Vec<&'static Sensor>,
     /// Those of them that measure.
     pub probes: Vec<Probe>,
+    /// Where it is and how high while nobody hears it.
+    unheard: Option<(Point, f64)>,
     /// Energy reading at the beginning and now, in Wh.
     energy_wh: Option<(f64, f64)>,
     /// The fastest descent near the ground since it came down there.
@@ -86,6 +88,7 @@ impl Craft {
             probes: fitted
                 .filter_map(|(index, sensor)| Probe::new(sensor, seed, stream(index)))
                 .collect(),
+            unheard: None,
             energy_wh: None,
             sink_m_s: 0.0,
             last_text: None,
@@ -103,13 +106,35 @@ impl Craft {
         self.heard && self.airborne && !self.lost
     }
 
+    /// Where it really is, which its operator may not know at the moment.
+    pub fn truly_at(&self) -> Option<Point> {
+        self.unheard.map(|(at, _)| at).or(self.at)
+    }
+
+    /// The same with its height: metres to the east, to the north, and up.
+    pub fn place_m(&self) -> Option<[f64; 3]> {
+        let known = self.at.map(|at| (at, self.height_m));
+        let ([east_m, north_m], up_m) = self.unheard.or(known)?;
+        Some([east_m, north_m, up_m])
+    }
+
+    /// Whether it has a sensor, by id.
+    pub fn carries(&self, sensor: &str) -> bool {
+        self.sensors.iter().any(|fitted| fitted.id == sensor)
+    }
+
+    /// What its hazard sensors show.
+    pub fn shown(&self) -> Vec<f64> {
+        self.probes.iter().map(|probe| probe.shown).collect()
+    }
+
     /// Energy used during this mission, in Wh.
     pub fn used_wh(&self) -> Option<f64> {
         self.energy_wh.map(|(first, now)| (now - first).max(0.0))
     }
 
-    /// Takes a snapshot of the vehicle; returns the rules that it breaks now.
-    pub fn step(&mut self, vehicle: &Vehicle, mission: &Mission) -> Vec<Breach> {
+    /// Takes a snapshot of the vehicle; `active` says which zones there are now. Returns the rules that it breaks now.
+    pub fn step(&mut self, vehicle: &Vehicle, mission: &Mission, active: &[bool]) -> Vec<Breach> {
         let (was_armed, was_airborne, old_height_m) = (self.armed, self.airborne, self.height_m);
         self.take(vehicle, mission);
         let texts = self.new_texts(vehicle);
@@ -135,7 +160,7 @@ impl Craft {
             return vec![breaches.swap_remove(loss)];
         }
         if self.airborne {
-            breaches.extend(self.place_breaches(mission));
+            breaches.extend(self.place_breaches(mission, active));
         }
         if was_armed && self.is_down() {
             breaches.extend(self.landing_breaches(mission));
@@ -169,6 +194,9 @@ impl Craft {
                 self.sink_m_s = self.sink_m_s.max(f64::from(global.down_m_s));
             }
         }
+        self.unheard = vehicle
+            .unheard
+            .map(|unheard| (mission.origin.point(unheard.at), unheard.altitude_m));
         if let Some(battery) = vehicle.battery() {
             self.battery_percent = battery.remaining_percent.map(f64::from);
             let from_charge =
@@ -201,7 +229,7 @@ impl Craft {
         &texts[known..]
     }
 
-    fn place_breaches(&self, mission: &Mission) -> Vec<Breach> {
+    fn place_breaches(&self, mission: &Mission, active: &[bool]) -> Vec<Breach> {
         let mut breaches = Vec::new();
         if self.height_m > mission.max_height_m {
             let text = text!(
@@ -211,7 +239,8 @@ impl Craft {
             breaches.push((SafetyKind::TooHigh, text));
         }
         let Some(at) = self.at else { return breaches };
-        for zone in &mission.zones {
+        let zones = mission.zones.iter().zip(active);
+        for (zone, _) in zones.filter(|(_, active)| **active) {
             if let ZoneKind::Geofence { ceiling_m } = zone.kind {
                 let over = ceiling_m.is_some_and(|ceiling| self.height_m > ceiling);
                 if over || !zone.shape.contains(at) {

@@ -16,9 +16,11 @@ use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
+mod events;
 mod fleet;
 mod place;
 mod points;
+mod radio;
 mod sections;
 mod zones;
 
@@ -34,7 +36,7 @@ const HEAD: [&str; 11] = [
     "drill_of",
 ];
 /// The sections.
-const SECTIONS: [&str; 9] = [
+const SECTIONS: [&str; 12] = [
     "sim",
     "weather",
     "zones",
@@ -42,6 +44,9 @@ const SECTIONS: [&str; 9] = [
     "fleet",
     "rules",
     "objectives",
+    "events",
+    "radio",
+    "instructor",
     "hints",
     "scoring",
 ];

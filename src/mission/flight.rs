@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use super::contact::Contacts;
 use super::craft::Craft;
+use super::event::engine::Engine;
 use super::lookout::Lookout;
 use super::objective::{Scene, Standing, Tracker};
 use super::report::Marks;
@@ -27,11 +28,13 @@ mod loads;
 mod pause;
 mod places;
 mod result;
+mod threats;
 mod view;
 mod watch;
 
 pub use deeds::Pledge;
 pub(crate) use loads::Release;
+pub use threats::Inject;
 
 /// The seconds before the limit at which the trainee is told.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
@@ -83,11 +86,14 @@ pub struct Flight {
     commands: CommandLog,
     /// The state of the ledger that the commands are counted from.
     counted: Option<u64>,
-    safety: SafetyLog,
+    pub(super) safety: SafetyLog,
     met: Vec<bool>,
     events: Vec<EventReport>,
     elapsed: Duration,
     ended: Option<Outcome>,
+    pub(super) engine: Engine,
+    /// Whether an event has ended the mission as failed.
+    failed: bool,
     tally: crate::scoring::CommandTally,
 }
 
@@ -123,6 +129,8 @@ impl Flight {
             events: Vec::new(),
             elapsed: Duration::ZERO,
             ended: None,
+            engine: Engine::new(&mission, seed),
+            failed: false,
             tally: crate::scoring::CommandTally::default(),
             world,
             mission,
@@ -151,6 +159,7 @@ impl Flight {
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_surveys(&mut notices);
         let standings = self.step_objectives(&mut notices);
+        self.step_threats(vehicles, &standings, &mut notices);
         self.warn_of_time(previous, &mut notices);
         self.decide(now, &standings, &mut notices);
         notices
@@ -214,17 +223,19 @@ impl Flight {
             };
             breaches.extend(
                 craft
-                    .step(vehicle, &mission)
+                    .step(vehicle, &mission, self.engine.active())
                     .into_iter()
                     .map(|breach| (craft.id, breach)),
             );
-            for probe in &mut craft.probes {
+            for (index, probe) in craft.probes.iter_mut().enumerate() {
                 let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
                 let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
                     true => self.world.column(quantity, at, height_m),
                     false => self.world.amount(quantity, at, height_m),
                 });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
+                let shown = probe.shown;
+                probe.shown = self.engine.shown(craft.id, index, shown, self.elapsed);
             }
         }
         for (id, (kind, text)) in breaches {
@@ -373,7 +384,9 @@ impl Flight {
         } else {
             Outcome::Failed
         };
-        if all_lost || (settled && all_down) {
+        if self.failed {
+            self.end(Outcome::Failed, notices);
+        } else if all_lost || (settled && all_down) {
             self.end(verdict, notices);
         } else if now >= self.mission.time_limit {
             self.end(
@@ -433,6 +446,7 @@ impl Flight {
             world: &self.world,
             contacts: self.contacts.all(),
             marks: self.marks.all(),
+            margins_db: self.engine.margins_db(),
             releases: &self.releases,
         }
     }

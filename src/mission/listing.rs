@@ -1,5 +1,6 @@
 //! What can be told of a mission before it is flown.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::objective::Scene;
@@ -114,6 +115,7 @@ impl Mission {
             world: &world,
             contacts: &[],
             marks: &[],
+            margins_db: &BTreeMap::new(),
             releases: &[],
         };
         let listed = |objective: &super::objective::Objective| ObjectiveListing {

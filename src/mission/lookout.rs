@@ -14,7 +14,6 @@ use rand_distr::{Distribution, Exp1, StandardNormal};
 
 use super::contact::Sighting;
 use super::craft::Craft;
-use super::hazard::Quantity;
 use super::sensor::{DetectorSpec, Look, Sensor, View};
 use super::world::{ObjectId, World};
 use super::{Point, TICK};
@@ -117,14 +116,6 @@ impl Watch<'_> {
             if toward_m[0].abs() > reach_m || toward_m[1].abs() > reach_m || !object.present {
                 continue;
             }
-            let smoke = || {
-                let middle = [
-                    self.at[0] + toward_m[0] / 2.0,
-                    self.at[1] + toward_m[1] / 2.0,
-                ];
-                let height_m = f64::midpoint(self.craft.height_m, object.height_m);
-                self.world.amount(Quantity::Particles, middle, height_m)
-            };
             let view = View {
                 object,
                 offset_m: self.craft.course.offset_m(toward_m),
@@ -132,7 +123,7 @@ impl Watch<'_> {
                 height_m: self.craft.height_m,
                 speed_m_s: self.craft.speed_m_s,
                 light: self.world.weather.light,
-                smoke_ug_m3: smoke(),
+                clear_view: self.world.clear_view(object.at, self.craft.height_m),
             };
             let Some(look) = self.spec.look(&view) else {
                 continue;

@@ -1,5 +1,6 @@
 //! Objectives: what a trainee has to reach. One file per kind.
 
+use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::time::Duration;
 
@@ -11,6 +12,7 @@ use super::report::Mark;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 pub(super) mod coverage;
 pub(super) mod deliver;
@@ -67,6 +69,8 @@ pub(crate) struct Scene<'a> {
     pub world: &'a World,
     pub contacts: &'a [Contact],
     pub marks: &'a [Mark],
+    /// How well vehicles are heard, in dB; empty where radio does not matter.
+    pub margins_db: &'a BTreeMap<VehicleId, f64>,
     /// What was let go of.
     pub releases: &'a [Release],
 }

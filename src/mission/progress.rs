@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::Pledge;
+use super::{Area, MoverKind, OpenAlert, Pledge};
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::text::Text;
@@ -38,6 +38,29 @@ pub struct Progress {
     pub pledge: Pledge,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
+    /// The areas that are there now; events bring some and take others away.
+    pub areas: Vec<Area>,
+    /// People, aircraft and drones of others that are on the way.
+    pub movers: Vec<MovingThing>,
+    /// Alerts that wait for an answer, the most urgent first.
+    pub alerts: Vec<OpenAlert>,
+    /// How well vehicles are heard, in dB above what the receiver needs; empty where radio does not matter.
+    pub margins_db: BTreeMap<VehicleId, f64>,
+}
+
+/// Somebody or something that moves through the mission.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovingThing {
+    /// What conditions of the mission call it.
+    pub name: String,
+    /// What it is.
+    pub kind: MoverKind,
+    /// Where it is.
+    pub at: LatLon,
+    /// How high it moves, in metres above the origin.
+    pub height_m: f64,
+    /// How far from it vehicles have to stay, in metres.
+    pub keep_out_m: f64,
 }
 
 /// One objective as it stands now.

@@ -8,6 +8,8 @@ pub(crate) struct Zone {
     pub id: String,
     pub kind: ZoneKind,
     pub shape: Shape,
+    /// Whether it is there from the start; events switch zones on and off.
+    pub active: bool,
 }
 
 /// What a zone means.
@@ -17,6 +19,27 @@ pub(crate) enum ZoneKind {
     Task,
     /// Must not be left, nor flown above the ceiling.
     Geofence { ceiling_m: Option<f64> },
+    /// Must not be flown in between these heights.
+    NoFly { floor_m: f64, ceiling_m: f64 },
+    /// Satellite navigation fails in it; around it, within the edge, satellites go one by one.
+    GnssJam { edge_m: f64 },
+    /// Satellite navigation shows a place so far to the east and to the north of the true one.
+    GnssGlitch { offset_m: Point },
+    /// There are people below: it must not be flown lower than this.
+    People { below_m: f64 },
+    /// Radio noise rises by so much in it, and less and less within the edge around it.
+    RadioJam { noise_db: f64, edge_m: f64 },
+    /// It stands in the way of radio.
+    CommShadow(Shadow),
+}
+
+/// How an area stands in the way of radio.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Shadow {
+    /// A ridge of this height, over whose edge radio has to bend.
+    Ridge { height_m: f64 },
+    /// Walls or trees, which take so much from all who are in it.
+    Inside { loss_db: f64 },
 }
 
 /// An area.
@@ -48,6 +71,22 @@ impl Shape {
         }
     }
 
+    /// How far a point lies from it in metres; zero inside.
+    pub fn distance_m(&self, at: Point) -> f64 {
+        match self {
+            _ if self.contains(at) => 0.0,
+            Self::Circle { center, radius_m } => {
+                ((at[0] - center[0]).hypot(at[1] - center[1]) - radius_m).max(0.0)
+            }
+            Self::Polygon(corners) => {
+                let next = corners.iter().cycle().skip(1);
+                let sides = corners.iter().zip(next);
+                let distances = sides.map(|(&from, &to)| distance_to_side_m(at, from, to));
+                distances.fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+
     /// The smallest upright rectangle around it: its south-west and north-east corners.
     pub fn bounds(&self) -> (Point, Point) {
         match self {
@@ -64,6 +103,41 @@ impl Shape {
                     )
                 },
             ),
+        }
+    }
+}
+
+/// From a point to the nearest point of a straight line between two others.
+fn distance_to_side_m(at: Point, from: Point, to: Point) -> f64 {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length_2 = dx * dx + dy * dy;
+    let along = if length_2 > 0.0 {
+        (((at[0] - from[0]) * dx + (at[1] - from[1]) * dy) / length_2).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (at[0] - from[0] - along * dx).hypot(at[1] - from[1] - along * dy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_to_a_shape_are_those_to_its_nearest_side() {
+        let square = Shape::Polygon(vec![[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
+        let circle = Shape::Circle {
+            center: [5.0, 5.0],
+            radius_m: 5.0,
+        };
+        for (at, to_square, to_circle) in [
+            ([5.0, 5.0], 0.0, 0.0),
+            ([15.0, 5.0], 5.0, 5.0),
+            ([5.0, -3.0], 3.0, 3.0),
+            ([13.0, 14.0], 5.0, 145f64.sqrt() - 5.0),
+        ] {
+            assert!((square.distance_m(at) - to_square).abs() < 1e-9, "{at:?}");
+            assert!((circle.distance_m(at) - to_circle).abs() < 1e-9, "{at:?}");
         }
     }
 }

@@ -94,6 +94,11 @@ pub enum CommandEvent {
 }
 
 impl CommandLog {
+    /// Mission time of the last command that was given.
+    pub fn last_given(&self) -> Option<Duration> {
+        self.given_at.values().copied().max()
+    }
+
     /// Looks at the ledger once more; returns what happened since, oldest first.
     pub fn step(
         &mut self,

@@ -33,6 +33,20 @@ pub enum SafetyKind {
     BatteryCritical,
     /// The autopilot's EKF or ground-station failsafe.
     OtherFailsafe,
+    /// In a zone where nothing may fly.
+    NoFly,
+    /// Too near to another vehicle in the air.
+    Separation,
+    /// Hit another vehicle in the air.
+    Collision,
+    /// Too near to an aircraft with people on board.
+    Bubble,
+    /// Too low over people, or too near to somebody.
+    People,
+    /// Somebody was hurt: the mission has failed.
+    Injury,
+    /// An aircraft was hit: the mission has failed.
+    AircraftHit,
 }
 
 impl SafetyKind {
@@ -46,13 +60,23 @@ impl SafetyKind {
             Self::LowReserve => (0.10, 0.0, 0.10),
             Self::OffPad => (0.05, 0.0, 0.05),
             Self::BatteryLow | Self::OtherFailsafe => (0.08, 0.0, 0.08),
-            Self::BatteryCritical => (0.20, 0.0, 0.20),
+            Self::BatteryCritical | Self::Separation => (0.20, 0.0, 0.20),
+            Self::NoFly => (0.35, 0.0, 0.35),
+            Self::Collision => (0.60, 0.0, 0.60),
+            Self::Bubble => (0.50, 0.0, 0.50),
+            Self::People => (0.30, 0.0, 0.30),
+            Self::Injury | Self::AircraftHit => (1.0, 0.0, 1.0),
         }
     }
 
     /// Whether the vehicle is lost by it.
     pub fn is_loss(self) -> bool {
         matches!(self, Self::Crash | Self::DisarmInFlight)
+    }
+
+    /// Whether people came to harm by it: then the mission has failed, with [`crate::scoring::HARM_POINTS`] at most.
+    pub fn is_harm(self) -> bool {
+        matches!(self, Self::Injury | Self::AircraftHit)
     }
 
     /// How to avoid it, in words.
@@ -67,6 +91,10 @@ impl SafetyKind {
             Self::OffPad => text!("scoring-advice-pad"),
             Self::BatteryLow | Self::BatteryCritical => text!("scoring-advice-battery"),
             Self::OtherFailsafe => text!("scoring-advice-failsafe"),
+            Self::NoFly => text!("scoring-advice-no-fly"),
+            Self::Separation | Self::Collision => text!("scoring-advice-separation"),
+            Self::Bubble | Self::AircraftHit => text!("scoring-advice-aircraft"),
+            Self::People | Self::Injury => text!("scoring-advice-people"),
         }
     }
 }

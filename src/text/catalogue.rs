@@ -34,6 +34,7 @@ catalogue! {
     "scoring",
     "swarm",
     "terminal",
+    "threats",
     "vehicle",
     "files",
     "finds",

@@ -315,3 +315,13 @@ pub struct StatusText {
     /// When it came.
     pub at: Duration,
 }
+
+/// Where a vehicle said to be while it could not be heard by radio: known to the mission, which moves it through jamming
+/// and shadows, but not to its operator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unheard {
+    /// Where it is.
+    pub at: LatLon,
+    /// Height above home, in metres.
+    pub altitude_m: f64,
+}

@@ -182,6 +182,10 @@ pub fn progress() -> Progress {
         marks: Vec::new(),
         pledge: Pledge::default(),
         cells: cells.collect(),
+        areas: Vec::new(),
+        movers: Vec::new(),
+        alerts: Vec::new(),
+        margins_db: std::collections::BTreeMap::new(),
     }
 }
 

@@ -13,6 +13,7 @@ use crate::mission::weather::{Light, Weather, Wind};
 
 const DEFAULT_MAX_HEIGHT_M: f64 = 120.0;
 const DEFAULT_RESERVE_PERCENT: f64 = 20.0;
+const DEFAULT_SEPARATION_M: f64 = 2.0;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -90,13 +91,14 @@ pub(super) fn weather(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Optio
 struct RulesFile {
     max_agl: Option<Spanned<f64>>,
     land_reserve_pct: Option<Spanned<f64>>,
+    min_separation: Option<Spanned<f64>>,
 }
 
-/// Highest height in metres and battery reserve in percent, with their defaults.
+/// Highest height in metres, battery reserve in percent and separation in metres, with their defaults.
 pub(super) fn rules(
     value: Option<Spanned<DeValue<'_>>>,
     faults: &mut Faults,
-) -> Option<(f64, f64)> {
+) -> Option<(f64, f64, f64)> {
     let file: RulesFile = value.map_or_else(
         || Some(RulesFile::default()),
         |value| faults.read_value(value),
@@ -107,8 +109,12 @@ pub(super) fn rules(
     let reserve = file
         .land_reserve_pct
         .map(|percent| faults.number(&percent, 0.0..=100.0, "land_reserve_pct"));
+    let separation = file
+        .min_separation
+        .map(|metres| faults.number(&metres, 0.0..=1000.0, "min_separation"));
     Some((
         height.unwrap_or(DEFAULT_MAX_HEIGHT_M),
         reserve.unwrap_or(DEFAULT_RESERVE_PERCENT),
+        separation.unwrap_or(DEFAULT_SEPARATION_M),
     ))
 }

@@ -10,11 +10,15 @@ use toml::de::{DeTable, DeValue};
 use super::fleet::{self, Fleet};
 use super::place;
 use super::{
-    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, kinded, objective, points, zones,
+    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, events, kinded, objective,
+    points, radio, zones,
 };
 use crate::diagnostic::Diagnostic;
+use crate::mission::event::Event;
+use crate::mission::event::expression::Names;
 use crate::mission::hazard::{self, Hazard};
 use crate::mission::objective::Objective;
+use crate::mission::radio::Radio;
 use crate::mission::weather::Weather;
 use crate::mission::{Hint, Mission, NEXT_CELL, Origin, Phase};
 use crate::scoring::Rules;
@@ -32,6 +36,7 @@ struct Setting {
     weather: Weather,
     max_height_m: f64,
     land_reserve_percent: f64,
+    min_separation_m: f64,
     fleet: Fleet,
 }
 
@@ -41,6 +46,14 @@ struct Content {
     hazards: Vec<Box<dyn Hazard>>,
     objectives: Vec<Objective>,
     hints: Vec<Hint>,
+    threats: Threats,
+}
+
+/// What happens to the mission.
+struct Threats {
+    events: Vec<Event>,
+    radio: Option<Radio>,
+    may_inject: Vec<String>,
 }
 
 /// Reads all sections; `None` where one that is needed could not be read.
@@ -88,6 +101,10 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         objectives: content.objectives,
         max_height_m: setting.max_height_m,
         land_reserve_percent: setting.land_reserve_percent,
+        min_separation_m: setting.min_separation_m,
+        events: content.threats.events,
+        radio: content.threats.radio,
+        may_inject: content.threats.may_inject,
     })
 }
 
@@ -115,7 +132,8 @@ fn setting(sections: &mut Sections<'_>, faults: &mut Faults) -> Option<Setting> 
     let weather = sections
         .optional("weather")
         .map_or(Some(Weather::CALM), |value| place::weather(value, faults));
-    let (max_height_m, land_reserve_percent) = place::rules(sections.optional("rules"), faults)?;
+    let (max_height_m, land_reserve_percent, min_separation_m) =
+        place::rules(sections.optional("rules"), faults)?;
     let (time_limit, origin) = sim?;
     Some(Setting {
         time_limit,
@@ -123,6 +141,7 @@ fn setting(sections: &mut Sections<'_>, faults: &mut Faults) -> Option<Setting> 
         weather: weather?,
         max_height_m,
         land_reserve_percent,
+        min_separation_m,
         fleet: fleet?,
     })
 }
@@ -133,6 +152,7 @@ fn content(
     declared: Vec<String>,
     faults: &mut Faults,
 ) -> Content {
+    let hazard_ids = events::declared(sections.0.get("hazards")).0;
     let mut draft = Draft {
         zones: array(sections.optional("zones"), faults, zones::reader()),
         sensors: setting.map_or(Vec::new(), |setting| setting.fleet.sensors()),
@@ -142,9 +162,16 @@ fn content(
     let (hazards, named) = hazards(sections.optional("hazards"), &draft, faults);
     draft.hazards = named;
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
+    let threats = threats(
+        sections,
+        setting,
+        (&draft, &hazard_ids, &objectives),
+        faults,
+    );
     Content {
         hazards,
         objectives,
+        threats,
         // Hints may refer to the cells of an objective.
         hints: array(sections.optional("hints"), faults, |value, faults| {
             let hint: HintFile = faults.read_value(value)?;
@@ -152,6 +179,44 @@ fn content(
         }),
         draft,
     }
+}
+
+/// What happens to the mission; conditions may name what the other sections have.
+fn threats(
+    sections: &mut Sections<'_>,
+    setting: Option<&Setting>,
+    (draft, hazards, objectives): (&Draft, &[String], &[Objective]),
+    faults: &mut Faults,
+) -> Threats {
+    let pads = setting.map_or(&[][..], |setting| &setting.fleet.pads);
+    let radio = sections.optional("radio");
+    let radio = radio.and_then(|value| radio::radio(value, pads.first(), faults));
+    let instructor = sections.optional("instructor");
+    let may_inject = instructor.and_then(|value| radio::may_inject(value, faults));
+    let (events, movers) = events::declared(sections.0.get("events"));
+    let sensors: Vec<&'static str> = draft.sensors.iter().map(|sensor| sensor.id).collect();
+    let names = Names {
+        zones: &draft.zones,
+        objectives: &borrowed(objectives.iter().map(|objective| objective.id.as_str())),
+        hazards: &borrowed(hazards.iter().map(String::as_str)),
+        sensors: &sensors,
+        events: &borrowed(events.iter().map(String::as_str)),
+        movers: &borrowed(movers.iter().map(String::as_str)),
+        vehicles: pads.len(),
+    };
+    let mut seen = Vec::new();
+    let list = sections.optional("events");
+    Threats {
+        events: array(list, faults, |value, faults| {
+            events::event(value, &names, &mut seen, faults)
+        }),
+        radio,
+        may_inject: may_inject.unwrap_or_default(),
+    }
+}
+
+fn borrowed<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    names.collect()
 }
 
 fn scoring(

@@ -38,7 +38,7 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
         energy_wh: (!used.is_empty()).then(|| used.iter().sum()),
         safety: flight.safety.events().to_vec(),
         commands: flight.tally,
-        alerts: Vec::new(),
+        alerts: flight.engine.alert_facts().to_vec(),
         vehicles: flight.mission.vehicles,
     }
 }

@@ -10,6 +10,7 @@ use crate::scoring::score;
 use crate::text::Text;
 
 mod finds;
+mod threats;
 
 impl Flight {
     /// How it stands, for the mission panel.
@@ -48,6 +49,10 @@ impl Flight {
             marks: self.shown_marks(),
             pledge: self.pledge,
             cells: self.cells(),
+            areas: self.areas_now(),
+            movers: self.moving_things(),
+            alerts: self.open_alerts(),
+            margins_db: self.engine.margins_db().clone(),
         }
     }
 

@@ -6,7 +6,7 @@
 //! Pictures, per look of 2 s: Johnson's criteria in the form of the targeting task performance metric. A pixel on the
 //! ground is `2 h tan(FOV / 2) / px`; cycles over the target are `N = d_c / (2 pixel)`, with `d_c` the root of its area;
 //! `P = x^E / (1 + x^E)`, `x = N / N50`, `E = 2.7 + 0.7 x`, where `N50` is 0.75 to detect and 3 to recognise. This is
-//! thinned by contrast, by what hides the object, by smoke (Beer-Lambert) and by whoever watches the pictures.
+//! thinned by contrast, by what hides the object, by smoke and by whoever watches the pictures.
 
 use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
 use crate::mission::hazard::{Class, Object};
@@ -26,9 +26,7 @@ const INSPECTION_S: f64 = 4.0;
 const VIEW_ANGLE_DEG: f64 = 35.0;
 /// With this many times the cycles of a half, nine in ten are told.
 const NINE_IN_TEN: f64 = 1.77;
-/// Extinction of light by smoke in m2/ug: 8.7 m2/g for flaming fires (Mulholland and Croarkin 2000).
-const SMOKE_EXTINCTION: f64 = 8.7e-6;
-/// The share of it that far infrared meets.
+/// What light loses in smoke, far infrared loses so much of: a power of what gets through (Beer-Lambert).
 const SMOKE_IN_INFRARED: f64 = 0.1;
 
 /// A detector and an object at one moment.
@@ -43,8 +41,8 @@ pub(crate) struct View<'a> {
     pub height_m: f64,
     pub speed_m_s: f64,
     pub light: Light,
-    /// Mean of fine particles on the way, in ug/m3.
-    pub smoke_ug_m3: f64,
+    /// The share of light that smoke lets through, 0 to 1.
+    pub clear_view: f64,
 }
 
 /// What comes of looking.
@@ -238,15 +236,10 @@ impl Camera {
 
     /// What smoke lets through.
     fn transmission(&self, view: &View<'_>) -> f64 {
-        let [east, north] = view.toward_m;
-        let way_m = east
-            .hypot(north)
-            .hypot(view.object.height_m - view.height_m);
-        let extinction = match self.band {
-            Band::Visible => SMOKE_EXTINCTION,
-            Band::Thermal => SMOKE_EXTINCTION * SMOKE_IN_INFRARED,
-        };
-        (-extinction * view.smoke_ug_m3 * way_m).exp()
+        match self.band {
+            Band::Visible => view.clear_view,
+            Band::Thermal => view.clear_view.powf(SMOKE_IN_INFRARED),
+        }
     }
 }
 

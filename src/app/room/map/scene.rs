@@ -64,6 +64,9 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
         let kind = match area.kind {
             AreaKind::Task => SketchKind::Task,
             AreaKind::Geofence => SketchKind::Fence,
+            AreaKind::NoFly | AreaKind::Jamming | AreaKind::People | AreaKind::Radio => {
+                SketchKind::KeepOut
+            }
         };
         Sketch::area(kind, &area.name, &area.outline)
     });

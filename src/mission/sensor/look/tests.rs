@@ -24,7 +24,7 @@ fn above(object: &Object, height_m: f64, speed_m_s: f64, light: Light) -> View<'
         height_m,
         speed_m_s,
         light,
-        smoke_ug_m3: 0.0,
+        clear_view: 1.0,
     }
 }
 
@@ -127,10 +127,10 @@ fn light_cover_and_smoke_thin_what_a_camera_finds() {
     object.cover = 0.6;
     let covered = spec("s_th160").look(&above(&object, 30.0, 5.0, Light::Night));
     assert!((covered.map_or(0.0, |look| look.chance) / night - 0.4).abs() < 1e-9);
-    // Beer-Lambert over 30 m of 2000 ug/m3.
+    // Smoke that leaves e^-0.522 of the light leaves e^-0.0522 of far infrared.
     object.cover = 0.0;
     let smoky = View {
-        smoke_ug_m3: 2000.0,
+        clear_view: (-0.522_f64).exp(),
         ..above(&object, 30.0, 5.0, Light::Day)
     };
     let seen = |id: &str| spec(id).look(&smoky).map_or(0.0, |look| look.chance);

@@ -1,0 +1,31 @@
+# Threats: rules of the air, alerts, injects.
+
+threat-collision = hit vehicle { $other }
+threat-separation = { $distance } m from vehicle { $other }
+threat-no-fly = inside the no-fly zone { $zone }
+threat-people = below { $height } m over people in { $zone }
+threat-injury = hit a person
+threat-near-person = { $distance } m from a person
+threat-aircraft-hit = hit an aircraft
+threat-bubble = { $distance } m from an aircraft
+threat-intruder-hit = hit a foreign drone
+threat-intruder-near = { $distance } m from a foreign drone
+threat-answered = answered after { $seconds } s: { $alert }
+threat-not-allowed = `{ $name }` may not be injected in this mission
+
+threat-gust = strong gusts
+threat-wind-shift = the wind turns
+threat-gnss-jam = satellite navigation fails
+threat-link-loss = the link is lost
+threat-motor-fail = a motor is failing
+threat-battery-cold = a cold battery
+threat-battery-cell = a battery cell fails
+threat-person = a person enters the area
+threat-aircraft = an aircraft crosses the area
+
+# The objective of a link that must hold.
+link-target = { $margin } dB for { $percent } %
+link-kept = { $percent } % of { $seconds } s
+link-none = no time on task
+link-more = { $seconds } s more
+link-advice = Keep a relay in sight of both the ground station and the vehicle behind: above the ridge, before the vehicle goes in.

@@ -1,0 +1,82 @@
+//! Alerts that have to be answered, by what happens and not by a key.
+
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+use super::expression::Expression;
+use crate::scoring::{AlertFact, AlertLevel};
+use crate::text::Text;
+
+/// All alerts of a flight.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Alerts {
+    facts: Vec<AlertFact>,
+    /// Those without an answer: their place among the facts, and what would answer them.
+    open: Vec<(usize, Expression)>,
+}
+
+/// An alert that waits for its answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenAlert {
+    /// What it says.
+    pub text: Text,
+    /// How much it matters.
+    pub level: AlertLevel,
+    /// How long an answer still gets everything; zero when it is late.
+    pub remaining: Duration,
+}
+
+impl Alerts {
+    /// Takes down an alert that has to be answered.
+    pub fn raise(&mut self, fact: AlertFact, ok: Expression) {
+        self.open.push((self.facts.len(), ok));
+        self.facts.push(fact);
+    }
+
+    /// The conditions that would answer the open ones, in the order of [`Self::answer`].
+    pub fn conditions(&self) -> impl Iterator<Item = &Expression> {
+        self.open.iter().map(|(_, ok)| ok)
+    }
+
+    /// Closes those whose condition holds; returns them.
+    pub fn answer(&mut self, holds: &[bool], now: Duration) -> Vec<AlertFact> {
+        let mut answered = Vec::new();
+        let mut holds = holds.iter();
+        self.open.retain(|(index, _)| {
+            let is_answered = holds.next() == Some(&true);
+            if is_answered {
+                let fact = &mut self.facts[*index];
+                fact.answered_after = Some(now.saturating_sub(fact.at));
+                answered.push(fact.clone());
+            }
+            !is_answered
+        });
+        answered
+    }
+
+    /// All of them, oldest first.
+    pub fn facts(&self) -> &[AlertFact] {
+        &self.facts
+    }
+
+    /// Levels of those that wait.
+    pub fn levels(&self) -> BTreeSet<AlertLevel> {
+        let open = self.open.iter();
+        open.map(|(index, _)| self.facts[*index].level).collect()
+    }
+
+    /// Those that wait, the most urgent first.
+    pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {
+        let of = |(index, _): &(usize, Expression)| {
+            let fact = &self.facts[*index];
+            OpenAlert {
+                text: fact.text.clone(),
+                level: fact.level,
+                remaining: (fact.at + fact.limit).saturating_sub(now),
+            }
+        };
+        let mut open: Vec<OpenAlert> = self.open.iter().map(of).collect();
+        open.sort_by_key(|alert| (std::cmp::Reverse(alert.level), alert.remaining));
+        open
+    }
+}

@@ -1,0 +1,392 @@
+//! What threatens one flight: the events as they come, and what they have brought.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use rand::{RngExt as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use super::airspace::Airspace;
+use super::alert::{Alerts, OpenAlert};
+use super::demand::{Demand, Demands};
+use super::fault::{Broken, Fault, Victim};
+use super::mover::Mover;
+use super::scope::Scope;
+use super::weather::Drift;
+use super::{Action, Trigger, expression, standard};
+use crate::mission::contact::Contact;
+use crate::mission::craft::{Breach, Craft};
+use crate::mission::objective::Standing;
+use crate::mission::report::Mark;
+use crate::mission::weather::Weather;
+use crate::mission::{Mission, TICK};
+use crate::scoring::{AlertFact, AlertLevel};
+use crate::text::Text;
+use crate::vehicle::{Vehicle, VehicleId};
+
+mod needs;
+
+/// Random numbers of events; sensors and hazards have others.
+const STREAM: u64 = 1 << 40;
+
+/// What the engine is shown of a flight.
+pub(crate) struct Sight<'a> {
+    /// Mission time.
+    pub now: Duration,
+    pub crafts: &'a [Craft],
+    pub vehicles: &'a BTreeMap<VehicleId, Vehicle>,
+    pub standings: &'a [Standing],
+    pub contacts: &'a [Contact],
+    pub marks: &'a [Mark],
+    /// Mission time of the last command.
+    pub last_command: Option<Duration>,
+}
+
+/// What comes of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum News {
+    Said(Text),
+    Alert(AlertLevel, Text),
+    Answered(AlertFact),
+    Broken(VehicleId, Breach),
+    Failed(Text),
+}
+
+/// Where an event stands.
+#[derive(Debug, Clone, Copy, Default)]
+struct Watch {
+    /// When it is to happen.
+    due: Option<Duration>,
+    /// Whether its condition held when it was looked at last.
+    held: bool,
+    over: bool,
+}
+
+/// The threats of one flight.
+#[derive(Debug)]
+pub(crate) struct Engine {
+    /// Which of the zones are there now, in the order of the file.
+    active: Vec<bool>,
+    watches: Vec<Watch>,
+    fired: Vec<bool>,
+    drifts: Vec<Drift>,
+    movers: Vec<Mover>,
+    broken: Vec<Broken>,
+    alerts: Alerts,
+    airspace: Airspace,
+    /// How well vehicles are heard, in dB; empty where radio does not matter.
+    margins_db: BTreeMap<VehicleId, f64>,
+    gnss: needs::Gnss,
+    demands: Demands,
+    /// Standard injects that are to happen.
+    injected: Vec<&'static str>,
+    /// Failures told by events.
+    seed: u64,
+    random: ChaCha8Rng,
+}
+
+impl Engine {
+    /// The threats of a flight; the seed decides what the mission leaves to chance.
+    pub fn new(mission: &Mission, seed: u64) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(STREAM);
+        let watch = |event: &super::Event| Watch {
+            due: match event.trigger {
+                Trigger::At(at) => Some(jittered(at, event.jitter, &mut random)),
+                _ => None,
+            },
+            ..Watch::default()
+        };
+        let watches: Vec<Watch> = mission.events.iter().map(watch).collect();
+        Self {
+            active: mission.zones.iter().map(|zone| zone.active).collect(),
+            fired: vec![false; watches.len()],
+            watches,
+            drifts: Vec::new(),
+            movers: Vec::new(),
+            broken: Vec::new(),
+            alerts: Alerts::default(),
+            airspace: Airspace::default(),
+            margins_db: BTreeMap::new(),
+            gnss: needs::Gnss::default(),
+            demands: Demands::default(),
+            injected: Vec::new(),
+            seed,
+            random,
+        }
+    }
+
+    /// Lets a [`TICK`] pass; the weather changes with it.
+    pub fn step(
+        &mut self,
+        mission: &Mission,
+        weather: &mut Weather,
+        sight: &Sight<'_>,
+    ) -> Vec<News> {
+        let mut news = Vec::new();
+        self.movers.retain_mut(|mover| mover.step(sight.now));
+        let ended = |broken: &Broken| broken.until.is_some_and(|until| until <= sight.now);
+        self.broken.retain(|broken| !ended(broken));
+        let drifts = std::mem::take(&mut self.drifts);
+        let steps = drifts.into_iter();
+        self.drifts = steps
+            .filter_map(|drift| drift.step(weather, sight.now))
+            .collect();
+        if is_due(sight.now, expression::EVERY) {
+            self.margins_db = mission.radio.as_ref().map_or_else(BTreeMap::new, |radio| {
+                radio.margins_db(mission, &self.active, sight.crafts)
+            });
+            self.ask(mission, weather, sight, &mut news);
+        }
+        for index in 0..self.watches.len() {
+            let watch = &mut self.watches[index];
+            if watch.due.is_some_and(|due| due <= sight.now) {
+                watch.due = None;
+                self.fire(index, mission, weather, sight, &mut news);
+            }
+        }
+        for name in std::mem::take(&mut self.injected) {
+            for action in standard::actions(name, mission) {
+                self.act(&action, weather, sight, &mut news);
+            }
+        }
+        let mut airspace = std::mem::take(&mut self.airspace);
+        let breaches = airspace.step(
+            &self.scope(mission, weather, sight),
+            mission.min_separation_m,
+        );
+        self.airspace = airspace;
+        news.extend(
+            breaches
+                .into_iter()
+                .map(|(id, breach)| News::Broken(id, breach)),
+        );
+        if is_due(sight.now, expression::EVERY) || sight.now <= TICK {
+            self.demand(mission, weather, sight);
+        }
+        news
+    }
+
+    /// Looks at all conditions: of events, and of alerts that wait for their answer.
+    fn ask(
+        &mut self,
+        mission: &Mission,
+        weather: &Weather,
+        sight: &Sight<'_>,
+        news: &mut Vec<News>,
+    ) {
+        let scope = self.scope(mission, weather, sight);
+        let events = mission.events.iter().zip(&self.watches).zip(0..);
+        let holds = events.map(|((event, watch), index)| {
+            let Trigger::When(condition) = &event.trigger else {
+                return false;
+            };
+            let chance = (self.seed, STREAM + 1 + index);
+            !watch.over
+                && condition.holds(&Scope {
+                    chance,
+                    ..scope.clone()
+                })
+        });
+        let holds: Vec<bool> = holds.collect();
+        let answered = self.alerts.conditions().map(|ok| ok.holds(&scope));
+        let answered: Vec<bool> = answered.collect();
+        for (watch, holds) in self.watches.iter_mut().zip(holds) {
+            if holds && !watch.held {
+                watch.due = Some(sight.now);
+            }
+            watch.held = holds;
+        }
+        let answered = self.alerts.answer(&answered, sight.now);
+        news.extend(answered.into_iter().map(News::Answered));
+    }
+
+    /// The time of an event has come.
+    fn fire(
+        &mut self,
+        index: usize,
+        mission: &Mission,
+        weather: &Weather,
+        sight: &Sight<'_>,
+        news: &mut Vec<News>,
+    ) {
+        let event = &mission.events[index];
+        if self.watches[index].over {
+            return;
+        }
+        self.watches[index].over = event.once;
+        if self.random.random::<f64>() >= event.chance {
+            return;
+        }
+        self.fired[index] = true;
+        for (watch, follower) in self.watches.iter_mut().zip(&mission.events) {
+            if let Trigger::After(first, delay) = follower.trigger
+                && first == index
+            {
+                let delay = jittered(delay, follower.jitter, &mut self.random);
+                watch.due = Some(sight.now + delay.max(TICK));
+            }
+        }
+        for action in &event.actions {
+            self.act(action, weather, sight, news);
+        }
+    }
+
+    fn act(&mut self, action: &Action, weather: &Weather, sight: &Sight<'_>, news: &mut Vec<News>) {
+        match action {
+            Action::Say(text) => news.push(News::Said(text.clone())),
+            Action::Alert {
+                level,
+                text,
+                ok,
+                within,
+            } => {
+                news.push(News::Alert(*level, text.clone()));
+                let fact = AlertFact {
+                    text: text.clone(),
+                    level: *level,
+                    at: sight.now,
+                    limit: *within,
+                    answered_after: None,
+                };
+                if let Some(ok) = ok {
+                    self.alerts.raise(fact, ok.clone());
+                }
+            }
+            Action::Weather(change) => {
+                // A newer change takes over where the older one has come to.
+                self.drifts
+                    .retain(|drift| drift.element() != change.element);
+                self.drifts.push(Drift::new(*change, weather, sight.now));
+            }
+            Action::Zone(zone, on) => self.active[*zone] = *on,
+            Action::Spawn(spawn) => {
+                let mover = Mover::new(spawn, sight.now, &mut self.random);
+                self.movers.push(mover);
+            }
+            Action::Fault(fault) => self.break_down(fault, sight),
+            Action::Fail(text) => news.push(News::Failed(text.clone())),
+            Action::Event(other) => self.watches[*other].due = Some(sight.now + TICK),
+        }
+    }
+
+    fn break_down(&mut self, fault: &Fault, sight: &Sight<'_>) {
+        let crafts: Vec<&Craft> = match fault.victim {
+            Victim::One(index) => sight.crafts.get(index).into_iter().collect(),
+            Victim::All => sight.crafts.iter().collect(),
+            Victim::Chance => {
+                let flying = |craft: &&Craft| craft.airborne && !craft.lost;
+                let flying: Vec<&Craft> = sight.crafts.iter().filter(flying).collect();
+                let among = if flying.is_empty() {
+                    sight.crafts.iter().collect()
+                } else {
+                    flying
+                };
+                let chosen = self.random.random_range(0..among.len().max(1));
+                among.get(chosen).copied().into_iter().collect()
+            }
+        };
+        for craft in crafts {
+            let vehicle = sight.vehicles.get(&craft.id);
+            let voltage = vehicle.and_then(|vehicle| vehicle.battery()?.voltage_v);
+            let mut held = craft.shown();
+            held.extend(voltage.map(f64::from));
+            self.broken
+                .retain(|broken| (broken.kind, broken.vehicle) != (fault.kind, craft.id));
+            self.broken.push(Broken {
+                kind: fault.kind,
+                vehicle: craft.id,
+                to: fault.to,
+                since: sight.now,
+                until: fault.lasts.map(|lasts| sight.now + lasts),
+                held,
+            });
+        }
+    }
+
+    fn scope<'a>(
+        &'a self,
+        mission: &'a Mission,
+        weather: &Weather,
+        sight: &Sight<'a>,
+    ) -> Scope<'a> {
+        Scope {
+            now: sight.now,
+            crafts: sight.crafts,
+            vehicles: sight.vehicles,
+            standings: sight.standings,
+            contacts: sight.contacts,
+            marks: sight.marks,
+            zones: &mission.zones,
+            active: &self.active,
+            movers: &self.movers,
+            alerts: self.alerts.levels(),
+            fired: &self.fired,
+            margins_db: &self.margins_db,
+            wind_m_s: weather.wind.speed_m_s,
+            last_command: sight.last_command,
+            chance: (self.seed, STREAM),
+        }
+    }
+
+    /// An instructor wants an event of the mission to happen, by its place in the file.
+    pub fn inject_event(&mut self, index: usize, now: Duration) {
+        if let Some(watch) = self.watches.get_mut(index) {
+            watch.due = Some(now);
+            watch.over = false;
+        }
+    }
+
+    /// An instructor wants one of the [`standard`] threats.
+    pub fn inject_standard(&mut self, name: &'static str) {
+        self.injected.push(name);
+    }
+
+    /// What sensors of a vehicle show instead of the truth.
+    pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
+        let broken = self.broken.iter();
+        let broken = broken.filter(|broken| broken.vehicle == vehicle);
+        broken.fold(shown, |shown, broken| broken.shown(sensor, shown, now))
+    }
+
+    /// Which of the zones are there now, in the order of the file.
+    pub fn active(&self) -> &[bool] {
+        &self.active
+    }
+
+    /// Who and what is on the way.
+    pub fn movers(&self) -> &[Mover] {
+        &self.movers
+    }
+
+    /// All alerts that had to be answered.
+    pub fn alert_facts(&self) -> &[AlertFact] {
+        self.alerts.facts()
+    }
+
+    /// Alerts that wait for their answer.
+    pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {
+        self.alerts.waiting(now)
+    }
+
+    /// How well vehicles are heard, in dB; empty where radio does not matter.
+    pub fn margins_db(&self) -> &BTreeMap<VehicleId, f64> {
+        &self.margins_db
+    }
+
+    /// What has to be done to simulators and links since this was asked last.
+    pub fn take_demands(&mut self) -> Vec<Demand> {
+        self.demands.take()
+    }
+}
+
+/// A time moved by chance, either way.
+fn jittered(at: Duration, jitter: Duration, random: &mut ChaCha8Rng) -> Duration {
+    let by_s = random.random_range(-1.0..=1.0) * jitter.as_secs_f64();
+    let at_s = (at.as_secs_f64() + by_s).max(0.0);
+    Duration::try_from_secs_f64(at_s).unwrap_or(at)
+}
+
+fn is_due(now: Duration, every: Duration) -> bool {
+    now.as_millis().is_multiple_of(every.as_millis())
+}

@@ -1,0 +1,96 @@
+//! What the threats of a moment mean for each vehicle's simulator and link.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Engine, Sight};
+use crate::mission::Mission;
+use crate::mission::craft::Craft;
+use crate::mission::event::demand::Wishes;
+use crate::mission::event::fault::{Broken, FaultKind};
+use crate::mission::weather::Weather;
+use crate::mission::zone::{Zone, ZoneKind};
+use crate::session::RadioFault;
+use crate::vehicle::VehicleId;
+
+/// Whoever has come under a zone's effect has to get this far away from it again.
+const HYSTERESIS_M: f64 = 5.0;
+
+/// Which vehicles are under the effect of which zones, by the zone's place in the file.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Gnss(BTreeMap<VehicleId, BTreeSet<usize>>);
+
+impl Gnss {
+    /// Whether a zone takes hold of a vehicle, or still has it.
+    fn holds(&mut self, craft: &Craft, index: usize, zone: &Zone, leave_m: f64) -> bool {
+        let held = self.0.entry(craft.id).or_default();
+        let near_m = craft.truly_at().map(|at| zone.shape.distance_m(at));
+        let limit_m = if held.contains(&index) { leave_m } else { 0.0 };
+        let is_in = near_m.is_some_and(|near_m| near_m <= limit_m);
+        if is_in {
+            held.insert(index);
+        } else {
+            held.remove(&index);
+        }
+        is_in
+    }
+}
+
+impl Engine {
+    /// Says what simulators and links have to be like now.
+    pub(super) fn demand(&mut self, mission: &Mission, weather: &Weather, sight: &Sight<'_>) {
+        for craft in sight.crafts {
+            let mut wishes = Wishes::default();
+            wishes.weather(weather);
+            self.navigation(mission, craft, &mut wishes);
+            for broken in self.broken.iter().filter(|b| b.vehicle == craft.id) {
+                wishes.broken(broken, mission.origin.at);
+            }
+            self.demands.wish(craft.id, wishes);
+            let fault = self.radio(mission, craft.id);
+            self.demands.radio(craft.id, fault);
+        }
+    }
+
+    /// What zones do to a vehicle's satellite navigation.
+    fn navigation(&mut self, mission: &Mission, craft: &Craft, wishes: &mut Wishes) {
+        let zones = mission.zones.iter().zip(&self.active).enumerate();
+        for (index, (zone, _)) in zones.filter(|(_, (_, active))| **active) {
+            match zone.kind {
+                ZoneKind::GnssJam { edge_m } => {
+                    if self.gnss.holds(craft, index, zone, HYSTERESIS_M) {
+                        wishes.jam();
+                    } else if let Some(at) = craft.truly_at() {
+                        let distance_m = zone.shape.distance_m(at);
+                        if distance_m < edge_m {
+                            wishes.lose_satellites(1.0 - distance_m / edge_m);
+                        }
+                    }
+                }
+                ZoneKind::GnssGlitch { offset_m } => {
+                    // It seems to be elsewhere by as much as it is misled.
+                    let leave_m = HYSTERESIS_M + offset_m[0].hypot(offset_m[1]);
+                    if self.gnss.holds(craft, index, zone, leave_m) {
+                        wishes.mislead(offset_m, mission.origin.at);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// What the distance, what stands in the way, and faults do to a vehicle's link.
+    fn radio(&self, mission: &Mission, vehicle: VehicleId) -> RadioFault {
+        let margin_db = self.margins_db.get(&vehicle).copied();
+        let mut fault = match (&mission.radio, margin_db) {
+            (Some(radio), Some(margin_db)) => radio.fault(margin_db),
+            _ => RadioFault::default(),
+        };
+        let is_link =
+            |broken: &&Broken| broken.vehicle == vehicle && broken.kind == FaultKind::Link;
+        for broken in self.broken.iter().filter(is_link) {
+            fault.loss = 1.0 - (1.0 - fault.loss) * (1.0 - broken.to);
+        }
+        fault.seed = self.seed;
+        fault
+    }
+}

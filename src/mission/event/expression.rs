@@ -1,0 +1,151 @@
+//! Conditions in mission files: a small language that only asks and never changes anything.
+//!
+//! An [`Expression`] is read and checked once, with the names that the mission has; after that it always has a value:
+//! nothing that is asked can fail, and dividing by zero gives infinity.
+//!
+//! ```text
+//! t > 60 and inside('lane') > 0 and not vehicle(2).airborne
+//! ```
+//! Numbers with `+ - * /` and comparisons, `'texts'`, `true` and `false`, `and`, `or`, `not`, parentheses, and the
+//! functions of `ask`.
+
+use std::time::Duration;
+
+use super::scope::Scope;
+use crate::diagnostic::Diagnostic;
+
+mod ask;
+mod parse;
+#[cfg(test)]
+mod tests;
+mod token;
+
+pub(in crate::mission) use ask::Names;
+
+/// A condition: true or false at every moment.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Expression(Node);
+
+/// Part of an expression.
+#[derive(Debug, Clone, PartialEq)]
+enum Node {
+    Number(f64),
+    Bool(bool),
+    Text(String),
+    Ask(ask::Question),
+    Not(Box<Node>),
+    Negative(Box<Node>),
+    Both(Operator, Box<Node>, Box<Node>),
+}
+
+/// What stands between two parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Operator {
+    Or,
+    And,
+    Less,
+    AtMost,
+    Greater,
+    AtLeast,
+    Equal,
+    Unequal,
+    Plus,
+    Minus,
+    Times,
+    Over,
+}
+
+/// What a part is at one moment.
+#[derive(Debug, Clone, PartialEq)]
+enum Value {
+    Number(f64),
+    Bool(bool),
+    Text(String),
+}
+
+/// What a part always is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Type {
+    Number,
+    Bool,
+    Text,
+}
+
+impl Type {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Number => "a number",
+            Self::Bool => "a condition",
+            Self::Text => "a text",
+        }
+    }
+}
+
+impl Expression {
+    /// Reads a condition.
+    ///
+    /// # Errors
+    /// The first fault, with its place in the text.
+    pub(in crate::mission) fn parse(source: &str, names: &Names<'_>) -> Result<Self, Diagnostic> {
+        parse::condition(source, names).map(Self)
+    }
+
+    /// Whether it holds.
+    pub fn holds(&self, scope: &Scope<'_>) -> bool {
+        self.0.value(scope) == Value::Bool(true)
+    }
+}
+
+impl Node {
+    fn value(&self, scope: &Scope<'_>) -> Value {
+        match self {
+            Self::Number(number) => Value::Number(*number),
+            Self::Bool(is) => Value::Bool(*is),
+            Self::Text(text) => Value::Text(text.clone()),
+            Self::Ask(question) => question.answer(scope),
+            Self::Not(part) => Value::Bool(part.value(scope) != Value::Bool(true)),
+            Self::Negative(part) => Value::Number(-part.number(scope)),
+            Self::Both(operator, left, right) => operator.apply(left, right, scope),
+        }
+    }
+
+    /// Its number; parts were checked, so that only numbers are asked for theirs.
+    fn number(&self, scope: &Scope<'_>) -> f64 {
+        match self.value(scope) {
+            Value::Number(number) => number,
+            Value::Bool(_) | Value::Text(_) => f64::NAN,
+        }
+    }
+}
+
+impl Operator {
+    fn apply(self, left: &Node, right: &Node, scope: &Scope<'_>) -> Value {
+        let is = |node: &Node| node.value(scope) == Value::Bool(true);
+        let numbers = || (left.number(scope), right.number(scope));
+        let compare = |holds: fn(f64, f64) -> bool| {
+            let (left, right) = numbers();
+            Value::Bool(holds(left, right))
+        };
+        let reckon = |of: fn(f64, f64) -> f64| {
+            let (left, right) = numbers();
+            Value::Number(of(left, right))
+        };
+        match self {
+            Self::Or => Value::Bool(is(left) || is(right)),
+            Self::And => Value::Bool(is(left) && is(right)),
+            Self::Less => compare(|a, b| a < b),
+            Self::AtMost => compare(|a, b| a <= b),
+            Self::Greater => compare(|a, b| a > b),
+            Self::AtLeast => compare(|a, b| a >= b),
+            Self::Equal => Value::Bool(left.value(scope) == right.value(scope)),
+            Self::Unequal => Value::Bool(left.value(scope) != right.value(scope)),
+            Self::Plus => reckon(|a, b| a + b),
+            Self::Minus => reckon(|a, b| a - b),
+            Self::Times => reckon(|a, b| a * b),
+            Self::Over => reckon(|a, b| a / b),
+        }
+    }
+}
+
+/// How often conditions are looked at.
+pub(super) const EVERY: Duration = Duration::from_millis(500);

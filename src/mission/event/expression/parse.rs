@@ -1,0 +1,237 @@
+//! From the words of an expression to its parts, with their types.
+
+use std::ops::Range;
+
+use super::ask::{self, Names, Question};
+use super::token::{Placed, Token, tokens};
+use super::{Node, Operator, Type};
+use crate::diagnostic::Diagnostic;
+
+/// Brackets and signs stand in one another at most so deep.
+const DEEPEST: usize = 32;
+
+/// A part with its type and its place.
+pub(super) struct Part {
+    pub node: Node,
+    pub is: Type,
+    pub span: Range<usize>,
+}
+
+type Read = Result<Part, Diagnostic>;
+
+/// Operators by how tightly they bind, the loosest first; with the type of what they stand between and of the result.
+const LEVELS: [(&[(&str, Operator)], Type, Type); 5] = [
+    (&[("or", Operator::Or)], Type::Bool, Type::Bool),
+    (&[("and", Operator::And)], Type::Bool, Type::Bool),
+    (
+        &[
+            ("<", Operator::Less),
+            ("<=", Operator::AtMost),
+            (">", Operator::Greater),
+            (">=", Operator::AtLeast),
+            ("==", Operator::Equal),
+            ("!=", Operator::Unequal),
+        ],
+        Type::Number,
+        Type::Bool,
+    ),
+    (
+        &[("+", Operator::Plus), ("-", Operator::Minus)],
+        Type::Number,
+        Type::Number,
+    ),
+    (
+        &[("*", Operator::Times), ("/", Operator::Over)],
+        Type::Number,
+        Type::Number,
+    ),
+];
+/// The level of comparisons, which cannot be chained.
+const COMPARISONS: usize = 2;
+
+/// Reads a condition.
+pub(super) fn condition(source: &str, names: &Names<'_>) -> Result<Node, Diagnostic> {
+    let tokens = tokens(source)?;
+    let mut reader = Reader {
+        tokens: &tokens,
+        at: 0,
+        end: source.len(),
+        depth: 0,
+        names,
+    };
+    let part = reader.level(0)?;
+    if let Some((token, span)) = reader.tokens.get(reader.at) {
+        let message = format!("{} was not expected here", named(token));
+        return Err(Diagnostic::new(span.clone(), message));
+    }
+    need(&part, Type::Bool)?;
+    Ok(part.node)
+}
+
+/// A fault where a part is not of a type.
+fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
+    if part.is == wanted {
+        return Ok(());
+    }
+    let message = format!("{} is needed here, not {}", wanted.name(), part.is.name());
+    Err(Diagnostic::new(part.span.clone(), message))
+}
+
+fn named(token: &Token) -> String {
+    match token {
+        Token::Number(number) => format!("`{number}`"),
+        Token::Text(text) => format!("`'{text}'`"),
+        Token::Name(name) => format!("`{name}`"),
+        Token::Sign(sign) => format!("`{sign}`"),
+    }
+}
+
+/// The words that are left to be read.
+pub(super) struct Reader<'a> {
+    tokens: &'a [Placed],
+    at: usize,
+    end: usize,
+    depth: usize,
+    pub names: &'a Names<'a>,
+}
+
+impl Reader<'_> {
+    /// A part whose operators bind at least so tightly.
+    fn level(&mut self, level: usize) -> Read {
+        let Some(&(operators, operand, result)) = LEVELS.get(level) else {
+            return self.unary();
+        };
+        let mut left = self.level(level + 1)?;
+        while let Some(operator) = self.operator(operators) {
+            let right = self.level(level + 1)?;
+            // Texts and conditions can be compared for being the same.
+            let same = matches!(operator, Operator::Equal | Operator::Unequal);
+            let operand = if same { left.is } else { operand };
+            need(&left, operand)?;
+            need(&right, operand)?;
+            left = Part {
+                span: left.span.start..right.span.end,
+                node: Node::Both(operator, Box::new(left.node), Box::new(right.node)),
+                is: result,
+            };
+            if level == COMPARISONS {
+                break;
+            }
+        }
+        Ok(left)
+    }
+
+    fn operator(&mut self, among: &[(&str, Operator)]) -> Option<Operator> {
+        let (token, _) = self.tokens.get(self.at)?;
+        let written = match token {
+            Token::Sign(sign) => *sign,
+            Token::Name(name) => name.as_str(),
+            Token::Number(_) | Token::Text(_) => return None,
+        };
+        let (_, operator) = among.iter().find(|(sign, _)| *sign == written)?;
+        self.at += 1;
+        Some(*operator)
+    }
+
+    fn unary(&mut self) -> Read {
+        let Some((token, span)) = self.tokens.get(self.at) else {
+            return Err(self.missing("a value"));
+        };
+        let start = span.start;
+        let not = *token == Token::Name("not".into());
+        let negative = *token == Token::Sign("-");
+        let bracket = *token == Token::Sign("(");
+        if !(not || negative || bracket) {
+            return self.primary();
+        }
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            let message = format!("brackets and signs stand in one another at most {DEEPEST} deep");
+            return Err(Diagnostic::new(span.clone(), message));
+        }
+        self.at += 1;
+        let part = if bracket {
+            let part = self.level(0)?;
+            self.sign(")")?;
+            part
+        } else if not {
+            // It binds more loosely than a comparison: `not t > 3`.
+            let part = self.level(COMPARISONS)?;
+            need(&part, Type::Bool)?;
+            Part {
+                node: Node::Not(Box::new(part.node)),
+                span: start..part.span.end,
+                is: Type::Bool,
+            }
+        } else {
+            let part = self.unary()?;
+            need(&part, Type::Number)?;
+            Part {
+                node: Node::Negative(Box::new(part.node)),
+                span: start..part.span.end,
+                is: Type::Number,
+            }
+        };
+        self.depth -= 1;
+        Ok(part)
+    }
+
+    fn primary(&mut self) -> Read {
+        let (token, span) = self.next("a value")?;
+        let (node, is) = match token {
+            Token::Number(number) => (Node::Number(number), Type::Number),
+            Token::Text(text) => (Node::Text(text), Type::Text),
+            Token::Name(name) if name == "true" => (Node::Bool(true), Type::Bool),
+            Token::Name(name) if name == "false" => (Node::Bool(false), Type::Bool),
+            Token::Name(name) => return self.question(&name, span),
+            Token::Sign(sign) => {
+                let message = format!("a value is needed here, not `{sign}`");
+                return Err(Diagnostic::new(span, message));
+            }
+        };
+        Ok(Part { node, is, span })
+    }
+
+    fn question(&mut self, name: &str, span: Range<usize>) -> Read {
+        let (question, is): (Question, Type) = ask::read(self, name, &span)?;
+        let end = self.tokens[self.at - 1].1.end;
+        Ok(Part {
+            node: Node::Ask(question),
+            is,
+            span: span.start..end,
+        })
+    }
+
+    /// The next word, whatever it is.
+    pub fn next(&mut self, wanted: &str) -> Result<Placed, Diagnostic> {
+        let found = self.tokens.get(self.at).cloned();
+        self.at += 1;
+        found.ok_or_else(|| self.missing(wanted))
+    }
+
+    /// Whether this sign comes next; then it is taken.
+    pub fn takes(&mut self, sign: &str) -> bool {
+        let is = matches!(self.tokens.get(self.at), Some((Token::Sign(next), _)) if *next == sign);
+        self.at += usize::from(is);
+        is
+    }
+
+    /// This sign must come next.
+    pub fn sign(&mut self, sign: &str) -> Result<(), Diagnostic> {
+        if self.takes(sign) {
+            return Ok(());
+        }
+        match self.tokens.get(self.at) {
+            None => Err(self.missing(&format!("`{sign}`"))),
+            Some((token, span)) => {
+                let message = format!("`{sign}` is needed here, not {}", named(token));
+                Err(Diagnostic::new(span.clone(), message))
+            }
+        }
+    }
+
+    fn missing(&self, wanted: &str) -> Diagnostic {
+        let message = format!("{wanted} is missing at the end");
+        Diagnostic::new(self.end.saturating_sub(1)..self.end, message)
+    }
+}

@@ -1,0 +1,80 @@
+//! The words of an expression.
+
+use std::ops::Range;
+
+use crate::diagnostic::Diagnostic;
+
+/// A longer expression is none that somebody has written.
+const LONGEST: usize = 1000;
+
+/// One word.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Token {
+    Number(f64),
+    Text(String),
+    Name(String),
+    /// An operator or a bracket.
+    Sign(&'static str),
+}
+
+/// The signs, longer ones before those that they begin with.
+const SIGNS: [&str; 17] = [
+    "<=", ">=", "==", "!=", "<", ">", "=", "+", "-", "*", "/", "(", ")", "[", "]", ",", ".",
+];
+
+/// A word with its place.
+pub(super) type Placed = (Token, Range<usize>);
+
+/// Cuts an expression into its words.
+pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
+    if source.len() > LONGEST {
+        let message = format!("an expression has at most {LONGEST} characters");
+        return Err(Diagnostic::new(0..source.len(), message));
+    }
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    while let Some(first) = source[at..].chars().next() {
+        if first.is_whitespace() {
+            at += first.len_utf8();
+            continue;
+        }
+        let (token, length) = token(&source[at..], first)
+            .map_err(|(length, message)| Diagnostic::new(at..at + length, message))?;
+        tokens.push((token, at..at + length));
+        at += length;
+    }
+    Ok(tokens)
+}
+
+/// The first word of what is left, and how long it is.
+fn token(rest: &str, first: char) -> Result<(Token, usize), (usize, String)> {
+    let length_of = |part: fn(char) -> bool| {
+        let end = rest.find(|c| !part(c));
+        end.unwrap_or(rest.len())
+    };
+    if first.is_ascii_digit() {
+        let length = length_of(|c| c.is_ascii_alphanumeric() || c == '.');
+        let written = &rest[..length];
+        let number: Option<f64> = written.parse().ok();
+        return match number.filter(|number| number.is_finite()) {
+            Some(number) => Ok((Token::Number(number), length)),
+            None => Err((length, format!("`{written}` is no number"))),
+        };
+    }
+    if first.is_ascii_alphabetic() || first == '_' {
+        let length = length_of(|c| c.is_ascii_alphanumeric() || c == '_');
+        return Ok((Token::Name(rest[..length].to_owned()), length));
+    }
+    if first == '\'' {
+        return match rest[1..].find('\'') {
+            Some(end) => Ok((Token::Text(rest[1..=end].to_owned()), end + 2)),
+            None => Err((rest.len(), "the text is not closed: `'` is missing".into())),
+        };
+    }
+    match SIGNS.iter().find(|sign| rest.starts_with(**sign)) {
+        // A single one is understood as well.
+        Some(&"=") => Ok((Token::Sign("=="), 1)),
+        Some(sign) => Ok((Token::Sign(sign), sign.len())),
+        None => Err((first.len_utf8(), format!("`{first}` has no meaning here"))),
+    }
+}

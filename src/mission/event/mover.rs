@@ -1,0 +1,96 @@
+//! Who and what moves through a mission besides its vehicles: people, aircraft, drones of others.
+
+use std::time::Duration;
+
+use rand::RngExt as _;
+use rand_chacha::ChaCha8Rng;
+
+use crate::mission::Point;
+use crate::mission::report::distance_m;
+
+/// Somebody or something that an event brings.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Spawn {
+    /// What conditions call it.
+    pub id: String,
+    pub kind: MoverKind,
+    /// It goes from point to point and is gone after the last.
+    pub path: Vec<Point>,
+    pub speed_m_s: f64,
+    pub height_m: f64,
+    /// How far from it vehicles have to stay.
+    pub keep_out_m: f64,
+    /// By how much at most the seed moves the whole path, on each axis.
+    pub jitter_m: f64,
+}
+
+/// What moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MoverKind {
+    /// Somebody on foot.
+    Person,
+    /// An aircraft with people on board.
+    Aircraft,
+    /// A drone of somebody else's.
+    Intruder,
+}
+
+/// Somebody or something on the way.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Mover {
+    pub id: String,
+    pub kind: MoverKind,
+    pub at: Point,
+    pub height_m: f64,
+    pub keep_out_m: f64,
+    path: Vec<Point>,
+    speed_m_s: f64,
+    since: Duration,
+}
+
+impl Mover {
+    /// Begins at the first point of its path.
+    pub fn new(spawn: &Spawn, now: Duration, random: &mut ChaCha8Rng) -> Self {
+        let mut shift = || random.random_range(-1.0..=1.0) * spawn.jitter_m;
+        let shift = [shift(), shift()];
+        let moved = |point: &Point| [point[0] + shift[0], point[1] + shift[1]];
+        let path: Vec<Point> = spawn.path.iter().map(moved).collect();
+        Self {
+            id: spawn.id.clone(),
+            kind: spawn.kind,
+            at: path.first().copied().unwrap_or_default(),
+            height_m: spawn.height_m,
+            keep_out_m: spawn.keep_out_m,
+            path,
+            speed_m_s: spawn.speed_m_s,
+            since: now,
+        }
+    }
+
+    /// Moves on to a mission time; false once it has reached its end and is gone.
+    pub fn step(&mut self, now: Duration) -> bool {
+        let mut left_m = now.saturating_sub(self.since).as_secs_f64() * self.speed_m_s;
+        for leg in self.path.windows(2) {
+            let length_m = distance_m(leg[0], leg[1]);
+            if left_m < length_m {
+                let share = left_m / length_m;
+                let along = |axis: usize| leg[0][axis] + (leg[1][axis] - leg[0][axis]) * share;
+                self.at = [along(0), along(1)];
+                return true;
+            }
+            left_m -= length_m;
+        }
+        self.at = self.path.last().copied().unwrap_or(self.at);
+        false
+    }
+
+    /// How far it is from a place, with its height where that counts: people are kept away from at any height below
+    /// theirs to keep.
+    pub fn distance_m(&self, [east_m, north_m, up_m]: [f64; 3]) -> f64 {
+        let flat = distance_m(self.at, [east_m, north_m]);
+        match self.kind {
+            MoverKind::Person => flat,
+            MoverKind::Aircraft | MoverKind::Intruder => flat.hypot(up_m - self.height_m),
+        }
+    }
+}

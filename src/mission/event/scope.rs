@@ -1,0 +1,163 @@
+//! What conditions and threats see of a flight.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::Duration;
+
+use rand::{RngExt as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use super::mover::Mover;
+use crate::mission::contact::Contact;
+use crate::mission::craft::Craft;
+use crate::mission::objective::Standing;
+use crate::mission::report::{Mark, distance_m};
+use crate::mission::zone::Zone;
+use crate::scoring::AlertLevel;
+use crate::vehicle::{Vehicle, VehicleId};
+
+/// Slower than this, a vehicle stands in the air.
+const PAUSED_M_S: f64 = 0.7;
+
+/// A flight at one moment.
+#[derive(Debug, Clone)]
+pub(crate) struct Scope<'a> {
+    pub now: Duration,
+    pub crafts: &'a [Craft],
+    pub vehicles: &'a BTreeMap<VehicleId, Vehicle>,
+    pub standings: &'a [Standing],
+    pub contacts: &'a [Contact],
+    pub marks: &'a [Mark],
+    pub zones: &'a [Zone],
+    /// Which of the zones are there, in their order.
+    pub active: &'a [bool],
+    pub movers: &'a [Mover],
+    /// Levels of the alerts that wait for an answer.
+    pub alerts: BTreeSet<AlertLevel>,
+    /// Which of the events have happened, in their order.
+    pub fired: &'a [bool],
+    /// How well vehicles are heard, in dB; none where radio does not matter.
+    pub margins_db: &'a BTreeMap<VehicleId, f64>,
+    pub wind_m_s: f64,
+    /// Mission time of the last command.
+    pub last_command: Option<Duration>,
+    /// Decides on chance; the same event asks for another one at another time.
+    pub chance: (u64, u64),
+}
+
+/// Where somebody should keep away from.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Spot {
+    /// The zone of this place in the file.
+    Zone(usize),
+    /// Those who were brought under this id.
+    Mover(String),
+}
+
+impl<'a> Scope<'a> {
+    /// The vehicles in the air.
+    pub fn flying(&self) -> impl Iterator<Item = &'a Craft> {
+        let crafts = self.crafts.iter();
+        crafts.filter(|craft| craft.airborne && !craft.lost)
+    }
+
+    /// How an objective stands.
+    pub fn standing(&self, objective: usize) -> Option<&'a Standing> {
+        self.standings.get(objective)
+    }
+
+    /// How many of a hazard's objects are among the contacts.
+    pub fn found(&self, hazard: usize) -> f64 {
+        let objects = self.contacts.iter().filter_map(|contact| contact.object);
+        let objects = objects.filter(|object| object.hazard == hazard);
+        objects.collect::<BTreeSet<_>>().len() as f64
+    }
+
+    /// Of the vehicles in the air; infinite without any.
+    pub fn lowest_height_m(&self) -> f64 {
+        let heights = self.flying().map(|craft| craft.height_m);
+        heights.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Of the vehicles in the air; 100 without any.
+    pub fn lowest_battery_percent(&self) -> f64 {
+        let charges = self.flying().filter_map(|craft| craft.battery_percent);
+        charges.fold(100.0, f64::min)
+    }
+
+    /// The fastest of the vehicles in the air that carry a sensor.
+    pub fn speed_m_s(&self, sensor: &str) -> f64 {
+        let carries = |craft: &&Craft| craft.carries(sensor);
+        let speeds = self.flying().filter(carries).map(|craft| craft.speed_m_s);
+        speeds.fold(0.0, f64::max)
+    }
+
+    /// The least distance between two vehicles in the air; infinite without two.
+    pub fn separation_m(&self) -> f64 {
+        let flying: Vec<_> = self.flying().filter_map(Craft::place_m).collect();
+        let pairs = flying.iter().enumerate().flat_map(|(index, a)| {
+            let others = flying[index + 1..].iter();
+            others.map(|b| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]))
+        });
+        pairs.fold(f64::INFINITY, f64::min)
+    }
+
+    /// How many vehicles in the air are above a zone.
+    pub fn inside(&self, zone: usize) -> usize {
+        let Some(zone) = self.zones.get(zone) else {
+            return 0;
+        };
+        let above = |craft: &&Craft| craft.truly_at().is_some_and(|at| zone.shape.contains(at));
+        self.flying().filter(above).count()
+    }
+
+    /// Whether a zone is there now.
+    pub fn is_active(&self, zone: usize) -> bool {
+        self.active.get(zone) == Some(&true)
+    }
+
+    /// How long ago the last command was given.
+    pub fn since_command(&self) -> Duration {
+        self.now
+            .saturating_sub(self.last_command.unwrap_or(Duration::ZERO))
+    }
+
+    /// A vehicle's mode by name.
+    pub fn mode(&self, id: VehicleId) -> Option<&'static str> {
+        self.vehicles.get(&id)?.heartbeat.as_ref()?.mode.name()
+    }
+
+    /// The modes of the vehicles in the air.
+    pub fn modes(&self) -> impl Iterator<Item = &'static str> {
+        self.flying().filter_map(|craft| self.mode(craft.id))
+    }
+
+    /// Whether everybody in the air either stands still or keeps this far away.
+    pub fn is_paused_or_clear(&self, spot: &Spot, metres: f64) -> bool {
+        self.flying().all(|craft| {
+            let near = craft.truly_at().is_some_and(|at| match spot {
+                Spot::Zone(zone) => {
+                    let zone = self.zones.get(*zone);
+                    zone.is_some_and(|zone| zone.shape.distance_m(at) <= metres)
+                }
+                Spot::Mover(id) => {
+                    let mut movers = self.movers.iter().filter(|mover| mover.id == *id);
+                    movers.any(|mover| distance_m(mover.at, at) <= metres)
+                }
+            });
+            !near || craft.speed_m_s < PAUSED_M_S
+        })
+    }
+
+    /// How well a vehicle is heard, in dB; infinite where radio does not matter.
+    pub fn margin_db(&self, id: VehicleId) -> f64 {
+        self.margins_db.get(&id).copied().unwrap_or(f64::INFINITY)
+    }
+
+    /// A number from 0 to 1 by chance, the same one whenever it is asked for at this moment.
+    pub fn draw(&self) -> f64 {
+        let (seed, stream) = self.chance;
+        let mut random = ChaCha8Rng::seed_from_u64(seed ^ self.now.as_millis() as u64);
+        random.set_stream(stream);
+        random.random()
+    }
+}

@@ -1,0 +1,125 @@
+//! Events that change the weather, at once or little by little, for good or for a while.
+
+use std::time::Duration;
+
+use crate::mission::weather::Weather;
+
+/// What of the weather can change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Element {
+    WindSpeed,
+    WindDirection,
+    Gust,
+    Temperature,
+}
+
+impl Element {
+    /// All of them by the names that they have in files, with what they may be set to.
+    pub const ALL: [(&str, Self, std::ops::RangeInclusive<f64>); 4] = [
+        ("weather.wind.speed", Self::WindSpeed, 0.0..=60.0),
+        ("weather.wind.dir", Self::WindDirection, 0.0..=360.0),
+        ("weather.gust", Self::Gust, 0.0..=20.0),
+        ("weather.temp_c", Self::Temperature, -40.0..=60.0),
+    ];
+
+    fn get(self, weather: &Weather) -> f64 {
+        match self {
+            Self::WindSpeed => weather.wind.speed_m_s,
+            Self::WindDirection => weather.wind.from_deg,
+            Self::Gust => weather.gust_m_s,
+            Self::Temperature => weather.temperature_c,
+        }
+    }
+
+    fn set(self, weather: &mut Weather, value: f64) {
+        match self {
+            Self::WindSpeed => weather.wind.speed_m_s = value.max(0.0),
+            Self::WindDirection => weather.wind.from_deg = value.rem_euclid(360.0),
+            Self::Gust => weather.gust_m_s = value.max(0.0),
+            Self::Temperature => weather.temperature_c = value,
+        }
+    }
+
+    /// From one value towards another; directions go the shorter way.
+    fn between(self, from: f64, to: f64, share: f64) -> f64 {
+        let difference = match self {
+            Self::WindDirection => (to - from + 180.0).rem_euclid(360.0) - 180.0,
+            _ => to - from,
+        };
+        from + difference * share
+    }
+}
+
+/// A change of the weather.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Change {
+    pub element: Element,
+    pub to: Target,
+    /// How long it takes.
+    pub ramp: Duration,
+    /// After how long it goes back to what it was; `None`: never.
+    pub lasts: Option<Duration>,
+}
+
+/// What something changes to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Target {
+    /// This.
+    Value(f64),
+    /// So much more than now.
+    More(f64),
+}
+
+/// A change that is under way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Drift {
+    change: Change,
+    from: f64,
+    to: f64,
+    since: Duration,
+}
+
+impl Drift {
+    pub fn new(change: Change, weather: &Weather, now: Duration) -> Self {
+        let from = change.element.get(weather);
+        Self {
+            change,
+            from,
+            to: match change.to {
+                Target::Value(value) => value,
+                Target::More(more) => from + more,
+            },
+            since: now,
+        }
+    }
+
+    /// What of the weather it changes.
+    pub fn element(&self) -> Element {
+        self.change.element
+    }
+
+    /// Moves the weather on; returns what comes after it, if anything has to.
+    pub fn step(self, weather: &mut Weather, now: Duration) -> Option<Self> {
+        let passed = now.saturating_sub(self.since);
+        let share = if passed >= self.change.ramp {
+            1.0
+        } else {
+            passed.as_secs_f64() / self.change.ramp.as_secs_f64()
+        };
+        let element = self.change.element;
+        element.set(weather, element.between(self.from, self.to, share));
+        match self.change.lasts {
+            Some(lasts) if passed >= lasts && share >= 1.0 => Some(Self {
+                change: Change {
+                    lasts: None,
+                    ..self.change
+                },
+                from: self.to,
+                to: self.from,
+                since: now,
+            }),
+            None if share >= 1.0 => None,
+            _ => Some(self),
+        }
+    }
+}
