@@ -35,6 +35,8 @@ pub(crate) struct Craft {
     pub speed_m_s: f64,
     /// Where it goes, or went last.
     pub course: Course,
+    /// Whether it would arm.
+    pub ready: bool,
     pub armed: bool,
     pub airborne: bool,
     /// Whether it has been in the air during this mission.
@@ -76,6 +78,7 @@ impl Craft {
             height_m: 0.0,
             speed_m_s: 0.0,
             course: Course::default(),
+            ready: false,
             armed: false,
             airborne: false,
             flown: false,
@@ -175,6 +178,7 @@ impl Craft {
 
     fn take(&mut self, vehicle: &Vehicle, mission: &Mission) {
         self.heard = !vehicle.link.lost;
+        self.ready = vehicle.ready_to_arm();
         self.armed = vehicle.armed();
         self.airborne = vehicle.airborne();
         self.flown |= self.airborne && self.armed;

@@ -24,6 +24,7 @@ pub(crate) struct World {
     fields: Vec<Box<dyn Field>>,
     /// What there is to report, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
     sought: BTreeSet<&'static str>,
+    seed: u64,
 }
 
 impl World {
@@ -39,6 +40,7 @@ impl World {
         let fields: Vec<Box<dyn Field>> = hazards.zip((0..=u64::MAX).rev()).map(release).collect();
         let objects = fields.iter().flat_map(|field| field.objects());
         Self {
+            seed,
             weather: mission.weather,
             sought: objects.filter_map(|object| object.class.kind()).collect(),
             fields,
@@ -56,6 +58,7 @@ impl World {
             }
         }
         Self {
+            seed: 0,
             weather,
             sought: objects
                 .iter()
@@ -63,6 +66,19 @@ impl World {
                 .collect(),
             fields: vec![Box::new(Lying(objects))],
         }
+    }
+
+    /// Chance for what an objective leaves to it: the same for the same seed and name.
+    pub fn random(&self, objective: &str) -> ChaCha8Rng {
+        // FNV-1a of the name, among the streams that neither sensors nor hazards have.
+        let hash = objective
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+            });
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        random.set_stream(1 << 62 | hash >> 2);
+        random
     }
 
     /// Lets a [`TICK`](super::TICK) pass; `now` is mission time at its end.
