@@ -142,3 +142,8 @@ mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported
 mission-marks-count = reports { $count }
 mission-pledge-line = you said: { $words }
 mission-said-score = { $points } points
+
+# What is urgent, on the mission pane.
+mission-alert = ! { $seconds } s: { $text }
+mission-radio-weak = ! { $vehicle } is hardly heard: { $margin } dB
+inject-done = injected: { $what }

@@ -149,3 +149,8 @@ mission-contacts-count = контактів { $count }, підтверджено
 mission-marks-count = доповідей { $count }
 mission-pledge-line = ви сказали: { $words }
 mission-said-score = бали { $points }
+
+# Що невідкладне, на панелі завдання.
+mission-alert = ! { $seconds } s: { $text }
+mission-radio-weak = ! { $vehicle } ледь чути: { $margin } dB
+inject-done = введено: { $what }

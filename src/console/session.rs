@@ -319,6 +319,11 @@ impl Running {
         }
     }
 
+    /// Has something happen in the mission; `None` without one.
+    pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
+        Some(self.course.as_mut()?.flight.inject(name))
+    }
+
     /// Lets the embedded simulator stand still, or go on.
     pub fn hold(&self, held: bool) {
         self.held.send_replace(held);

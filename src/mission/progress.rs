@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Area, MoverKind, OpenAlert, Pledge};
+use super::{Area, Inject, MoverKind, OpenAlert, Pledge};
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::text::Text;
@@ -36,6 +36,8 @@ pub struct Progress {
     pub marks: Vec<ShownMark>,
     /// What the trainee has said before launch.
     pub pledge: Pledge,
+    /// What an instructor may have happen.
+    pub injects: Vec<Inject>,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
     /// The areas that are there now; events bring some and take others away.

@@ -179,6 +179,7 @@ pub fn progress() -> Progress {
         findings: Findings::default(),
         places: std::collections::BTreeMap::new(),
         contacts: Vec::new(),
+        injects: Vec::new(),
         marks: Vec::new(),
         pledge: Pledge::default(),
         cells: cells.collect(),

@@ -46,6 +46,7 @@ impl Flight {
             hint: self.hint(&standings),
             places: self.places(),
             contacts: self.shown_contacts(),
+            injects: self.injects(),
             marks: self.shown_marks(),
             pledge: self.pledge,
             cells: self.cells(),
