@@ -16,6 +16,9 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 pub(super) mod arm_time;
+pub(super) mod coverage;
+pub(super) mod deliver;
+pub(super) mod detect;
 pub(super) mod dose;
 pub(super) mod formation;
 pub(super) mod hover;
@@ -27,6 +30,7 @@ pub(super) mod protect;
 pub(super) mod recover;
 mod route;
 pub(super) mod sample_cells;
+pub(super) mod standoff;
 pub(super) mod stops;
 
 /// An objective of a mission.
@@ -146,6 +150,10 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("sample_cells", sample_cells::read),
     ("map_error", map_error::read),
     ("recover", recover::read),
+    ("coverage", coverage::read),
+    ("deliver", deliver::read),
+    ("detect", detect::read),
+    ("standoff", standoff::read),
     ("arm_time", arm_time::read),
     ("hover", hover::read),
     ("gates", stops::read_gates),
