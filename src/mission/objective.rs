@@ -15,6 +15,7 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 pub(super) mod dose;
+pub(super) mod link;
 pub(super) mod locate;
 pub(super) mod map_error;
 pub(super) mod perimeter;
@@ -126,6 +127,7 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("sample_cells", sample_cells::read),
     ("map_error", map_error::read),
     ("recover", recover::read),
+    ("link", link::read),
     ("locate", locate::read),
     ("perimeter", perimeter::read),
     ("protect", protect::read),
