@@ -89,12 +89,9 @@ enum Command {
     /// column.
     #[command(after_help = "Examples:\n  \
                             sortie check missions/*.toml missions/pilots/*.pilot\n  \
-                            sortie check ~/.config/sortie/*.toml")]
-    Check {
-        /// Files ending in .toml, whose content tells what they are, or .pilot.
-        #[arg(required = true, value_name = "FILE")]
-        files: Vec<PathBuf>,
-    },
+                            sortie check ~/.config/sortie/*.toml\n  \
+                            sortie check --fly 01 --seeds 20")]
+    Check(check::CheckArguments),
     /// Prints what is set and who has set it: flag, environment, file or nobody.
     Config(config::ConfigArguments),
     /// Measurements.
@@ -179,7 +176,7 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
             settings.complain();
             hangar::hangar(&options, &settings)
         }
-        Some(Command::Check { files }) => check::check(&files),
+        Some(Command::Check(options)) => check::check(&options),
         Some(Command::Config(options)) => config::config(&options, &settings),
         Some(Command::Bench(bench)) => bench::bench(&bench, &settings),
         Some(Command::Completions { shell }) => manual::completions(shell),

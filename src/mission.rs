@@ -18,6 +18,7 @@
 //! | `drill_of` | id of the mission that this one is a short exercise for |
 //! | `[sim]` `time_limit`, `origin = { lat, lon, alt, heading }` | seconds; where [0, 0] is, height above sea level, heading of the parked vehicles (0) |
 //! | `[weather]` `wind = { speed, dir }` | `dir` is where it comes from (calm) |
+//! | `[[places]]` `id`, `at` | a point that lines and objectives may name |
 //! | `[[zones]]` `id`, `kind` | `task` (an area) or `geofence` (must not be left; optional `ceiling`) |
 //! | `polygon` or `center`, `radius` | its shape |
 //! | `[[hazards]]` `id`, `kind` | see below |
@@ -46,6 +47,11 @@
 //!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
+//! `arm_time` (`within` s of being ready), `hover` (`heights`, `radius`, `time`,
+//! `place`: anywhere); `gates` (`gates = [[east, north, up], ..]` in their order, `radius`, `jitter`: by how much at most
+//! the seed moves each); `visit` (`places`, `radius`, `dwell` (0), `heights`); `formation` (the middle of all through
+//! `gates`, `radius`, `jitter`, with `spacing = [least, most]` to the nearest other for a share `target`,
+//! `partial_from`); `land_on` (`place`, `radius`, `count` (1)),
 //! `recover` (`radius`, `battery_pct`), `locate` (`of`: a hazard, `within`, `partial_to`), `perimeter` (`of`: a fire,
 //! `sensor`, `times`, `target`, `partial_from`), `protect` (`of`: a fire, `zone`), `contain` (`of`: a fire, `target`,
 //! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`). Cells are named like chess squares: `A1` is the south-west one, letters go
@@ -140,6 +146,8 @@ pub struct Mission {
     /// What each vehicle carries, in the order of the pads.
     pub(crate) fits: Vec<fit::Fit>,
     pub(crate) zones: Vec<zone::Zone>,
+    /// Named points.
+    pub(crate) places: Vec<(String, Point)>,
     pub(crate) hazards: Vec<Box<dyn hazard::Hazard>>,
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) max_height_m: f64,
@@ -245,9 +253,12 @@ impl Mission {
         }
     }
 
-    /// Places that the grammar may name: the cells (`A1`), `pad` for the first pad and `pad1`, `pad2` for each.
+    /// Places that the grammar may name: those of the file, the cells (`A1`), `pad` for the first pad and `pad1`, `pad2` for each.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
-        let mut places = BTreeMap::new();
+        let named = self.places.iter();
+        let mut places: BTreeMap<String, LatLon> = named
+            .map(|(name, at)| (name.clone(), self.origin.place(*at)))
+            .collect();
         for (index, &pad) in self.pads.iter().enumerate() {
             let place = self.origin.place(pad);
             places.entry("pad".to_owned()).or_insert(place);

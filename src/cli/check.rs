@@ -5,6 +5,8 @@ use std::process::ExitCode;
 
 use toml::de::DeTable;
 
+use clap::Args;
+
 use super::{Failure, settings};
 use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
@@ -12,6 +14,26 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source};
+
+mod fly;
+
+/// Options of `sortie check`.
+#[derive(Debug, Args)]
+pub(super) struct CheckArguments {
+    /// Files ending in .toml, whose content tells what they are, or .pilot.
+    #[arg(required_unless_present = "fly", value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Flies missions with their reference pilot, a naive one and none at all: the first has to pass, the second must
+    /// not earn a medal, and the third must not pass.
+    #[arg(long, value_name = "MISSION", num_args = 1.., conflicts_with = "files")]
+    fly: Vec<String>,
+    /// With how many seeds, from 1 on.
+    #[arg(long, default_value_t = 5, requires = "fly", value_parser = clap::value_parser!(u64).range(1..=1000))]
+    seeds: u64,
+    /// One JSON document instead of the table.
+    #[arg(long, requires = "fly")]
+    json: bool,
+}
 
 /// What a file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,8 +56,12 @@ const MISSION_KEYS: &[&str] = &[
     "scoring",
 ];
 
-/// Prints what is wrong with each file; exit code 1 when anything is.
-pub(super) fn check(files: &[PathBuf]) -> Result<ExitCode, Failure> {
+/// Prints what is wrong with each file, or how missions are flown; exit code 1 when anything is wrong.
+pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
+    if !options.fly.is_empty() {
+        return fly::fly(&options.fly, options.seeds, options.json);
+    }
+    let files = &options.files;
     let mut faulty = false;
     // Names are the caller's to put right, so nothing is checked before all are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;

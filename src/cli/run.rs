@@ -176,7 +176,10 @@ pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
 }
 
 /// A pilot script by path, name or number, with its faults explained.
-pub(super) fn load_script(path_or_name: &str, mission: &Mission) -> Result<Script, Failure> {
+pub(in crate::cli) fn load_script(
+    path_or_name: &str,
+    mission: &Mission,
+) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
     let (places, areas) = (mission.places_to_name(), mission.named_areas());

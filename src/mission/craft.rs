@@ -33,6 +33,8 @@ pub(crate) struct Craft {
     /// Height above home.
     pub height_m: f64,
     pub speed_m_s: f64,
+    /// Whether it would arm.
+    pub ready: bool,
     pub armed: bool,
     pub airborne: bool,
     /// Whether it has been in the air during this mission.
@@ -67,6 +69,7 @@ impl Craft {
             at: None,
             height_m: 0.0,
             speed_m_s: 0.0,
+            ready: false,
             armed: false,
             airborne: false,
             flown: false,
@@ -158,6 +161,7 @@ impl Craft {
 
     fn take(&mut self, vehicle: &Vehicle, mission: &Mission) {
         self.heard = !vehicle.link.lost;
+        self.ready = vehicle.ready_to_arm();
         self.armed = vehicle.armed();
         self.airborne = vehicle.airborne();
         self.flown |= self.airborne && self.armed;

@@ -18,6 +18,7 @@ use crate::diagnostic::Diagnostic;
 
 mod events;
 mod fleet;
+mod names;
 mod place;
 mod points;
 mod radio;
@@ -36,9 +37,10 @@ const HEAD: [&str; 11] = [
     "drill_of",
 ];
 /// The sections.
-const SECTIONS: [&str; 12] = [
+const SECTIONS: [&str; 13] = [
     "sim",
     "weather",
+    "places",
     "zones",
     "hazards",
     "fleet",
@@ -62,6 +64,9 @@ pub(super) struct Draft {
     pub zones: Vec<Zone>,
     pub sensors: Vec<&'static Sensor>,
     pub surveys: Vec<SurveyPlan>,
+    /// Named points.
+    pub places: Vec<(String, Point)>,
+    pub pads: Vec<Point>,
     /// Names of the hazards, in the order of the file.
     pub hazards: Vec<String>,
     /// All names in the file that could be referred to, whether they could be read or not.
@@ -203,6 +208,18 @@ impl Faults {
             self.add(value.span(), message);
         }
         *value.get_ref()
+    }
+
+    /// Heights from the lowest to the highest; any, where none are written.
+    pub fn heights(&mut self, value: Option<&Spanned<[f64; 2]>>) -> [f64; 2] {
+        let Some(value) = value else {
+            return [f64::NEG_INFINITY, f64::INFINITY];
+        };
+        let [low, high] = *value.get_ref();
+        if !(0.0 <= low && low < high && high <= 1000.0) {
+            self.add(value.span(), "`heights` must be [low, high], 0 to 1000 m");
+        }
+        [low, high]
     }
 
     /// A point that must not lie too far away.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::time::Duration;
 
+use super::Point;
 use super::contact::Contact;
 use super::craft::Craft;
 use super::file::Reader;
@@ -14,14 +15,20 @@ use super::world::World;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
+pub(super) mod arm_time;
 pub(super) mod dose;
+pub(super) mod formation;
+pub(super) mod hover;
+pub(super) mod land_on;
 pub(super) mod link;
 pub(super) mod locate;
 pub(super) mod map_error;
 pub(super) mod perimeter;
 pub(super) mod protect;
 pub(super) mod recover;
+mod route;
 pub(super) mod sample_cells;
+pub(super) mod stops;
 
 /// An objective of a mission.
 #[derive(Debug)]
@@ -42,6 +49,11 @@ pub(crate) trait Kind: Debug + Send + Sync {
         None
     }
 
+    /// What the places are called that its tracker will know.
+    fn place_names(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Starts to watch a flight in a world.
     fn start(&self, world: &World) -> Box<dyn Tracker>;
 }
@@ -53,6 +65,11 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 
     /// How the objective stands.
     fn standing(&self, scene: &Scene<'_>) -> Standing;
+
+    /// Places that the seed decides, by name, and what is next of them.
+    fn places(&self) -> Vec<(String, Point)> {
+        Vec::new()
+    }
 }
 
 /// What trackers see.
@@ -105,6 +122,9 @@ pub(crate) struct Standing {
     pub advice: Text,
 }
 
+/// What the place to go to next is called.
+const NEXT_PLACE: &str = "next";
+
 /// How long vehicles must stand still on the ground before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);
 
@@ -128,6 +148,12 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("map_error", map_error::read),
     ("recover", recover::read),
     ("link", link::read),
+    ("arm_time", arm_time::read),
+    ("hover", hover::read),
+    ("gates", stops::read_gates),
+    ("visit", stops::read_visit),
+    ("formation", formation::read),
+    ("land_on", land_on::read),
     ("locate", locate::read),
     ("perimeter", perimeter::read),
     ("protect", protect::read),

@@ -21,6 +21,7 @@ pub(crate) struct World {
     /// As it is now; events change it.
     pub weather: Weather,
     fields: Vec<Box<dyn Field>>,
+    seed: u64,
 }
 
 impl World {
@@ -34,9 +35,23 @@ impl World {
         };
         let hazards = mission.hazards.iter().map(AsRef::as_ref);
         Self {
+            seed,
             weather: mission.weather,
             fields: hazards.zip((0..=u64::MAX).rev()).map(release).collect(),
         }
+    }
+
+    /// Chance for what an objective leaves to it: the same for the same seed and name.
+    pub fn random(&self, objective: &str) -> ChaCha8Rng {
+        // FNV-1a of the name, among the streams that neither sensors nor hazards have.
+        let hash = objective
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+            });
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        random.set_stream(1 << 62 | hash >> 2);
+        random
     }
 
     /// Lets a [`TICK`](super::TICK) pass; `now` is mission time at its end.

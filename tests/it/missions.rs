@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use sortie::mission::Mission;
 use sortie::text::{Language, Locale};
 
+mod basics;
 mod faults;
 
 /// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.

@@ -10,8 +10,8 @@ use toml::de::{DeTable, DeValue};
 use super::fleet::{self, Fleet};
 use super::place;
 use super::{
-    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, events, kinded, objective,
-    points, radio, zones,
+    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, events, kinded, names,
+    objective, points, radio, zones,
 };
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::Event;
@@ -97,6 +97,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         pads: setting.fleet.pads,
         fits: setting.fleet.fits,
         zones: content.draft.zones,
+        places: content.draft.places,
         hazards: content.hazards,
         objectives: content.objectives,
         max_height_m: setting.max_height_m,
@@ -156,6 +157,8 @@ fn content(
     let mut draft = Draft {
         zones: array(sections.optional("zones"), faults, zones::reader()),
         sensors: setting.map_or(Vec::new(), |setting| setting.fleet.sensors()),
+        places: array(sections.optional("places"), faults, names::reader()),
+        pads: setting.map_or(Vec::new(), |setting| setting.fleet.pads.clone()),
         declared,
         ..Draft::default()
     };
@@ -236,7 +239,7 @@ fn scoring(
 /// The names that other sections may refer to, good or faulty.
 fn declared_names<'t, 'i>(root: &'t DeTable<'i>) -> Vec<String> {
     let value = |key: &str| root.get(key).map(Spanned::get_ref);
-    let ids = ["zones", "hazards", "objectives"]
+    let ids = ["zones", "places", "hazards", "objectives"]
         .into_iter()
         .filter_map(|key| value(key)?.as_array())
         .flat_map(|items| {

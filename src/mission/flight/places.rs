@@ -13,13 +13,16 @@ const NAMED_CONTACTS: usize = 200;
 const LATER: [&str; 1] = ["peak"];
 
 impl Flight {
-    /// Places that have come up so far: contacts (`c1`), and `peak`, where a sensor has shown the most.
+    /// Places that have come up so far: contacts (`c1`), `peak`, where a sensor has shown the most, and
+    /// those that the seed decides: `gate1`, and `next` for the one to go to.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let place = |point| self.mission.origin.place(point);
         let contacts = self.contacts.all().iter().enumerate();
         let contacts = contacts.map(|(index, contact)| (Contacts::name(index), place(contact.at)));
         let peak = self.peak.map(|(_, at)| ("peak".to_owned(), place(at)));
-        contacts.chain(peak).collect()
+        let drawn = self.trackers.iter().flat_map(|tracker| tracker.places());
+        let drawn = drawn.map(|(name, at)| (name, place(at)));
+        contacts.chain(peak).chain(drawn).collect()
     }
 
     /// Keeps where the first sensor of a vehicle has shown the most.
@@ -42,6 +45,10 @@ impl Mission {
         let mut places = self.places();
         let later = LATER.iter().map(ToString::to_string);
         for name in later.chain((0..NAMED_CONTACTS).map(Contacts::name)) {
+            places.entry(name).or_insert(self.origin.at);
+        }
+        let drawn = self.objectives.iter();
+        for name in drawn.flat_map(|objective| objective.kind.place_names()) {
             places.entry(name).or_insert(self.origin.at);
         }
         places

@@ -31,6 +31,66 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "brief = \"Bad.\"\ndrill_of = \"Air Sample\"",
         "6:12: a mission's id is 1 to 40 small letters, digits and `-`",
     ),
+    (
+        "[fleet]",
+        "[[places]]\nid = \"n\"\nat = [0, 0]\n[fleet]",
+        "24:6: a place's id begins with a letter: 2 to 32 letters, digits, `-` and `_`",
+    ),
+    (
+        "[fleet]",
+        "[[places]]\nid = \"pad2\"\nat = [0, 0]\n[fleet]",
+        "24:6: `pad`, `pad1`, `c1`, `gate1`, `peak` and `next` are names of the flight's own places",
+    ),
+    (
+        "[fleet]",
+        "[[places]]\nid = \"mast\"\nat = [0, 90000]\n[fleet]",
+        "25:6: `at` must lie within 20000 m of the origin, as [east, north]",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = []\nradius = 5\n[scoring]",
+        "54:9: `gates` must have 1 to 100 of them",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 0, -1]]\nradius = 5\n[scoring]",
+        "54:10: a gate is [east, north, up]: within 20000 m of the origin, 0 to 1000 m high",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"visit\"\nplaces = [\"pad2\"]\nradius = 5\n[scoring]",
+        "54:11: unknown place `pad2`; known: pad1 (did you mean `pad1`?)",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"visit\"\nplaces = [\"pad1\", \"pad1\"]\nradius = 5\n[scoring]",
+        "54:19: this place is named twice",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"visit\"\nplaces = []\nradius = 5\n[scoring]",
+        "54:10: `places` must name 1 to 100 places",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"hover\"\nheights = [5, 2]\nradius = 5\ntime = 5\n[scoring]",
+        "54:11: `heights` must be [low, high], 0 to 1000 m",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"arm_time\"\nwithin = 0\n[scoring]",
+        "54:10: `within` must lie between 1 and 3600, not 0",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"land_on\"\nplace = \"pad1\"\nradius = 3\ncount = 2\n[scoring]",
+        "56:9: `count` must lie between 1 and the 1 vehicles of the fleet",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"formation\"\ngates = [[0, 0, 5]]\nradius = 3\nspacing = [1, 2]\ntarget = 0.5\npartial_from = 0.2\n[scoring]",
+        "49:1: a formation needs two vehicles or more",
+    ),
 ];
 
 fn good() -> String {

@@ -1,0 +1,30 @@
+# Завдання для початківців: ворота, місця, зависання, стрій, активація двигунів, посадка.
+mission-gates = { $count ->
+    [one] { $count } ворота
+   *[other] { $count } воріт
+}
+mission-gates-of = { $passed }/{ $count } воріт
+mission-gates-advice = Далі пролетіть крізь { $gate }: не далі ніж за { $radius } m від середини, за порядком воріт.
+mission-visit = { $count ->
+    [one] { $count } місце
+    [few] { $count } місця
+   *[many] { $count } місць
+}
+mission-visit-of = { $passed }/{ $count } місць
+mission-visit-advice = Відвідайте ще { $place }: не далі ніж за { $radius } m від нього, протягом { $dwell } s.
+mission-hover = { $time } s
+mission-hover-of = { $held }/{ $time } s
+mission-hover-advice = Висіть на місці { $time } s без перерви: не далі ніж за { $radius } m від однієї точки, на висоті від { $low } до { $high } m.
+mission-formation = { $count ->
+    [one] { $count } ворота, { $percent } %
+   *[other] { $count } воріт, { $percent } %
+}
+mission-formation-of = { $passed }/{ $count } воріт, { $percent } %
+mission-formation-advice = Проведіть середину рою крізь { $gate }, тримаючи весь час від { $low } до { $high } m від кожного апарата до найближчого сусіда.
+mission-arm-within = { $time } s
+mission-armed-after = активовано за { $time } s
+mission-not-armed = не активовано
+mission-arm-advice = Активуйте двигуни не пізніше ніж за { $time } s після готовності: `wait all ready`, потім `arm`.
+mission-land-within = { $radius } m
+mission-landed-of = сіло { $down }/{ $count }
+mission-land-advice = Сядьте не далі ніж за { $radius } m від { $place } і дочекайтеся деактивації двигунів.

@@ -1,0 +1,180 @@
+//! `sortie check --fly`: whether a mission can be passed by who knows how, and only by them.
+
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+use serde::Serialize;
+
+use crate::cli::Failure;
+use crate::cli::run::{load_mission, load_script};
+use crate::headless::Exercise;
+use crate::language::{Context, Script};
+use crate::mission::Mission;
+use crate::scoring::Medal;
+use crate::store;
+
+/// Who flies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Who {
+    /// The script that shows how: has to pass.
+    Reference,
+    /// A script that makes the mistakes of a beginner: must not earn a medal.
+    Naive,
+    /// Nobody at the controls: must not pass.
+    DoNothing,
+}
+
+/// One flight.
+#[derive(Debug, Serialize)]
+struct Flown {
+    mission: String,
+    pilot: Who,
+    seed: u64,
+    passed: bool,
+    score: u16,
+    medal: Option<Medal>,
+    sim_time_s: f64,
+    /// Simulated seconds per second, of one flight among as many as there are processors.
+    realtime_factor: f64,
+    /// Whether it came out as it should.
+    good: bool,
+}
+
+impl Who {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Reference => "reference",
+            Self::Naive => "naive",
+            Self::DoNothing => "do-nothing",
+        }
+    }
+
+    fn is_right(self, passed: bool, medal: Option<Medal>) -> bool {
+        match self {
+            Self::Reference => passed,
+            Self::Naive => medal.is_none(),
+            Self::DoNothing => !passed,
+        }
+    }
+}
+
+/// Flies each mission with each pilot and each seed from 1 on, and prints how it went; exit code 1 where a pilot did
+/// not do as it should.
+pub(in crate::cli) fn fly(
+    missions: &[String],
+    seeds: u64,
+    json: bool,
+) -> Result<ExitCode, Failure> {
+    let mut all = Vec::new();
+    for name in missions {
+        let flown = course(name, seeds)?;
+        if !json {
+            print(&flown)?;
+        }
+        all.extend(flown);
+    }
+    if json {
+        say!("{}", serde_json::to_string_pretty(&all)?)?;
+    }
+    let good = all.iter().all(|flown| flown.good);
+    Ok(ExitCode::from(u8::from(!good)))
+}
+
+/// All flights of one mission, pilot by pilot.
+fn course(name: &str, seeds: u64) -> Result<Vec<Flown>, Failure> {
+    let mission = Arc::new(load_mission(name)?);
+    let number = mission.id.split('-').next().unwrap_or_default();
+    let naive = format!("{number}-naive");
+    let mut pilots = vec![(Who::Reference, load_script(&mission.id, &mission)?)];
+    // A drill has none.
+    if store::pilot(&naive).is_ok() {
+        pilots.push((Who::Naive, load_script(&naive, &mission)?));
+    }
+    let nothing = Script::parse("", &Context::default());
+    pilots.extend(nothing.ok().map(|script| (Who::DoNothing, script)));
+    let tasks: Vec<(Who, &Script, u64)> = pilots
+        .iter()
+        .flat_map(|(who, script)| (1..=seeds).map(move |seed| (*who, script, seed)))
+        .collect();
+    Ok(flown_by_all_processors(&mission, &tasks))
+}
+
+/// The flights in the order of the tasks, whoever is done first.
+fn flown_by_all_processors(mission: &Arc<Mission>, tasks: &[(Who, &Script, u64)]) -> Vec<Flown> {
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(&(who, script, seed)) = tasks.get(index) else {
+                return done;
+            };
+            done.push((index, flown(mission, who, script, seed)));
+        }
+    };
+    let mut all: Vec<(usize, Flown)> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        let done = workers.into_iter().filter_map(|worker| worker.join().ok());
+        done.flatten().collect()
+    });
+    all.sort_by_key(|(index, _)| *index);
+    all.into_iter().map(|(_, flown)| flown).collect()
+}
+
+fn flown(mission: &Arc<Mission>, pilot: Who, script: &Script, seed: u64) -> Flown {
+    let started = Instant::now();
+    let mut exercise = Exercise::new(Arc::clone(mission), seed, script.clone(), Vec::new());
+    while !exercise.is_over() {
+        exercise.step();
+        // Nobody reads them here, and they would only pile up.
+        drop(exercise.take_notices());
+    }
+    let report = exercise.report();
+    Flown {
+        mission: mission.id.clone(),
+        pilot,
+        seed,
+        passed: report.passed,
+        score: report.score,
+        medal: report.medal,
+        sim_time_s: report.sim_time_s,
+        realtime_factor: (report.sim_time_s / started.elapsed().as_secs_f64().max(1e-6)).round(),
+        good: pilot.is_right(report.passed, report.medal),
+    }
+}
+
+/// A line for each pilot of a mission, and one for each flight that went wrong.
+fn print(all: &[Flown]) -> Result<(), Failure> {
+    for who in [Who::Reference, Who::Naive, Who::DoNothing] {
+        let flights: Vec<&Flown> = all.iter().filter(|flown| flown.pilot == who).collect();
+        let Some(first) = flights.first() else {
+            continue;
+        };
+        let count = flights.len();
+        let passed = flights.iter().filter(|flown| flown.passed).count();
+        let scores = flights.iter().map(|flown| flown.score);
+        let (low, high) = (scores.clone().min(), scores.max());
+        let speed: f64 = flights.iter().map(|flown| flown.realtime_factor).sum();
+        say!(
+            "{:<22} {:<10}  passed {passed:>2}/{count:<2}  score {:>4} to {:<4}  {:>5.0} x real time",
+            first.mission,
+            who.name(),
+            low.unwrap_or(0),
+            high.unwrap_or(0),
+            speed / count as f64
+        )?;
+        for flown in flights.iter().filter(|flown| !flown.good) {
+            let passed = if flown.passed { "passed" } else { "not passed" };
+            say!(
+                "  wrong: seed {}: {passed}, score {}",
+                flown.seed,
+                flown.score
+            )?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! `arm_time`: every vehicle is armed soon after it is ready.
+
+use std::time::Duration;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker};
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::world::World;
+use crate::text;
+use crate::text::Text;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ArmTimeFile {
+    within: Spanned<f64>,
+}
+
+#[derive(Debug)]
+struct ArmTime {
+    within_s: f64,
+}
+
+#[derive(Debug)]
+struct ArmTracker {
+    within_s: f64,
+    vehicles: Vec<Arming>,
+}
+
+/// When one vehicle was ready and armed for the first time.
+#[derive(Debug, Clone, Copy, Default)]
+struct Arming {
+    ready: Option<Duration>,
+    armed: Option<Duration>,
+}
+
+impl Arming {
+    /// Seconds from one to the other, so far where it is not armed.
+    fn taken_s(&self, now: Duration) -> f64 {
+        let until = self.armed.unwrap_or(now);
+        self.ready
+            .map_or(0.0, |ready| until.saturating_sub(ready).as_secs_f64())
+    }
+}
+
+/// Reads a `[[objectives]]` of kind `arm_time`.
+pub(crate) fn read(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<Box<dyn Kind>> {
+    let file: ArmTimeFile = faults.read(section)?;
+    Some(Box::new(ArmTime {
+        within_s: faults.number(&file.within, 1.0..=3600.0, "within"),
+    }))
+}
+
+impl Kind for ArmTime {
+    fn start(&self, _: &World) -> Box<dyn Tracker> {
+        Box::new(ArmTracker {
+            within_s: self.within_s,
+            vehicles: Vec::new(),
+        })
+    }
+}
+
+impl Tracker for ArmTracker {
+    fn step(&mut self, scene: &Scene<'_>) {
+        self.vehicles
+            .resize(scene.vehicles.len(), Arming::default());
+        for (arming, craft) in self.vehicles.iter_mut().zip(scene.vehicles) {
+            if craft.ready || craft.armed {
+                arming.ready.get_or_insert(scene.now);
+            }
+            if craft.armed {
+                arming.armed.get_or_insert(scene.now);
+            }
+        }
+    }
+
+    fn standing(&self, scene: &Scene<'_>) -> Standing {
+        let taken = self.vehicles.iter().map(|arming| arming.taken_s(scene.now));
+        let longest_s = taken.max_by(f64::total_cmp).unwrap_or(0.0);
+        let begun = !self.vehicles.is_empty();
+        let armed = begun && self.vehicles.iter().all(|arming| arming.armed.is_some());
+        // Half of it after twice the time would reward nobody: it falls to nothing there.
+        let share = |arming: &Arming| {
+            let late = arming.taken_s(scene.now) / self.within_s;
+            let share = (2.0 - late).clamp(0.0, 1.0);
+            arming.armed.map_or(0.0, |_| share)
+        };
+        let sum: f64 = self.vehicles.iter().map(share).sum();
+        let (taken, within) = (format!("{longest_s:.0}"), format!("{:.0}", self.within_s));
+        Standing {
+            fraction: sum / self.vehicles.len().max(1) as f64,
+            measure: longest_s,
+            met: armed && longest_s <= self.within_s,
+            settled: armed || longest_s > self.within_s,
+            landing: false,
+            quality: None,
+            result: if armed {
+                text!("mission-armed-after", time = taken)
+            } else {
+                text!("mission-not-armed")
+            },
+            outlook: None,
+            quality_advice: Text::default(),
+            target: text!("mission-arm-within", time = within.as_str()),
+            advice: text!("mission-arm-advice", time = within),
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! `formation`: the middle of all vehicles goes through gates while each keeps its distance to the nearest other.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::route::{Route, RouteFile};
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::craft::Craft;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::world::World;
+use crate::mission::{Point, TICK};
+use crate::text;
+use crate::text::Text;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FormationFile {
+    gates: Spanned<Vec<Spanned<[f64; 3]>>>,
+    radius: Spanned<f64>,
+    jitter: Option<Spanned<f64>>,
+    spacing: Spanned<[f64; 2]>,
+    target: Spanned<f64>,
+    partial_from: Spanned<f64>,
+}
+
+#[derive(Debug)]
+struct Formation {
+    id: String,
+    route: Route,
+    keep: Keep,
+}
+
+/// What is to be kept on the way.
+#[derive(Debug, Clone)]
+struct Keep {
+    spacing_m: [f64; 2],
+    target: f64,
+    partial_from: f64,
+}
+
+#[derive(Debug)]
+struct FormationTracker {
+    gates: Vec<[f64; 3]>,
+    radius_m: f64,
+    keep: Keep,
+    passed: usize,
+    /// Time between the first gate and the last, and the part of it in formation.
+    under_way_s: f64,
+    kept_s: f64,
+}
+
+/// Reads a `[[objectives]]` of kind `formation`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let place = section.span();
+    let file: FormationFile = faults.read(section)?;
+    if draft.pads.len() == 1 {
+        faults.add(place, "a formation needs two vehicles or more");
+    }
+    let [low, high] = *file.spacing.get_ref();
+    if !(0.5 <= low && low < high && high <= 1000.0) {
+        let fault = "`spacing` must be [least, most], 0.5 to 1000 m";
+        faults.add(file.spacing.span(), fault);
+    }
+    let target = faults.number(&file.target, 0.01..=1.0, "target");
+    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
+    if partial_from >= target {
+        faults.add(
+            file.partial_from.span(),
+            "`partial_from` must be below `target`",
+        );
+    }
+    let route = RouteFile {
+        gates: file.gates,
+        radius: file.radius,
+        jitter: file.jitter,
+    };
+    Some(Box::new(Formation {
+        id: draft.objective.clone(),
+        route: route.checked(faults),
+        keep: Keep {
+            spacing_m: [low, high],
+            target,
+            partial_from,
+        },
+    }))
+}
+
+impl Kind for Formation {
+    fn start(&self, world: &World) -> Box<dyn Tracker> {
+        Box::new(FormationTracker {
+            gates: self.route.drawn(world, &self.id),
+            radius_m: self.route.radius_m,
+            keep: self.keep.clone(),
+            passed: 0,
+            under_way_s: 0.0,
+            kept_s: 0.0,
+        })
+    }
+
+    fn place_names(&self) -> Vec<String> {
+        self.route.names()
+    }
+}
+
+fn position(craft: &Craft) -> Option<[f64; 3]> {
+    let [east_m, north_m] = craft.at.filter(|_| craft.airborne && !craft.lost)?;
+    Some([east_m, north_m, craft.height_m])
+}
+
+fn distance_m(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
+}
+
+impl FormationTracker {
+    /// Whether everybody's nearest neighbour is as far away as it should be.
+    fn is_kept(&self, all: &[[f64; 3]]) -> bool {
+        let [low, high] = self.keep.spacing_m;
+        all.iter().enumerate().all(|(own, at)| {
+            let others = all.iter().enumerate().filter(|(other, _)| *other != own);
+            let nearest = others.map(|(_, other)| distance_m(at, other));
+            let nearest_m = nearest.min_by(f64::total_cmp).unwrap_or(f64::INFINITY);
+            (low..=high).contains(&nearest_m)
+        })
+    }
+
+    fn share(&self) -> f64 {
+        if self.under_way_s > 0.0 {
+            self.kept_s / self.under_way_s
+        } else {
+            0.0
+        }
+    }
+}
+
+impl Tracker for FormationTracker {
+    fn step(&mut self, scene: &Scene<'_>) {
+        let all: Vec<[f64; 3]> = scene.vehicles.iter().filter_map(position).collect();
+        let whole = all.len() == scene.vehicles.len() && all.len() > 1;
+        let Some(gate) = self.gates.get(self.passed) else {
+            return;
+        };
+        if self.passed > 0 {
+            let dt_s = TICK.as_secs_f64();
+            self.under_way_s += dt_s;
+            self.kept_s += if whole && self.is_kept(&all) {
+                dt_s
+            } else {
+                0.0
+            };
+        }
+        let middle = [0, 1, 2]
+            .map(|axis| all.iter().map(|at| at[axis]).sum::<f64>() / all.len().max(1) as f64);
+        if whole && distance_m(&middle, gate) <= self.radius_m {
+            self.passed += 1;
+        }
+    }
+
+    fn standing(&self, _: &Scene<'_>) -> Standing {
+        let (share, count) = (self.share(), self.gates.len());
+        let through = self.passed == count;
+        // With one gate there is no way on which to keep anything.
+        let share = if through && count == 1 { 1.0 } else { share };
+        let [low, high] = self.keep.spacing_m;
+        let percent = |share: f64| format!("{:.0}", (share * 100.0).floor());
+        let kept = partial_credit(share, self.keep.partial_from, self.keep.target);
+        Standing {
+            fraction: kept * self.passed as f64 / count.max(1) as f64,
+            measure: share,
+            met: through && share >= self.keep.target,
+            settled: through,
+            landing: false,
+            quality: None,
+            result: text!(
+                "mission-formation-of",
+                percent = percent(share),
+                passed = self.passed,
+                count = count
+            ),
+            outlook: None,
+            quality_advice: Text::default(),
+            target: text!(
+                "mission-formation",
+                percent = percent(self.keep.target),
+                count = count
+            ),
+            advice: text!(
+                "mission-formation-advice",
+                low = format!("{low:.0}"),
+                high = format!("{high:.0}"),
+                gate = Route::name(self.passed.min(count.saturating_sub(1)))
+            ),
+        }
+    }
+
+    fn places(&self) -> Vec<(String, Point)> {
+        let place = |(index, gate): (usize, &[f64; 3])| (Route::name(index), [gate[0], gate[1]]);
+        let next = self.gates.get(self.passed);
+        let next = next.map(|gate| (super::NEXT_PLACE.to_owned(), [gate[0], gate[1]]));
+        self.gates
+            .iter()
+            .enumerate()
+            .map(place)
+            .chain(next)
+            .collect()
+    }
+}

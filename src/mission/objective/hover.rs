@@ -1,0 +1,134 @@
+//! `hover`: every vehicle holds its place in the air without a break.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker};
+use crate::mission::craft::Craft;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::world::World;
+use crate::mission::{Point, TICK};
+use crate::text;
+use crate::text::Text;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct HoverFile {
+    heights: Spanned<[f64; 2]>,
+    radius: Spanned<f64>,
+    time: Spanned<f64>,
+    place: Option<Spanned<String>>,
+}
+
+#[derive(Debug, Clone)]
+struct Hover {
+    heights_m: [f64; 2],
+    radius_m: f64,
+    time_s: f64,
+    /// Where; `None` wherever the vehicle is.
+    at: Option<Point>,
+}
+
+#[derive(Debug)]
+struct HoverTracker {
+    plan: Hover,
+    holds: Vec<Hold>,
+}
+
+/// How a vehicle holds.
+#[derive(Debug, Clone, Copy, Default)]
+struct Hold {
+    around: Option<Point>,
+    now_s: f64,
+    best_s: f64,
+}
+
+/// Reads a `[[objectives]]` of kind `hover`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: HoverFile = faults.read(section)?;
+    Some(Box::new(Hover {
+        heights_m: faults.heights(Some(&file.heights)),
+        radius_m: faults.number(&file.radius, 0.5..=1000.0, "radius"),
+        time_s: faults.number(&file.time, 0.5..=3600.0, "time"),
+        at: match file.place {
+            Some(name) => Some(draft.place(&name, faults)?),
+            None => None,
+        },
+    }))
+}
+
+impl Kind for Hover {
+    fn start(&self, _: &World) -> Box<dyn Tracker> {
+        Box::new(HoverTracker {
+            plan: self.clone(),
+            holds: Vec::new(),
+        })
+    }
+}
+
+impl Hover {
+    fn step(&self, hold: &mut Hold, craft: &Craft) {
+        let [low, high] = self.heights_m;
+        let at = craft.at.filter(|_| craft.airborne && !craft.lost);
+        let at = at.filter(|_| (low..=high).contains(&craft.height_m));
+        let Some(at) = at else {
+            (hold.around, hold.now_s) = (None, 0.0);
+            return;
+        };
+        let around = self.at.or(hold.around).unwrap_or(at);
+        if (at[0] - around[0]).hypot(at[1] - around[1]) <= self.radius_m {
+            hold.around = Some(around);
+            hold.now_s += TICK.as_secs_f64();
+        } else {
+            (hold.around, hold.now_s) = (Some(at), 0.0);
+        }
+        hold.best_s = hold.best_s.max(hold.now_s);
+    }
+}
+
+impl Tracker for HoverTracker {
+    fn step(&mut self, scene: &Scene<'_>) {
+        self.holds.resize(scene.vehicles.len(), Hold::default());
+        for (hold, craft) in self.holds.iter_mut().zip(scene.vehicles) {
+            self.plan.step(hold, craft);
+        }
+    }
+
+    fn standing(&self, _: &Scene<'_>) -> Standing {
+        let time_s = self.plan.time_s;
+        let share = |hold: &Hold| ((hold.best_s + 1e-9) / time_s).min(1.0);
+        let least = self.holds.iter().map(share).min_by(f64::total_cmp);
+        let sum: f64 = self.holds.iter().map(share).sum();
+        let met = least.is_some_and(|least| least >= 1.0);
+        let held_s = least.unwrap_or(0.0) * time_s;
+        let [low, high] = self.plan.heights_m;
+        let time = format!("{time_s:.0}");
+        Standing {
+            fraction: sum / self.holds.len().max(1) as f64,
+            measure: held_s,
+            met,
+            settled: met,
+            landing: false,
+            quality: None,
+            result: text!(
+                "mission-hover-of",
+                held = format!("{held_s:.0}"),
+                time = time.as_str()
+            ),
+            outlook: None,
+            quality_advice: Text::default(),
+            target: text!("mission-hover", time = time.as_str()),
+            advice: text!(
+                "mission-hover-advice",
+                radius = format!("{:.0}", self.plan.radius_m),
+                low = format!("{low:.0}"),
+                high = format!("{high:.0}"),
+                time = time
+            ),
+        }
+    }
+}

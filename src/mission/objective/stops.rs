@@ -1,0 +1,239 @@
+//! `gates`: fly through points in their order. `visit`: be at named places, in any order, for long enough.
+
+use std::collections::BTreeSet;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::craft::Craft;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::objective::route::{Route, RouteFile};
+use crate::mission::world::World;
+use crate::mission::{Point, TICK};
+use crate::text;
+use crate::text::Text;
+
+/// Places of one `visit`.
+const MOST_PLACES: usize = 100;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct VisitFile {
+    places: Spanned<Vec<Spanned<String>>>,
+    radius: Spanned<f64>,
+    dwell: Option<Spanned<f64>>,
+    heights: Option<Spanned<[f64; 2]>>,
+}
+
+#[derive(Debug, Clone)]
+struct Visit {
+    stops: Vec<Stop>,
+    dwell_s: f64,
+}
+
+#[derive(Debug)]
+struct Gates {
+    id: String,
+    route: Route,
+}
+
+/// One point to be at.
+#[derive(Debug, Clone)]
+struct Stop {
+    name: String,
+    at: Point,
+    /// The heights that count, of a place; a gate's distance counts in space.
+    heights_m: [f64; 2],
+    up_m: Option<f64>,
+    radius_m: f64,
+}
+
+impl Stop {
+    fn is_reached_by(&self, craft: &Craft) -> bool {
+        let Some([east_m, north_m]) = craft.at.filter(|_| craft.airborne && !craft.lost) else {
+            return false;
+        };
+        let level_m = (east_m - self.at[0]).hypot(north_m - self.at[1]);
+        let [low, high] = self.heights_m;
+        let away_m = self
+            .up_m
+            .map_or(level_m, |up_m| level_m.hypot(craft.height_m - up_m));
+        away_m <= self.radius_m && (low..=high).contains(&craft.height_m)
+    }
+}
+
+/// Reads a `[[objectives]]` of kind `gates`.
+pub(crate) fn read_gates(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: RouteFile = faults.read(section)?;
+    Some(Box::new(Gates {
+        id: draft.objective.clone(),
+        route: file.checked(faults),
+    }))
+}
+
+/// Reads a `[[objectives]]` of kind `visit`.
+pub(crate) fn read_visit(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: VisitFile = faults.read(section)?;
+    let count = file.places.get_ref().len();
+    if !(1..=MOST_PLACES).contains(&count) {
+        let fault = format!("`places` must name 1 to {MOST_PLACES} places");
+        faults.add(file.places.span(), fault);
+    }
+    let radius_m = faults.number(&file.radius, 0.5..=1000.0, "radius");
+    let heights_m = faults.heights(file.heights.as_ref());
+    let dwell_s = file
+        .dwell
+        .map_or(0.0, |dwell| faults.number(&dwell, 0.0..=600.0, "dwell"));
+    let mut named = BTreeSet::new();
+    let mut stops = Vec::new();
+    for name in file.places.get_ref() {
+        if !named.insert(name.get_ref()) {
+            faults.add(name.span(), "this place is named twice");
+        }
+        if let Some(at) = draft.place(name, faults) {
+            stops.push(Stop {
+                name: name.get_ref().clone(),
+                at,
+                heights_m,
+                up_m: None,
+                radius_m,
+            });
+        }
+    }
+    Some(Box::new(Visit { stops, dwell_s }))
+}
+
+impl Kind for Gates {
+    fn start(&self, world: &World) -> Box<dyn Tracker> {
+        let gates = self.route.drawn(world, &self.id);
+        let stop = |(index, [east, north, up]): (usize, [f64; 3])| Stop {
+            name: Route::name(index),
+            at: [east, north],
+            heights_m: [f64::NEG_INFINITY, f64::INFINITY],
+            up_m: Some(up),
+            radius_m: self.route.radius_m,
+        };
+        let stops = gates.into_iter().enumerate().map(stop).collect();
+        Box::new(Stops::new(stops, true, 0.0))
+    }
+
+    fn place_names(&self) -> Vec<String> {
+        self.route.names()
+    }
+}
+
+impl Kind for Visit {
+    fn start(&self, _: &World) -> Box<dyn Tracker> {
+        Box::new(Stops::new(self.stops.clone(), false, self.dwell_s))
+    }
+}
+
+/// Watches who is where.
+#[derive(Debug)]
+struct Stops {
+    stops: Vec<Stop>,
+    /// For how long somebody has been at each.
+    stayed_s: Vec<f64>,
+    passed: Vec<bool>,
+    ordered: bool,
+    dwell_s: f64,
+}
+
+impl Stops {
+    fn new(stops: Vec<Stop>, ordered: bool, dwell_s: f64) -> Self {
+        Self {
+            stayed_s: vec![0.0; stops.len()],
+            passed: vec![false; stops.len()],
+            stops,
+            ordered,
+            dwell_s,
+        }
+    }
+
+    fn next(&self) -> Option<usize> {
+        self.passed.iter().position(|passed| !passed)
+    }
+
+    fn words(&self) -> (Text, Text, Text) {
+        let passed = self.passed.iter().filter(|passed| **passed).count();
+        let count = self.stops.len();
+        let next = self.next().map(|next| &self.stops[next]);
+        let name = next.map_or("", |stop| stop.name.as_str());
+        let radius = next.map_or(0.0, |stop| stop.radius_m);
+        let radius = format!("{radius:.0}");
+        if self.ordered {
+            (
+                text!("mission-gates-of", passed = passed, count = count),
+                text!("mission-gates", count = count),
+                text!("mission-gates-advice", gate = name, radius = radius),
+            )
+        } else {
+            let dwell = format!("{:.0}", self.dwell_s);
+            (
+                text!("mission-visit-of", passed = passed, count = count),
+                text!("mission-visit", count = count),
+                text!(
+                    "mission-visit-advice",
+                    place = name,
+                    radius = radius,
+                    dwell = dwell
+                ),
+            )
+        }
+    }
+}
+
+impl Tracker for Stops {
+    fn step(&mut self, scene: &Scene<'_>) {
+        let next = self.next();
+        for (index, stop) in self.stops.iter().enumerate() {
+            if self.passed[index] || (self.ordered && next != Some(index)) {
+                continue;
+            }
+            if scene.vehicles.iter().any(|craft| stop.is_reached_by(craft)) {
+                self.stayed_s[index] += TICK.as_secs_f64();
+                self.passed[index] = self.stayed_s[index] >= self.dwell_s - 1e-9;
+            } else {
+                self.stayed_s[index] = 0.0;
+            }
+        }
+    }
+
+    fn standing(&self, _: &Scene<'_>) -> Standing {
+        let passed = self.passed.iter().filter(|passed| **passed).count();
+        let (result, target, advice) = self.words();
+        let met = passed == self.stops.len();
+        Standing {
+            fraction: partial_credit(passed as f64, 0.0, self.stops.len() as f64),
+            measure: passed as f64,
+            met,
+            settled: met,
+            landing: false,
+            quality: None,
+            result,
+            outlook: None,
+            quality_advice: Text::default(),
+            target,
+            advice,
+        }
+    }
+
+    fn places(&self) -> Vec<(String, Point)> {
+        let gates = self.stops.iter().filter(|stop| stop.up_m.is_some());
+        let next = self.next().map(|next| &self.stops[next]);
+        let next = next.filter(|_| self.ordered);
+        gates
+            .map(|stop| (stop.name.clone(), stop.at))
+            .chain(next.map(|stop| (super::NEXT_PLACE.to_owned(), stop.at)))
+            .collect()
+    }
+}
