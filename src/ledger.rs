@@ -265,6 +265,26 @@ impl Ledger {
 mod tests {
     use super::*;
 
+    #[test]
+    fn the_revision_tells_whether_anything_has_changed() {
+        let mut ledger = Ledger::new();
+        let before = ledger.revision();
+        let entry = ledger.open(Duration::ZERO, given("all arm", "arm"), &[1]);
+        let opened = ledger.revision();
+        assert!(opened > before);
+        let _ = ledger.entries().count();
+        assert_eq!(ledger.revision(), opened);
+        ledger.apply(&RowUpdate {
+            entry,
+            vehicle: 1,
+            state: RowState::Done,
+            tries: 1,
+            at: Duration::ZERO,
+            explanation: None,
+        });
+        assert!(ledger.revision() > opened);
+    }
+
     fn given<'a>(line: &'a str, verb: &'a str) -> Given<'a> {
         Given {
             line,

@@ -6,7 +6,10 @@ use crate::commands::{Destination, Heading, SpeedAxis};
 mod faults;
 
 pub(super) fn places() -> BTreeMap<String, LatLon> {
-    BTreeMap::from([("tower".to_owned(), LatLon::new(50.45, 30.52))])
+    BTreeMap::from([
+        ("tower".to_owned(), LatLon::new(50.45, 30.52)),
+        ("c3".to_owned(), LatLon::new(50.46, 30.53)),
+    ])
 }
 
 static LANES: std::sync::LazyLock<BTreeMap<String, Outline>> = std::sync::LazyLock::new(|| {
