@@ -23,6 +23,7 @@ mod backend;
 mod bench;
 mod check;
 mod config;
+mod debrief;
 mod doctor;
 mod fly;
 mod hangar;
@@ -79,6 +80,8 @@ enum Command {
     },
     /// A pilot script flies a mission without a console; prints the debrief.
     Run(run::RunArguments),
+    /// Scores a recorded run again and prints its debrief.
+    Debrief(debrief::DebriefArguments),
     /// The embedded simulator as a server for any ground station.
     Sim(sim::SimArguments),
     /// What works on this machine, what is missing, and how to mend it: terminal, folders, SITL, ports.
@@ -163,6 +166,10 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
         Some(Command::Run(options)) => {
             settings.complain();
             run::run(&options, &settings)
+        }
+        Some(Command::Debrief(options)) => {
+            settings.complain();
+            debrief::debrief(&options, &settings)
         }
         Some(Command::Sim(options)) => {
             settings.complain();

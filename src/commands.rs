@@ -20,7 +20,7 @@ mod setpoint;
 #[cfg(test)]
 mod tests;
 
-pub use deed::{Deed, Goal, Spot, Subject};
+pub use deed::{Deed, Goal, KindName, Spot, Subject};
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};

@@ -362,6 +362,7 @@ impl Console {
             | Effect::ReadParameters { .. }
             | Effect::SaveParameters { .. } => return self.parameters(effect),
             Effect::AbandonMission => return self.abandon(),
+            Effect::Inject(name) => return self.inject(&name),
             Effect::Pause => return self.pause(),
             Effect::GoOn => return self.go_on(),
             Effect::Command {

@@ -4,20 +4,23 @@
 
 use std::fmt::Write as _;
 
-use unicode_width::{UnicodeWidthChar as _, UnicodeWidthStr as _};
+use unicode_width::UnicodeWidthStr as _;
 
 use crate::notice::sanitised;
-use crate::scoring::{EventReport, LedgerReport, Report};
+use crate::scoring::Report;
 use crate::text;
 use crate::text::{Locale, Text};
 
+mod layout;
+mod map;
+mod swarm;
+mod timeline;
+mod tries;
+
+use layout::{clock, fit, pieces, right};
+
 /// Columns of the page.
 const WIDTH: usize = 80;
-/// Columns of the strip of time.
-const STRIP: usize = 60;
-/// Rows of the timeline; when there are more, the commands that went well are left out.
-const ROWS: usize = 40;
-
 /// The debrief of a report, in the words of a language.
 pub fn text(report: &Report, locale: &Locale) -> String {
     let mut page = Page {
@@ -29,6 +32,10 @@ pub fn text(report: &Report, locale: &Locale) -> String {
     page.components(report);
     page.timeline(report);
     page.improvements(report);
+    page.swarm(report);
+    page.map(&report.truth);
+    page.tries(report);
+    page.next(report);
     // A stored report may hold anything; the page stays as wide as it is.
     let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
     let lines: Vec<String> = page.words.lines().map(cut).collect();
@@ -104,8 +111,47 @@ impl Page<'_> {
             energy = energy,
             count = report.vehicles
         );
-        let spent = format!(" {}\n", self.locale.text(&spent));
+        let spent = format!(" {}", self.locale.text(&spent));
         self.line(&spent);
+        self.said_before(report);
+        self.gap();
+    }
+
+    /// The try, what hints took, and what the trainee had said before launch.
+    fn said_before(&mut self, report: &Report) {
+        let count = report.hints.len();
+        if report.attempt > 1 || count > 0 {
+            let factor = format!("{:.2}", report.hint_factor);
+            let text = text!(
+                "debrief-try",
+                attempt = report.attempt,
+                count = count,
+                factor = factor
+            );
+            self.wrapped(" ", &text);
+        }
+        if let Some(prediction) = report.prediction {
+            let (predicted, by) = (prediction.predicted, prediction.error.unsigned_abs());
+            let text = match prediction.error {
+                0 => text!("debrief-predicted-right", predicted = predicted),
+                1.. => text!("debrief-predicted-less", predicted = predicted, by = by),
+                _ => text!("debrief-predicted-more", predicted = predicted, by = by),
+            };
+            self.wrapped(" ", &text);
+        }
+        if let Some(goal) = &report.goal {
+            let (what, result) = (&goal.text, &goal.result);
+            let text = if goal.reached {
+                text!("debrief-goal-reached", goal = what, result = result)
+            } else {
+                text!("debrief-goal-missed", goal = what, result = result)
+            };
+            self.wrapped(" ", &text);
+        }
+    }
+
+    fn gap(&mut self) {
+        self.words.push('\n');
     }
 
     fn objectives(&mut self, report: &Report) {
@@ -155,8 +201,6 @@ impl Page<'_> {
             );
             self.wrapped(&lead, &component.moved_by);
         }
-        let points = report.components.iter().map(|component| component.points);
-        let subtotal: f64 = points.sum();
         let gold = if report.gold_missing.is_empty() {
             Text::default()
         } else {
@@ -164,24 +208,24 @@ impl Page<'_> {
             text!("debrief-gold-needs", gates = gates)
         };
         self.line(&format!("{:28} --------", ""));
+        let moved = if report.hint_factor < 1.0 {
+            let factor = format!("{:.2}", report.hint_factor);
+            let hints = text!("debrief-times-hints", factor = factor);
+            Text::joined(
+                "; ",
+                vec![hints, gold]
+                    .into_iter()
+                    .filter(|text| !text.is_empty())
+                    .collect(),
+            )
+        } else {
+            gold
+        };
         let sum = format!("  {} {:>4}", locale.say("debrief-sum"), report.score);
-        self.wrapped(&format!("{}{subtotal:>8.1}   ", fit(&sum, 29)), &gold);
-        self.words.push('\n');
-    }
-
-    fn timeline(&mut self, report: &Report) {
-        self.heading("debrief-timeline");
-        let mut rows: Vec<(f64, char, Text)> = report.events.iter().map(event_row).collect();
-        if rows.len() + report.ledger.len() <= ROWS {
-            rows.extend(report.ledger.iter().filter_map(command_row));
-        }
-        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let end = clock(report.sim_time_s);
-        let strip = strip(&rows, report.sim_time_s);
-        self.line(&format!("  00:00 |{strip}| {end}"));
-        for (at_s, mark, words) in &rows {
-            self.wrapped(&format!("   {} {mark} ", clock(*at_s)), words);
-        }
+        self.wrapped(
+            &format!("{}{:>8.1}   ", fit(&sum, 29), report.subtotal),
+            &moved,
+        );
         self.words.push('\n');
     }
 
@@ -205,6 +249,21 @@ impl Page<'_> {
             let words = vec![good.name.clone(), good.moved_by.clone()];
             self.wrapped(&lead, &Text::joined(": ", words));
         }
+        self.gap();
+    }
+
+    /// The one thing to do next.
+    fn next(&mut self, report: &Report) {
+        self.heading("debrief-next");
+        let first = report.improvements.first().map(|first| &first.text);
+        let text = match (&report.drill, first) {
+            (Some(drill), Some(what)) if !report.passed => {
+                text!("debrief-next-drill", drill = drill, what = what)
+            }
+            (_, Some(what)) => text!("debrief-next-again", what = what),
+            (_, None) => text!("debrief-next-on"),
+        };
+        self.wrapped("  ", &text);
     }
 
     /// Writes text behind a lead, broken between words to the page's width, later lines indented to the lead's end.
@@ -231,89 +290,6 @@ impl Page<'_> {
         }
         self.words.push('\n');
     }
-}
-
-/// The marks of what happened, along the time of the flight.
-fn strip(rows: &[(f64, char, Text)], length_s: f64) -> String {
-    let mut strip = vec!['-'; STRIP];
-    let length_s = length_s.max(0.1);
-    // Plain commands first: what matters more is drawn over them.
-    for mark in ['>', '.', 'o', '!', 'r', 'x'] {
-        for (at_s, ..) in rows.iter().filter(|(_, shown, _)| *shown == mark) {
-            let at = (at_s / length_s * (STRIP - 1) as f64).round() as usize;
-            strip[at.min(STRIP - 1)] = mark;
-        }
-    }
-    strip.into_iter().collect()
-}
-
-fn event_row(event: &EventReport) -> (f64, char, Text) {
-    let mark = match event.kind.as_str() {
-        "objective" => 'o',
-        "alert" => '!',
-        "rule" => 'x',
-        "rejected" => 'r',
-        _ => '.',
-    };
-    let words = match event.vehicle.filter(|_| mark != 'r') {
-        Some(vehicle) => text!("debrief-drone", vehicle = vehicle, what = &event.text),
-        None => event.text.clone(),
-    };
-    (event.at_s, mark, words)
-}
-
-/// A command that at least one vehicle took; a rejection has a row of its own.
-fn command_row(entry: &LedgerReport) -> Option<(f64, char, Text)> {
-    let row = entry
-        .rows
-        .iter()
-        .find(|row| row.state != "refused" && row.state != "timed out")?;
-    let words = vec![entry.line.as_str().into(), row.state.clone()];
-    Some((entry.at_s, '>', Text::joined(": ", words)))
-}
-
-/// Minutes and seconds; tenths are cut off.
-fn clock(seconds: f64) -> String {
-    let whole = seconds.max(0.0) as u64;
-    format!("{:02}:{:02}", whole / 60, whole % 60)
-}
-
-/// Text of exactly `width` columns: padded, or cut with a mark.
-fn fit(text: &str, width: usize) -> String {
-    let text = sanitised(text);
-    let used = text.width();
-    if used <= width {
-        return text + &" ".repeat(width - used);
-    }
-    let mut cut = pieces(&text, width - 1).swap_remove(0);
-    cut.push('~');
-    let used = cut.width();
-    cut + &" ".repeat(width.saturating_sub(used))
-}
-
-/// The same, padded at its left.
-fn right(text: &str, width: usize) -> String {
-    let text = fit(text, width);
-    let words = text.trim_end();
-    " ".repeat(width.saturating_sub(words.width())) + words
-}
-
-/// A word in pieces of at most `room` columns; marks stay with the letter they belong to.
-fn pieces(word: &str, room: usize) -> Vec<String> {
-    let mut pieces = vec![String::new()];
-    let mut used = 0;
-    for c in word.chars() {
-        let width = c.width().unwrap_or(0);
-        if used > 0 && used + width > room {
-            pieces.push(String::new());
-            used = 0;
-        }
-        used += width;
-        if let Some(piece) = pieces.last_mut() {
-            piece.push(c);
-        }
-    }
-    pieces
 }
 
 #[cfg(test)]

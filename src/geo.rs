@@ -4,6 +4,8 @@
 //! Within 1 km of the reference the error is below 0.2 m, which is far less than a GPS fix is worth;
 //! ArduPilot's own spherical scale is 0.67 % off (6.7 m at 1 km).
 
+use serde::{Deserialize, Serialize};
+
 mod outline;
 mod viewport;
 
@@ -16,7 +18,7 @@ const SEMI_MAJOR_AXIS_M: f64 = 6_378_137.0;
 const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_14e-3;
 
 /// A point on the ellipsoid, in degrees.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LatLon {
     /// Latitude, -90 to 90, north positive.
     pub lat_deg: f64,

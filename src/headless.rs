@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::language::Script;
-use crate::mission::{Mission, Report as MissionReport, TICK};
+use crate::mission::{Flight, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 use crate::sim::{Airframe, PortId, World, WorldConfig};
 
@@ -63,6 +63,16 @@ impl Exercise {
     /// Whether the mission has come to its end.
     pub fn is_over(&self) -> bool {
         self.crew.is_over()
+    }
+
+    /// The flight, for what concerns its try and its record.
+    pub fn flight_mut(&mut self) -> &mut Flight {
+        self.crew.flight_mut()
+    }
+
+    /// The result, everything explained, and the end of the record.
+    pub fn close(&mut self) -> MissionReport {
+        self.crew.close()
     }
 
     /// The result so far, everything explained.

@@ -4,6 +4,8 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::time::Duration;
 
+use serde::{Deserialize, Serialize};
+
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -16,7 +18,8 @@ pub const ENTRIES_KEPT: usize = 10_000;
 pub struct EntryId(pub u32);
 
 /// How far a command has come with one vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum RowState {
     /// Waiting behind an earlier command to the same vehicle.
     Queued,
@@ -120,7 +123,8 @@ pub struct Row {
 }
 
 /// What a command sets at risk, whether or not it is accepted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Risk {
     /// Nothing out of the ordinary.
     #[default]

@@ -27,6 +27,7 @@
 //! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
 //! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
 //! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
+//! | `[[hints]]` `level`, `text`, `phase`, `objective` | instead of being shown, it is given when it is asked for and costs by its level, 1 to 3; where named, only in that phase and until that objective is met |
 //! | `[scoring]` `weights`, `par = { time, energy_wh }`, `medals`, `gold_requires` | see [`crate::scoring`]; weights sum to 1 |
 //!
 //! Hazard kind `plume`: a Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain` (`open` or
@@ -71,18 +72,22 @@ mod clock;
 mod contact;
 mod craft;
 mod event;
+mod feedback;
 mod file;
 mod fit;
 mod flight;
 mod hazard;
+mod hint;
 mod listing;
 mod objective;
 mod progress;
 mod radio;
+pub mod record;
 mod report;
 mod sensor;
 mod survey;
 mod together;
+mod usage;
 mod weather;
 mod world;
 mod zone;
@@ -94,10 +99,11 @@ pub use event::alert::OpenAlert;
 pub use event::demand::Demand;
 pub use event::mover::MoverKind;
 pub use flight::{Flight, Inject, Outcome, Pledge};
+pub use hint::{Clue, Hint, Phase};
 pub use listing::{Listing, ObjectiveListing};
 pub use progress::{
-    Cell, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading, ShownContact,
-    ShownMark, Trust,
+    Cell, ClueProgress, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading,
+    ShownContact, ShownMark, Trust,
 };
 
 /// The step of missions and scoring.
@@ -116,6 +122,8 @@ pub struct Mission {
     pub id: String,
     /// Its revision; results compare only within one.
     pub rev: u32,
+    /// The file that it was read from.
+    pub source: String,
     /// Its name for people.
     pub title: Text,
     /// What the trainee is told.
@@ -136,6 +144,8 @@ pub struct Mission {
     pub time_limit: Duration,
     /// Advice by phase of the flight.
     pub hints: Vec<Hint>,
+    /// Advice that can be asked for, at a price.
+    pub clues: Vec<Clue>,
     /// How it is scored.
     pub scoring: scoring::Rules,
     pub(crate) origin: Origin,
@@ -163,29 +173,6 @@ pub struct Mission {
 
 /// Metres east and north of the origin.
 pub(crate) type Point = [f64; 2];
-
-/// Advice that fits a phase of the flight.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Hint {
-    /// When it is shown.
-    pub phase: Phase,
-    /// What it says; `{next_cell}` stands for the next cell to sample.
-    pub text: Text,
-}
-
-/// Phases of a flight, for hints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Phase {
-    /// No vehicle is armed, not everything is done.
-    Ground,
-    /// A vehicle is armed, none flies.
-    Armed,
-    /// A vehicle flies, not everything is done.
-    Air,
-    /// All but the landing is done.
-    Done,
-}
 
 /// Where [0, 0] is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! The score of a flight: eight components between 0 and 1, their weights, medals and grades.
 //!
-//! `score = 1000 * sum(weight * value)`. The facts of a flight go in, points and the reasons for them come out;
+//! `score = 1000 * hint factor * sum(weight * value)`. The facts of a flight go in, points and the reasons for them come out;
 //! nothing here knows mission files or telemetry formats except [`CommandLog`] (reads the ledger).
 //! Points are kept in tenths, so that the components printed in a debrief add up to the score exactly.
 
@@ -11,18 +11,27 @@ mod attention;
 mod command;
 mod component;
 mod gate;
+mod hints;
 mod report;
 mod safety;
+mod swarm;
+mod truth;
+mod utilisation;
 
 pub use advice::{Improvement, improvements};
 pub use attention::{AlertFact, AlertLevel, attention_value};
 pub use command::{CommandEvent, CommandLog, CommandTally};
 pub use component::{Component, ComponentScore, Weights};
 pub use gate::Gate;
+pub use hints::HintsUsed;
 pub use report::{
-    ComponentReport, EventReport, LedgerReport, ObjectiveReport, Report, RowReport, rounded,
+    AlertReport, ComponentReport, EventReport, GoalReport, HintReport, LedgerReport,
+    ObjectiveReport, PredictionReport, Report, RowReport, TryReport, UseReport, rounded,
 };
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
+pub use swarm::{SwarmFigures, SwarmTimes};
+pub use truth::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport};
+pub use utilisation::{VehicleUse, utilisation_value};
 
 use crate::text;
 use crate::text::Text;
@@ -125,6 +134,10 @@ pub struct Facts {
     pub alerts: Vec<AlertFact>,
     /// How many vehicles took part.
     pub vehicles: usize,
+    /// How each of them was used.
+    pub usage: Vec<VehicleUse>,
+    /// Hints that were asked for.
+    pub hints: HintsUsed,
 }
 
 /// The points of a flight.
@@ -132,6 +145,10 @@ pub struct Facts {
 pub struct Score {
     /// All components that apply, in the order of [`Component::ALL`].
     pub components: Vec<ComponentScore>,
+    /// What the components sum to, in tenths of a point, before hints.
+    pub subtotal_tenths: u32,
+    /// What hints leave of it, 0.7 to 1.
+    pub hint_factor: f64,
     /// 0 to 1000.
     pub points: u16,
     /// The medal, if it earned one.
@@ -157,7 +174,9 @@ pub fn score(rules: &Rules, facts: &Facts) -> Score {
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
     let harm = facts.safety.iter().any(|event| event.kind.is_harm());
     let most = if harm { HARM_POINTS } else { 1000 };
-    let points = ((tenths + 5) / 10).min(u32::from(most)) as u16;
+    let hint_factor = facts.hints.factor();
+    let points = (f64::from(tenths) * hint_factor / 10.0).round();
+    let points = (points as u16).min(most);
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
     let gold_missing: Vec<Text> = rules
         .gold_requires
@@ -168,6 +187,8 @@ pub fn score(rules: &Rules, facts: &Facts) -> Score {
     let medal = medal(rules.medals, points, gold_missing.is_empty()).filter(|_| mandatory_met);
     Score {
         components,
+        subtotal_tenths: tenths,
+        hint_factor,
         points,
         medal,
         gold_missing,

@@ -16,9 +16,11 @@ use crate::text::Text;
 
 mod folders;
 mod history;
+mod runs;
 
 pub use folders::Folders;
 pub use history::History;
+pub use runs::{RunFile, Runs, read_run, utc};
 
 mod shipped {
     //! What is embedded: `build.rs` lists the files of `missions/`, so that a new mission is there without being named.
@@ -230,6 +232,17 @@ pub fn missions_with_id(id: &str) -> Vec<String> {
     let all = missions().into_iter();
     let same = all.filter(|it| Mission::parse(&it.text).is_ok_and(|mission| mission.id == id));
     same.map(|source| source.name).collect()
+}
+
+/// The mission that is a drill for another one, by its file's name.
+pub fn drill_of(mission: &str) -> Option<String> {
+    let all = missions().into_iter();
+    let mut drills = all.filter(|source| {
+        source.text.contains("drill_of")
+            && Mission::parse(&source.text)
+                .is_ok_and(|drill| drill.drill_of.as_deref() == Some(mission))
+    });
+    drills.next().map(|source| source.stem().to_owned())
 }
 
 /// The pilot script of a path, else of a name or number.

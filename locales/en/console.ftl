@@ -122,3 +122,4 @@ console-unmute = alerts of a kind ring again; none: all do
 setting-lang-ascii = the screen shows only ASCII: set symbols block or braille first
 console-pause = let the simulation and every clock stand still
 console-continue = let them go on
+console-inject = have something happen in the mission

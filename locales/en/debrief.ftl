@@ -31,4 +31,45 @@ debrief-nothing = Nothing that would bring another point.
 # At most 5 columns.
 debrief-good = good
 
+# What the trainee had said before launch.
+debrief-try = Try { $attempt }   Hints { $count } (x{ $factor })
+debrief-predicted-right = You predicted { $predicted }: exactly that.
+debrief-predicted-less = You predicted { $predicted }: { $by } less than you got.
+debrief-predicted-more = You predicted { $predicted }: { $by } more than you got.
+debrief-goal-reached = Your goal, { $goal }: reached ({ $result }).
+debrief-goal-missed = Your goal, { $goal }: missed ({ $result }).
+debrief-times-hints = x{ $factor } for hints
+
+debrief-alert-good = { $alert } -> answered after { $after } s   good
+debrief-alert-late = { $alert } -> answered after { $after } s (limit { $limit } s)   late
+debrief-alert-none = { $alert } -> not answered (limit { $limit } s)   late
+
+debrief-swarm = SWARM   (shown, not scored)
+debrief-fan-out = At this pace you keep { $handled } drones busy; you flew { $flown }.
+debrief-swarm-times = left alone a drone is busy { $neglect } s; a command takes you { $interaction } s; a drone waits { $wait } s
+debrief-swarm-habits = turned to others { $switches } times a minute; { $group } % of commands to several at once
+debrief-use = in the air { $airborne } s, with a task { $percent } %, idle { $idle } s
+debrief-use-none = never flown
+
+debrief-truth = WHAT WAS THERE   (north is up)
+debrief-sign = { $sign } { $meaning }
+debrief-sign-gap = not covered
+debrief-sign-track = flown
+debrief-sign-pad = pad
+debrief-sign-decoy = harmless
+debrief-sign-false = false report
+debrief-sign-mark = report
+debrief-sign-found = found
+debrief-sign-missed = missed
+debrief-sign-shades = { $shades } weak to strong
+debrief-scale = a column is { $metres } m
+debrief-found = found { $found } of { $all }, false reports { $wrong }
+debrief-missed = missed: { $kind } at n { $north } e { $east }
+
+debrief-tries = YOUR TRIES
+
+debrief-next = NEXT
+debrief-next-drill = Fly the drill { $drill }, then this mission again with one thing in mind: { $what }
+debrief-next-again = Fly it again with one thing in mind: { $what }
+debrief-next-on = Go on to the next mission.
 debrief-last-mission = there is no mission after this one

@@ -14,3 +14,13 @@ file-theme = theme
 file-keymap = keymap
 file-configuration = configuration
 file-any = mission, theme, keymap, configuration or script
+
+record-none = this is no recorded run
+record-version = this is a recorded run of version { $version }; this program reads version { $known }
+record-head = the first line is damaged: { $error }
+record-damaged = line { $line } is damaged: the run is scored up to there
+record-no-end = the run has no end: it is scored up to where it goes
+record-mission = this program cannot read the mission of the run: { $fault }
+record-unwritable = The run is not recorded any more: { $error }
+record-differs = It was scored { $before } when it was flown; this program scores it { $now }.
+record-no-runs = no run is recorded in { $folder }

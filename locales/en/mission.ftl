@@ -116,6 +116,23 @@ deed-no-load = it carries nothing for that
 deed-no-hint = this mission has no further hint
 deed-no-mission = no mission is flown
 
+mission-hint-given = hint of level { $level } (-{ $percent } %): { $hint }
+mission-goal-time = done within { $seconds } s
+mission-goal-time-result = { $seconds } s
+mission-goal-battery = land with { $percent } % battery
+mission-goal-battery-result = { $percent } % left at the least
+mission-goal-battery-unknown = battery not known
+mission-goal-safety = break no rule
+mission-goal-safety-result = { $count ->
+    [one] { $count } rule broken
+   *[other] { $count } rules broken
+}
+mission-goal-commands = no command refused
+mission-goal-commands-result = { $count } refused
+mission-goal-attention = answer every alert in time
+mission-goal-attention-result = { $count } of { $all } late
+mission-goal-score = { $points } points or more
+mission-goal-score-result = { $points } points
 # A pause.
 mission-paused = paused { $seconds } s
 pause-begins = PAUSED: `continue` or p goes on
@@ -142,3 +159,8 @@ mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported
 mission-marks-count = reports { $count }
 mission-pledge-line = you said: { $words }
 mission-said-score = { $points } points
+
+# What is urgent, on the mission pane.
+mission-alert = ! { $seconds } s: { $text }
+mission-radio-weak = ! { $vehicle } is hardly heard: { $margin } dB
+inject-done = injected: { $what }

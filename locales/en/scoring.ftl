@@ -47,6 +47,31 @@ scoring-advice-pad = Land on the pad: rtl flies there by itself.
 scoring-advice-battery = Turn home before the battery failsafe does it for you.
 scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.
 
+# Attention.
+scoring-alerts-answered = { $count ->
+    [one] { $count } alert, answered in time
+   *[other] all { $count } alerts answered in time
+}
+scoring-alerts-late = { $worst }; { $more } more late
+scoring-alert-unanswered = { $alert }: not answered
+scoring-alert-took = { $alert }: { $seconds } s (limit { $limit } s)
+scoring-advice-alerts = Answer alerts in time: hold first, then read. "{ $alert }" wanted it within { $limit } s.
+
+# Utilisation.
+scoring-none-flown = no drone was flown
+scoring-never-flown = never flown: drone { $vehicles }
+scoring-idle = drone { $vehicle } idle in the air { $time }
+scoring-never-idle = none of { $count } idled
+scoring-advice-unused = Fly drone { $vehicle } too: give it a part of the task.
+scoring-advice-idle = Give drone { $vehicle } its next task before it is done: it waited { $time } in the air.
+scoring-advice-slack = Keep every drone in the air as long as the others, with the next task given before the last is done.
+
+# Hints.
+scoring-advice-hints = { $count ->
+    [one] Fly the same without { $count } hint.
+   *[other] Fly the same without the { $count } hints.
+}
+
 # Rules of the air.
 scoring-advice-no-fly = Plan around no-fly zones, also those that appear: stop first, then fly out the shortest way.
 scoring-advice-separation = Keep vehicles apart: give each its own height or its own area before they cross.

@@ -108,7 +108,6 @@ verb-predict = say beforehand what the score will be
 verb-goal = set one goal for the flight, before takeoff
 verb-hint = ask for the next hint
 argument-kind = what it is
-argument-contacts = all that the sensors found and nobody reported
 argument-confirmed = all that two kinds of sensors found
 argument-points = points of 1000
 argument-goal-time = to be done within

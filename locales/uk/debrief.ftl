@@ -31,4 +31,45 @@ debrief-nothing = Немає нічого, що дало б ще бал.
 # Щонайбільше 5 колонок.
 debrief-good = добре
 
+# Що сказано перед вильотом.
+debrief-try = Спроба { $attempt }   Підказки { $count } (x{ $factor })
+debrief-predicted-right = Ви передбачили { $predicted }: саме стільки й вийшло.
+debrief-predicted-less = Ви передбачили { $predicted }: на { $by } менше, ніж вийшло.
+debrief-predicted-more = Ви передбачили { $predicted }: на { $by } більше, ніж вийшло.
+debrief-goal-reached = Ваша мета, { $goal }: досягнуто ({ $result }).
+debrief-goal-missed = Ваша мета, { $goal }: не досягнуто ({ $result }).
+debrief-times-hints = x{ $factor } за підказки
+
+debrief-alert-good = { $alert } -> відповідь за { $after } с   добре
+debrief-alert-late = { $alert } -> відповідь за { $after } с (межа { $limit } с)   запізно
+debrief-alert-none = { $alert } -> без відповіді (межа { $limit } с)   запізно
+
+debrief-swarm = РІЙ   (не оцінюється)
+debrief-fan-out = У такому темпі ви завантажуєте дронів: { $handled }; летіло { $flown }.
+debrief-swarm-times = без вас дрон зайнятий { $neglect } с; команда забирає { $interaction } с; дрон чекає { $wait } с
+debrief-swarm-habits = переходів до інших дронів за хвилину { $switches }; команд кільком одразу { $group } %
+debrief-use = у повітрі { $airborne } с, із завданням { $percent } %, простій { $idle } с
+debrief-use-none = не літав
+
+debrief-truth = ЩО БУЛО НАСПРАВДІ   (північ угорі)
+debrief-sign = { $sign } { $meaning }
+debrief-sign-gap = не обстежено
+debrief-sign-track = шлях
+debrief-sign-pad = майданчик
+debrief-sign-decoy = безпечне
+debrief-sign-false = хибне повідомлення
+debrief-sign-mark = повідомлення
+debrief-sign-found = знайдено
+debrief-sign-missed = пропущено
+debrief-sign-shades = { $shades } від слабкого до сильного
+debrief-scale = колонка - { $metres } м
+debrief-found = знайдено { $found } з { $all }, хибних повідомлень { $wrong }
+debrief-missed = пропущено: { $kind }, n { $north } e { $east }
+
+debrief-tries = ВАШІ СПРОБИ
+
+debrief-next = ДАЛІ
+debrief-next-drill = Виконайте вправу { $drill }, а тоді це завдання ще раз, зваживши на одне: { $what }
+debrief-next-again = Виконайте завдання ще раз, зваживши на одне: { $what }
+debrief-next-on = Переходьте до наступного завдання.
 debrief-last-mission = після цього завдань немає

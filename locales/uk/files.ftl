@@ -14,3 +14,13 @@ file-theme = тема
 file-keymap = розкладка клавіш
 file-configuration = файл налаштувань
 file-any = завдання, тема, розкладка клавіш, налаштування чи скрипт
+
+record-none = це не запис польоту
+record-version = це запис польоту версії { $version }; програма читає версію { $known }
+record-head = перший рядок пошкоджено: { $error }
+record-damaged = рядок { $line } пошкоджено: політ оцінено до цього місця
+record-no-end = запис не має кінця: політ оцінено доти, доки він сягає
+record-mission = програма не може прочитати завдання з запису: { $fault }
+record-unwritable = Політ більше не записується: { $error }
+record-differs = Під час польоту було { $before } балів; тепер програма дає { $now }.
+record-no-runs = у теці { $folder } немає записів польотів

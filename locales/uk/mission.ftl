@@ -123,6 +123,24 @@ deed-no-load = у нього нічого для цього немає
 deed-no-hint = у цій місії більше немає підказок
 deed-no-mission = місії немає
 
+mission-hint-given = підказка рівня { $level } (-{ $percent } %): { $hint }
+mission-goal-time = виконати за { $seconds } с
+mission-goal-time-result = { $seconds } с
+mission-goal-battery = сісти із зарядом { $percent } %
+mission-goal-battery-result = найменший залишок { $percent } %
+mission-goal-battery-unknown = заряд невідомий
+mission-goal-safety = не порушити жодного правила
+mission-goal-safety-result = { $count ->
+    [one] порушено { $count } правило
+    [few] порушено { $count } правила
+   *[many] порушено { $count } правил
+}
+mission-goal-commands = жодної відхиленої команди
+mission-goal-commands-result = відхилено { $count }
+mission-goal-attention = вчасно відповісти на кожну тривогу
+mission-goal-attention-result = запізно { $count } з { $all }
+mission-goal-score = щонайменше { $points } балів
+mission-goal-score-result = { $points } балів
 # Пауза.
 mission-paused = пауза { $seconds } s
 pause-begins = ПАУЗА: `continue` або p - далі
@@ -149,3 +167,8 @@ mission-contacts-count = контактів { $count }, підтверджено
 mission-marks-count = доповідей { $count }
 mission-pledge-line = ви сказали: { $words }
 mission-said-score = бали { $points }
+
+# Що невідкладне, на панелі завдання.
+mission-alert = ! { $seconds } s: { $text }
+mission-radio-weak = ! { $vehicle } ледь чути: { $margin } dB
+inject-done = введено: { $what }

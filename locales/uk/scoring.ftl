@@ -57,6 +57,31 @@ scoring-advice-pad = Сідайте на майданчик: rtl летить т
 scoring-advice-battery = Повертайтеся, поки цього не зробила за вас аварійна реакція на низький заряд.
 scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (FAILSAFE).
 
+# Увага.
+scoring-alerts-answered = { $count ->
+    [one] на { $count } тривогу відповіли вчасно
+   *[many] на всі тривоги ({ $count }) відповіли вчасно
+}
+scoring-alerts-late = { $worst }; запізно ще { $more }
+scoring-alert-unanswered = { $alert }: без відповіді
+scoring-alert-took = { $alert }: { $seconds } с (межа { $limit } с)
+scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть, потім читайте. На «{ $alert }» було { $limit } с.
+
+# Завантаження.
+scoring-none-flown = жоден дрон не літав
+scoring-never-flown = не літав дрон { $vehicles }
+scoring-idle = дрон { $vehicle } простояв у повітрі { $time }
+scoring-never-idle = ніхто не простоював, дронів: { $count }
+scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.
+scoring-advice-idle = Давайте дрону { $vehicle } наступне завдання, доки він не скінчив попереднє: він чекав у повітрі { $time }.
+scoring-advice-slack = Тримайте всі дрони в повітрі однаково довго й давайте наступне завдання, доки не скінчено попереднє.
+
+# Підказки.
+scoring-advice-hints = { $count ->
+    [one] Виконайте те саме без { $count } підказки.
+   *[many] Виконайте те саме без { $count } підказок.
+}
+
 # Rules of the air.
 scoring-advice-no-fly = Оминайте зони, де літати заборонено, зокрема нові: спершу зупиніться, потім виходьте найкоротшим шляхом.
 scoring-advice-separation = Тримайте дрони нарізно: дайте кожному свою висоту або свою ділянку, перш ніж їхні шляхи перетнуться.

@@ -108,7 +108,6 @@ verb-predict = наперед сказати, яким буде результа
 verb-goal = поставити одну мету на політ, до зльоту
 verb-hint = попросити наступну підказку
 argument-kind = що це
-argument-contacts = усе, що знайшли датчики і про що ще не доповіли
 argument-confirmed = усе, що знайшли датчики двох видів
 argument-points = балів із 1000
 argument-goal-time = завершити за

@@ -38,6 +38,7 @@ enum Kind {
     Show,
     Fly,
     Connect,
+    Inject,
     Macro,
     Set,
     Plain(Deed),
@@ -59,7 +60,13 @@ impl Kind {
             Self::Connect | Self::Params | Self::Swarm(SwarmVerb::Filter | SwarmVerb::Columns) => {
                 usize::MAX
             }
-            Self::Select | Self::Theme | Self::Show | Self::Fly | Self::Macro | Self::Swarm(_) => 1,
+            Self::Select
+            | Self::Theme
+            | Self::Show
+            | Self::Fly
+            | Self::Inject
+            | Self::Macro
+            | Self::Swarm(_) => 1,
         }
     }
 }
@@ -82,6 +89,8 @@ pub enum ConsoleLine {
     Fly(Option<String>),
     /// Connect to these addresses.
     Connect(Vec<String>),
+    /// Have something happen in the mission.
+    Inject(String),
     /// Give the lines of a macro.
     Macro(String),
     /// Change a setting for this session.
@@ -176,6 +185,7 @@ pub const CONSOLE_VERBS: &[ConsoleVerb] = &[
     verb("ledger", "ledger", Kind::Plain(Deed::Ledger)),
     verb("notices", "notices", Kind::Plain(Deed::Notices)),
     verb("brief", "brief", Kind::Plain(Deed::Brief)),
+    verb("inject", "inject NAME", Kind::Inject),
     verb("pause", "pause", Kind::Plain(Deed::Pause)),
     verb("continue", "continue", Kind::Plain(Deed::GoOn)),
     verb("abandon", "abandon", Kind::Plain(Deed::Abandon)),
@@ -297,6 +307,7 @@ fn read(
             let addresses = given.iter().map(|word| (*word).to_owned()).collect();
             Ok(ConsoleLine::Connect(addresses))
         }
+        Kind::Inject => known(0).map(|name| ConsoleLine::Inject(name.to_owned())),
         Kind::Macro => known(0).map(|name| ConsoleLine::Macro(name.to_owned())),
         Kind::Theme => known(0).map(|name| ConsoleLine::Set(Setting::Theme(name.to_owned()))),
         Kind::Set => {

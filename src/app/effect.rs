@@ -82,6 +82,8 @@ pub enum Effect {
         /// Whether chance plays the same again.
         alike: bool,
     },
+    /// Have something happen in the mission, as its instructor may.
+    Inject(String),
     /// Let everything that is simulated stand still, and every deadline with it.
     Pause,
     /// Let it go on.

@@ -223,6 +223,11 @@ impl State {
         Names {
             themes: &self.themes,
             missions: &self.missions,
+            injects: self
+                .session
+                .mission
+                .as_ref()
+                .map_or(&[], |mission| mission.injects.as_slice()),
             macros: &self.config.macros,
             groups: &self.session.groups,
         }

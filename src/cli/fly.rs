@@ -13,7 +13,7 @@ use crate::config::Symbols;
 use crate::console::{self, Opening, Options, Preferences};
 use crate::hangar::Backend;
 use crate::link::Address;
-use crate::store::History;
+use crate::store::{History, Runs};
 use crate::terminal::Environment;
 use crate::text;
 use crate::text::{Language, Locale, Text};
@@ -137,6 +137,7 @@ fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
         look: look(&settings),
         preferences: Preferences {
             history: folders.map(|folders| History::within(&folders.state)),
+            runs: folders.map(|folders| Runs::within(&folders.data)),
             warnings: settings.warnings(),
             config: settings.config,
             keymap: settings.keymap,

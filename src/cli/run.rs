@@ -1,9 +1,9 @@
 //! `sortie run`: a pilot script flies a mission.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::Args;
 
@@ -15,13 +15,15 @@ use crate::hangar::Backend;
 use crate::headless::{Exercise, Live};
 use crate::language::{Context, Script};
 use crate::mission::{Mission, Report};
-use crate::notice::Notice;
 use crate::store::{self, Source, StoreError};
 use crate::text;
 use crate::text::Locale;
 use crate::vehicle::VehicleId;
 
 mod ardupilot;
+mod witness;
+
+use witness::Witness;
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
@@ -48,6 +50,12 @@ pub(super) struct RunArguments {
     speedup: Speedup,
     #[command(flatten)]
     backend: BackendArguments,
+    /// Which try at the mission it is: on the first one, hints are free.
+    #[arg(long = "try", value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=9999))]
+    attempt: u32,
+    /// Record the run in this folder, for `sortie debrief`.
+    #[arg(long, value_name = "DIR")]
+    record: Option<PathBuf>,
     /// Leave out how long it took, so that equal runs print equal bytes.
     #[arg(long)]
     no_timing: bool,
@@ -95,16 +103,18 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let backend = options.backend.choose(settings)?;
     let locale = Locale::new(settings.config.lang.unwrap_or_default());
     let started = Instant::now();
-    let tell = |notice| tell(notice, options, &locale);
+    let mut witness = Witness::new(options, &locale, &mission.id);
     let mut report = match &backend.ardupilot {
-        None => fly(options, &backend, mission, script, tell),
+        None => fly(options, &backend, mission, script, &mut witness),
         Some(source) => {
             let speedup = options.speedup.of_sitl(mission.vehicles);
             let launches = backend.launches(&mission.starts(), speedup);
-            let live = Live::new(mission, options.seed, script, speedup);
-            ardupilot::fly(source, launches, live, tell)?
+            let mut live = Live::new(mission, options.seed, script, speedup);
+            witness.prepare(live.flight_mut(), backend.name());
+            ardupilot::fly(source, launches, live, &mut witness)?
         }
     };
+    report.drill = store::drill_of(&report.mission);
     backend.name().clone_into(&mut report.backend);
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
@@ -126,36 +136,26 @@ fn fly(
     backend: &Backend,
     mission: Arc<Mission>,
     script: Script,
-    tell: impl Fn(Notice),
+    witness: &mut Witness<'_>,
 ) -> Report {
     let started = Instant::now();
     let mut exercise = Exercise::new(mission, options.seed, script, backend.airframes());
+    witness.prepare(exercise.flight_mut(), backend.name());
     while !exercise.is_over() {
         exercise.step();
         if let Speedup::Times(times) = options.speedup {
             let due = exercise.now().div_f64(times);
             std::thread::sleep(due.saturating_sub(started.elapsed()));
         }
-        exercise.take_notices().into_iter().for_each(&tell);
+        exercise
+            .take_notices()
+            .into_iter()
+            .for_each(|notice| witness.tell(notice));
+        witness.keep(exercise.flight_mut());
     }
-    exercise.report()
-}
-
-fn tell(notice: Notice, options: &RunArguments, locale: &Locale) {
-    let words = match notice.vehicle {
-        Some(id) => text!("debrief-vehicle", vehicle = id, what = &notice.text),
-        None => notice.text,
-    };
-    let at = clock(notice.at);
-    tracing::info!("{at} {words}");
-    if !options.json {
-        eprintln!("{at} {}", locale.text(&words));
-    }
-}
-
-fn clock(at: Duration) -> String {
-    let seconds = at.as_secs();
-    format!("{:02}:{:02}", seconds / 60, seconds % 60)
+    let report = exercise.close();
+    witness.keep(exercise.flight_mut());
+    report
 }
 
 /// A mission by path, name or number, with its faults explained.

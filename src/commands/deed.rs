@@ -3,17 +3,22 @@
 use std::fmt;
 use std::time::Duration;
 
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
+
 use crate::geo::LatLon;
 
 /// Something that only means anything within a mission.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Deed {
     /// Report a find.
     Mark {
         /// What is reported.
         subject: Subject,
         /// What it is said to be, in a word of [`Deed::KINDS`]; `None` where the mission asks for one kind only.
-        kind: Option<&'static str>,
+        #[serde(deserialize_with = "known_kind")]
+        kind: Option<KindName>,
     },
     /// Take back the report that is nearest to a place.
     Unmark {
@@ -47,7 +52,8 @@ impl Deed {
 }
 
 /// What a report is about.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Subject {
     /// One place.
     Spot(Spot),
@@ -59,7 +65,8 @@ pub enum Subject {
 }
 
 /// A place as it was named.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Spot {
     /// Where the vehicle is.
     Here,
@@ -75,7 +82,8 @@ pub enum Spot {
 }
 
 /// What a trainee wants to reach, besides the mission's objectives.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Goal {
     /// Be done within this time.
     Time(Duration),
@@ -89,6 +97,20 @@ pub enum Goal {
     Attention,
     /// Reach at least this score.
     Score(u16),
+}
+
+/// One of the words of [`Deed::KINDS`].
+pub type KindName = &'static str;
+
+fn known_kind<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Option<&'static str>, D::Error> {
+    let Some(word) = Option::<String>::deserialize(deserializer)? else {
+        return Ok(None);
+    };
+    let known = Deed::KINDS.iter().find(|kind| **kind == word);
+    let unknown = || D::Error::custom("no kind of find");
+    known.copied().map(Some).ok_or_else(unknown)
 }
 
 impl fmt::Display for Goal {

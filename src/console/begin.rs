@@ -69,6 +69,7 @@ impl Console {
             seed: self.attempt.seed,
             speedup: self.options.speedup,
             simulation: self.options.backend.clone(),
+            runs: self.options.preferences.runs.clone(),
         };
         let before = std::mem::take(&mut self.ending);
         let (running, started) = Running::start(plan, &backend, before).await?;

@@ -7,7 +7,7 @@ use crate::config::Config;
 use crate::hangar::{Backend, Source};
 use crate::link::Address;
 use crate::mission::Mission;
-use crate::store::History;
+use crate::store::{History, Runs};
 use crate::text::Text;
 use crate::ui::{Look, Themes};
 
@@ -56,6 +56,8 @@ pub struct Preferences {
     pub themes: Themes,
     /// Where the lines of the command line are kept; nowhere for measurements.
     pub history: Option<History>,
+    /// Where flown missions are recorded; nowhere for measurements.
+    pub runs: Option<Runs>,
     /// What has to be said at the start: what is wrong with the user's files.
     pub warnings: Vec<Text>,
 }

@@ -3,6 +3,9 @@
 use super::{Console, Running};
 use crate::app::event::Event;
 use crate::app::update;
+use crate::notice::Notice;
+use crate::text;
+use crate::vehicle::Severity;
 
 impl Console {
     /// Stops the simulator and the clock by which every deadline, every link's silence and the mission count.
@@ -29,6 +32,24 @@ impl Console {
                 update(&mut self.state, Event::Notice(notice));
             }
         }
+    }
+
+    /// Has something happen in the mission, and says what or why not.
+    pub(super) fn inject(&mut self, name: &str) {
+        let Some(outcome) = self.running.as_mut().and_then(|it| it.inject(name)) else {
+            return;
+        };
+        let event = match outcome {
+            Ok(text) => Event::Notice(Notice {
+                at: self.clock.now(),
+                vehicle: None,
+                severity: Severity::Notice,
+                text: text!("inject-done", what = text),
+            }),
+            Err(text) => Event::Failed(text),
+        };
+        // Nothing that it causes at once is an effect.
+        update(&mut self.state, event);
     }
 
     /// Ends the mission; its report comes with the next tick.

@@ -20,6 +20,7 @@ use crate::language::{Findings, Pilot, PilotEvent, Script, Seen};
 use crate::text::{Text, text};
 use crossterm::event::KeyCode;
 
+mod brief;
 mod end;
 mod output;
 mod report;
@@ -311,6 +312,7 @@ impl Plain {
         let texts = match verb {
             "status" => report::status(state, rest.trim()),
             "objectives" if rest.is_empty() => report::objectives(state),
+            "contacts" if rest.is_empty() => report::contacts(state),
             "help" if rest.is_empty() => report::help(state),
             "links" if rest.is_empty() => report::links(state),
             "ledger" | "commands" if rest.is_empty() => report::ledger(state),
@@ -336,12 +338,8 @@ impl Plain {
     }
 
     fn brief(&mut self) {
-        let state = &self.console.state;
-        let brief = state
-            .flown_mission()
-            .map(|mission| state.locale.text(&mission.brief));
-        for line in brief.unwrap_or_default().lines() {
-            self.say(&Text::from(line));
+        for text in brief::lines(&self.console.state) {
+            self.say(&text);
         }
     }
 

@@ -22,6 +22,7 @@ use crate::notice::Notice;
 use crate::parameters::Snapshot;
 use crate::session::{Order, Report};
 use crate::sim::{Start, World, WorldConfig};
+use crate::store::Runs;
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
@@ -31,6 +32,7 @@ mod course;
 mod hangar;
 mod inspection;
 mod links;
+mod logbook;
 mod swarm;
 
 use course::Course;
@@ -38,6 +40,7 @@ pub(super) use hangar::Ending;
 use hangar::{News, Processes};
 use inspection::Inspection;
 use links::{LinkNews, round_trip, summary};
+use logbook::Logbook;
 use swarm::Swarm;
 
 /// Where free flight begins.
@@ -68,6 +71,8 @@ pub(super) struct Backend {
     pub vehicles: u8,
     pub seed: u64,
     pub speedup: f64,
+    /// Where missions are recorded.
+    pub runs: Option<Runs>,
 }
 
 /// A running session. Dropping it ends its tasks.
@@ -164,13 +169,18 @@ impl Running {
         backend: &Backend,
         before: Ending,
     ) -> Result<Started, Text> {
-        let flight = Flight::new(Arc::clone(&mission), backend.seed);
+        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
         self.simulate(config, backend, before).await?;
-        self.course = Some(match self.processes {
+        let name = self.processes.as_ref().map_or("embedded", |_| "ardupilot");
+        let runs = backend.runs.clone();
+        let logbook = runs.map(|runs| Logbook::begin(runs, &mut flight, name));
+        let mut course = match self.processes {
             Some(_) => Course::of_processes(flight, backend.speedup),
             None => Course::embedded(flight, backend.speedup, backend.clock.now()),
-        });
+        };
+        course.logbook = logbook;
+        self.course = Some(course);
         Ok(Started {
             mission: Some(Box::new(mission.listing())),
             places: mission.places(),
@@ -317,6 +327,11 @@ impl Running {
                 return;
             }
         }
+    }
+
+    /// Has something happen in the mission; `None` without one.
+    pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
+        Some(self.course.as_mut()?.flight.inject(name))
     }
 
     /// Lets the embedded simulator stand still, or go on.

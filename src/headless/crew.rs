@@ -73,6 +73,16 @@ impl Crew {
         self.flight.outcome().is_some()
     }
 
+    /// The flight, for what concerns its try and its record.
+    pub fn flight_mut(&mut self) -> &mut Flight {
+        &mut self.flight
+    }
+
+    /// The report, and the end of the record.
+    pub fn close(&mut self) -> MissionReport {
+        self.flight.close(&self.ledger)
+    }
+
     pub fn report(&self) -> MissionReport {
         self.flight.report(&self.ledger)
     }

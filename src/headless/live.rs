@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::{Crew, HEARTBEAT_EVERY, SESSION_POLL, is_due};
 use crate::language::Script;
-use crate::mission::{Clock, Mission, Report as MissionReport, TICK};
+use crate::mission::{Clock, Flight, Mission, Report as MissionReport, TICK};
 use crate::notice::Notice;
 use crate::vehicle::VehicleId;
 
@@ -68,6 +68,16 @@ impl Live {
     /// Whether the mission has come to its end.
     pub fn is_over(&self) -> bool {
         self.crew.is_over()
+    }
+
+    /// The flight, for what concerns its try and its record.
+    pub fn flight_mut(&mut self) -> &mut Flight {
+        self.crew.flight_mut()
+    }
+
+    /// The result, everything explained, and the end of the record.
+    pub fn close(&mut self) -> MissionReport {
+        self.crew.close()
     }
 
     /// The result so far, everything explained.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::language::Context;
+use crate::mission::record::Stored;
 use crate::sim::STEP;
 
 const MISSION: &str = include_str!("../../missions/01-air-sample.toml");
@@ -146,4 +147,48 @@ fn a_silent_vehicle_does_not_stop_the_mission_for_ever() {
         assert!(now < Duration::from_secs(120), "the limit is 480 s");
     }
     assert!(!process.live.report().passed);
+}
+
+/// The first mission in lock step with its reference pilot, recorded; up to a time, if one is named.
+fn recorded(seed: u64, until: Option<Duration>) -> (MissionReport, String) {
+    let (mission, script) = mission();
+    let mut exercise = Exercise::new(mission, seed, script, Vec::new());
+    exercise
+        .flight_mut()
+        .start_record("2026-11-20T14:03:22Z", "embedded");
+    while !exercise.is_over() && until.is_none_or(|until| exercise.now() < until) {
+        exercise.step();
+    }
+    let report = exercise.close();
+    (report, exercise.flight_mut().take_record())
+}
+
+#[test]
+fn a_recorded_run_scores_again_to_the_same_document() {
+    for (seed, until_s) in [(1, None), (2, None), (3, Some(95))] {
+        let (report, text) = recorded(seed, until_s.map(Duration::from_secs));
+        let again = Stored::read(&text).and_then(|stored| stored.rescore());
+        let again = again.expect("a good record").report;
+        let document = |report| serde_json::to_string_pretty(report).expect("plain data");
+        assert_eq!(document(&again), document(&report), "{seed}");
+        let size = text.len();
+        assert!(size < 400_000, "{size} bytes for {} s", report.sim_time_s);
+    }
+}
+
+#[test]
+fn a_run_that_was_cut_off_scores_as_it_stood_then() {
+    let (whole, text) = recorded(1, None);
+    let (_, part) = recorded(1, Some(Duration::from_secs(95)));
+    let lines = part.lines().count() - 1;
+    let cut: Vec<&str> = text.lines().take(lines).collect();
+    let stored = Stored::read(&cut.join("\n")).expect("the head is whole");
+    assert!(stored.damage.is_some() && stored.end().is_none());
+    let again = stored.rescore().expect("a good mission").report;
+    assert!(again.score < whole.score && !again.passed);
+    assert!(
+        (again.sim_time_s - 95.0).abs() < 1.0,
+        "{}",
+        again.sim_time_s
+    );
 }

@@ -104,6 +104,7 @@ pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
             }
             Ok(Mission {
                 untranslated,
+                source: source.to_owned(),
                 ..mission
             })
         }

@@ -7,28 +7,36 @@ use std::time::Duration;
 use super::contact::Contacts;
 use super::craft::Craft;
 use super::event::engine::Engine;
+use super::feedback::Feedback;
 use super::objective::{Scene, Standing, Tracker};
+use super::record::Recorder;
 use super::report::Marks;
 use super::sensor::Probe;
 use super::survey::Survey;
+use super::usage::Usage;
 use super::world::World;
 use super::{Mission, Point, TICK};
-use crate::ledger::Ledger;
+use crate::ledger::{EntryId, Ledger};
 use crate::notice::Notice;
 use crate::scoring::{
-    CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, rounded,
+    CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, SwarmTimes, rounded,
 };
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, Vehicle};
 
+mod clues;
 mod deeds;
 mod loads;
 mod pause;
 mod places;
+mod pledge;
+mod recording;
 mod result;
+mod swarm;
 mod threats;
+mod truth;
 mod view;
 
 pub use deeds::Pledge;
@@ -93,6 +101,19 @@ pub struct Flight {
     /// Whether an event has ended the mission as failed.
     failed: bool,
     tally: crate::scoring::CommandTally,
+    /// Which try of this trainee's it is, from 1.
+    attempt: u32,
+    /// The clues that were asked for, and when.
+    clues_given: Vec<(Duration, usize)>,
+    /// What each craft did with its time, in the order of the crafts.
+    usage: Vec<Usage>,
+    recorder: Option<Box<Recorder>>,
+    feedback: Feedback,
+    /// Where each craft has been, in the order of the crafts.
+    tracks: Vec<Vec<Point>>,
+    swarm: SwarmTimes,
+    /// The newest command to vehicles and for whom it was.
+    ordered: Option<(EntryId, Vec<VehicleId>)>,
 }
 
 impl Flight {
@@ -129,9 +150,22 @@ impl Flight {
             engine: Engine::new(&mission, seed),
             failed: false,
             tally: crate::scoring::CommandTally::default(),
+            attempt: 1,
+            clues_given: Vec::new(),
+            usage: Vec::new(),
+            recorder: None,
+            feedback: Feedback::default(),
+            tracks: Vec::new(),
+            swarm: SwarmTimes::default(),
+            ordered: None,
             world,
             mission,
         }
+    }
+
+    /// Says which try of the trainee's it is, from 1, before it begins: on the first one, hints are free.
+    pub fn set_attempt(&mut self, attempt: u32) {
+        self.attempt = attempt.max(1);
     }
 
     /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
@@ -145,6 +179,9 @@ impl Flight {
         if self.ended.is_some() {
             return Vec::new();
         }
+        if let Some(recorder) = &mut self.recorder {
+            recorder.step(now, vehicles, ledger);
+        }
         let previous = std::mem::replace(&mut self.elapsed, now.min(self.mission.time_limit));
         let mut notices = Vec::new();
         self.enlist(vehicles);
@@ -153,16 +190,22 @@ impl Flight {
         self.step_loads(&mut notices);
         self.note_peak();
         self.step_commands(vehicles, ledger, &mut notices);
+        self.step_usage(ledger);
+        self.note_tracks();
         self.step_surveys(&mut notices);
         let standings = self.step_objectives(&mut notices);
         self.step_threats(vehicles, &standings, &mut notices);
         self.warn_of_time(previous, &mut notices);
         self.decide(now, &standings, &mut notices);
+        self.feedback.hear(&notices, self.elapsed);
         notices
     }
 
     /// A vehicle is no more, by no fault of the trainee's: its simulator has ended. Returns what a human should hear.
     pub fn lose(&mut self, id: VehicleId, vehicles: &BTreeMap<VehicleId, Vehicle>) -> Vec<Notice> {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.lose(id, vehicles);
+        }
         let mut notices = Vec::new();
         self.enlist(vehicles);
         let craft = self.crafts.iter_mut().find(|craft| craft.id == id);
@@ -177,6 +220,9 @@ impl Flight {
     /// Gives up.
     pub fn abandon(&mut self) {
         if self.ended.is_none() {
+            if let Some(recorder) = &mut self.recorder {
+                recorder.abandon();
+            }
             self.end(Outcome::Abandoned, &mut Vec::new());
         }
     }
@@ -210,6 +256,7 @@ impl Flight {
                 let probes = fit.sensors.iter().enumerate().filter_map(probe);
                 self.holds.push(loads::Hold::new(fit));
                 self.crafts.push(Craft::new(id, probes.collect()));
+                self.usage.push(Usage::new(id));
             }
         }
     }
@@ -384,7 +431,12 @@ impl Flight {
         } else {
             Outcome::Failed
         };
-        if self.failed {
+        let harmed = self
+            .safety
+            .events()
+            .iter()
+            .any(|event| event.kind.is_harm());
+        if self.failed || harmed {
             self.end(Outcome::Failed, notices);
         } else if all_lost || (settled && all_down) {
             self.end(verdict, notices);
@@ -459,3 +511,6 @@ impl Flight {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Area, MoverKind, OpenAlert, Pledge};
+use super::{Area, Inject, MoverKind, OpenAlert, Pledge};
 use crate::geo::LatLon;
 use crate::language::Findings;
+use crate::scoring::SwarmFigures;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -28,6 +29,14 @@ pub struct Progress {
     pub findings: Findings,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
+    /// The one line of feedback: the newest thing that matters, at most one new in 5 s unless it is critical.
+    pub feedback: Option<Text>,
+    /// Hints that can be asked for.
+    pub clues: ClueProgress,
+    /// Whether a prediction and a goal can still be given.
+    pub can_pledge: bool,
+    /// How the operator handles the swarm so far.
+    pub swarm: SwarmFigures,
     /// Places that have come up during the flight, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,
     /// What detectors have found so far, in the order of its numbers.
@@ -36,6 +45,8 @@ pub struct Progress {
     pub marks: Vec<ShownMark>,
     /// What the trainee has said before launch.
     pub pledge: Pledge,
+    /// What an instructor may have happen.
+    pub injects: Vec<Inject>,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
     /// The areas that are there now; events bring some and take others away.
@@ -61,6 +72,17 @@ pub struct MovingThing {
     pub height_m: f64,
     /// How far from it vehicles have to stay, in metres.
     pub keep_out_m: f64,
+}
+
+/// The hints that can be asked for, as they stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClueProgress {
+    /// Those that were given: level and text, oldest first.
+    pub given: Vec<(u8, Text)>,
+    /// The level of the next one that fits now, and the share of the score that it would take.
+    pub next: Option<(u8, f64)>,
+    /// What is left of the score by those that were given, 0.7 to 1.
+    pub factor: f64,
 }
 
 /// One objective as it stands now.

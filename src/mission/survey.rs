@@ -47,8 +47,24 @@ impl Survey {
         }
     }
 
+    /// Whether a vehicle that is there, and as fast as that, samples a cell that is not done.
+    pub fn wants(&self, at: Point, height_m: f64, speed_m_s: f64) -> bool {
+        let cell = self.cell_under(at, height_m, speed_m_s);
+        cell.is_some_and(|index| !self.is_sampled(index))
+    }
+
     /// Counts one tick of a vehicle; returns the cell that is sampled by it for long enough now.
     pub fn step(&mut self, at: Point, height_m: f64, speed_m_s: f64, shown: f64) -> Option<usize> {
+        let index = self.cell_under(at, height_m, speed_m_s)?;
+        let before = self.is_sampled(index);
+        let cell = &mut self.cells[index];
+        cell.ticks += 1;
+        cell.sum += shown;
+        (!before && self.is_sampled(index)).then_some(index)
+    }
+
+    /// The cell that a vehicle is in, if it is neither too fast nor too high or low for it to count.
+    fn cell_under(&self, at: Point, height_m: f64, speed_m_s: f64) -> Option<usize> {
         let [low, high] = self.plan.heights_m;
         if !(low..=high).contains(&height_m)
             || !(0.0..=self.plan.max_speed_m_s).contains(&speed_m_s)
@@ -59,12 +75,7 @@ impl Survey {
         let inside = |cell: &CellPlan| {
             (at[0] - cell.centre[0]).abs() <= half && (at[1] - cell.centre[1]).abs() <= half
         };
-        let index = self.plan.cells.iter().position(inside)?;
-        let before = self.is_sampled(index);
-        let cell = &mut self.cells[index];
-        cell.ticks += 1;
-        cell.sum += shown;
-        (!before && self.is_sampled(index)).then_some(index)
+        self.plan.cells.iter().position(inside)
     }
 
     /// For how long a cell has been sampled.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use super::hazard::{Effect, Field, Hazard, Load, Object, Quantity};
+use super::hazard::{Effect, Field, Hazard, Load, Object, Quantity, Truth};
 use super::weather::Weather;
 use super::{Mission, Point};
 
@@ -94,6 +94,11 @@ impl World {
     /// The hazard at a place in the file.
     pub fn field(&self, hazard: usize) -> Option<&dyn Field> {
         self.fields.get(hazard).map(AsRef::as_ref)
+    }
+
+    /// What the debrief reveals of all hazards.
+    pub fn truth(&self) -> impl Iterator<Item = Truth> + '_ {
+        self.fields.iter().flat_map(|field| field.truth())
     }
 
     /// What a load does where it comes down, to every hazard that it concerns.

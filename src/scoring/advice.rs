@@ -2,10 +2,11 @@
 //! one thing mended, so it is what the trainee would really have got.
 
 use std::collections::BTreeSet;
+use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::{CommandTally, Facts, Rules, score};
+use super::{CommandTally, Facts, HintsUsed, Rules, attention, score, utilisation};
 use crate::text;
 use crate::text::Text;
 
@@ -73,6 +74,9 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(Text, Facts)> {
     }
     remedies.reach_par(rules);
     remedies.keep_rules();
+    remedies.use_vehicles();
+    remedies.answer_alerts();
+    remedies.ask_no_hints();
     remedies.list
 }
 
@@ -118,6 +122,36 @@ impl Remedies<'_> {
                 accepted: facts.commands.accepted,
                 ..CommandTally::default()
             };
+        });
+    }
+
+    fn use_vehicles(&mut self) {
+        if let Some(text) = utilisation::advice(&self.facts.usage) {
+            self.mend(text, |facts| {
+                let longest = facts.usage.iter().map(|one| one.airborne).max();
+                for one in &mut facts.usage {
+                    one.airborne = longest.unwrap_or_default();
+                    one.productive = one.airborne;
+                    one.idle = Duration::ZERO;
+                }
+            });
+        }
+    }
+
+    fn answer_alerts(&mut self) {
+        if let Some(text) = attention::advice(&self.facts.alerts) {
+            self.mend(text, |facts| {
+                for alert in &mut facts.alerts {
+                    alert.answered_after = Some(Duration::ZERO);
+                }
+            });
+        }
+    }
+
+    fn ask_no_hints(&mut self) {
+        let count = self.facts.hints.count();
+        self.mend(text!("scoring-advice-hints", count = count), |facts| {
+            facts.hints = HintsUsed::default();
         });
     }
 }

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+use crate::text;
 use crate::text::Text;
 
 /// How much an alert matters.
@@ -54,6 +55,11 @@ pub struct AlertFact {
 }
 
 impl AlertFact {
+    /// Whether it was answered in time.
+    pub fn is_in_time(&self) -> bool {
+        self.answered_after.is_some_and(|after| after <= self.limit)
+    }
+
     /// 1 for an answer in time, halved with each further time limit; 0 without an answer.
     pub fn value(&self) -> f64 {
         let Some(after) = self.answered_after else {
@@ -72,6 +78,54 @@ pub fn attention_value(alerts: &[AlertFact]) -> Option<f64> {
         .iter()
         .map(|alert| alert.level.weight() * alert.value());
     (total > 0.0).then(|| weighted.sum::<f64>() / total)
+}
+
+/// The value and the alert that moved it most.
+pub(super) fn value_and_words(alerts: &[AlertFact]) -> Option<(f64, Text)> {
+    let value = attention_value(alerts)?;
+    let words = match worst(alerts) {
+        None => text!("scoring-alerts-answered", count = alerts.len()),
+        Some((alert, late)) => {
+            let alert = answer_words(alert);
+            match late - 1 {
+                0 => alert,
+                more => text!("scoring-alerts-late", worst = alert, more = more),
+            }
+        }
+    };
+    Some((value, words))
+}
+
+/// What would have answered them in time; `None` where all were.
+pub(super) fn advice(alerts: &[AlertFact]) -> Option<Text> {
+    let (alert, _) = worst(alerts)?;
+    let limit = alert.limit.as_secs();
+    Some(text!(
+        "scoring-advice-alerts",
+        alert = &alert.text,
+        limit = limit
+    ))
+}
+
+/// The one that cost most, and how many were late.
+fn worst(alerts: &[AlertFact]) -> Option<(&AlertFact, usize)> {
+    let late = || alerts.iter().filter(|alert| !alert.is_in_time());
+    let cost = |alert: &&AlertFact| alert.level.weight() * (1.0 - alert.value());
+    let worst = late().max_by(|a, b| cost(a).total_cmp(&cost(b)))?;
+    Some((worst, late().count()))
+}
+
+fn answer_words(alert: &AlertFact) -> Text {
+    let (what, limit) = (&alert.text, alert.limit.as_secs());
+    match alert.answered_after {
+        None => text!("scoring-alert-unanswered", alert = what),
+        Some(after) => text!(
+            "scoring-alert-took",
+            alert = what,
+            seconds = format!("{:.0}", after.as_secs_f64()),
+            limit = limit
+        ),
+    }
 }
 
 #[cfg(test)]

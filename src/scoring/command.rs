@@ -12,11 +12,22 @@ use crate::vehicle::VehicleId;
 /// The same line to the same vehicle within this time is a duplicate.
 const DUPLICATE_WITHIN: Duration = Duration::from_secs(2);
 
+/// Words between trainee and mission, which are no commands.
+const ASKS: [&str; 3] = ["predict", "goal", "hint"];
+/// What tells or asks and sets nothing: it may be refused, but its acceptance is no merit.
+const REPORTS: [&str; 4] = ["mark", "unmark", "request", "interval"];
+/// Commands that set something besides the vehicle's task.
+const SETTINGS: [&str; 8] = [
+    "speed", "yaw", "roi", "home", "servo", "relay", "param", "spray",
+];
+
 /// Counts of a flight's commands, one per command and vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CommandTally {
-    /// Accepted and not given just before.
+    /// Accepted, and something was to change by it.
     pub accepted: u32,
+    /// Accepted, but what it asked for was so already: padding, which dilutes nothing.
+    pub empty: u32,
     /// Refused, or never answered by a vehicle whose link was up.
     pub rejected: u32,
     /// Those that set something at risk ([`Risk`]).
@@ -35,7 +46,7 @@ impl CommandTally {
     }
 
     pub(super) fn value_and_words(&self) -> (f64, Text) {
-        let all = self.accepted + self.rejected + self.duplicates;
+        let all = self.accepted + self.empty + self.rejected + self.duplicates;
         let mut faults = Vec::new();
         for (count, words) in [
             (
@@ -160,7 +171,9 @@ impl CommandLog {
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
-        for (given_at, entry) in self.entries(ledger) {
+        let mut standing: BTreeMap<(VehicleId, &str), &str> = BTreeMap::new();
+        let orders = self.entries(ledger);
+        for (given_at, entry) in orders.filter(|(_, entry)| !ASKS.contains(&&*entry.verb)) {
             for row in &entry.rows {
                 let before = last.insert((row.vehicle, &entry.line), (given_at, is_rejected(row)));
                 // The first try after a refusal is no duplicate.
@@ -175,10 +188,25 @@ impl CommandLog {
                 tally.dangerous += u32::from(entry.risk != Risk::None);
                 tally.rejected += u32::from(is_rejected(row) && !excused);
                 tally.duplicates += u32::from(accepted && duplicate);
-                tally.accepted += u32::from(accepted && !duplicate);
+                let slot = (row.vehicle, slot(&entry.verb));
+                let empty = accepted
+                    && (REPORTS.contains(&&*entry.verb)
+                        || standing.insert(slot, &entry.line) == Some(&*entry.line));
+                tally.empty += u32::from(empty && !duplicate);
+                tally.accepted += u32::from(accepted && !duplicate && !empty);
             }
         }
         tally
+    }
+}
+
+/// What a command sets: the same line twice for one slot changes nothing. All commands that make a vehicle go
+/// somewhere or stay share one.
+fn slot(verb: &str) -> &str {
+    if SETTINGS.contains(&verb) {
+        verb
+    } else {
+        "task"
     }
 }
 

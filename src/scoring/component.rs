@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Facts, Rules, safety_value};
+use super::{Facts, Rules, attention, safety_value, utilisation};
 use crate::text;
 use crate::text::Text;
 
@@ -138,8 +138,8 @@ pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
         facts.energy_wh.map(|used| energy(rules, used, objective)),
         Some((safety_value(&facts.safety), safety_words(facts))),
         Some(facts.commands.value_and_words()),
-        None,
-        None,
+        attention::value_and_words(&facts.alerts),
+        Some(utilisation::value_and_words(&facts.usage)),
     ];
     let applies = values.each_ref().map(Option::is_some);
     let weights = rules.weights.applied(applies, facts.vehicles);

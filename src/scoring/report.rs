@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Improvement, Medal};
+use super::{AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse};
 use crate::text::Text;
 
 /// A flight's result with every point explained. The order of the fields is the order in the JSON document.
@@ -29,8 +29,12 @@ pub struct Report {
     pub sim_time_s: f64,
     /// The objectives, in the mission's order.
     pub objectives: Vec<ObjectiveReport>,
-    /// The components of the score; their points sum to `score` before rounding to a whole number.
+    /// The components of the score; their points sum to `subtotal`.
     pub components: Vec<ComponentReport>,
+    /// The score before hints, to a tenth.
+    pub subtotal: f64,
+    /// What hints leave of it, 0.7 to 1.
+    pub hint_factor: f64,
     /// Every command of the flight.
     pub ledger: Vec<LedgerReport>,
     /// What happened, oldest first.
@@ -55,6 +59,28 @@ pub struct Report {
     pub gold_missing: Vec<Text>,
     /// What to do better, biggest gain first.
     pub improvements: Vec<Improvement>,
+    /// Which try at the mission it was, from 1.
+    pub attempt: u32,
+    /// The hints that were asked for, oldest first.
+    pub hints: Vec<HintReport>,
+    /// What the trainee expected, and how far off that was.
+    pub prediction: Option<PredictionReport>,
+    /// What the trainee wanted to reach, and whether it was.
+    pub goal: Option<GoalReport>,
+    /// The alerts that had to be answered, oldest first.
+    pub alerts: Vec<AlertReport>,
+    /// How each vehicle was used.
+    pub usage: Vec<UseReport>,
+    /// How the operator handled the swarm.
+    pub swarm: SwarmFigures,
+    /// What was there.
+    pub truth: TruthReport,
+    /// The mission that drills what this one needs, if there is one; set by the shell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drill: Option<String>,
+    /// The trainee's tries at this revision of the mission, this one among them, oldest first; set by the shell.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tries: Vec<TryReport>,
     /// Real time that the run took, in seconds; set by the shell, the only field that may differ between equal runs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall_time_s: Option<f64>,
@@ -122,12 +148,118 @@ pub struct RowReport {
     pub explanation: Option<Text>,
 }
 
+/// One of the trainee's tries at a mission.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TryReport {
+    /// Which, from 1.
+    pub attempt: u32,
+    /// When it began, in UTC: `2026-11-20T14:03:22Z`.
+    pub when: String,
+    /// The points; `None` where it has no end.
+    pub score: Option<u16>,
+    /// The medal, if one was earned.
+    pub medal: Option<Medal>,
+    /// Whether the mission was passed.
+    pub passed: bool,
+    /// Seed of hazards and sensors.
+    pub seed: u64,
+    /// Revision of the mission.
+    pub revision: u32,
+}
+
+/// A hint that was asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct HintReport {
+    /// Mission time, in seconds.
+    pub at_s: f64,
+    /// 1 to 3.
+    pub level: u8,
+    /// What it said.
+    pub text: Text,
+}
+
+/// A score as it was predicted, and as it came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PredictionReport {
+    /// What was expected, 0 to 1000.
+    pub predicted: u16,
+    /// What came less what was expected: above 0, the trainee can do more than they think.
+    pub error: i32,
+}
+
+/// A goal of the trainee's own.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct GoalReport {
+    /// What was wanted.
+    pub text: Text,
+    /// Whether it was reached.
+    pub reached: bool,
+    /// By how much it was reached or missed.
+    pub result: Text,
+}
+
+/// An alert that had to be answered.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AlertReport {
+    /// When it came: mission time, in seconds.
+    pub at_s: f64,
+    /// How much it mattered.
+    pub level: AlertLevel,
+    /// What it said.
+    pub text: Text,
+    /// An answer within this time gets everything, in seconds.
+    pub limit_s: f64,
+    /// How long the answer took, in seconds; `None` where none came.
+    pub answered_after_s: Option<f64>,
+    /// Whether that was in time.
+    pub in_time: bool,
+}
+
+/// How one vehicle was used. Times are in seconds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct UseReport {
+    /// Which vehicle.
+    pub vehicle: u16,
+    /// Time in the air.
+    pub airborne_s: f64,
+    /// Of that, with a task.
+    pub productive_s: f64,
+    /// Of that, without one for longer than 30 s at a time.
+    pub idle_s: f64,
+}
+
+impl From<&VehicleUse> for UseReport {
+    fn from(one: &VehicleUse) -> Self {
+        let seconds = |time: std::time::Duration| rounded(time.as_secs_f64(), 1);
+        Self {
+            vehicle: one.vehicle,
+            airborne_s: seconds(one.airborne),
+            productive_s: seconds(one.productive),
+            idle_s: seconds(one.idle),
+        }
+    }
+}
+
+impl From<&AlertFact> for AlertReport {
+    fn from(alert: &AlertFact) -> Self {
+        let seconds = |time: std::time::Duration| rounded(time.as_secs_f64(), 1);
+        Self {
+            at_s: seconds(alert.at),
+            level: alert.level,
+            text: alert.text.clone(),
+            limit_s: seconds(alert.limit),
+            answered_after_s: alert.answered_after.map(seconds),
+            in_time: alert.is_in_time(),
+        }
+    }
+}
+
 /// Something that happened.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EventReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// `objective`, `alert`, `rule`, `rejected` or `phase`.
+    /// `objective`, `alert`, `rule`, `rejected`, `hint` or `phase`.
     pub kind: String,
     /// Which vehicle, where it is about one.
     pub vehicle: Option<u16>,

@@ -51,6 +51,8 @@ fn perfect() -> Facts {
         },
         alerts: Vec::new(),
         vehicles: 1,
+        usage: Vec::new(),
+        hints: HintsUsed::default(),
     }
 }
 
@@ -199,7 +201,8 @@ fn logged(slower: u64, lines: &[(u64, &str, RowState)]) -> (Ledger, CommandLog, 
 #[test]
 fn commands_are_counted_per_vehicle_and_repetitions_once() {
     let expected = CommandTally {
-        accepted: 4,
+        accepted: 3,
+        empty: 1,
         rejected: 1,
         dangerous: 1,
         duplicates: 1,
@@ -244,36 +247,236 @@ fn risk_is_in_what_a_command_does_and_not_in_how_it_reads() {
     }
 }
 
-proptest! {
-    #[test]
-    fn scores_stay_within_bounds_and_add_up(
+#[test]
+fn commands_that_change_nothing_dilute_no_fault() {
+    let done = RowState::Done;
+    let (ledger, log, _) = logged(
+        1,
+        &[
+            (1000, "1 goto n 9 e 0", done),
+            (5000, "1 speed 3", done),
+            (9000, "1 goto n 9 e 0", done),
+            (13_000, "1 speed 3", done),
+            (17_000, "1 rtl", done),
+            (21_000, "1 goto n 9 e 0", done),
+            (25_000, "1 speed 4", done),
+        ],
+    );
+    let tally = log.tally(&ledger);
+    assert_eq!((tally.accepted, tally.empty), (5, 2), "{tally:?}");
+}
+
+#[test]
+fn harm_to_people_caps_the_score_and_takes_the_medal() {
+    for kind in [SafetyKind::Injury, SafetyKind::AircraftHit] {
+        let mut facts = perfect();
+        facts.safety = vec![event(kind, 0)];
+        let score = score(&rules(), &facts);
+        assert_eq!((score.points, score.medal), (300, None));
+    }
+}
+
+#[test]
+fn hints_take_their_share_of_the_sum_from_the_second_try_on() {
+    for (free, expected) in [(true, 1000), (false, 930)] {
+        let mut facts = perfect();
+        facts.hints = HintsUsed {
+            levels: [1, 1, 0],
+            free,
+        };
+        let score = score(&rules(), &facts);
+        assert_eq!(score.points, expected);
+        assert_eq!(score.subtotal_tenths, 10_000);
+        let gain: Vec<u16> = improvements(&rules(), &facts)
+            .iter()
+            .map(|improvement| improvement.points)
+            .collect();
+        assert_eq!(gain, if free { vec![] } else { vec![70] });
+    }
+}
+
+#[test]
+fn a_flight_that_never_takes_off_earns_nothing_for_keeping_still() {
+    let mut facts = perfect();
+    facts.vehicles = 4;
+    facts.usage = vec![VehicleUse::default(); 4];
+    let value = score(&rules(), &facts).value(Component::Utilisation);
+    assert_eq!(value, Some(0.0));
+}
+
+prop_compose! {
+    fn any_alert()(level in 0..3usize, limit_s in 1u64..60, after_s in proptest::option::of(0u64..200)) -> AlertFact {
+        AlertFact {
+            text: "alert".into(),
+            level: [AlertLevel::Caution, AlertLevel::Warning, AlertLevel::Critical][level],
+            at: Duration::ZERO,
+            limit: Duration::from_secs(limit_s),
+            answered_after: after_s.map(Duration::from_secs),
+        }
+    }
+}
+
+prop_compose! {
+    fn any_use()(airborne_s in 0u64..500, productive in 0.0..=1.0f64, idle in 0.0..=1.0f64) -> VehicleUse {
+        let airborne = Duration::from_secs(airborne_s);
+        VehicleUse {
+            vehicle: 1,
+            airborne,
+            productive: airborne.mul_f64(productive),
+            idle: airborne.mul_f64((1.0 - productive) * idle),
+        }
+    }
+}
+
+prop_compose! {
+    fn any_facts()(
         fractions in proptest::collection::vec((0.0..=1.0f64, any::<bool>()), 1..5),
         quality in proptest::option::of(0.0..=1.0f64),
         elapsed_s in 0u64..1000,
         energy in proptest::option::of(0.0..100.0f64),
         breaches in proptest::collection::vec(0u64..100, 0..6),
-        (accepted, rejected, dangerous, duplicates) in (0u32..100, 0u32..100, 0u32..9, 0u32..9),
-        vehicles in 1usize..9,
-    ) {
-        let facts = Facts {
+        (accepted, empty, rejected, dangerous, duplicates) in (0u32..100, 0u32..9, 0u32..100, 0u32..9, 0u32..9),
+        alerts in proptest::collection::vec(any_alert(), 0..4),
+        usage in proptest::collection::vec(any_use(), 1..9),
+        (levels, free) in (proptest::array::uniform3(0u32..5), any::<bool>()),
+    ) -> Facts {
+        Facts {
             objectives: fractions.iter().map(|&(fraction, mandatory)| objective(fraction, mandatory)).collect(),
             quality: quality.map(|quality| (quality, "map".into())),
             quality_advice: Text::default(),
             elapsed: Duration::from_secs(elapsed_s),
             energy_wh: energy,
             safety: breaches.iter().map(|&s| event(SafetyKind::Geofence, s)).collect(),
-            commands: CommandTally { accepted, rejected, dangerous, duplicates },
-            alerts: Vec::new(),
-            vehicles,
-        };
+            commands: CommandTally { accepted, empty, rejected, dangerous, duplicates },
+            alerts,
+            vehicles: usage.len(),
+            usage,
+            hints: HintsUsed { levels, free },
+        }
+    }
+}
+
+/// What must never bring a point.
+fn worse(facts: &Facts) -> Vec<(&'static str, Facts)> {
+    let with = |change: &dyn Fn(&mut Facts)| {
+        let mut changed = facts.clone();
+        change(&mut changed);
+        changed
+    };
+    let mut all = vec![
+        ("time", with(&|f| f.elapsed += Duration::from_secs(30))),
+        (
+            "energy",
+            with(&|f| f.energy_wh = f.energy_wh.map(|wh| wh + 3.0)),
+        ),
+        (
+            "safety",
+            with(&|f| f.safety.push(event(SafetyKind::OffPad, 0))),
+        ),
+        ("refused", with(&|f| f.commands.rejected += 1)),
+        ("duplicate", with(&|f| f.commands.duplicates += 1)),
+        ("padding", with(&|f| f.commands.empty += 50)),
+        (
+            "quality",
+            with(&|f| f.quality = f.quality.clone().map(|(q, words)| (q * 0.9, words))),
+        ),
+        (
+            "hover",
+            with(&|f| {
+                for one in &mut f.usage {
+                    one.productive = one.productive.mul_f64(0.5);
+                }
+            }),
+        ),
+        (
+            "idle",
+            with(&|f| {
+                for one in &mut f.usage {
+                    one.idle = one.airborne.saturating_sub(one.productive);
+                }
+            }),
+        ),
+        (
+            "alert",
+            with(&|f| {
+                for alert in &mut f.alerts {
+                    alert.answered_after = alert
+                        .answered_after
+                        .map(|after| after + Duration::from_secs(5));
+                }
+            }),
+        ),
+        (
+            "unanswered",
+            with(&|f| {
+                if let Some(alert) = f.alerts.first_mut() {
+                    alert.answered_after = None;
+                }
+            }),
+        ),
+    ];
+    for level in 0..3 {
+        all.push(("hint", with(&|f| f.hints.levels[level] += 1)));
+    }
+    for index in 0..facts.objectives.len() {
+        let missed = with(&|f| {
+            let objective = &mut f.objectives[index];
+            objective.fraction *= 0.9;
+            objective.met = false;
+        });
+        all.push(("objective", missed));
+    }
+    all
+}
+
+proptest! {
+    #[test]
+    fn scores_stay_within_bounds_and_add_up(facts in any_facts()) {
         let score = score(&rules(), &facts);
         prop_assert!(score.points <= 1000);
         let sum: u32 = score.components.iter().map(|c| c.points_tenths).sum();
-        prop_assert!((f64::from(score.points) - f64::from(sum) / 10.0).abs() <= 0.5);
+        prop_assert_eq!(sum, score.subtotal_tenths);
+        let hinted = f64::from(sum) / 10.0 * score.hint_factor;
+        prop_assert!((f64::from(score.points) - hinted).abs() <= 0.6);
         let weights: f64 = score.components.iter().map(|c| c.weight).sum();
         prop_assert!((weights - 1.0).abs() < 1e-9);
+        for component in &score.components {
+            prop_assert!((0.0..=1.0).contains(&component.value));
+        }
         for improvement in improvements(&rules(), &facts) {
             prop_assert!(improvement.points >= 1 && u32::from(improvement.points) + u32::from(score.points) <= 1000);
         }
+    }
+
+    #[test]
+    fn nothing_that_is_worse_brings_a_point(facts in any_facts()) {
+        let before = score(&rules(), &facts).points;
+        for (what, worse) in worse(&facts) {
+            let after = score(&rules(), &worse).points;
+            prop_assert!(after <= before, "{} brings {} points", what, after - before);
+        }
+    }
+
+    #[test]
+    fn no_points_open_a_gate_or_make_up_for_a_missed_mandatory_objective(facts in any_facts()) {
+        let score = score(&rules(), &facts);
+        let safety = score.value(Component::Safety).unwrap_or(1.0);
+        if score.medal == Some(Medal::Gold) {
+            prop_assert!(safety >= 0.85 && score.points >= 850);
+        }
+        if facts.objectives.iter().any(|objective| objective.mandatory && !objective.met) {
+            prop_assert_eq!(score.medal, None);
+            let objective = score.value(Component::Objective).unwrap_or(0.0);
+            prop_assert!(objective <= 0.5);
+        }
+    }
+
+    #[test]
+    fn weights_shared_out_sum_to_one(parts in proptest::array::uniform8(0.0..1.0f64), facts in any_facts()) {
+        let sum: f64 = parts.iter().sum();
+        prop_assume!(sum > 0.1 && parts[0] > 0.0);
+        let rules = Rules { weights: Weights(parts.map(|part| part / sum)), ..rules() };
+        let weights: f64 = score(&rules, &facts).components.iter().map(|c| c.weight).sum();
+        prop_assert!((weights - 1.0).abs() < 1e-9);
     }
 }

@@ -3,6 +3,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::text;
 use crate::text::Text;
 
@@ -116,7 +118,7 @@ impl fmt::Display for FixType {
 }
 
 /// `MAV_LANDED_STATE`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum LandedState {
     /// Not said.
     #[default]

@@ -5,9 +5,12 @@ use std::time::Duration;
 use sortie::geo::LatLon;
 use sortie::language::Findings;
 use sortie::mission::{
-    Cell, Listing, Mission, ObjectiveProgress, ObjectiveState, Pledge, Progress, Reading,
+    Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Pledge, Progress,
+    Reading,
 };
-use sortie::scoring::{ComponentReport, EventReport, ObjectiveReport, Report};
+use sortie::scoring::{
+    ComponentReport, EventReport, ObjectiveReport, Report, SwarmFigures, TruthReport,
+};
 use sortie::vehicle::{
     Attitude, Battery, Ekf, EkfFlags, FixType, GlobalPosition, Gps, Health, Heartbeat, LandedState,
     LinkQuality, Place, SystemStatus, Vehicle, VehicleClass,
@@ -176,9 +179,18 @@ pub fn progress() -> Progress {
             unit: "ppm",
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
+        feedback: None,
+        clues: ClueProgress {
+            given: Vec::new(),
+            next: None,
+            factor: 1.0,
+        },
+        can_pledge: false,
+        swarm: SwarmFigures::default(),
         findings: Findings::default(),
         places: std::collections::BTreeMap::new(),
         contacts: Vec::new(),
+        injects: Vec::new(),
         marks: Vec::new(),
         pledge: Pledge::default(),
         cells: cells.collect(),
@@ -234,6 +246,18 @@ pub fn report() -> Report {
         par_energy_wh: 25.0,
         gold_missing: Vec::new(),
         improvements: Vec::new(),
+        subtotal: 350.0,
+        hint_factor: 1.0,
+        attempt: 1,
+        hints: Vec::new(),
+        prediction: None,
+        goal: None,
+        alerts: Vec::new(),
+        usage: Vec::new(),
+        swarm: SwarmFigures::default(),
+        truth: TruthReport::default(),
+        drill: None,
+        tries: Vec::new(),
         wall_time_s: None,
     }
 }

@@ -8,6 +8,7 @@ use crate::app::room::Room;
 use crate::app::setting::Setting;
 use crate::app::state::{Groups, MissionListing, ranges};
 use crate::language::Completion;
+use crate::mission::Inject;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -18,6 +19,8 @@ pub struct Names<'a> {
     pub themes: &'a [String],
     /// The missions: id and title.
     pub missions: &'a [MissionListing],
+    /// What an instructor may have happen in the mission.
+    pub injects: &'a [Inject],
     /// The macros.
     pub macros: &'a BTreeMap<String, Vec<String>>,
     /// The groups.
@@ -35,6 +38,10 @@ impl<'a> Names<'a> {
             (Kind::Fly, []) => {
                 let listing = |it: &'a MissionListing| (it.id.as_str(), it.title.clone());
                 self.missions.iter().map(listing).collect()
+            }
+            (Kind::Inject, []) => {
+                let inject = |it: &'a Inject| (it.name.as_str(), it.title.clone());
+                self.injects.iter().map(inject).collect()
             }
             (Kind::Macro, []) => {
                 let lines = |(name, lines): (&'a String, &'a Vec<String>)| {

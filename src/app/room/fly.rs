@@ -50,6 +50,7 @@ pub const KEYS: &[Row] = &[
     does(key('x'), Action::Acknowledge),
     writes('@', "select @"),
     writes('w', "hint"),
+    writes('e', "inject "),
 ];
 
 impl Fly {

@@ -42,6 +42,7 @@ pub const KEYS: &[Row] = &[
     writes('s', "predict "),
     writes('g', "goal "),
     writes('w', "hint"),
+    writes('e', "inject "),
     does(key('r'), Action::Again),
     does(key('a'), Action::Abandon),
 ];

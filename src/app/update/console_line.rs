@@ -57,6 +57,10 @@ pub fn carry_out(
             let effect = Effect::Connect(addresses);
             return Ok(act::guarded(state, text!("ask-start"), effect));
         }
+        ConsoleLine::Inject(_) if state.session.paused => {
+            return Err(at_last_word(text!("pause-refuses")));
+        }
+        ConsoleLine::Inject(name) => return Ok(vec![Effect::Inject(name)]),
         ConsoleLine::Macro(name) => {
             let end = line.trim_end().len();
             lines::check_macro(state, &name, console::last_word(&line[..end])..end)?;

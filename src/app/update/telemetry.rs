@@ -125,6 +125,8 @@ pub fn progress(state: &mut State, progress: Progress) {
         map::measured(state, &progress);
         // What has come up goes by its name from now on.
         state.session.places.extend(progress.places.clone());
+        // Events bring areas and take others away.
+        state.session.areas.clone_from(&progress.areas);
         state.session.mission = Some(progress);
     }
 }

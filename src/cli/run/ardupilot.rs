@@ -11,11 +11,11 @@ use tokio::signal::unix::{SignalKind, signal};
 use tokio::sync::{mpsc, watch};
 use tokio::time::{MissedTickBehavior, interval, timeout};
 
+use super::witness::Witness;
 use crate::cli::{Failure, runtime};
 use crate::hangar::{Berth, Hangars, Instance, Launch, Place, Seen, Source, Stage};
 use crate::headless::Live;
 use crate::mission::Report;
-use crate::notice::Notice;
 
 /// A vehicle that is not ready by then will not be.
 const READY_WITHIN: Duration = Duration::from_secs(120);
@@ -35,14 +35,14 @@ pub(super) fn fly(
     source: &Source,
     launches: Vec<Launch>,
     live: Live,
-    tell: impl Fn(Notice),
+    witness: &mut Witness<'_>,
 ) -> Result<Report, Failure> {
     let runtime = runtime()?;
     let flown = runtime.block_on(async {
         let hangars = source.open().map_err(|text| anyhow!(text.to_string()))?;
         let places = RefCell::default();
         let flown = tokio::select! {
-            flown = session(&hangars, launches, &places, live, tell) => flown,
+            flown = session(&hangars, launches, &places, live, witness) => flown,
             () = interrupted() => Err(anyhow!("interrupted")),
         };
         let ended = join_all(places.take().into_iter().map(|place| hangars.stop(place)));
@@ -59,7 +59,7 @@ async fn session(
     launches: Vec<Launch>,
     launched: &RefCell<Vec<Place>>,
     live: Live,
-    tell: impl Fn(Notice),
+    witness: &mut Witness<'_>,
 ) -> anyhow::Result<Report> {
     let started = Instant::now();
     let berths = hangars.launch(launches).await?;
@@ -83,7 +83,7 @@ async fn session(
         "ready after {:.1} s: the mission begins",
         started.elapsed().as_secs_f64()
     );
-    Ok(fleet.fly(live, tell).await)
+    Ok(fleet.fly(live, witness).await)
 }
 
 /// Until somebody wants this to end.
@@ -164,7 +164,7 @@ impl Fleet {
     }
 
     /// Carries bytes between the vehicles and the mission until it is over.
-    async fn fly(&mut self, mut live: Live, tell: impl Fn(Notice)) -> Report {
+    async fn fly(&mut self, mut live: Live, witness: &mut Witness<'_>) -> Report {
         let begun = Instant::now();
         let mut looks = interval(LOOK_EVERY);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -187,11 +187,15 @@ impl Fleet {
                     let _ = sender.write(&bytes).now_or_never();
                 }
             }
-            live.take_notices().into_iter().for_each(&tell);
+            let notices = live.take_notices().into_iter();
+            notices.for_each(|notice| witness.tell(notice));
+            witness.keep(live.flight_mut());
         }
         let (flown, took) = (live.now().as_secs_f64(), begun.elapsed().as_secs_f64());
         tracing::info!("{flown:.1} s flown in {took:.1} s");
-        live.report()
+        let report = live.close();
+        witness.keep(live.flight_mut());
+        report
     }
 
     /// Vehicles whose process has ended do not come back.

@@ -6,7 +6,7 @@ use crate::app::state::{
     Hangar, HelpLine, NoticeLine, Session, State, help_lines, parse_ranges, ranges,
 };
 use crate::ledger::{Entry, EntryId};
-use crate::mission::{ObjectiveProgress, ObjectiveState};
+use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;
 use crate::text::{Text, text};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -28,6 +28,8 @@ pub struct Report {
     /// The objectives that were decided, and the hint.
     objectives: BTreeMap<usize, ObjectiveState>,
     hint: Option<Text>,
+    /// How many contacts have been told of.
+    contacts: usize,
     /// The stages of vehicles that were being started.
     stages: Option<Text>,
 }
@@ -39,6 +41,7 @@ impl Report {
         texts.extend(self.new_notices(state));
         texts.extend(self.ended_commands(state));
         texts.extend(self.decided_objectives(state));
+        texts.extend(self.new_contacts(state));
         texts
     }
 
@@ -100,6 +103,13 @@ impl Report {
             }
             None => false,
         });
+        texts
+    }
+
+    fn new_contacts(&mut self, state: &State) -> Vec<Text> {
+        let contacts = state.session.mission.iter().flat_map(|it| &it.contacts);
+        let texts: Vec<Text> = contacts.skip(self.contacts).map(contact_text).collect();
+        self.contacts += texts.len();
         texts
     }
 
@@ -224,6 +234,32 @@ pub fn objectives(state: &State) -> Vec<Text> {
     texts
 }
 
+fn contact_text(contact: &ShownContact) -> Text {
+    let trust = match contact.trust {
+        Trust::Seen => text!("map-legend-seen"),
+        Trust::Confirmed => text!("map-legend-confirmed"),
+        Trust::Reported => text!("map-legend-reported"),
+    };
+    let (latitude, longitude) = (contact.at.lat_deg, contact.at.lon_deg);
+    text!(
+        "plain-contact",
+        name = &contact.name,
+        kind = contact.kind,
+        place = format!("{latitude:.6} {longitude:.6}"),
+        trust = trust
+    )
+}
+
+/// What detectors have found, and what the trainee has reported.
+pub fn contacts(state: &State) -> Vec<Text> {
+    let Some(mission) = &state.session.mission else {
+        return vec![text!("mission-none")];
+    };
+    let marks = text!("mission-marks-count", count = mission.marks.len());
+    let contacts = mission.contacts.iter().map(contact_text);
+    contacts.chain([marks]).collect()
+}
+
 /// How vehicles are: those that are named, else those that a command would go to, else all.
 pub fn status(state: &State, targets: &str) -> Vec<Text> {
     let vehicles = &state.session.vehicles;
@@ -331,6 +367,7 @@ pub fn help(state: &State) -> Vec<Text> {
     let own = [
         text!("plain-help-status"),
         text!("plain-help-objectives"),
+        text!("plain-help-contacts"),
         text!("plain-help-wait"),
     ];
     let general = lines[start..].iter().map(|line| match line {

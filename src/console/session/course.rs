@@ -2,15 +2,20 @@
 
 use std::time::Duration;
 
+use super::logbook::Logbook;
 use crate::app::event::Event;
 use crate::app::state::{Session as Shown, Stage};
 use crate::mission::{self, Clock, Flight};
 use crate::notice::Notice;
+use crate::store;
+use crate::vehicle::Severity;
 
 /// A mission that is flown.
 pub(super) struct Course {
     /// The try at it.
     pub flight: Flight,
+    /// What records it.
+    pub logbook: Option<Logbook>,
     pace: Pace,
     stepped: Duration,
     ended: bool,
@@ -38,6 +43,7 @@ impl Course {
     fn new(flight: Flight, pace: Pace) -> Self {
         Self {
             flight,
+            logbook: None,
             pace,
             stepped: Duration::ZERO,
             ended: false,
@@ -62,16 +68,33 @@ impl Course {
                     .map(|notice| Event::Notice(Notice { at: now, ..notice })),
             );
         }
+        events.extend(self.keep_record(now));
         events.push(Event::Mission(Box::new(self.flight.progress())));
         if self.flight.outcome().is_some() {
             self.ended = true;
-            let mut report = self.flight.report(&shown.ledger);
+            let mut report = self.flight.close(&shown.ledger);
+            report.drill = store::drill_of(&report.mission);
             if let Pace::Vehicles(_) = self.pace {
                 "ardupilot".clone_into(&mut report.backend);
+            }
+            events.extend(self.keep_record(now));
+            if let Some(logbook) = &self.logbook {
+                report.tries = logbook.tries(&report.mission, report.revision);
             }
             events.push(Event::MissionEnded(Box::new(report)));
         }
         events
+    }
+
+    /// Writes what was recorded; that it cannot be is said once.
+    fn keep_record(&mut self, now: Duration) -> Option<Event> {
+        let text = self.logbook.as_mut()?.keep(&mut self.flight, now)?;
+        Some(Event::Notice(Notice {
+            at: now,
+            vehicle: None,
+            severity: Severity::Warning,
+            text,
+        }))
     }
 
     /// Mission time.

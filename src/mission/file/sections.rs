@@ -20,7 +20,7 @@ use crate::mission::hazard::{self, Hazard};
 use crate::mission::objective::Objective;
 use crate::mission::radio::Radio;
 use crate::mission::weather::Weather;
-use crate::mission::{Hint, Mission, NEXT_CELL, Origin, Phase};
+use crate::mission::{Clue, Hint, Mission, NEXT_CELL, Origin, Phase};
 use crate::scoring::Rules;
 
 /// The only version of the format so far.
@@ -46,6 +46,7 @@ struct Content {
     hazards: Vec<Box<dyn Hazard>>,
     objectives: Vec<Objective>,
     hints: Vec<Hint>,
+    clues: Vec<Clue>,
     threats: Threats,
 }
 
@@ -83,6 +84,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         title: faults.written(head.title, head.title_uk, "title_uk"),
         brief: faults.written(head.brief, head.brief_uk, "brief_uk"),
         untranslated: Vec::new(),
+        source: String::new(),
         tier: head.tier,
         tags: head.tags,
         authors: head.authors,
@@ -91,6 +93,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         sensors: setting.fleet.sensors(),
         time_limit: setting.time_limit,
         hints: content.hints,
+        clues: content.clues,
         scoring: scoring?,
         origin: setting.origin,
         weather: setting.weather,
@@ -165,6 +168,18 @@ fn content(
     let (hazards, named) = hazards(sections.optional("hazards"), &draft, faults);
     draft.hazards = named;
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
+    // Hints may refer to objectives and their cells.
+    let advice = array(sections.optional("hints"), faults, |value, faults| {
+        let hint: HintFile = faults.read_value(value)?;
+        hint.checked(&draft, faults)
+    });
+    let (mut hints, mut clues) = (Vec::new(), Vec::new());
+    for one in advice {
+        match one {
+            Advice::Shown(hint) => hints.push(hint),
+            Advice::Asked(clue) => clues.push(clue),
+        }
+    }
     let threats = threats(
         sections,
         setting,
@@ -175,11 +190,8 @@ fn content(
         hazards,
         objectives,
         threats,
-        // Hints may refer to the cells of an objective.
-        hints: array(sections.optional("hints"), faults, |value, faults| {
-            let hint: HintFile = faults.read_value(value)?;
-            Some(hint.checked(&draft, faults))
-        }),
+        hints,
+        clues,
         draft,
     }
 }
@@ -382,16 +394,24 @@ fn objectives(
     objectives
 }
 
+/// Advice as the file has it: shown by itself, or to be asked for.
+enum Advice {
+    Shown(Hint),
+    Asked(Clue),
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct HintFile {
-    phase: Phase,
+    phase: Option<Phase>,
+    level: Option<Spanned<u8>>,
+    objective: Option<Spanned<String>>,
     text: Spanned<String>,
     text_uk: Option<Spanned<String>>,
 }
 
 impl HintFile {
-    fn checked(self, draft: &Draft, faults: &mut Faults) -> Hint {
+    fn checked(self, draft: &Draft, faults: &mut Faults) -> Option<Advice> {
         let no_cells = draft.surveys.is_empty() && faults.found.is_empty();
         for written in std::iter::once(&self.text).chain(&self.text_uk) {
             let text = written.get_ref();
@@ -405,9 +425,30 @@ impl HintFile {
                 faults.add(written.span(), message);
             }
         }
-        Hint {
-            phase: self.phase,
-            text: faults.written(self.text, self.text_uk, "text_uk"),
+        let place = self.text.span();
+        let text = faults.written(self.text, self.text_uk, "text_uk");
+        let Some(level) = self.level else {
+            // Shown by itself, so it has to be said when.
+            let Some(phase) = self.phase else {
+                faults.add(place, "a hint needs a `phase` to be shown in, or a `level`");
+                return None;
+            };
+            return Some(Advice::Shown(Hint { phase, text }));
+        };
+        if !(1..=3).contains(level.get_ref()) {
+            faults.add(level.span(), "`level` must be 1, 2 or 3");
         }
+        if let Some(id) = &self.objective
+            && !draft.declared.contains(id.get_ref())
+        {
+            let known: Vec<&str> = draft.declared.iter().map(String::as_str).collect();
+            faults.unknown("objective", id, &known);
+        }
+        Some(Advice::Asked(Clue {
+            level: level.into_inner(),
+            phase: self.phase,
+            objective: self.objective.map(Spanned::into_inner),
+            text,
+        }))
     }
 }

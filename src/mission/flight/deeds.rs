@@ -25,11 +25,20 @@ impl Flight {
     /// Does something with each of the vehicles, at the mission time of the last step; returns the ledger's rows for
     /// it, on mission time.
     pub fn act(&mut self, entry: EntryId, deed: &Deed, vehicles: &[VehicleId]) -> Vec<RowUpdate> {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.act(deed, vehicles);
+        }
         let mut rows = Vec::new();
+        // However many vehicles are named, a hint is one.
+        let hint = match deed {
+            Deed::Hint if self.ended.is_none() => Some(self.give_clue().map(Some)),
+            _ => None,
+        };
         for &vehicle in vehicles {
-            let outcome = match self.ended {
-                Some(_) => Err(text!("deed-over")),
-                None => self.act_with(vehicle, deed),
+            let outcome = match (self.ended, &hint) {
+                (Some(_), _) => Err(text!("deed-over")),
+                (None, Some(hint)) => hint.clone(),
+                (None, None) => self.act_with(vehicle, deed),
             };
             let (state, explanation) = match outcome {
                 Ok(remark) => (RowState::Done, remark),
@@ -80,7 +89,8 @@ impl Flight {
         }
     }
 
-    fn before_launch(&self) -> Result<(), Text> {
+    /// Whether no vehicle has flown yet; else the reason of a refusal.
+    pub(super) fn before_launch(&self) -> Result<(), Text> {
         if self.crafts.iter().any(|craft| craft.flown) {
             return Err(text!("deed-launched"));
         }

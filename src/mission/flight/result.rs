@@ -2,9 +2,10 @@
 
 use super::{Flight, Standing};
 use crate::ledger::{Entry, Ledger};
+use crate::mission::Clue;
 use crate::scoring::{
-    ComponentReport, Facts, LedgerReport, ObjectiveFact, ObjectiveReport, Report, RowReport, Score,
-    grade, improvements, rounded, score,
+    AlertReport, ComponentReport, Facts, HintReport, LedgerReport, ObjectiveFact, ObjectiveReport,
+    Report, RowReport, Score, UseReport, grade, improvements, rounded, score,
 };
 use crate::text;
 use crate::text::Text;
@@ -40,6 +41,8 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
         commands: flight.tally,
         alerts: flight.engine.alert_facts().to_vec(),
         vehicles: flight.mission.vehicles,
+        usage: flight.vehicle_uses(),
+        hints: flight.hints_used(),
     }
 }
 
@@ -81,6 +84,8 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         sim_time_s: rounded(flight.elapsed.as_secs_f64(), 1),
         objectives: objectives(&facts),
         components: components(&score),
+        subtotal: rounded(f64::from(score.subtotal_tenths) / 10.0, 1),
+        hint_factor: rounded(score.hint_factor, 2),
         ledger: commands
             .map(|(at, entry)| command(at.as_secs_f64(), entry))
             .collect(),
@@ -95,10 +100,29 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         par_time_s: rounded(mission.scoring.par_time.as_secs_f64(), 1),
         energy_wh: facts.energy_wh.map(|energy| rounded(energy, 2)),
         par_energy_wh: rounded(mission.scoring.par_energy_wh, 2),
-        gold_missing: score.gold_missing,
         improvements: improvements(&mission.scoring, &facts),
+        attempt: flight.attempt,
+        hints: hints(flight),
+        prediction: flight.prediction_report(&score),
+        goal: flight.goal_report(&facts, &score),
+        alerts: facts.alerts.iter().map(AlertReport::from).collect(),
+        usage: facts.usage.iter().map(UseReport::from).collect(),
+        swarm: flight.swarm_figures(),
+        truth: flight.truth_report(),
+        drill: None,
+        tries: Vec::new(),
+        gold_missing: score.gold_missing,
         wall_time_s: None,
     }
+}
+
+fn hints(flight: &Flight) -> Vec<HintReport> {
+    let report = |(at_s, clue): (f64, &Clue)| HintReport {
+        at_s: rounded(at_s, 1),
+        level: clue.level,
+        text: flight.filled(&clue.text),
+    };
+    flight.given_clues().map(report).collect()
 }
 
 fn objectives(facts: &Facts) -> Vec<ObjectiveReport> {

@@ -103,6 +103,9 @@ impl Flight {
         if self.ended.is_some() {
             return Err(text!("deed-over"));
         }
+        if let Some(recorder) = &mut self.recorder {
+            recorder.inject(name);
+        }
         let allowed = self
             .injects()
             .into_iter()

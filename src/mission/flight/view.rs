@@ -43,10 +43,15 @@ impl Flight {
             readings: self.readings(),
             findings: self.findings(),
             hint: self.hint(&standings),
+            feedback: self.feedback.line().cloned(),
+            clues: self.clue_progress(),
+            pledge: self.pledge,
+            can_pledge: self.before_launch().is_ok(),
+            swarm: self.swarm_figures(),
             places: self.places(),
             contacts: self.shown_contacts(),
+            injects: self.injects(),
             marks: self.shown_marks(),
-            pledge: self.pledge,
             cells: self.cells(),
             areas: self.areas_now(),
             movers: self.moving_things(),
@@ -87,10 +92,17 @@ impl Flight {
     }
 
     fn hint(&self, standings: &[Standing]) -> Option<Text> {
+        let phase = self.phase(standings);
+        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
+        self.ended.is_none().then(|| self.filled(&found.text))
+    }
+
+    /// The phase of the flight, for hints.
+    pub(super) fn phase(&self, standings: &[Standing]) -> Phase {
         let open = standings
             .iter()
             .any(|standing| !standing.landing && !standing.settled);
-        let phase = if !open {
+        if !open {
             Phase::Done
         } else if self.crafts.iter().any(|craft| craft.airborne) {
             Phase::Air
@@ -98,13 +110,11 @@ impl Flight {
             Phase::Armed
         } else {
             Phase::Ground
-        };
-        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
-        self.ended.is_none().then(|| self.filled(&found.text))
+        }
     }
 
     /// A hint with the name of the first cell that is not sampled; once all are, that of the way home.
-    fn filled(&self, text: &Text) -> Text {
+    pub(super) fn filled(&self, text: &Text) -> Text {
         let next = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();
             let mut open = cells.filter(|(index, _)| !survey.is_sampled(*index));

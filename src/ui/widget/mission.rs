@@ -8,6 +8,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::state::State;
 use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading, Trust};
+use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -17,6 +18,8 @@ use crate::vehicle::Vehicle;
 
 /// Columns of one cell in the grid.
 const CELL_WIDTH: u16 = 7;
+/// A vehicle that is heard with a smaller margin may soon not be heard at all.
+const WEAK_DB: f64 = 6.0;
 /// A grid is not drawn for cells that lie farther apart than this many cells.
 const GRID_LIMIT: usize = 64;
 
@@ -24,7 +27,7 @@ const GRID_LIMIT: usize = 64;
 pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();
-    let counts = counts(progress).len();
+    let counts = counts(progress).len() + urgent(progress).len();
     (1 + progress.objectives.len() + progress.readings.chunks(2).len() + counts + grid + hint)
         as u16
 }
@@ -55,6 +58,11 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         let words = clip(&look.text(&text), width);
         Line::styled(words, look.style(Role::Muted))
     });
+    for (text, role) in urgent(progress) {
+        let words = clip(&look.text(&text), width);
+        put(buffer, rest, 0, &Line::styled(words, look.style(role)));
+        rest = below(rest, 1);
+    }
     for line in objectives.chain(readings).chain(counts) {
         put(buffer, rest, 0, &line);
         rest = below(rest, 1);
@@ -79,6 +87,28 @@ fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
         return Vec::new();
     };
     wrap(&look.text(&text!("mission-hint", hint = hint)), width)
+}
+
+/// Alerts that wait for an answer, and vehicles that are hardly heard any more.
+fn urgent(progress: &Progress) -> Vec<(Text, Role)> {
+    let alerts = progress.alerts.iter().map(|alert| {
+        let role = match alert.level {
+            AlertLevel::Critical => Role::Danger,
+            AlertLevel::Warning => Role::Warning,
+            AlertLevel::Caution => Role::Accent,
+        };
+        let seconds = alert.remaining.as_secs();
+        let text = &alert.text;
+        (text!("mission-alert", seconds = seconds, text = text), role)
+    });
+    let margins = progress.margins_db.iter();
+    let weak = margins.filter(|(_, margin_db)| **margin_db < WEAK_DB);
+    let weak = weak.map(|(vehicle, margin_db)| {
+        let margin = format!("{margin_db:.0}");
+        let text = text!("mission-radio-weak", vehicle = *vehicle, margin = margin);
+        (text, Role::Warning)
+    });
+    alerts.chain(weak).collect()
 }
 
 /// What has been found and reported, and what the trainee has said: a line for each where there is anything.

@@ -42,6 +42,10 @@ pub fn surveyed() -> Console {
         kind,
         outline: Outline::square(fixtures::HOME.moved(40.0, 10.0), side_m),
     };
+    let areas = vec![
+        area("fence", AreaKind::Geofence, 160.0),
+        area("yard", AreaKind::Task, 60.0),
+    ];
     console.hear(Event::Started(Box::new(Started {
         mission: None,
         activity: Activity::Mission {
@@ -49,10 +53,7 @@ pub fn surveyed() -> Console {
             title: "Air sample at the yard".into(),
         },
         places: [("street".to_owned(), fixtures::HOME.moved(0.0, -40.0))].into(),
-        areas: vec![
-            area("fence", AreaKind::Geofence, 160.0),
-            area("yard", AreaKind::Task, 60.0),
-        ],
+        areas: areas.clone(),
         processes: None,
     })));
     for id in 3..=6 {
@@ -65,6 +66,7 @@ pub fn surveyed() -> Console {
         console.vehicle(under_way(1, f64::from(metre)));
         let mut progress = fixtures::progress();
         progress.readings[0].value = f64::from(metre);
+        progress.areas.clone_from(&areas);
         console.hear(Event::Mission(Box::new(progress)));
     }
     console.write("4-5").press("enter").press("M").press("z");

@@ -28,6 +28,14 @@ pub enum SketchKind {
     Fence,
     /// A border that must not be crossed from outside.
     KeepOut,
+    /// An area that must not be flown in.
+    NoFly,
+    /// An area where satellite navigation fails.
+    Jamming,
+    /// An area with people below.
+    People,
+    /// An area where radio is weak.
+    Radio,
     /// What a vehicle flies in AUTO.
     Plan,
     /// A place where RTL may end.
@@ -64,9 +72,10 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
         let kind = match area.kind {
             AreaKind::Task => SketchKind::Task,
             AreaKind::Geofence => SketchKind::Fence,
-            AreaKind::NoFly | AreaKind::Jamming | AreaKind::People | AreaKind::Radio => {
-                SketchKind::KeepOut
-            }
+            AreaKind::NoFly => SketchKind::NoFly,
+            AreaKind::Jamming => SketchKind::Jamming,
+            AreaKind::People => SketchKind::People,
+            AreaKind::Radio => SketchKind::Radio,
         };
         Sketch::area(kind, &area.name, &area.outline)
     });

@@ -10,6 +10,7 @@ use super::finds;
 use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
 use crate::app::state::State;
 use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
+use crate::mission::MoverKind;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::vehicle::VehicleId;
@@ -32,9 +33,24 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::Task => Stroke::dotted(Role::Info),
         SketchKind::Fence => Stroke::dashed(Role::Warning),
         SketchKind::KeepOut => Stroke::dotted(Role::Danger),
+        SketchKind::NoFly => Stroke::dense(Role::Danger),
+        SketchKind::Jamming => Stroke::dashed(Role::Accent),
+        SketchKind::People => Stroke::dotted(Role::Warning),
+        SketchKind::Radio => Stroke::dotted(Role::Accent),
         SketchKind::Plan => Stroke::dense(Role::Info),
         SketchKind::Rally => Stroke::dotted(Role::Title),
         SketchKind::Course => Stroke::sparse(Role::Accent),
+    }
+}
+
+/// What stands before the name of an area, so that its kind shows without colours too.
+pub const fn sign(kind: SketchKind) -> &'static str {
+    match kind {
+        SketchKind::NoFly => "x ",
+        SketchKind::Jamming => "~ ",
+        SketchKind::People => "& ",
+        SketchKind::Radio => "% ",
+        _ => "",
     }
 }
 
@@ -58,6 +74,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     }
     draw_ways(state, view, &mut canvas, &mut labels);
     draw_homes(state, view, &mut labels);
+    draw_movers(state, view, &mut canvas, &mut labels);
     labels.extend(finds::labels(state, view));
     let map = &state.rooms.map;
     if let Some(mark) = map.mark {
@@ -119,7 +136,7 @@ fn draw_sketch(sketch: &Sketch, view: &Viewport, canvas: &mut Canvas, labels: &m
     if let Some((column, row)) = corner.min_by_key(|&(column, row)| (row, column)) {
         labels.push(Label {
             cell: (column + u16::from(points.len() > 1), row),
-            text: sketch.label.clone(),
+            text: format!("{}{}", sign(sketch.kind), sketch.label),
             role: stroke.role,
         });
     }
@@ -196,4 +213,26 @@ fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
         text: "H".to_owned(),
         role: Role::Title,
     }));
+}
+
+/// People, aircraft and drones of others, with what has to be kept clear around them.
+fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
+    let movers = state.session.mission.iter().flat_map(|it| &it.movers);
+    for mover in movers {
+        let (letter, role) = match mover.kind {
+            MoverKind::Person => ('P', Role::Warning),
+            MoverKind::Aircraft => ('A', Role::Danger),
+            MoverKind::Intruder => ('U', Role::Danger),
+        };
+        let around = Outline::Circle {
+            centre: mover.at,
+            radius_m: mover.keep_out_m,
+        };
+        outline(&around.corners(), view, canvas, Stroke::dotted(role));
+        labels.extend(view.cell(mover.at).map(|cell| Label {
+            cell,
+            text: format!("{letter}:{}", mover.name),
+            role,
+        }));
+    }
 }

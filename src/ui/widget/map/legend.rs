@@ -8,7 +8,9 @@ use super::canvas::Stroke;
 use super::finds;
 use super::ground::{RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
-use crate::app::room::map::SketchKind::{Course, Fence, KeepOut, Plan, Rally, Task};
+use crate::app::room::map::SketchKind::{
+    Course, Fence, Jamming, KeepOut, NoFly, People, Plan, Radio, Rally, Task,
+};
 use crate::app::room::map::{leg, sketches};
 use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
@@ -97,14 +99,17 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         .iter()
         .filter(|(trust, ..)| finds::has(state, *trust));
     let finds = finds.map(|(_, sign, role, id)| (format!("{sign}c1"), *role, *id));
+    let movers = state.session.mission.as_ref();
+    let movers = movers.is_some_and(|it| !it.movers.is_empty());
+    let movers = movers.then(|| ("P A U".to_owned(), Role::Danger, "map-legend-movers"));
     let strokes = strokes(state).into_iter().filter(|(shown, ..)| *shown);
     let strokes = strokes.map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
-    let signs = signs.into_iter().chain(finds);
+    let signs = signs.into_iter().chain(finds).chain(movers);
     signs.chain(strokes).map(row).collect()
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 9] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 13] {
     let map = &state.rooms.map;
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
@@ -117,6 +122,10 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 9] {
         (has(Task), stroke(Task), "map-legend-task"),
         (has(Fence), stroke(Fence), "map-legend-fence"),
         (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),
+        (has(NoFly), stroke(NoFly), "map-legend-no-fly"),
+        (has(Jamming), stroke(Jamming), "map-legend-jamming"),
+        (has(People), stroke(People), "map-legend-people"),
+        (has(Radio), stroke(Radio), "map-legend-radio"),
         (has(Plan), stroke(Plan), "map-legend-plan"),
         (has(Rally), stroke(Rally), "map-legend-rally"),
         (has(Course), stroke(Course), "map-legend-course"),

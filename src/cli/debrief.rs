@@ -1,0 +1,82 @@
+//! `sortie debrief`: a recorded run is scored again, and its debrief printed.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+
+use super::Failure;
+use super::settings::Settings;
+use crate::debrief;
+use crate::mission::record::Stored;
+use crate::store::{self, Runs};
+use crate::text;
+use crate::text::{Locale, Text};
+
+/// Options of `sortie debrief`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie debrief                             the newest run of the console\n  \
+    sortie debrief last --json\n  \
+    sortie debrief runs/2026-11-20T14-03-22Z_01-air-sample_4711-00.run.jsonl")]
+pub(super) struct DebriefArguments {
+    /// A recorded run, or `last`: the newest one that the console has recorded.
+    #[arg(default_value = "last", value_name = "FILE")]
+    run: String,
+    /// One JSON document instead of the debrief.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Scores the run again, prints, and says what differs from when it was flown. The exit code tells whether the
+/// mission was passed.
+pub(super) fn debrief(
+    options: &DebriefArguments,
+    settings: &Settings,
+) -> Result<ExitCode, Failure> {
+    let locale = Locale::new(settings.config.lang.unwrap_or_default());
+    let folders = settings.folders.as_ref();
+    let runs = folders.map(|folders| Runs::within(&folders.data));
+    let path = match (options.run.as_str(), &runs) {
+        ("last", Some(runs)) => runs.newest().ok_or_else(|| {
+            let folder = runs.folder().display().to_string();
+            invalid(&text!("record-no-runs", folder = folder), &locale)
+        })?,
+        (path, _) => PathBuf::from(path),
+    };
+    let name = path.display().to_string();
+    let faulty = |fault: Text| {
+        invalid(
+            &Text::joined(": ", vec![name.as_str().into(), fault]),
+            &locale,
+        )
+    };
+    let text = store::read_run(&path).map_err(|error| faulty(error.to_string().into()))?;
+    let stored = Stored::read(&text).map_err(faulty)?;
+    let again = stored.rescore().map_err(faulty)?;
+    if let Some(damage) = &stored.damage {
+        eprintln!("sortie: {name}: {}", locale.text(damage));
+    }
+    let mut report = again.report;
+    if let Some(before) = again.before.filter(|before| before.score != report.score) {
+        let (before, now) = (before.score, report.score);
+        let text = text!("record-differs", before = before, now = now);
+        eprintln!("sortie: {name}: {}", locale.text(&text));
+    }
+    let tries = runs.map_or_else(Vec::new, |runs| runs.tries(&report.mission));
+    report.tries = tries
+        .into_iter()
+        .filter(|one| one.revision == report.revision)
+        .collect();
+    report.drill = store::drill_of(&report.mission);
+    if options.json {
+        say!("{}", serde_json::to_string_pretty(&report)?)?;
+    } else {
+        say!("{}", debrief::text(&report, &locale).trim_end())?;
+    }
+    Ok(ExitCode::from(u8::from(!report.passed)))
+}
+
+fn invalid(text: &Text, locale: &Locale) -> Failure {
+    Failure::Invalid(format!("sortie: {}", locale.text(text)))
+}

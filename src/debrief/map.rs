@@ -1,0 +1,262 @@
+//! The truth on a map of letters: what was there, what was found of it, and what was never looked at.
+
+use super::Page;
+use crate::scoring::{ObjectReport, TruthReport};
+use crate::text;
+use crate::text::Text;
+
+/// The size of the map at most; a row is twice as high as a column is wide.
+const COLUMNS: usize = 72;
+const ROWS: usize = 22;
+/// Weak to strong.
+const SHADES: [char; 6] = ['.', ':', '-', '+', '*', '#'];
+/// Squares weaker than this are left blank.
+const FAINT: f64 = 0.03;
+/// Things that are named below the map.
+const NAMED: usize = 6;
+
+/// What the signs mean, by the id of the words; those that lie above others come last.
+const SIGNS: [(char, &str); 8] = [
+    ('?', "debrief-sign-gap"),
+    ('~', "debrief-sign-track"),
+    ('P', "debrief-sign-pad"),
+    ('d', "debrief-sign-decoy"),
+    ('F', "debrief-sign-false"),
+    ('v', "debrief-sign-mark"),
+    ('O', "debrief-sign-found"),
+    ('X', "debrief-sign-missed"),
+];
+
+impl Page<'_> {
+    /// Nothing where there was nothing to be known.
+    pub(super) fn map(&mut self, truth: &TruthReport) {
+        let is_known = !truth.squares.is_empty()
+            || !truth.objects.is_empty()
+            || !truth.marks.is_empty()
+            || !truth.gaps.is_empty();
+        let Some(mut canvas) = Canvas::around(truth).filter(|_| is_known) else {
+            return;
+        };
+        self.heading("debrief-truth");
+        canvas.draw(truth);
+        for row in &canvas.rows {
+            let row: String = row.iter().collect();
+            self.line(&format!("  |{row}|"));
+        }
+        self.wrapped("  ", &canvas.legend());
+        self.missed(truth);
+        self.gap();
+    }
+
+    /// What was found, and where the rest was.
+    fn missed(&mut self, truth: &TruthReport) {
+        let real = truth.objects.iter().filter(|object| object.kind != "decoy");
+        let (found, missed): (Vec<&ObjectReport>, Vec<_>) =
+            real.partition(|object| object.found || !object.present);
+        let wrong = truth.marks.iter().filter(|mark| !mark.right).count();
+        if found.len() + missed.len() + wrong > 0 {
+            let (found, all) = (found.len(), found.len() + missed.len());
+            let text = text!("debrief-found", found = found, all = all, wrong = wrong);
+            self.wrapped("  ", &text);
+        }
+        for object in missed.iter().take(NAMED) {
+            let [east, north] = object.at.map(|axis| format!("{axis:.0}"));
+            let kind = object.kind.as_str();
+            let text = text!("debrief-missed", kind = kind, north = north, east = east);
+            self.wrapped("    ", &text);
+        }
+    }
+}
+
+struct Canvas {
+    rows: Vec<Vec<char>>,
+    /// The north-west corner, in metres.
+    corner: [f64; 2],
+    /// Metres per column.
+    scale_m: f64,
+}
+
+impl Canvas {
+    /// A canvas that all of it fits on; `None` where there is nothing.
+    fn around(truth: &TruthReport) -> Option<Self> {
+        let strong = truth
+            .squares
+            .iter()
+            .filter(|square| square.strength >= FAINT);
+        let squares = strong.chain(&truth.gaps).map(|square| square.at);
+        let objects = truth.objects.iter().map(|object| object.at);
+        let marks = truth.marks.iter().map(|mark| mark.at);
+        let tracks = truth
+            .tracks
+            .iter()
+            .flat_map(|track| track.points.iter().copied());
+        let all = squares.chain(objects).chain(marks).chain(tracks);
+        let all = all.chain(truth.pads.iter().copied());
+        let bounds = all.fold(None, |bounds: Option<([f64; 2], [f64; 2])>, at| {
+            let (low, high) = bounds.unwrap_or((at, at));
+            let low = [low[0].min(at[0]), low[1].min(at[1])];
+            Some((low, [high[0].max(at[0]), high[1].max(at[1])]))
+        });
+        let (low, high) = bounds?;
+        let (width_m, height_m) = (high[0] - low[0], high[1] - low[1]);
+        let scale_m = (width_m / (COLUMNS - 1) as f64)
+            .max(height_m / 2.0 / (ROWS - 1) as f64)
+            .max(0.5);
+        let columns = (width_m / scale_m).round() as usize + 1;
+        let rows = (height_m / 2.0 / scale_m).round() as usize + 1;
+        Some(Self {
+            rows: vec![vec![' '; columns.min(COLUMNS)]; rows.min(ROWS)],
+            corner: [low[0], high[1]],
+            scale_m,
+        })
+    }
+
+    fn draw(&mut self, truth: &TruthReport) {
+        self.shade(truth);
+        for gap in &truth.gaps {
+            self.put(gap.at, '?');
+        }
+        for at in truth.tracks.iter().flat_map(|track| &track.points) {
+            self.put(*at, '~');
+        }
+        for pad in &truth.pads {
+            self.put(*pad, 'P');
+        }
+        for mark in &truth.marks {
+            self.put(mark.at, if mark.right { 'v' } else { 'F' });
+        }
+        for object in &truth.objects {
+            let sign = match (object.kind.as_str(), object.found || !object.present) {
+                ("decoy", _) => 'd',
+                (_, true) => 'O',
+                (_, false) => 'X',
+            };
+            self.put(object.at, sign);
+        }
+    }
+
+    /// Every place of the canvas by the square that it lies in.
+    fn shade(&mut self, truth: &TruthReport) {
+        let strong = truth
+            .squares
+            .iter()
+            .filter(|square| square.strength >= FAINT);
+        for square in strong {
+            let half = square.side_m / 2.0;
+            let [west, north] = [square.at[0] - half, square.at[1] + half];
+            let across = (square.side_m / self.scale_m).ceil().max(1.0) as usize;
+            let down = (square.side_m / 2.0 / self.scale_m).ceil().max(1.0) as usize;
+            let step = square.strength * (SHADES.len() - 1) as f64;
+            let shade = SHADES[(step.round() as usize).min(SHADES.len() - 1)];
+            for (column, row) in
+                (0..across).flat_map(|column| (0..down).map(move |row| (column, row)))
+            {
+                let east = west + (column as f64 + 0.5) / across as f64 * square.side_m;
+                let south = north - (row as f64 + 0.5) / down as f64 * square.side_m;
+                self.put([east, south], shade);
+            }
+        }
+    }
+
+    fn put(&mut self, at: [f64; 2], sign: char) {
+        let column = ((at[0] - self.corner[0]) / self.scale_m).round();
+        let row = ((self.corner[1] - at[1]) / 2.0 / self.scale_m).round();
+        if column < 0.0 || row < 0.0 {
+            return;
+        }
+        let place = self.rows.get_mut(row as usize);
+        if let Some(place) = place.and_then(|row| row.get_mut(column as usize)) {
+            *place = sign;
+        }
+    }
+
+    /// What the signs that stand on it mean, and its scale.
+    fn legend(&self) -> Text {
+        let stands = |sign: char| self.rows.iter().any(|row| row.contains(&sign));
+        let signs = SIGNS.iter().filter(|(sign, _)| stands(*sign));
+        let mut parts: Vec<Text> = signs
+            .map(|(sign, words)| {
+                let words = Text::new(*words, Vec::new());
+                text!("debrief-sign", sign = *sign, meaning = words)
+            })
+            .collect();
+        if SHADES.iter().any(|shade| stands(*shade)) {
+            let shades: String = SHADES.iter().collect();
+            parts.push(text!("debrief-sign-shades", shades = shades));
+        }
+        let scale = format!("{:.1}", self.scale_m);
+        parts.push(text!("debrief-scale", metres = scale));
+        Text::joined("   ", parts)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::debrief::text as debrief;
+    use crate::scoring::{MarkReport, SquareReport, TrackReport};
+    use crate::text::{Language, Locale};
+
+    fn object(at: [f64; 2], kind: &str, found: bool) -> ObjectReport {
+        ObjectReport {
+            at,
+            kind: kind.to_owned(),
+            present: true,
+            found,
+        }
+    }
+
+    fn truth() -> TruthReport {
+        let square = |at, strength| SquareReport {
+            at,
+            side_m: 20.0,
+            strength,
+        };
+        let mark = |at, right| MarkReport {
+            at,
+            kind: Some("mine".to_owned()),
+            right,
+        };
+        TruthReport {
+            squares: vec![square([10.0, 90.0], 1.0), square([30.0, 90.0], 0.4)],
+            objects: vec![
+                object([50.0, 40.0], "mine", true),
+                object([70.0, 20.0], "mine", false),
+                object([20.0, 20.0], "decoy", false),
+            ],
+            marks: vec![mark([50.4, 40.0], true), mark([90.0, 60.0], false)],
+            gaps: vec![square([90.0, 90.0], 0.0)],
+            pads: vec![[0.0, 0.0]],
+            tracks: vec![TrackReport {
+                vehicle: 1,
+                points: (0..10).map(|step| [f64::from(step) * 5.0, 10.0]).collect(),
+            }],
+        }
+    }
+
+    #[test]
+    fn the_truth_on_the_map_reads_like_this() {
+        let mut report = crate::mission::fake::do_nothing().report();
+        report.truth = truth();
+        for language in Language::ALL {
+            let text = debrief(&report, &Locale::new(language));
+            let lines = text.lines().skip_while(|line| !line.starts_with("  |"));
+            let map: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
+            let name = format!("map_{}", language.code());
+            insta::assert_snapshot!(name, map.join("\n"));
+        }
+    }
+
+    #[test]
+    fn a_map_of_any_extent_fits_on_the_page() {
+        for extent in [0.0, 1.0, 500.0, 20_000.0] {
+            let mut truth = truth();
+            truth.pads.push([extent, -extent]);
+            let mut canvas = Canvas::around(&truth).expect("there is something");
+            canvas.draw(&truth);
+            assert!(canvas.rows.len() <= ROWS && canvas.rows[0].len() <= COLUMNS);
+            assert!(canvas.rows.iter().any(|row| row.contains(&'P')));
+        }
+        assert!(Canvas::around(&TruthReport::default()).is_none());
+    }
+}

@@ -1,0 +1,79 @@
+//! The one line of feedback during a flight: the newest thing that matters, and never a stream of them.
+
+use std::time::Duration;
+
+use crate::notice::Notice;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// No more than one new item in this time, unless it is critical.
+const CALM_FOR: Duration = Duration::from_secs(5);
+
+/// What the line says.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Feedback {
+    shown: Option<(Duration, Text)>,
+    /// The most important of what came since, the newest of equals.
+    waiting: Option<(Severity, Text)>,
+}
+
+impl Feedback {
+    /// Takes in what was said in a step.
+    pub fn hear(&mut self, notices: &[Notice], now: Duration) {
+        for notice in notices {
+            if notice.severity <= Severity::Critical {
+                self.shown = Some((now, notice.text.clone()));
+                self.waiting = None;
+            } else if self
+                .waiting
+                .as_ref()
+                .is_none_or(|(severity, _)| notice.severity <= *severity)
+            {
+                self.waiting = Some((notice.severity, notice.text.clone()));
+            }
+        }
+        let is_calm = self
+            .shown
+            .as_ref()
+            .is_none_or(|(since, _)| now.saturating_sub(*since) >= CALM_FOR);
+        if is_calm && let Some((_, text)) = self.waiting.take() {
+            self.shown = Some((now, text));
+        }
+    }
+
+    /// What it says now.
+    pub fn line(&self) -> Option<&Text> {
+        self.shown.as_ref().map(|(_, text)| text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_new_item_waits_for_its_turn_unless_it_is_critical() {
+        let mut feedback = Feedback::default();
+        for (at_s, said, shown) in [
+            (0, Some((Severity::Info, "cell A1")), "cell A1"),
+            (1, Some((Severity::Warning, "fence")), "cell A1"),
+            (2, Some((Severity::Info, "cell A2")), "cell A1"),
+            (5, None, "fence"),
+            (6, Some((Severity::Info, "cell A3")), "fence"),
+            (7, Some((Severity::Critical, "person")), "person"),
+            (20, None, "person"),
+            (21, Some((Severity::Info, "cell A4")), "cell A4"),
+        ] {
+            let now = Duration::from_secs(at_s);
+            let notice = said.map(|(severity, text)| Notice {
+                at: now,
+                vehicle: None,
+                severity,
+                text: text.into(),
+            });
+            feedback.hear(notice.as_slice(), now);
+            let line = feedback.line().map(ToString::to_string);
+            assert_eq!(line.as_deref(), Some(shown), "{at_s}");
+        }
+    }
+}

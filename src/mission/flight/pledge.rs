@@ -1,0 +1,75 @@
+//! What the trainee said before launch against what came of it.
+
+use super::{Flight, Outcome};
+use crate::commands::Goal;
+use crate::scoring::{CommandTally, Facts, GoalReport, PredictionReport, Score};
+use crate::text;
+use crate::text::Text;
+
+impl Flight {
+    pub(super) fn prediction_report(&self, score: &Score) -> Option<PredictionReport> {
+        let predicted = self.pledge.prediction?;
+        Some(PredictionReport {
+            predicted,
+            error: i32::from(score.points) - i32::from(predicted),
+        })
+    }
+
+    /// How the goal went. A flight that fails reaches none: ending early is no way to be fast or safe.
+    pub(super) fn goal_report(&self, facts: &Facts, score: &Score) -> Option<GoalReport> {
+        let goal = self.pledge.goal?;
+        let (text, kept, result) = self.goal_result(goal, facts, score);
+        Some(GoalReport {
+            text,
+            reached: kept && self.ended == Some(Outcome::Passed),
+            result,
+        })
+    }
+
+    /// The goal in words, whether it was kept, and what came of it.
+    fn goal_result(&self, goal: Goal, facts: &Facts, score: &Score) -> (Text, bool, Text) {
+        match goal {
+            Goal::Time(most) => {
+                let used_s = facts.elapsed.as_secs_f64();
+                let result = text!("mission-goal-time-result", seconds = format!("{used_s:.0}"));
+                let text = text!("mission-goal-time", seconds = most.as_secs());
+                (text, facts.elapsed <= most, result)
+            }
+            Goal::Battery(least) => {
+                let flown = self.crafts.iter().filter(|craft| craft.flown);
+                let left = flown.filter_map(|craft| craft.battery_percent);
+                let left = left.min_by(f64::total_cmp);
+                let result = match left {
+                    Some(left) => text!(
+                        "mission-goal-battery-result",
+                        percent = format!("{left:.0}")
+                    ),
+                    None => text!("mission-goal-battery-unknown"),
+                };
+                let text = text!("mission-goal-battery", percent = format!("{least:.0}"));
+                (text, left.is_some_and(|left| left >= least), result)
+            }
+            Goal::Safety => {
+                let count = facts.safety.len();
+                let result = text!("mission-goal-safety-result", count = count);
+                (text!("mission-goal-safety"), count == 0, result)
+            }
+            Goal::Commands => {
+                let CommandTally { rejected, .. } = facts.commands;
+                let result = text!("mission-goal-commands-result", count = rejected);
+                (text!("mission-goal-commands"), rejected == 0, result)
+            }
+            Goal::Attention => {
+                let late = facts.alerts.iter().filter(|alert| !alert.is_in_time());
+                let (late, all) = (late.count(), facts.alerts.len());
+                let result = text!("mission-goal-attention-result", count = late, all = all);
+                (text!("mission-goal-attention"), late == 0, result)
+            }
+            Goal::Score(least) => {
+                let result = text!("mission-goal-score-result", points = score.points);
+                let text = text!("mission-goal-score", points = least);
+                (text, score.points >= least, result)
+            }
+        }
+    }
+}

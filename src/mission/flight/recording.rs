@@ -1,0 +1,34 @@
+//! The record of a flight, while it is flown.
+
+use super::Flight;
+use crate::ledger::Ledger;
+use crate::mission::record::{Head, Recorder};
+use crate::scoring::Report;
+
+impl Flight {
+    /// Records everything that the flight is shown and asked from now on, before its first step; the mission, seed
+    /// and try of the head are the flight's own. `when` is the time of day in UTC, `backend` what flies.
+    pub fn start_record(&mut self, when: &str, backend: &str) {
+        let head = Head::of(&self.mission, self.seed, self.attempt);
+        self.recorder = Some(Box::new(Recorder::new(&Head {
+            backend: backend.to_owned(),
+            when: when.to_owned(),
+            ..head
+        })));
+    }
+
+    /// What was recorded since the last call: whole lines.
+    pub fn take_record(&mut self) -> String {
+        let recorder = self.recorder.as_mut();
+        recorder.map_or_else(String::new, |recorder| recorder.take())
+    }
+
+    /// The report, and the end of the record.
+    pub fn close(&mut self, ledger: &Ledger) -> Report {
+        let report = self.report(ledger);
+        if let Some(recorder) = &mut self.recorder {
+            recorder.end(ledger, &report);
+        }
+        report
+    }
+}

@@ -1,0 +1,79 @@
+//! How the vehicles are put to use, and how their operator handles them.
+
+use super::Flight;
+use crate::ledger::{Entry, Ledger};
+use crate::mission::usage::{Look, Usage};
+use crate::scoring::{SwarmFigures, VehicleUse};
+use crate::vehicle::VehicleId;
+
+/// Commands under which a vehicle that stands still does what it was told to.
+const STATIONS: [&str; 5] = ["relay", "formation", "follow", "orbit", "search"];
+/// Words to the mission, which no vehicle hears.
+const DEEDS: [&str; 5] = ["mark", "unmark", "predict", "goal", "hint"];
+
+impl Flight {
+    /// Takes the tick into the account of every vehicle.
+    pub(super) fn step_usage(&mut self, ledger: &Ledger) {
+        let commanded = self.note_orders(ledger);
+        for (craft, usage) in self.crafts.iter().zip(&mut self.usage) {
+            let flies = craft.airborne && !craft.lost;
+            let at = craft.at.filter(|_| flies);
+            let samples = at.is_some_and(|at| {
+                self.surveys
+                    .iter()
+                    .any(|survey| survey.wants(at, craft.height_m, craft.speed_m_s))
+            });
+            let latest = ledger
+                .entries()
+                .rev()
+                .find(|entry| is_order_to(entry, craft.id));
+            let on_station = latest.is_some_and(|entry| STATIONS.contains(&&*entry.verb));
+            let look = Look {
+                airborne_at: at.map(|[east, north]| [east, north, craft.height_m]),
+                busy: samples || on_station,
+                commanded: commanded.contains(&craft.id),
+            };
+            usage.step(look, &mut self.swarm);
+        }
+    }
+
+    /// How the operator handles the swarm so far.
+    pub(super) fn swarm_figures(&self) -> SwarmFigures {
+        let flown = self.crafts.iter().filter(|craft| craft.flown).count();
+        self.swarm.figures(flown, self.elapsed)
+    }
+
+    /// How each vehicle that the mission wants was used; those that nobody has heard were not.
+    pub(super) fn vehicle_uses(&self) -> Vec<VehicleUse> {
+        let mut uses: Vec<VehicleUse> = self.usage.iter().map(Usage::totals).collect();
+        uses.resize(self.mission.vehicles.max(uses.len()), VehicleUse::default());
+        uses
+    }
+
+    /// Takes down the commands that are new; returns the vehicles that they were for.
+    fn note_orders(&mut self, ledger: &Ledger) -> Vec<VehicleId> {
+        let newest = self.ordered.as_ref().map(|(id, _)| *id);
+        let new = ledger.entries().rev();
+        let mut new: Vec<&Entry> = new.take_while(|entry| Some(entry.id) > newest).collect();
+        new.reverse();
+        let mut commanded = Vec::new();
+        for entry in new.into_iter().filter(|entry| !is_deed(entry)) {
+            let targets: Vec<VehicleId> = entry.rows.iter().map(|row| row.vehicle).collect();
+            let before = self.ordered.as_ref().map(|(_, targets)| targets);
+            let switched = before.is_some_and(|before| *before != targets);
+            let order = (self.elapsed, targets.len(), switched);
+            self.swarm.commands.push(order);
+            commanded.extend(&targets);
+            self.ordered = Some((entry.id, targets));
+        }
+        commanded
+    }
+}
+
+fn is_deed(entry: &Entry) -> bool {
+    DEEDS.contains(&&*entry.verb)
+}
+
+fn is_order_to(entry: &Entry, vehicle: VehicleId) -> bool {
+    !is_deed(entry) && entry.rows.iter().any(|row| row.vehicle == vehicle)
+}

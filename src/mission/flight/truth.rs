@@ -1,0 +1,116 @@
+//! What the debrief reveals.
+
+use super::Flight;
+use crate::mission::Point;
+use crate::mission::hazard::{Class, TruthShape};
+use crate::mission::report::{Mark, distance_m};
+use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport, rounded};
+
+/// Points of a track are this far apart.
+const TRACK_STEP_M: f64 = 5.0;
+/// A track has no more points than this.
+const TRACK_POINTS: usize = 2000;
+
+impl Flight {
+    /// Keeps where the vehicles in the air are.
+    pub(super) fn note_tracks(&mut self) {
+        self.tracks.resize(self.crafts.len(), Vec::new());
+        for (craft, track) in self.crafts.iter().zip(&mut self.tracks) {
+            let Some(at) = craft.at.filter(|_| craft.airborne && !craft.lost) else {
+                continue;
+            };
+            let far = track
+                .last()
+                .is_none_or(|&last| distance_m(last, at) >= TRACK_STEP_M);
+            if far && track.len() < TRACK_POINTS {
+                track.push(at);
+            }
+        }
+    }
+
+    /// The truth as it is now.
+    pub(super) fn truth_report(&self) -> TruthReport {
+        let mut truth = TruthReport {
+            pads: self.mission.pads.iter().map(|&pad| tenths(pad)).collect(),
+            ..TruthReport::default()
+        };
+        let mut found = vec![false; self.marks.all().len()];
+        for piece in self.world.truth() {
+            match piece.shape {
+                TruthShape::Square(side_m, strength) => truth.squares.push(SquareReport {
+                    at: tenths(piece.at),
+                    side_m: rounded(side_m, 1),
+                    strength: rounded(strength.clamp(0.0, 1.0), 2),
+                }),
+                TruthShape::Object(class, present) => {
+                    let hits = self.marks.all().iter().enumerate();
+                    let hits = hits.filter(|(_, mark)| is_meant(mark, class, piece.at));
+                    let hits: Vec<usize> = hits.map(|(index, _)| index).collect();
+                    hits.iter().for_each(|&index| found[index] = true);
+                    truth.objects.push(ObjectReport {
+                        at: tenths(piece.at),
+                        kind: class.kind().unwrap_or("decoy").to_owned(),
+                        present,
+                        found: !hits.is_empty(),
+                    });
+                }
+            }
+        }
+        let marks = self.marks.all().iter().zip(found);
+        truth.marks = marks
+            .map(|(mark, right)| mark_report(mark, right))
+            .collect();
+        truth.gaps = self.gaps();
+        truth.tracks = self.track_reports();
+        truth
+    }
+
+    fn track_reports(&self) -> Vec<TrackReport> {
+        let crafts = self.crafts.iter().zip(&self.tracks);
+        let flown = crafts.filter(|(_, track)| !track.is_empty());
+        let report = |(craft, track): (&super::Craft, &Vec<Point>)| TrackReport {
+            vehicle: craft.id,
+            points: track.iter().map(|&at| tenths(at)).collect(),
+        };
+        flown.map(report).collect()
+    }
+
+    /// The cells that nobody has sampled.
+    fn gaps(&self) -> Vec<SquareReport> {
+        let of = |survey: &super::Survey| {
+            let cells = survey.plan.cells.iter().enumerate();
+            let open = cells.filter(|(index, _)| !survey.is_sampled(*index));
+            let gap = |(_, cell): (usize, &crate::mission::survey::CellPlan)| SquareReport {
+                at: tenths(cell.centre),
+                side_m: rounded(survey.plan.side_m, 1),
+                strength: 0.0,
+            };
+            open.map(gap).collect::<Vec<_>>()
+        };
+        self.surveys.iter().flat_map(of).collect()
+    }
+}
+
+/// Whether a report can only mean this object: near it, and of its kind if it names one.
+fn is_meant(mark: &Mark, class: Class, at: Point) -> bool {
+    let within_m = match class {
+        Class::MetalMine | Class::MinimumMetalMine | Class::SurfaceMine => 2.0,
+        _ => 15.0,
+    };
+    let same = class
+        .kind()
+        .is_some_and(|kind| mark.kind.is_none_or(|said| said == kind));
+    same && distance_m(mark.at, at) <= within_m
+}
+
+fn mark_report(mark: &Mark, right: bool) -> MarkReport {
+    MarkReport {
+        at: tenths(mark.at),
+        kind: mark.kind.map(str::to_owned),
+        right,
+    }
+}
+
+fn tenths(at: Point) -> Point {
+    at.map(|axis| rounded(axis, 1))
+}

@@ -1,0 +1,88 @@
+//! Hints: those that show by themselves in a phase of the flight, and those that the trainee asks for at a price.
+
+use serde::Deserialize;
+
+use crate::text::Text;
+
+/// Advice that fits a phase of the flight, shown by itself.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Hint {
+    /// When it is shown.
+    pub phase: Phase,
+    /// What it says; `{next_cell}` stands for the next cell to sample.
+    pub text: Text,
+}
+
+/// Phases of a flight, for hints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Phase {
+    /// No vehicle is armed, not everything is done.
+    Ground,
+    /// A vehicle is armed, none flies.
+    Armed,
+    /// A vehicle flies, not everything is done.
+    Air,
+    /// All but the landing is done.
+    Done,
+}
+
+/// Advice that has to be asked for, and costs points by its level from the second try on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Clue {
+    /// 1: where to look; 2: what to do; 3: how to do it, step by step.
+    pub level: u8,
+    /// The only phase that it fits, if it is made for one.
+    pub phase: Option<Phase>,
+    /// The id of the objective that it helps with, if it is made for one: of no use once that is met.
+    pub objective: Option<String>,
+    /// What it says; `{next_cell}` stands for the next cell to sample.
+    pub text: Text,
+}
+
+/// Which of them fits now: of those not given that fit phase and open objectives, the first of the lowest level.
+pub(super) fn next_clue(
+    clues: &[Clue],
+    given: &[usize],
+    phase: Phase,
+    is_open: impl Fn(&str) -> bool,
+) -> Option<usize> {
+    let fits = |clue: &Clue| {
+        clue.phase.is_none_or(|wanted| wanted == phase)
+            && clue.objective.as_deref().is_none_or(&is_open)
+    };
+    let open = clues.iter().enumerate();
+    let open = open.filter(|(index, clue)| !given.contains(index) && fits(clue));
+    open.min_by_key(|(_, clue)| clue.level)
+        .map(|(index, _)| index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clue(level: u8, phase: Option<Phase>, objective: Option<&str>) -> Clue {
+        Clue {
+            level,
+            phase,
+            objective: objective.map(str::to_owned),
+            text: Text::default(),
+        }
+    }
+
+    #[test]
+    fn the_next_clue_fits_phase_and_open_objectives_and_is_the_mildest() {
+        let clues = [
+            clue(3, None, Some("find")),
+            clue(2, Some(Phase::Air), None),
+            clue(1, None, Some("cover")),
+        ];
+        let next = |given: &[usize], phase, open: &[&str]| {
+            next_clue(&clues, given, phase, |id| open.contains(&id))
+        };
+        assert_eq!(next(&[], Phase::Air, &["find", "cover"]), Some(2));
+        assert_eq!(next(&[2], Phase::Air, &["find", "cover"]), Some(1));
+        assert_eq!(next(&[2], Phase::Ground, &["find"]), Some(0));
+        assert_eq!(next(&[2], Phase::Ground, &["cover"]), None);
+    }
+}

@@ -1,0 +1,317 @@
+//! The flight recorder: everything that a flight was shown and asked, as lines of JSON, from which it can be scored
+//! again.
+//!
+//! The first line is the [`Head`]: the mission's own text, the seed, the try. Then come ticks in which something
+//! changed (vehicles and rows of the ledger), deeds, and what else befell the flight, in their order. The last line is
+//! the [`End`]: what it was scored. A [`Flight`](super::Flight) is a function of these lines, so a stored run that was
+//! cut off is scored up to where it goes.
+//!
+//! Numbers of telemetry are kept as the integers that messages carry, so that what is read back is what was heard.
+//! Explanations of refusals are kept in English.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Mission, TICK};
+use crate::commands::Deed;
+use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
+use crate::scoring::{Medal, Report};
+use crate::vehicle::{Vehicle, VehicleId};
+
+mod observed;
+mod replay;
+
+use observed::{Observed, Watched};
+pub use replay::{Rescored, Stored};
+
+/// The version of the format.
+const VERSION: u32 = 1;
+
+/// What a recorded flight was.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Head {
+    /// The version of the format.
+    pub sortie_run: u32,
+    /// Id of the mission.
+    pub mission: String,
+    /// Its revision.
+    pub revision: u32,
+    /// Seed of hazards and sensors.
+    pub seed: u64,
+    /// Which try it was, from 1.
+    pub attempt: u32,
+    /// What flew: `embedded` or `ardupilot`.
+    pub backend: String,
+    /// When it began, in UTC: `2026-11-20T14:03:22Z`.
+    pub when: String,
+    /// The program that recorded it.
+    pub program: String,
+    /// The mission file.
+    pub source: String,
+}
+
+impl Head {
+    /// That of a flight that begins; the backend and the time of day are for the caller to say.
+    pub(super) fn of(mission: &Mission, seed: u64, attempt: u32) -> Self {
+        Self {
+            sortie_run: VERSION,
+            mission: mission.id.clone(),
+            revision: mission.rev,
+            seed,
+            attempt,
+            backend: String::new(),
+            when: String::new(),
+            program: env!("SORTIE_VERSION").to_owned(),
+            source: mission.source.clone(),
+        }
+    }
+}
+
+/// What a recorded flight was scored.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct End {
+    /// 0 to 1000.
+    pub score: u16,
+    /// The medal, if one was earned.
+    pub medal: Option<Medal>,
+    /// Whether the mission was passed.
+    pub passed: bool,
+    /// Mission time used, in seconds.
+    pub sim_time_s: f64,
+}
+
+impl End {
+    /// The end in a line, if it is one.
+    pub fn of_line(line: &[u8]) -> Option<Self> {
+        match serde_json::from_slice(line) {
+            Ok(Line::End { end, .. }) => Some(end),
+            _ => None,
+        }
+    }
+}
+
+/// One line after the head.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Line {
+    /// A step, and what had changed since the one before. Steps in which nothing did have no line.
+    Tick {
+        /// Mission time in ms.
+        t: u64,
+        #[serde(flatten)]
+        change: Change,
+    },
+    /// [`Flight::act`](super::Flight::act).
+    Act {
+        deed: Deed,
+        vehicles: Vec<VehicleId>,
+    },
+    /// [`Flight::lose`](super::Flight::lose).
+    Lose {
+        vehicle: VehicleId,
+        #[serde(flatten)]
+        change: Change,
+    },
+    /// [`Flight::inject`](super::Flight::inject).
+    Inject { name: String },
+    /// [`Flight::abandon`](super::Flight::abandon).
+    Abandon,
+    /// What became of commands after the last step, and the score.
+    End {
+        t: u64,
+        #[serde(flatten)]
+        change: Change,
+        end: End,
+    },
+}
+
+/// What has changed.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+struct Change {
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    v: Vec<Observed>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    e: Vec<EntryLine>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    r: Vec<RowLine>,
+}
+
+/// A command that was given.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct EntryLine {
+    id: u32,
+    line: String,
+    verb: String,
+    #[serde(default, skip_serializing_if = "is_none")]
+    risk: Risk,
+    vehicles: Vec<VehicleId>,
+}
+
+/// What became of it with one vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct RowLine {
+    id: u32,
+    vehicle: VehicleId,
+    state: RowState,
+    tries: u8,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    why: Option<String>,
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "the serialiser passes references"
+)]
+fn is_none(risk: &Risk) -> bool {
+    *risk == Risk::None
+}
+
+/// Writes the record of a flight while it is flown.
+#[derive(Debug)]
+pub(super) struct Recorder {
+    written: String,
+    watched: BTreeMap<VehicleId, Watched>,
+    /// Entries that may still change, with the rows as they were written.
+    open: BTreeMap<EntryId, Vec<(RowState, u8)>>,
+    newest: Option<EntryId>,
+    revision: Option<u64>,
+    stepped: Option<Duration>,
+}
+
+impl Recorder {
+    pub fn new(head: &Head) -> Self {
+        let mut recorder = Self {
+            written: String::new(),
+            watched: BTreeMap::new(),
+            open: BTreeMap::new(),
+            newest: None,
+            revision: None,
+            stepped: None,
+        };
+        recorder.write(head);
+        recorder
+    }
+
+    /// The lines since the last call.
+    pub fn take(&mut self) -> String {
+        std::mem::take(&mut self.written)
+    }
+
+    pub fn step(
+        &mut self,
+        now: Duration,
+        vehicles: &BTreeMap<VehicleId, Vehicle>,
+        ledger: &Ledger,
+    ) {
+        let change = Change {
+            v: self.changed_vehicles(vehicles),
+            ..self.changed_ledger(ledger)
+        };
+        let is_next = self.stepped.is_some_and(|before| now == before + TICK);
+        self.stepped = Some(now);
+        if !is_next || change != Change::default() {
+            let t = now.as_millis() as u64;
+            self.write(&Line::Tick { t, change });
+        }
+    }
+
+    pub fn act(&mut self, deed: &Deed, vehicles: &[VehicleId]) {
+        let (deed, vehicles) = (deed.clone(), vehicles.to_vec());
+        self.write(&Line::Act { deed, vehicles });
+    }
+
+    pub fn lose(&mut self, vehicle: VehicleId, vehicles: &BTreeMap<VehicleId, Vehicle>) {
+        let change = Change {
+            v: self.changed_vehicles(vehicles),
+            ..Change::default()
+        };
+        self.write(&Line::Lose { vehicle, change });
+    }
+
+    pub fn inject(&mut self, name: &str) {
+        let name = name.to_owned();
+        self.write(&Line::Inject { name });
+    }
+
+    pub fn abandon(&mut self) {
+        self.write(&Line::Abandon);
+    }
+
+    pub fn end(&mut self, ledger: &Ledger, report: &Report) {
+        let change = self.changed_ledger(ledger);
+        let end = End {
+            score: report.score,
+            medal: report.medal,
+            passed: report.passed,
+            sim_time_s: report.sim_time_s,
+        };
+        let t = self.stepped.unwrap_or_default().as_millis() as u64;
+        self.write(&Line::End { t, change, end });
+    }
+
+    fn write(&mut self, line: &impl Serialize) {
+        // Plain data without maps that have other keys than words: it can always be written.
+        if let Ok(line) = serde_json::to_string(line) {
+            self.written.push_str(&line);
+            self.written.push('\n');
+        }
+    }
+
+    fn changed_vehicles(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>) -> Vec<Observed> {
+        let changed = |(&id, vehicle)| self.watched.entry(id).or_default().changes(id, vehicle);
+        vehicles.iter().filter_map(changed).collect()
+    }
+
+    fn changed_ledger(&mut self, ledger: &Ledger) -> Change {
+        let mut change = Change::default();
+        if self.revision.replace(ledger.revision()) == Some(ledger.revision()) {
+            return change;
+        }
+        let newest = self.newest;
+        let new = ledger.entries().rev();
+        let mut new: Vec<&Entry> = new.take_while(|entry| Some(entry.id) > newest).collect();
+        new.reverse();
+        for entry in new {
+            self.newest = Some(entry.id);
+            let queued = |_: &Row| (RowState::Queued, 0);
+            self.open
+                .insert(entry.id, entry.rows.iter().map(queued).collect());
+            change.e.push(EntryLine {
+                id: entry.id.0,
+                line: entry.line.clone(),
+                verb: entry.verb.clone(),
+                risk: entry.risk,
+                vehicles: entry.rows.iter().map(|row| row.vehicle).collect(),
+            });
+        }
+        self.open.retain(|&id, known| {
+            let Some(entry) = ledger.entry(id) else {
+                return false;
+            };
+            for (row, known) in entry.rows.iter().zip(known) {
+                if std::mem::replace(known, (row.state, row.tries)) != (row.state, row.tries) {
+                    change.r.push(RowLine::of(id, row));
+                }
+            }
+            !entry.is_final()
+        });
+        change
+    }
+}
+
+impl RowLine {
+    fn of(id: EntryId, row: &Row) -> Self {
+        Self {
+            id: id.0,
+            vehicle: row.vehicle,
+            state: row.state,
+            tries: row.tries,
+            why: row.explanation.as_ref().map(ToString::to_string),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,239 @@
+//! A vehicle as missions see it, in the integers of its messages.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Deserializer, Serialize};
+
+use crate::geo::LatLon;
+use crate::vehicle::{
+    Battery, GlobalPosition, Heartbeat, LandedState, Mode, Severity, StatusText, SystemStatus,
+    TEXTS_KEPT, Unheard, Vehicle, VehicleClass, VehicleId,
+};
+use crate::wire::AUTOPILOT_COMPONENT;
+
+/// What has changed about a vehicle.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Observed {
+    id: VehicleId,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    lost: Option<bool>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    mode: Option<ModeLine>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    landed: Option<LandedState>,
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "said"
+    )]
+    at: Option<Option<PositionLine>>,
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "said"
+    )]
+    unheard: Option<Option<UnheardLine>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    battery: Option<BatteryLine>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    said: Vec<String>,
+}
+
+/// Class, number of the mode, armed.
+type ModeLine = (VehicleClass, u32, bool);
+/// Latitude and longitude in 1e-7 degrees, height above sea level and above home in mm, velocity north, east and down
+/// in cm/s.
+type PositionLine = (i32, i32, i64, i64, i32, i32, i32);
+/// Where it is while nobody hears it: latitude and longitude in 1e-7 degrees, height above home in mm.
+type UnheardLine = (i32, i32, i64);
+/// Voltage in mV, charge in mAh, energy in hJ, percent.
+type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
+
+/// What was written of a vehicle so far.
+#[derive(Debug, Default)]
+pub(super) struct Watched {
+    /// The newest of everything, as it was written; nothing before the first time.
+    known: Option<Observed>,
+    last_text: Option<StatusText>,
+}
+
+impl Watched {
+    /// What is new about the vehicle since the last call; `None` where nothing is.
+    pub fn changes(&mut self, id: VehicleId, vehicle: &Vehicle) -> Option<Observed> {
+        let now = Observed {
+            id,
+            lost: Some(vehicle.link.lost),
+            mode: vehicle.heartbeat.map(|heartbeat| {
+                let mode = heartbeat.mode;
+                (mode.class, mode.number, heartbeat.armed)
+            }),
+            landed: Some(vehicle.landed),
+            at: Some(vehicle.global.map(position)),
+            unheard: Some(vehicle.unheard.map(unheard)),
+            battery: vehicle.battery().map(battery),
+            said: Vec::new(),
+        };
+        let said = self.new_texts(vehicle);
+        let known = self.known.replace(now.clone());
+        let is_first = known.is_none();
+        let known = known.unwrap_or_default();
+        let changes = Observed {
+            id,
+            lost: now.lost.filter(|_| now.lost != known.lost),
+            mode: now.mode.filter(|_| now.mode != known.mode),
+            landed: now.landed.filter(|_| now.landed != known.landed),
+            at: now.at.filter(|_| now.at != known.at),
+            unheard: now
+                .unheard
+                .filter(|_| now.unheard != known.unheard.or(Some(None))),
+            battery: now.battery.filter(|_| now.battery != known.battery),
+            said,
+        };
+        let nothing = Observed {
+            id,
+            ..Observed::default()
+        };
+        (is_first || changes != nothing).then_some(changes)
+    }
+
+    /// The texts since the last call; those from before the first one were for nobody's mission.
+    fn new_texts(&mut self, vehicle: &Vehicle) -> Vec<String> {
+        let texts = &vehicle.texts;
+        let known = match &self.last_text {
+            Some(last) => texts
+                .iter()
+                .rposition(|text| text == last)
+                .map_or(0, |at| at + 1),
+            None if self.known.is_some() => 0,
+            None => texts.len(),
+        };
+        self.last_text = texts.last().cloned();
+        texts[known..]
+            .iter()
+            .map(|text| text.text.clone())
+            .collect()
+    }
+}
+
+impl Observed {
+    pub fn id(&self) -> VehicleId {
+        self.id
+    }
+
+    /// A vehicle of which nothing is known yet.
+    pub fn vehicle(&self) -> Vehicle {
+        // Who flies is known by the id; the wire's address is of no account here.
+        Vehicle {
+            id: self.id,
+            ..Vehicle::new(
+                u8::try_from(self.id).unwrap_or(u8::MAX),
+                AUTOPILOT_COMPONENT,
+            )
+        }
+    }
+
+    /// Makes the vehicle what it was then.
+    pub fn apply(&self, vehicle: &mut Vehicle, now: Duration) {
+        if let Some(lost) = self.lost {
+            vehicle.link.lost = lost;
+        }
+        if let Some((class, number, armed)) = self.mode {
+            vehicle.heartbeat = Some(Heartbeat {
+                mav_type: 2,
+                autopilot: 3,
+                class,
+                mode: Mode { class, number },
+                armed,
+                status: SystemStatus::Active,
+                at: now,
+            });
+        }
+        if let Some(landed) = self.landed {
+            vehicle.landed = landed;
+        }
+        if let Some(at) = self.at {
+            vehicle.global = at.map(|at| global(at, now));
+        }
+        if let Some(unheard) = self.unheard {
+            vehicle.unheard = unheard.map(|(lat, lon, up)| Unheard {
+                at: LatLon::from_e7(lat, lon),
+                altitude_m: up as f64 * 1e-3,
+            });
+        }
+        if let Some((mv, mah, hj, percent)) = self.battery {
+            vehicle.batteries = vec![Battery {
+                id: 0,
+                voltage_v: mv.map(|mv| mv as f32 * 1e-3),
+                current_a: None,
+                consumed_mah: mah.map(|mah| mah as f32),
+                consumed_wh: hj.map(|hj| hj as f32 * (1.0 / 36.0)),
+                remaining_percent: percent,
+                at: now,
+            }];
+        }
+        let said = self.said.iter().map(|text| StatusText {
+            severity: Severity::Info,
+            text: text.clone(),
+            at: now,
+        });
+        vehicle.texts.extend(said);
+        let more = vehicle.texts.len().saturating_sub(TEXTS_KEPT);
+        vehicle.texts.drain(..more);
+    }
+}
+
+/// What stands there was said, even if it is that nothing is known.
+#[expect(
+    clippy::option_option,
+    reason = "not said differs from said to be unknown"
+)]
+fn said<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    deserializer: D,
+) -> Result<Option<Option<T>>, D::Error> {
+    Option::deserialize(deserializer).map(Some)
+}
+
+fn unheard(unheard: Unheard) -> UnheardLine {
+    let e7 = |degrees: f64| (degrees * 1e7).round() as i32;
+    let (lat, lon) = (e7(unheard.at.lat_deg), e7(unheard.at.lon_deg));
+    (lat, lon, (unheard.altitude_m * 1e3).round() as i64)
+}
+
+fn position(global: GlobalPosition) -> PositionLine {
+    let e7 = |degrees: f64| (degrees * 1e7).round() as i32;
+    let mm = |metres: f64| (metres * 1e3).round() as i64;
+    let cm = |metres: f32| (metres * 100.0).round() as i32;
+    (
+        e7(global.at_point.lat_deg),
+        e7(global.at_point.lon_deg),
+        mm(global.altitude_amsl_m),
+        mm(global.altitude_m),
+        cm(global.north_m_s),
+        cm(global.east_m_s),
+        cm(global.down_m_s),
+    )
+}
+
+fn global(at: PositionLine, now: Duration) -> GlobalPosition {
+    let (lat, lon, amsl, up, north, east, down) = at;
+    GlobalPosition {
+        at_point: LatLon::from_e7(lat, lon),
+        altitude_amsl_m: amsl as f64 * 1e-3,
+        altitude_m: up as f64 * 1e-3,
+        north_m_s: north as f32 * 0.01,
+        east_m_s: east as f32 * 0.01,
+        down_m_s: down as f32 * 0.01,
+        heading_deg: None,
+        at: now,
+    }
+}
+
+fn battery(battery: &Battery) -> BatteryLine {
+    let whole = |value: Option<f32>, scale: f32| value.map(|value| (value * scale).round() as i64);
+    (
+        whole(battery.voltage_v, 1e3),
+        whole(battery.consumed_mah, 1.0),
+        whole(battery.consumed_wh, 36.0),
+        battery.remaining_percent,
+    )
+}

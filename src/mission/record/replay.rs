@@ -1,0 +1,186 @@
+//! Reading a record, and flying it again.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::{Change, End, Head, Line, VERSION};
+use crate::ledger::{EntryId, Given, Ledger, RowUpdate};
+use crate::mission::{Flight, Mission, TICK};
+use crate::scoring::Report;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Vehicle, VehicleId};
+
+/// A record as it was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stored {
+    /// What was flown.
+    pub head: Head,
+    /// What is wrong with the rest of the file: up to where it could be read.
+    pub damage: Option<Text>,
+    lines: Vec<Line>,
+}
+
+/// A record scored again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rescored {
+    /// What comes out now; of a record without an end, as if the flight had ended there.
+    pub report: Report,
+    /// What came out then; `None` where the record has no end.
+    pub before: Option<End>,
+}
+
+impl Stored {
+    /// Reads a record. What is damaged or was never written ends it.
+    ///
+    /// # Errors
+    /// It is no record, or one of another version; in words.
+    pub fn read(text: &str) -> Result<Self, Text> {
+        let mut all = text.split_inclusive('\n');
+        let first = all.next().unwrap_or_default();
+        let version = serde_json::from_str::<serde_json::Value>(first)
+            .ok()
+            .and_then(|head| head.get("sortie_run")?.as_u64())
+            .ok_or_else(|| text!("record-none"))?;
+        if version != u64::from(VERSION) {
+            return Err(text!("record-version", version = version, known = VERSION));
+        }
+        let head: Head = serde_json::from_str(first)
+            .map_err(|error| text!("record-head", error = error.to_string()))?;
+        let mut stored = Self {
+            head,
+            damage: None,
+            lines: Vec::new(),
+        };
+        for (index, line) in all.enumerate() {
+            match serde_json::from_str(line) {
+                Ok(line) => stored.lines.push(line),
+                Err(_) => {
+                    stored.damage = Some(text!("record-damaged", line = index + 2));
+                    return Ok(stored);
+                }
+            }
+        }
+        if stored.end().is_none() {
+            stored.damage = Some(text!("record-no-end"));
+        }
+        Ok(stored)
+    }
+
+    /// What it was scored, if it was flown to its end.
+    pub fn end(&self) -> Option<&End> {
+        match self.lines.last() {
+            Some(Line::End { end, .. }) => Some(end),
+            _ => None,
+        }
+    }
+
+    /// Flies it again.
+    ///
+    /// # Errors
+    /// This program cannot read the mission in it.
+    pub fn rescore(&self) -> Result<Rescored, Text> {
+        let mission = Mission::parse(&self.head.source).map_err(|faults| {
+            let fault = faults.first();
+            let fault = fault.map(|fault| fault.one_line(&self.head.mission, &self.head.source));
+            text!("record-mission", fault = fault.unwrap_or_default())
+        })?;
+        let mut flight = Flight::new(Arc::new(mission), self.head.seed);
+        flight.set_attempt(self.head.attempt);
+        let mut replay = Replay {
+            flight,
+            vehicles: BTreeMap::new(),
+            ledger: Ledger::new(),
+            entries: BTreeMap::new(),
+            now: None,
+        };
+        for line in &self.lines {
+            replay.take(line);
+        }
+        let mut report = replay.flight.report(&replay.ledger);
+        report.backend.clone_from(&self.head.backend);
+        Ok(Rescored {
+            report,
+            before: self.end().cloned(),
+        })
+    }
+}
+
+struct Replay {
+    flight: Flight,
+    vehicles: BTreeMap<VehicleId, Vehicle>,
+    ledger: Ledger,
+    /// The ids that entries had, and those that they have here.
+    entries: BTreeMap<u32, EntryId>,
+    now: Option<Duration>,
+}
+
+impl Replay {
+    fn take(&mut self, line: &Line) {
+        match line {
+            Line::Tick { t, change } => {
+                let at = Duration::from_millis(*t);
+                self.pass(at);
+                self.change(change, at);
+                self.step(at);
+            }
+            Line::Act { deed, vehicles } => {
+                // The rows that came of it are in the record.
+                drop(self.flight.act(EntryId(0), deed, vehicles));
+            }
+            Line::Lose { vehicle, change } => {
+                self.change(change, self.now.unwrap_or_default());
+                drop(self.flight.lose(*vehicle, &self.vehicles));
+            }
+            Line::Inject { name } => drop(self.flight.inject(name)),
+            Line::Abandon => self.flight.abandon(),
+            Line::End { t, change, .. } => {
+                let at = Duration::from_millis(*t);
+                self.pass(at + TICK);
+                self.change(change, at);
+            }
+        }
+    }
+
+    /// The steps without a line before the one at that time.
+    fn pass(&mut self, until: Duration) {
+        while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until) {
+            self.step(next);
+        }
+    }
+
+    fn step(&mut self, at: Duration) {
+        self.now = Some(at);
+        drop(self.flight.step(at, &self.vehicles, &self.ledger));
+    }
+
+    fn change(&mut self, change: &Change, at: Duration) {
+        for observed in &change.v {
+            let vehicle = self.vehicles.entry(observed.id());
+            observed.apply(vehicle.or_insert_with(|| observed.vehicle()), at);
+        }
+        for entry in &change.e {
+            let given = Given {
+                line: &entry.line,
+                verb: &entry.verb,
+                risk: entry.risk,
+            };
+            let id = self.ledger.open(at, given, &entry.vehicles);
+            self.entries.insert(entry.id, id);
+        }
+        for row in &change.r {
+            let Some(&entry) = self.entries.get(&row.id) else {
+                continue;
+            };
+            self.ledger.apply(&RowUpdate {
+                entry,
+                vehicle: row.vehicle,
+                state: row.state,
+                tries: row.tries,
+                at,
+                explanation: row.why.clone().map(Text::verbatim),
+            });
+        }
+    }
+}

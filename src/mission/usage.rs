@@ -1,0 +1,140 @@
+//! What a vehicle does with its time in the air: whether it has a task, and how long it goes on without its operator.
+
+use std::time::Duration;
+
+use super::TICK;
+use crate::scoring::{SwarmTimes, VehicleUse};
+use crate::vehicle::VehicleId;
+
+/// Within this a vehicle stands still: it drifts in the wind and by the errors of its receiver.
+const STILL_WITHIN_M: f64 = 2.0;
+/// Standing still for as long as this is part of a task: a turn, a look, a sample.
+const PAUSE: Duration = Duration::from_secs(10);
+/// Without a task for longer than this, a vehicle idles.
+const IDLE_AFTER: Duration = Duration::from_secs(30);
+
+/// What is seen of a vehicle in one tick.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Look {
+    /// East, north, up in metres, while it is in the air and not lost.
+    pub airborne_at: Option<[f64; 3]>,
+    /// Whether it has a task although it may stand still: it samples, or holds a place in a formation.
+    pub busy: bool,
+    /// Whether a command to it was given in this tick.
+    pub commanded: bool,
+}
+
+/// The account of one vehicle.
+#[derive(Debug, Clone)]
+pub(crate) struct Usage {
+    totals: VehicleUse,
+    /// Where it stands still, and for how long it has.
+    anchor: [f64; 3],
+    still_for: Duration,
+    /// For how long it has been productive since its last command, while it is.
+    neglected_for: Option<Duration>,
+    /// For how long it has been waiting for its next command, while it is.
+    waiting_for: Option<Duration>,
+}
+
+impl Usage {
+    pub fn new(vehicle: VehicleId) -> Self {
+        Self {
+            totals: VehicleUse {
+                vehicle,
+                ..VehicleUse::default()
+            },
+            anchor: [f64::INFINITY; 3],
+            still_for: Duration::ZERO,
+            neglected_for: None,
+            waiting_for: None,
+        }
+    }
+
+    /// What came of it so far.
+    pub fn totals(&self) -> VehicleUse {
+        self.totals
+    }
+
+    /// Lets a tick pass.
+    pub fn step(&mut self, look: Look, times: &mut SwarmTimes) {
+        let Some(at) = look.airborne_at else {
+            times.neglected.extend(self.neglected_for.take());
+            self.waiting_for = None;
+            self.anchor = [f64::INFINITY; 3];
+            return;
+        };
+        let moved = self.anchor.iter().zip(at);
+        let moved_m = moved.map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        if look.busy || moved_m.is_nan() || moved_m > STILL_WITHIN_M {
+            self.anchor = at;
+            self.still_for = Duration::ZERO;
+        } else {
+            self.still_for += TICK;
+        }
+        let productive = self.still_for <= PAUSE;
+        self.totals.airborne += TICK;
+        if productive {
+            self.totals.productive += TICK;
+        }
+        if self.still_for > IDLE_AFTER {
+            self.totals.idle += TICK;
+        }
+        self.keep_times(productive, look.commanded, times);
+    }
+
+    fn keep_times(&mut self, productive: bool, commanded: bool, times: &mut SwarmTimes) {
+        if commanded {
+            times.neglected.extend(self.neglected_for.take());
+            times.waited.extend(self.waiting_for.take());
+            self.neglected_for = Some(Duration::ZERO);
+        } else if productive {
+            self.waiting_for = None;
+            if let Some(neglected_for) = &mut self.neglected_for {
+                *neglected_for += TICK;
+            }
+        } else {
+            times.neglected.extend(self.neglected_for.take());
+            *self.waiting_for.get_or_insert_default() += TICK;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step(usage: &mut Usage, times: &mut SwarmTimes, seconds: u32, at: impl Fn(f64) -> f64) {
+        for tick in 0..seconds * 10 {
+            let look = Look {
+                airborne_at: Some([at(f64::from(tick) / 10.0), 0.0, 20.0]),
+                busy: false,
+                commanded: tick == 0,
+            };
+            usage.step(look, times);
+        }
+    }
+
+    #[test]
+    fn a_vehicle_that_hovers_is_productive_for_a_pause_and_idle_after_half_a_minute() {
+        let (mut usage, mut times) = (Usage::new(1), SwarmTimes::default());
+        step(&mut usage, &mut times, 20, |t| 3.0 * t);
+        step(&mut usage, &mut times, 60, |t| 60.0 + 0.5 * t.sin());
+        let totals = usage.totals();
+        assert_eq!(totals.airborne, Duration::from_secs(80));
+        let near = |time: Duration, seconds: f64| (time.as_secs_f64() - seconds).abs() < 1.5;
+        assert!(near(totals.productive, 30.0), "{totals:?}");
+        assert!(near(totals.idle, 30.0), "{totals:?}");
+        // The next command finds it waiting.
+        step(&mut usage, &mut times, 1, |_| 60.0);
+        assert!(near(times.neglected[0], 20.0) && near(times.neglected[1], 10.0));
+        assert!(near(times.waited[0], 50.0), "{times:?}");
+    }
+
+    #[test]
+    fn a_slow_sweep_is_no_hovering() {
+        let (mut usage, mut times) = (Usage::new(1), SwarmTimes::default());
+        step(&mut usage, &mut times, 120, |t| 0.4 * t);
+        assert_eq!(usage.totals().productive, usage.totals().airborne);
+    }
+}

@@ -1,0 +1,121 @@
+//! Figures about one operator and many vehicles. They are shown, not scored.
+//!
+//! Fan-out is how many vehicles an operator can keep busy: `neglect time / interaction time + 1` (Olsen and Goodrich
+//! 2003), or with the time that vehicles wait for attention, `NT / (IT + WT) + 1` (Cummings).
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::rounded;
+
+/// The operator was at something else when this much passed between two commands.
+const AT_IT: Duration = Duration::from_secs(20);
+/// Giving a command takes no less: a script's interaction time would be nothing.
+const LEAST_INTERACTION: Duration = Duration::from_secs(1);
+
+/// What is measured while a mission is flown.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SwarmTimes {
+    /// For how long vehicles stayed productive after a command, each time.
+    pub neglected: Vec<Duration>,
+    /// For how long vehicles in the air waited for their next command, each time.
+    pub waited: Vec<Duration>,
+    /// When commands were given and to how many vehicles; whether to others than the one before.
+    pub commands: Vec<(Duration, usize, bool)>,
+}
+
+/// How an operator handled a swarm. Times are in seconds; `None` where nothing was to be measured.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SwarmFigures {
+    /// Neglect time: how long a vehicle stays productive without its operator, the median.
+    pub neglect_s: Option<f64>,
+    /// Interaction time: from one command to the next while the operator is at it, the median. At least 1 s.
+    pub interaction_s: Option<f64>,
+    /// How long a vehicle in the air without a task waits for its next command, the median; 0 if none ever did.
+    pub wait_s: f64,
+    /// Fan-out without the time spent waiting.
+    pub fan_out: Option<f64>,
+    /// Fan-out with it.
+    pub fan_out_waiting: Option<f64>,
+    /// How many vehicles were flown.
+    pub flown: usize,
+    /// How often a minute the operator turned to other vehicles.
+    pub switches_per_min: f64,
+    /// The share of commands that went to several vehicles.
+    pub group_share: f64,
+}
+
+impl SwarmTimes {
+    /// The figures of a flight of this length with so many vehicles in the air.
+    pub fn figures(&self, flown: usize, elapsed: Duration) -> SwarmFigures {
+        let between = self.commands.windows(2);
+        let between = between.map(|pair| pair[1].0.saturating_sub(pair[0].0));
+        let at_it: Vec<Duration> = between.filter(|gap| *gap <= AT_IT).collect();
+        let seconds = |time: Duration| time.as_secs_f64();
+        let neglect = median(&self.neglected).map(seconds);
+        let interaction = median(&at_it).map(|gap| seconds(gap.max(LEAST_INTERACTION)));
+        let wait = median(&self.waited).map_or(0.0, seconds);
+        let fan_out = |extra: f64| Some(neglect? / (interaction? + extra) + 1.0);
+        let count = |wanted: fn(&(Duration, usize, bool)) -> bool| {
+            self.commands
+                .iter()
+                .filter(|command| wanted(command))
+                .count() as f64
+        };
+        let tenth = |value: Option<f64>| value.map(|value| rounded(value, 1));
+        SwarmFigures {
+            neglect_s: tenth(neglect),
+            interaction_s: tenth(interaction),
+            wait_s: rounded(wait, 1),
+            fan_out: tenth(fan_out(0.0)),
+            fan_out_waiting: tenth(fan_out(wait)),
+            flown,
+            switches_per_min: rounded(count(|command| command.2) / (seconds(elapsed) / 60.0), 1),
+            group_share: rounded(count(|command| command.1 > 1) / count(|_| true), 2),
+        }
+    }
+}
+
+/// The lower one of the two in the middle.
+fn median(times: &[Duration]) -> Option<Duration> {
+    let mut sorted = times.to_vec();
+    sorted.sort_unstable();
+    sorted.get(sorted.len().saturating_sub(1) / 2).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seconds(all: &[u64]) -> Vec<Duration> {
+        all.iter().copied().map(Duration::from_secs).collect()
+    }
+
+    #[test]
+    fn fan_out_is_neglect_time_by_interaction_time_and_one() {
+        let times = SwarmTimes {
+            neglected: seconds(&[10, 40, 90]),
+            waited: seconds(&[10]),
+            commands: vec![
+                (Duration::from_secs(0), 1, false),
+                (Duration::from_secs(10), 1, true),
+                (Duration::from_secs(20), 4, true),
+                (Duration::from_secs(80), 4, false),
+            ],
+        };
+        let figures = times.figures(4, Duration::from_secs(120));
+        assert_eq!(figures.neglect_s, Some(40.0));
+        assert_eq!(figures.interaction_s, Some(10.0));
+        assert_eq!(figures.fan_out, Some(5.0));
+        assert_eq!(figures.fan_out_waiting, Some(3.0));
+        assert!((figures.switches_per_min - 1.0).abs() < 1e-9);
+        assert!((figures.group_share - 0.5).abs() < 1e-9);
+    }
+
+    #[test]
+    fn without_commands_there_are_no_figures_and_no_division_by_nothing() {
+        let figures = SwarmTimes::default().figures(0, Duration::ZERO);
+        assert_eq!(figures, SwarmFigures::default());
+    }
+}
