@@ -31,7 +31,7 @@ map-legend-fence = fence
 map-legend-keep-out = keep out
 map-legend-plan = plan, waypoint w3
 map-legend-rally = rally point (R1)
-map-legend-course = part of a manoeuvre, place p3
+map-legend-course = manoeuvre, place p3
 map-legend-ruler = ruler
 
 action-left = left

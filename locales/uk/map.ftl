@@ -32,7 +32,7 @@ map-legend-fence = межа польотів
 map-legend-keep-out = заборонена зона
 map-legend-plan = маршрут, точка w3
 map-legend-rally = запасна точка (R1)
-map-legend-course = частка маневру, місце p3
+map-legend-course = маневр, місце p3
 map-legend-ruler = лінійка
 
 action-left = ліворуч

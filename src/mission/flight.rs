@@ -87,8 +87,8 @@ pub struct Flight {
     contacts: Contacts,
     marks: Marks,
     pledge: Pledge,
-    /// The most that a sensor has shown, and where.
-    peak: Option<(f64, Point)>,
+    /// The most that each vehicle's first sensor has shown, and where.
+    peaks: BTreeMap<VehicleId, (f64, Point)>,
     commands: CommandLog,
     /// The state of the ledger that the commands are counted from.
     counted: Option<u64>,
@@ -139,7 +139,7 @@ impl Flight {
             contacts: Contacts::default(),
             marks: Marks::default(),
             pledge: Pledge::default(),
-            peak: None,
+            peaks: BTreeMap::new(),
             commands: CommandLog::default(),
             counted: None,
             safety: SafetyLog::default(),
@@ -188,7 +188,7 @@ impl Flight {
         self.world.step(self.elapsed);
         self.step_crafts(vehicles, &mut notices);
         self.step_loads(&mut notices);
-        self.note_peak();
+        self.note_peaks();
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_usage(ledger);
         self.note_tracks();

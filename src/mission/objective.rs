@@ -160,3 +160,6 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("contain", protect::read_contain),
     ("dose", dose::read),
 ];
+
+#[cfg(test)]
+mod tests;

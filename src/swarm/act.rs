@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
-use super::geometry::length_m;
 use super::guard::is_in_the_way;
 use super::lanes::Lane;
 use super::march::March;
@@ -20,8 +19,10 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 mod fate;
+mod member;
 mod work;
 
+pub(super) use member::{Member, Phase};
 pub(super) use work::{Chain, Tail};
 
 /// A point that stands is said again after this, in case it was lost.
@@ -33,7 +34,7 @@ const STANDING_M_S: f64 = 0.05;
 /// A point that has moved by this is a new one.
 const SAME_POINT_M: f64 = 0.2;
 /// How near to a point a vehicle has reached it, on the ground and in height.
-const REACHED_ASIDE_M: f64 = 1.2;
+const REACHED_ASIDE_M: f64 = 0.8;
 const REACHED_ABOVE_M: f64 = 0.7;
 /// How near to its place a vehicle of a moving formation is in its place.
 const IN_PLACE_M: f64 = 2.0;
@@ -44,91 +45,6 @@ pub(super) struct Scene<'a> {
     pub now: Duration,
     pub vehicles: &'a Vehicles,
     pub rules: Rules,
-}
-
-/// One vehicle's part.
-#[derive(Debug, Clone)]
-pub(super) struct Member {
-    pub id: VehicleId,
-    /// Where it was when it began.
-    pub from: DVec3,
-    /// The height at which it crosses.
-    pub layer_m: f64,
-    /// Where its work begins.
-    pub to: DVec3,
-    /// What it flies then.
-    pub course: Vec<DVec3>,
-    /// The next point of that.
-    pub next: usize,
-    pub standing: Standing,
-}
-
-/// How a member's row stands, and what it was told last.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Standing {
-    /// The longest way that was ever left.
-    pub most_m: f64,
-    pub percent: u8,
-    /// Whether its row has ended.
-    pub is_done: bool,
-    told: Option<(Duration, DVec3)>,
-    lost_since: Option<Duration>,
-    /// Where it waits, and for whom.
-    waits: Option<(DVec3, VehicleId)>,
-}
-
-impl Member {
-    pub fn new(id: VehicleId, from: DVec3, to: DVec3) -> Self {
-        Self {
-            id,
-            from,
-            layer_m: to.z,
-            to,
-            course: Vec::new(),
-            next: 0,
-            standing: Standing::default(),
-        }
-    }
-
-    /// The way that is left, from where it is.
-    fn left_m(&self, phase: Phase, at: DVec3) -> f64 {
-        let layer = |point: DVec3| point.truncate().extend(self.layer_m);
-        let mut points = vec![at];
-        if phase <= Phase::Rise {
-            points.push(layer(self.from));
-        }
-        if phase <= Phase::Cross {
-            points.push(layer(self.to));
-        }
-        if phase <= Phase::Sink {
-            points.push(self.to);
-        }
-        points.extend(self.course.iter().skip(self.next));
-        length_m(&points)
-    }
-}
-
-/// How far a manoeuvre has come.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Phase {
-    /// Everybody goes to its height on the spot.
-    Rise,
-    /// Everybody crosses at its height.
-    Cross,
-    /// Everybody goes to where its work begins.
-    Sink,
-    /// The work itself.
-    Work,
-}
-
-impl Phase {
-    fn next(self) -> Self {
-        match self {
-            Self::Rise => Self::Cross,
-            Self::Cross => Self::Sink,
-            Self::Sink | Self::Work => Self::Work,
-        }
-    }
 }
 
 /// What is done once everybody is there.
@@ -394,25 +310,6 @@ impl Act {
         }
         lanes.sort_by(|a, b| a.from.dot(across).total_cmp(&b.from.dot(across)));
         lanes
-    }
-}
-
-impl Standing {
-    /// Whether a point has to be said (again).
-    fn is_due(&mut self, point: DVec3, is_moving: bool, now: Duration) -> bool {
-        let every = if is_moving {
-            MOVING_EVERY
-        } else {
-            STANDING_EVERY
-        };
-        let is_due = self.told.is_none_or(|(at, told)| {
-            let is_new = !is_moving && told.distance(point) > SAME_POINT_M;
-            is_new || now.saturating_sub(at) >= every
-        });
-        if is_due {
-            self.told = Some((now, point));
-        }
-        is_due
     }
 }
 

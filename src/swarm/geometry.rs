@@ -48,25 +48,63 @@ pub(super) fn length_m(points: &[DVec3]) -> f64 {
 ///
 /// The Hungarian method with potentials, O(places² × vehicles) (H. W. Kuhn, 1955; in the form of J. Munkres).
 pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) {
-    let cost = |place: usize, vehicle: usize| places[place].distance(vehicles[vehicle]);
-    let (rows, columns) = (places.len(), vehicles.len());
-    // Row and column 0 stand for "none".
-    let (mut of_row, mut of_column) = (vec![0.0; rows + 1], vec![0.0; columns + 1]);
-    let mut row_at = vec![0; columns + 1];
-    for row in 1..=rows {
+    let mut matching = Matching::new(places, vehicles);
+    for row in 1..=places.len() {
+        matching.add(row);
+    }
+    let mut chosen = vec![0; places.len()];
+    for (column, &row) in matching.row_at.iter().enumerate().skip(1) {
+        if row > 0 {
+            chosen[row - 1] = column - 1;
+        }
+    }
+    let ways = chosen.iter().zip(places);
+    let sum = ways
+        .map(|(&vehicle, place)| place.distance(vehicles[vehicle]))
+        .sum();
+    (chosen, sum)
+}
+
+/// A cheapest matching of some places (rows) with vehicles (columns). Row and column 0 stand for none.
+struct Matching<'a> {
+    places: &'a [DVec2],
+    vehicles: &'a [DVec2],
+    /// The potentials.
+    of_row: Vec<f64>,
+    of_column: Vec<f64>,
+    /// The row that each column is given to.
+    row_at: Vec<usize>,
+}
+
+impl<'a> Matching<'a> {
+    fn new(places: &'a [DVec2], vehicles: &'a [DVec2]) -> Self {
+        Self {
+            places,
+            vehicles,
+            of_row: vec![0.0; places.len() + 1],
+            of_column: vec![0.0; vehicles.len() + 1],
+            row_at: vec![0; vehicles.len() + 1],
+        }
+    }
+
+    fn reduced_cost(&self, row: usize, column: usize) -> f64 {
+        let way = self.places[row - 1].distance(self.vehicles[column - 1]);
+        way - self.of_row[row] - self.of_column[column]
+    }
+
+    /// Takes in one more row, by the cheapest path of exchanges that ends at a free column.
+    fn add(&mut self, row: usize) {
+        let columns = self.vehicles.len();
         let mut before = vec![0; columns + 1];
         let mut least = vec![f64::INFINITY; columns + 1];
         let mut used = vec![false; columns + 1];
-        row_at[0] = row;
+        self.row_at[0] = row;
         let mut column = 0;
-        while row_at[column] != 0 {
+        while self.row_at[column] != 0 {
             used[column] = true;
-            let (at, mut next, mut step) = (row_at[column], 0, f64::INFINITY);
-            for other in 1..=columns {
-                if used[other] {
-                    continue;
-                }
-                let reduced = cost(at - 1, other - 1) - of_row[at] - of_column[other];
+            let (at, mut next, mut step) = (self.row_at[column], 0, f64::INFINITY);
+            for other in (1..=columns).filter(|&other| !used[other]) {
+                let reduced = self.reduced_cost(at, other);
                 if reduced < least[other] {
                     (least[other], before[other]) = (reduced, column);
                 }
@@ -76,8 +114,8 @@ pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) 
             }
             for other in 0..=columns {
                 if used[other] {
-                    of_row[row_at[other]] += step;
-                    of_column[other] -= step;
+                    self.of_row[self.row_at[other]] += step;
+                    self.of_column[other] -= step;
                 } else {
                     least[other] -= step;
                 }
@@ -85,22 +123,10 @@ pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) 
             column = next;
         }
         while column != 0 {
-            row_at[column] = row_at[before[column]];
+            self.row_at[column] = self.row_at[before[column]];
             column = before[column];
         }
     }
-    let mut chosen = vec![0; rows];
-    for (column, &row) in row_at.iter().enumerate().skip(1) {
-        if row > 0 {
-            chosen[row - 1] = column - 1;
-        }
-    }
-    let sum = chosen
-        .iter()
-        .enumerate()
-        .map(|(place, &vehicle)| cost(place, vehicle));
-    let sum = sum.sum();
-    (chosen, sum)
 }
 
 /// Moves points apart until no two are nearer than this; each as little as its neighbours allow.

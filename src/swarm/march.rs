@@ -18,7 +18,7 @@ const SPEED_M_S: f64 = 5.0;
 const CLIMB_M_S: f64 = 1.2;
 const ACCELERATION_M_S2: f64 = 1.0;
 /// Speed of the outermost place while the formation turns.
-const TURN_M_S: f64 = 2.0;
+const TURN_M_S: f64 = 3.0;
 const TURN_MOST_RAD_S: f64 = 0.5;
 /// Who is this far from its place slows the formation down, and stops it this far beyond that.
 const LAG_M: f64 = 2.5;

@@ -179,25 +179,6 @@ impl Act {
     }
 }
 
-impl super::Standing {
-    /// A row's new state, if it has one.
-    fn news(&mut self, left_m: f64, is_done: bool) -> Option<RowState> {
-        if self.is_done {
-            return None;
-        }
-        if is_done {
-            self.is_done = true;
-            return Some(RowState::Done);
-        }
-        self.most_m = self.most_m.max(left_m);
-        let flown = 1.0 - left_m / self.most_m.max(1.0);
-        let percent = (flown * 100.0).clamp(0.0, 99.0) as u8;
-        let is_more = percent > self.percent;
-        self.percent = self.percent.max(percent);
-        is_more.then_some(RowState::InProgress(percent))
-    }
-}
-
 impl Tail {
     /// Draws everybody along as on a rope: nobody swings out when the leader turns, and who is told to come nearer
     /// than the rope is long gives way backwards. A step in height keeps them apart where the leader turns back.

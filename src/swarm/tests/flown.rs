@@ -69,3 +69,127 @@ fn a_wedge_keeps_its_shape_while_its_leader_goes_somewhere() {
     assert!(stage.nearest_m >= 6.0, "{}", stage.nearest_m);
     assert!(worst < 1.5, "{worst}");
 }
+
+#[test]
+fn lines_nearer_than_the_separation_are_flown_at_two_heights() {
+    let mut stage = Stage::flying(3, 10.0);
+    stage.say("all survey n 20 e 0 to n 60 e 24 spacing 4 up 15");
+    let rows = stage.rows("survey");
+    assert!(rows[0].2.contains("higher"), "{rows:?}");
+    let done = stage.watch(300.0, |stage| stage.is_done("survey"));
+    println!("two heights: nearest {:.2} m", stage.nearest_m);
+    assert!(done, "{:?}", stage.rows("survey"));
+    assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
+}
+
+#[test]
+fn searches_share_a_square_and_turn_their_sectors() {
+    for line in [
+        "all search square n 60 e 10 spacing 15 radius 40 up 20",
+        "all search sector n 60 e 10 radius 40 up 20",
+    ] {
+        let mut stage = Stage::flying(3, 10.0);
+        stage.say(line);
+        let mut reached = [0.0f64; 3];
+        let done = stage.watch(400.0, |stage| {
+            for id in 1..=3 {
+                let at = stage.place(id);
+                let far = (at[0] - 60.0).hypot(at[1] - 10.0);
+                reached[usize::from(id) - 1] = reached[usize::from(id) - 1].max(far);
+            }
+            stage.is_done("search")
+        });
+        println!(
+            "{line}: nearest {:.2} m, reached {reached:?}",
+            stage.nearest_m
+        );
+        assert!(done, "{line}: {:?}", stage.rows("search"));
+        assert!(stage.nearest_m >= 5.0, "{line}: {}", stage.nearest_m);
+    }
+}
+
+#[test]
+fn followers_stay_behind_a_leader_that_turns_back_through_them() {
+    let mut stage = Stage::flying(4, 8.0);
+    stage.say("2-4 follow 1 distance 12");
+    assert!(stage.watch(60.0, |stage| stage.is_done("follow")));
+    stage.say("1 goto n 120 e 0");
+    stage.run(25.0);
+    let behind = stage.distance(1, 2);
+    assert!((12.0..17.0).contains(&behind), "{behind}");
+    stage.say("1 goto n -60 e 20");
+    stage.run(40.0);
+    println!("follow: nearest {:.2} m", stage.nearest_m);
+    assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
+    assert!(stage.distance(1, 4) < 50.0);
+}
+
+#[test]
+fn who_is_spread_has_room_and_a_chain_stands_in_equal_steps() {
+    let mut stage = Stage::flying(5, 6.0);
+    stage.say("all spread 20");
+    assert!(stage.watch(90.0, |stage| stage.is_done("spread")));
+    for (a, b) in [(1, 2), (2, 3), (3, 4), (4, 5)] {
+        let apart = stage.distance(a, b);
+        assert!(apart > 20.0 - 2.5, "{a} {b}: {apart}");
+    }
+    stage.say("2-4 relay to n 200 e 0 up 30");
+    assert!(stage.watch(120.0, |stage| stage.is_done("relay to")));
+    let home = stage.place(1)[1];
+    let mut north: Vec<f64> = (2..=4).map(|id| stage.place(id)[0]).collect();
+    north.sort_by(f64::total_cmp);
+    for (at, expected) in north.iter().zip([50.0, 100.0, 150.0]) {
+        assert!((at - expected).abs() < 1.5, "{north:?} {home}");
+    }
+    println!("spread and chain: nearest {:.2} m", stage.nearest_m);
+    assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
+}
+
+#[test]
+fn a_chain_to_a_vehicle_stretches_with_it() {
+    let mut stage = Stage::flying(3, 8.0);
+    stage.say("1 goto n 60 e 0");
+    stage.run(15.0);
+    stage.say("2-3 relay to vehicle 1 up 35");
+    assert!(
+        stage.watch(90.0, |stage| stage.is_done("relay to")),
+        "{:?}",
+        stage.rows("relay to")
+    );
+    stage.say("1 goto n 150 e 0");
+    stage.run(40.0);
+    let mut north = [stage.place(2)[0], stage.place(3)[0]];
+    north.sort_by(f64::total_cmp);
+    assert!(
+        (north[0] - 50.0).abs() < 2.5 && (north[1] - 100.0).abs() < 2.5,
+        "{north:?}"
+    );
+}
+
+#[test]
+fn the_lines_of_one_that_leaves_go_to_the_others() {
+    let mut stage = Stage::flying(3, 10.0);
+    stage.say("all survey lane spacing 12 up 25");
+    let mut trails: Vec<[f64; 3]> = Vec::new();
+    stage.watch(14.0, |stage| {
+        trails.extend([1, 3].map(|id| stage.place(id)));
+        false
+    });
+    stage.say("2 land");
+    assert_eq!(stage.rows("survey")[1].1, RowState::Superseded);
+    let done = stage.watch(400.0, |stage| {
+        trails.extend([1, 3].map(|id| stage.place(id)));
+        let rows = stage.rows("survey");
+        rows.iter().all(|(_, state, _)| state.is_final())
+    });
+    let rows = stage.rows("survey");
+    assert!(done, "{rows:?}");
+    assert_eq!((rows[0].1, rows[2].1), (RowState::Done, RowState::Done));
+    // The one that left had finished none: the others have flown all five.
+    for east in [6.0, 18.0, 30.0, 42.0, 54.0] {
+        let near = |at: &&[f64; 3]| (at[0] - 80.0).abs() < 3.0 && (at[1] - east).abs() < 1.0;
+        assert!(trails.iter().any(|at| near(&at)), "{east}");
+    }
+    println!("one leaves: nearest {:.2} m", stage.nearest_m);
+    assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
+}

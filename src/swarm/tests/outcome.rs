@@ -15,3 +15,106 @@ fn who_does_not_fly_is_refused_with_the_reason() {
     assert!(rows[0].2.contains("GUIDED"), "{rows:?}");
     assert!(!stage.conductor.has(1));
 }
+
+#[test]
+fn a_formation_nearer_than_the_separation_is_refused_with_the_figure() {
+    let mut stage = Stage::flying(2, 10.0);
+    stage.say("all formation line spacing 4");
+    let rows = stage.rows("formation");
+    assert_eq!(rows[0].1, RowState::Refused);
+    assert!(
+        rows[0].2.contains("4.0 m") && rows[0].2.contains("6.0 m"),
+        "{rows:?}"
+    );
+}
+
+#[test]
+fn another_movement_takes_a_vehicle_out_and_the_others_close_up() {
+    let mut stage = Stage::flying(4, 10.0);
+    stage.say("all formation column spacing 12");
+    assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
+    stage.say("2 goto by e 60");
+    assert!(!stage.conductor.has(2));
+    assert!(stage.conductor.has(1) && stage.conductor.has(4));
+    stage.run(60.0);
+    let tail = (3..=4).map(|id| stage.distance(1, id)).fold(0.0, f64::max);
+    assert!((tail - 24.0).abs() < 2.5, "{tail}");
+    assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
+    stage.say("all formation off");
+    let rows = stage.rows("formation");
+    assert_eq!(rows[0].1, RowState::Done);
+    assert_eq!(rows[1].1, RowState::Refused, "2 is in none: {rows:?}");
+    assert!(!stage.conductor.has(1));
+}
+
+#[test]
+fn a_hold_ends_a_survey_where_it_is() {
+    let mut stage = Stage::flying(2, 10.0);
+    stage.say("all survey lane spacing 12");
+    stage.run(20.0);
+    stage.say("all hold");
+    let rows = stage.rows("survey");
+    assert!(
+        rows.iter()
+            .all(|(_, state, why)| { *state == RowState::Superseded && why.contains("hold") }),
+        "{rows:?}"
+    );
+    stage.run(6.0);
+    let before = stage.place(1);
+    stage.run(4.0);
+    let after = stage.place(1);
+    assert!((before[0] - after[0]).hypot(before[1] - after[1]) < 0.5);
+    assert!(stage.conductor.paths().is_empty());
+}
+
+#[test]
+fn somebody_in_the_way_is_waited_for() {
+    let mut stage = Stage::flying(2, 20.0);
+    // By its own origin, which is 20 m to the east.
+    stage.say("2 goto n 60 e -20");
+    stage.run(20.0);
+    stage.say("1 survey n 0 e -2 to n 120 e 2 spacing 10 up 20 course 0");
+    stage.run(30.0);
+    // A line has no way round; the one in the way has to leave.
+    assert!(
+        stage
+            .notices
+            .iter()
+            .any(|said| said.contains("2 is in its way")),
+        "{:?}",
+        stage.notices
+    );
+    assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
+    stage.say("2 goto n 60 e 40");
+    assert!(
+        stage.watch(90.0, |stage| stage.is_done("survey")),
+        "{:?}",
+        stage.rows("survey")
+    );
+}
+
+#[test]
+fn a_wait_for_arrival_waits_for_the_survey() {
+    use crate::language::{Findings, Pilot, Script, Seen};
+    let mut stage = Stage::flying(2, 10.0);
+    stage.say("all survey n 20 e 0 to n 60 e 40 spacing 20");
+    let context = Context {
+        vehicles: &[1, 2],
+        ..Context::default()
+    };
+    let script = Script::parse("wait all arrived timeout 5min", &context).expect("good");
+    let mut pilot = Pilot::new(script);
+    let over = stage.watch(200.0, |stage| {
+        let seen = Seen {
+            vehicles: &stage.vehicles,
+            ledger: &stage.ledger,
+            findings: &Findings::default(),
+        };
+        pilot.step(stage.now(), seen).len() == 1
+    });
+    assert!(
+        over && stage.is_done("survey"),
+        "{:?}",
+        stage.rows("survey")
+    );
+}

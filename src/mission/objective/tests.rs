@@ -1,0 +1,124 @@
+//! Objectives about continuous hazards, flown by the vehicle that flies in straight lines.
+
+use crate::commands::{Deed, Spot, Subject};
+use crate::mission::fake::{Pilot, given};
+use crate::mission::hazard::Quantity;
+use crate::mission::world::World;
+use crate::mission::{Mission, ObjectiveState, Outcome, Point};
+
+const PLUME: &str = include_str!("../../../missions/03-plume-source.toml");
+const WATCH: &str = include_str!("../../../missions/08-fire-watch.toml");
+const ATTACK: &str = include_str!("../../../missions/09-fire-attack.toml");
+const RADIATION: &str = include_str!("../../../missions/drills/d10-cross-the-peak.toml");
+
+fn mission(file: &str) -> Mission {
+    Mission::parse(file).expect("the shipped mission is good")
+}
+
+/// Where the first thing of the first hazard is.
+fn truth(file: &str, seed: u64) -> Point {
+    let world = World::new(&mission(file), seed);
+    world.objects().next().expect("there is one").1.at
+}
+
+fn mark(pilot: &mut Pilot, [east_m, north_m]: Point) {
+    let now = pilot.now;
+    let entry = pilot.ledger.open(now, given("1 arm"), &[1]);
+    let deed = Deed::Mark {
+        subject: Subject::Spot(Spot::Offset { north_m, east_m }),
+        kind: Some("leak"),
+    };
+    pilot.flight.act(entry, &deed, &[1]);
+}
+
+#[test]
+fn how_near_a_report_is_comes_out_after_landing_only() {
+    let mut pilot = Pilot::flying(mission(PLUME), 4);
+    let [east, north] = truth(PLUME, 4);
+    pilot.take_off(12.0);
+    mark(&mut pilot, [east + 5.0, north]);
+    pilot.wait(1.0);
+    let first = pilot.flight.progress().objectives.remove(0);
+    assert_eq!(first.state, ObjectiveState::Open);
+    assert!(first.fraction.abs() < 1e-9);
+    assert_eq!(first.detail, "reported: 1");
+    pilot.land();
+    assert_eq!(pilot.flight.outcome(), Some(Outcome::Passed));
+    assert_eq!(pilot.report().objectives[0].result, "5 m off");
+}
+
+#[test]
+fn reports_lose_worth_with_distance_and_by_those_that_are_astray() {
+    let score = |offsets_m: &[f64]| {
+        let mut pilot = Pilot::flying(mission(PLUME), 4);
+        let [east, north] = truth(PLUME, 4);
+        pilot.take_off(12.0);
+        for offset_m in offsets_m {
+            mark(&mut pilot, [east, north + offset_m]);
+        }
+        pilot.land();
+        let report = pilot.report();
+        (report.objectives[0].points, report.score)
+    };
+    let (near, middle, far) = (score(&[10.0]), score(&[40.0]), score(&[80.0]));
+    assert!((near.0 - 75.0).abs() < 0.1 && (middle.0 - 37.5).abs() < 0.1 && far.0.abs() < 0.1);
+    let scattered = score(&[10.0, 80.0, -90.0]);
+    assert!((scattered.0 - near.0).abs() < 0.1);
+    assert!(scattered.1 < near.1, "{scattered:?} {near:?}");
+}
+
+/// The first map is taken after 100 s.
+#[test]
+fn a_map_of_a_fire_is_as_good_as_what_was_seen_of_it_and_how_lately() {
+    let fit_after_100_s = |east_m: f64, north_m: f64| {
+        let mut pilot = Pilot::flying(mission(WATCH), 3);
+        pilot.take_off(60.0);
+        pilot.goto(north_m, east_m, 30.0);
+        while pilot.now.as_secs() < 102 {
+            pilot.tick();
+        }
+        let result = pilot.report().objectives[0].result.to_string();
+        result.parse::<f64>().expect("one figure")
+    };
+    let [east, north] = truth_of_fire(WATCH, 3);
+    let (above, away) = (fit_after_100_s(east, north), fit_after_100_s(90.0, 50.0));
+    assert!(above > 0.5, "{above}");
+    assert!(away.abs() < 1e-9, "{away}");
+}
+
+/// Where it burns first.
+fn truth_of_fire(file: &str, seed: u64) -> Point {
+    let world = World::new(&mission(file), seed);
+    let burning = world.objects().find(|(_, object)| object.present);
+    burning.expect("it burns").1.at
+}
+
+#[test]
+fn a_village_that_nobody_cares_for_burns() {
+    let mut pilot = Pilot::flying(mission(ATTACK), 1);
+    pilot.take_off(10.0);
+    while pilot.now.as_secs() < 470 {
+        pilot.tick();
+    }
+    let report = pilot.report();
+    assert!(!report.objectives[0].met, "{}", report.objectives[0].result);
+    assert_eq!(
+        report.objectives[1].result,
+        "100 % of what would have burnt"
+    );
+}
+
+#[test]
+fn the_dose_is_the_dose_rate_over_time() {
+    let world = World::new(&mission(RADIATION), 2);
+    let rate = world.amount(Quantity::DoseRate, [0.0, 0.0], 0.0);
+    let file = RADIATION.replace("id = \"home\"", "id = \"dose\"");
+    let file = file.replace(
+        "kind = \"recover\"\nradius = 3\nbattery_pct = 25",
+        "kind = \"dose\"\nlimit_usv = 1",
+    );
+    let mut pilot = Pilot::flying(mission(&file), 2);
+    pilot.wait(60.0);
+    let expected = format!("{:.2} uSv at most", rate * 60.0 / 3600.0);
+    assert_eq!(pilot.report().objectives[1].result.to_string(), expected);
+}

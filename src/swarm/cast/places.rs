@@ -1,0 +1,134 @@
+//! Who goes where, and how everybody gets there.
+
+use glam::{DVec2, DVec3};
+
+use crate::swarm::Rules;
+use crate::swarm::act::{Act, Member, Phase, Scene, Work};
+use crate::swarm::geometry::{assign, length_m};
+use crate::swarm::lanes::{Lane, Start, shares};
+use crate::swarm::transit::{Leg, are_apart, heights};
+use crate::vehicle::VehicleId;
+
+/// Everybody where it is, to stay on the spot at a height.
+pub(super) fn members(team: &[(VehicleId, DVec3)], up_m: f64) -> Vec<Member> {
+    let member = |&(id, at): &(VehicleId, DVec3)| Member::new(id, at, at.truncate().extend(up_m));
+    team.iter().map(member).collect()
+}
+
+/// Whether neighbouring lines are so near that neighbours have to fly at different heights.
+pub(super) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
+    let apart = |pair: &[Lane]| {
+        let along = (pair[0].to - pair[0].from).try_normalize();
+        let along = along.or((pair[1].to - pair[1].from).try_normalize());
+        (pair[1].from - pair[0].from)
+            .perp_dot(along.unwrap_or(DVec2::X))
+            .abs()
+    };
+    let nearest = lanes.windows(2).map(apart).fold(f64::INFINITY, f64::min);
+    nearest < rules.clearance().aside_m
+}
+
+/// Gives the lanes to the members: neighbouring ones to each, begun from the side and the end from which all together
+/// have the shortest way. Who gets none leaves. False if there is no safe way.
+pub(in crate::swarm) fn share_lanes(act: &mut Act, lanes: &[Lane], scene: &Scene<'_>) -> bool {
+    let up_m = act.members.iter().map(|member| member.to.z);
+    let up_m = up_m.fold(f64::INFINITY, f64::min);
+    see(act, scene);
+    let count = act.members.len().min(lanes.len());
+    let shares = shares(lanes, count);
+    let flat: Vec<DVec2> = act.members.iter().map(|it| it.from.truncate()).collect();
+    let tries = Start::ALL.map(|start| {
+        let ordered: Vec<Vec<Lane>> = shares.iter().map(|share| start.order(share)).collect();
+        let entries: Vec<DVec2> = ordered.iter().map(|share| share[0].from).collect();
+        let (chosen, cost) = assign(&entries, &flat);
+        (cost, chosen, ordered)
+    });
+    let Some((_, chosen, ordered)) = tries.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return false;
+    };
+    let above_m = if is_staggered(lanes, scene.rules) {
+        scene.rules.clearance().above_m
+    } else {
+        0.0
+    };
+    let team = std::mem::take(&mut act.members);
+    for (index, (member, share)) in chosen.into_iter().zip(ordered).enumerate() {
+        let level = up_m + above_m * (index % 2) as f64;
+        let ends = share.iter().flat_map(|lane| [lane.from, lane.to]);
+        let course: Vec<DVec3> = ends.map(|end| end.extend(level)).collect();
+        act.members.push(Member {
+            to: course[0],
+            course,
+            next: 0,
+            ..team[member].clone()
+        });
+    }
+    route(act, scene)
+}
+
+/// Gives the members places in their formation, the first the first one. False if there is no safe way.
+pub(in crate::swarm) fn take_places(act: &mut Act, scene: &Scene<'_>) -> bool {
+    see(act, scene);
+    let Work::Formation(march) = &mut act.work else {
+        return false;
+    };
+    let places = march.places(act.members.len());
+    let flat =
+        |points: &[DVec3]| -> Vec<DVec2> { points.iter().map(|point| point.truncate()).collect() };
+    let others: Vec<DVec2> = act.members[1..]
+        .iter()
+        .map(|it| it.from.truncate())
+        .collect();
+    let (chosen, _) = assign(&flat(&places[1..]), &others);
+    let mut order = vec![0; places.len()];
+    for (slot, other) in chosen.into_iter().enumerate() {
+        order[other + 1] = slot + 1;
+    }
+    march.seat(&order);
+    for (member, &slot) in act.members.iter_mut().zip(&order) {
+        member.to = places[slot];
+    }
+    route(act, scene)
+}
+
+/// Takes note of where everybody is now.
+fn see(act: &mut Act, scene: &Scene<'_>) {
+    for member in &mut act.members {
+        let vehicle = scene.vehicles.get(&member.id);
+        if let Some(at) = vehicle.and_then(|vehicle| act.site.point(vehicle)) {
+            member.from = at;
+        }
+    }
+}
+
+/// Finds heights at which everybody can go from where it is to where its work begins. False if there are none.
+pub(super) fn route(act: &mut Act, scene: &Scene<'_>) -> bool {
+    let leg = |member: &Member| Leg {
+        from: member.from,
+        to: member.to,
+    };
+    let legs: Vec<Leg> = act.members.iter().map(leg).collect();
+    let outside = scene
+        .vehicles
+        .values()
+        .filter(|it| !act.has(it.id) && it.airborne());
+    let others: Vec<DVec3> = outside.filter_map(|it| act.site.point(it)).collect();
+    let clearance = scene.rules.clearance();
+    if are_apart(&legs, &others, clearance) {
+        act.phase = Phase::Sink;
+        for member in &mut act.members {
+            member.layer_m = member.to.z;
+        }
+        return true;
+    }
+    let Some(heights) = heights(&legs, &others, clearance) else {
+        return false;
+    };
+    act.phase = Phase::Rise;
+    for (member, height_m) in act.members.iter_mut().zip(heights) {
+        member.layer_m = height_m;
+        let way = [member.from, member.from.truncate().extend(height_m)];
+        member.standing.most_m = member.standing.most_m.max(length_m(&way));
+    }
+    true
+}
