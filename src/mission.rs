@@ -46,6 +46,17 @@
 //! `timber`, `bare`; `grass`), `patches = [{ area, fuel }, ..]` on top of it, `moisture` (share of water, 0.05), `embers`
 //! (how many times more than usual, 1), `ignitions = [{ at, time, radius }, ..]`, `jitter` (m, for each ignition).
 //!
+//! Hazard kind `minefield`: `zone`, `count = { metal, min_metal, surface }`, `clutter` (pieces of scrap, 0), `min_gap` (m).
+//!
+//! Hazard kind `survivors`: `zone`, `count`, `animals` (0), `cover = [low, high]` (share of them that trees hide, 0),
+//! `min_gap` (m), `lasts` (s; how long they last is Weibull's with shape 2 and this scale; for ever).
+//!
+//! Hazard kind `flood`: `zone`, `houses`, `people` and `animals` (0) on their roofs, `min_gap` (m), `roofs = [low, high]`
+//! (m), `level` (m) and `rise` (m a minute) of the water, `nodes = [point, ..]`: where gauges belong.
+//!
+//! Hazard kind `line`: `pylons = [point, ..]`, `height`, `sag` (m, of a span of mean length), `defects`, `stains` (0; what
+//! looks like defects from far), `min_gap` (m).
+//!
 //! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
 //! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
 //! `arm_time` (`within` s of being ready), `hover` (`heights`, `radius`, `time`,
@@ -55,7 +66,10 @@
 //! `partial_from`); `land_on` (`place`, `radius`, `count` (1)),
 //! `recover` (`radius`, `battery_pct`), `locate` (`of`: a hazard, `within`, `partial_to`), `perimeter` (`of`: a fire,
 //! `sensor`, `times`, `target`, `partial_from`), `protect` (`of`: a fire, `zone`), `contain` (`of`: a fire, `target`,
-//! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`). Cells are named like chess squares: `A1` is the south-west one, letters go
+//! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`), `detect` (`hazard`, `beta`, `radius`, `budget` (3, reports that
+//! count for each object), `target`, `partial_from`), `coverage` (`zone`, `sensors`, `cell`, `target`, `partial_from`),
+//! `deliver` (`hazard`, `load`: `kit` or `node`, `target`, `partial_from` (0)), `standoff` (`hazard`: a line,
+//! `range = [nearest, farthest]`, `near`, `time` (s to spend near it), `target`, `partial_from`). Cells are named like chess squares: `A1` is the south-west one, letters go
 //! east, numbers go north.
 
 use std::collections::BTreeMap;
@@ -79,6 +93,7 @@ mod flight;
 mod hazard;
 mod hint;
 mod listing;
+mod lookout;
 mod objective;
 mod progress;
 mod radio;

@@ -5,3 +5,45 @@ mission-sensor-thermal = thermal camera
 mission-sensor-magnetometer = magnetometer
 mission-sensor-metal-detector = metal detector
 mission-sensor-radar = ground radar
+
+# What detectors find. A contact is called c1, c2 and so on.
+contact-mine = mine
+contact-person = person
+contact-fire = fire
+contact-defect = defect
+contact-leak = leak
+contact-source = source
+contact-found = { $contact }: { $kind }?  n { $north } e { $east }  { $sensor }
+contact-confirmed = { $contact }: { $kind }, the { $sensor } sees it too
+contact-harmless = { $contact }: harmless
+
+# Reports of finds.
+detect-result = F{ $beta } { $score }: { $found }/{ $there } found, { $wrong } false, { $repeated } repeated
+detect-outlook = { $count } reported
+detect-quality = recall { $recall }, precision { $precision }
+detect-target = F{ $beta } { $target }, within { $radius } m
+detect-advice-missed = { $missed } were missed and { $wrong } reports were wrong: look again, lower and slower, and confirm before you report
+detect-advice-wrong = { $wrong } reports were wrong: confirm with another sensor, or from nearer, before you report
+
+# Passing over a zone.
+coverage-result = { $swept } % swept (C { $coverage }; at random it would find { $random } %)
+coverage-outlook = { $swept } % swept
+coverage-target = { $target } % swept
+coverage-advice = Lines as far apart as the sensor's strip leave no gap: { $left } % was not swept, though the way would do for { $coverage } times the zone.
+
+# Keeping a distance.
+standoff-result = { $share } % kept, { $near } s near, { $close } s too close
+standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
+standoff-advice = Fly beside the structure, { $nearest } to { $farthest } m away: { $close } s were too close.
+
+# Bringing things.
+deliver-kits = { $done } helped, { $lost } too late
+deliver-nodes = { $done } placed
+deliver-kits-target = { $target } people
+deliver-nodes-target = { $target } nodes
+deliver-kits-advice = Find people sooner and drop the kit within 8 m of them: { $lost } could not wait.
+deliver-nodes-advice = Drop the nodes within 6 m of their places.
+people-kit-reached = a person { $distance } m away has it
+people-kit-lost = nobody within { $distance } m
+people-node-placed = the node is in its place
+people-node-lost = no place for a node within { $distance } m

@@ -5,3 +5,45 @@ mission-sensor-thermal = тепловізор
 mission-sensor-magnetometer = магнітометр
 mission-sensor-metal-detector = металошукач
 mission-sensor-radar = георадар
+
+# Що знаходять датчики. Знахідки звуться c1, c2 і так далі.
+contact-mine = міна
+contact-person = людина
+contact-fire = вогонь
+contact-defect = дефект
+contact-leak = витік
+contact-source = джерело
+contact-found = { $contact }: { $kind }?  n { $north } e { $east }  { $sensor }
+contact-confirmed = { $contact }: { $kind }, видно й на іншому датчику: { $sensor }
+contact-harmless = { $contact }: небезпеки немає
+
+# Повідомлення про знахідки.
+detect-result = F{ $beta } { $score }: знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
+detect-outlook = повідомлено: { $count }
+detect-quality = повнота { $recall }, точність { $precision }
+detect-target = F{ $beta } { $target }, у межах { $radius } m
+detect-advice-missed = пропущено { $missed }, помилкових повідомлень { $wrong }: огляньте ще раз, нижче й повільніше, і підтверджуйте перед повідомленням
+detect-advice-wrong = помилкових повідомлень { $wrong }: спершу підтвердьте іншим датчиком або зблизька
+
+# Прохід над зоною.
+coverage-result = обстежено { $swept } % (C { $coverage }; навмання знайшлося б { $random } %)
+coverage-outlook = обстежено { $swept } %
+coverage-target = обстежити { $target } %
+coverage-advice = Смуги з кроком у ширину захвату датчика не лишають прогалин: не обстежено { $left } %, хоча пройденого вистачило б на { $coverage } зони.
+
+# Дотримання відстані.
+standoff-result = дотримано { $share } %, поруч { $near } s, заблизько { $close } s
+standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
+standoff-advice = Летіть уздовж споруди за { $nearest }-{ $farthest } m від неї: { $close } s було заблизько.
+
+# Доставлення.
+deliver-kits = допомогли: { $done }, запізно: { $lost }
+deliver-nodes = установлено: { $done }
+deliver-kits-target = допомогти людям: { $target }
+deliver-nodes-target = установити датчиків: { $target }
+deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них: не дочекалися { $lost }.
+deliver-nodes-advice = Скидайте датчики не далі як за 6 m від їхніх місць.
+people-kit-reached = набір у людини за { $distance } m
+people-kit-lost = у межах { $distance } m нікого немає
+people-node-placed = датчик на своєму місці
+people-node-lost = у межах { $distance } m місця для датчика немає

@@ -6,6 +6,8 @@ use std::time::Duration;
 use super::Point;
 use super::report::distance_m;
 use super::world::ObjectId;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Something that a detector believes to have found.
@@ -26,6 +28,8 @@ pub(crate) struct Contact {
     pub looks: u32,
     /// Whether it has been reported.
     pub reported: bool,
+    /// Whether a nearer look has shown that it is nothing to report.
+    pub harmless: bool,
     /// What it really is; `None` for a false alarm. Never shown before the debrief.
     pub object: Option<ObjectId>,
 }
@@ -38,8 +42,23 @@ pub(crate) struct Sighting {
     pub sensor: &'static str,
     pub by: VehicleId,
     pub object: Option<ObjectId>,
+    /// Whether it is seen so well that it is known to be nothing to report.
+    pub harmless: bool,
     /// Sightings of one kind within this of a contact belong to it.
     pub merge_within_m: f64,
+}
+
+/// What a sighting is to the contacts, by their indices.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Seen {
+    /// Something new.
+    New(usize),
+    /// Another kind of sensor has seen it now.
+    Confirmed(usize),
+    /// It turns out to be nothing to report.
+    Harmless(usize),
+    /// Nothing that was not known.
+    Again,
 }
 
 /// All contacts of a flight; `c1` is the first.
@@ -52,9 +71,10 @@ impl Contacts {
         &self.0
     }
 
-    /// Those that nobody has reported, for reporting them.
+    /// Those that nobody has reported and that are not known to be harmless, for reporting them.
     pub fn unreported(&mut self) -> impl Iterator<Item = &mut Contact> {
-        self.0.iter_mut().filter(|contact| !contact.reported)
+        let open = |contact: &&mut Contact| !contact.reported && !contact.harmless;
+        self.0.iter_mut().filter(open)
     }
 
     /// What a contact is called.
@@ -62,22 +82,17 @@ impl Contacts {
         format!("c{}", index + 1)
     }
 
-    /// Takes in a sighting; returns the index of a contact that is new by it.
-    pub fn see(&mut self, sighting: &Sighting, now: Duration) -> Option<usize> {
-        let near = |contact: &&mut Contact| {
+    /// Takes in a sighting.
+    pub fn see(&mut self, sighting: &Sighting, now: Duration) -> Seen {
+        let near = |contact: &Contact| {
             contact.kind == sighting.kind
                 && distance_m(contact.at, sighting.at) <= sighting.merge_within_m
         };
-        if let Some(contact) = self.0.iter_mut().find(near) {
-            contact.looks += 1;
-            let share = 1.0 / f64::from(contact.looks);
-            for (axis, seen) in contact.at.iter_mut().zip(sighting.at) {
-                *axis += (seen - *axis) * share;
-            }
-            contact.sensors.insert(sighting.sensor);
-            contact.last = now;
-            contact.object = contact.object.or(sighting.object);
-            return None;
+        if let Some(index) = self.0.iter().position(near) {
+            return self.0[index].look(sighting, now, index);
+        }
+        if sighting.harmless {
+            return Seen::Again;
         }
         self.0.push(Contact {
             at: sighting.at,
@@ -88,9 +103,54 @@ impl Contacts {
             last: now,
             looks: 1,
             reported: false,
+            harmless: false,
             object: sighting.object,
         });
-        Some(self.0.len() - 1)
+        Seen::New(self.0.len() - 1)
+    }
+}
+
+impl Contact {
+    fn look(&mut self, sighting: &Sighting, now: Duration, index: usize) -> Seen {
+        self.last = now;
+        self.object = self.object.or(sighting.object);
+        if sighting.harmless {
+            let news = !self.harmless;
+            self.harmless = true;
+            return if news {
+                Seen::Harmless(index)
+            } else {
+                Seen::Again
+            };
+        }
+        self.looks += 1;
+        let share = 1.0 / f64::from(self.looks);
+        for (axis, seen) in self.at.iter_mut().zip(sighting.at) {
+            *axis += (seen - *axis) * share;
+        }
+        let news = self.sensors.insert(sighting.sensor) && !self.harmless;
+        if news {
+            Seen::Confirmed(index)
+        } else {
+            Seen::Again
+        }
+    }
+
+    /// Whether two kinds of sensors have seen it.
+    pub fn is_confirmed(&self) -> bool {
+        self.sensors.len() > 1
+    }
+
+    /// What it is taken for, in words.
+    pub fn kind_text(&self) -> Text {
+        match self.kind {
+            "mine" => text!("contact-mine"),
+            "person" => text!("contact-person"),
+            "fire" => text!("contact-fire"),
+            "defect" => text!("contact-defect"),
+            "leak" => text!("contact-leak"),
+            _ => text!("contact-source"),
+        }
     }
 }
 
@@ -105,6 +165,7 @@ mod tests {
             sensor,
             by: 1,
             object: None,
+            harmless: false,
             merge_within_m: 1.0,
         }
     }
@@ -114,18 +175,36 @@ mod tests {
         let mut contacts = Contacts::default();
         assert_eq!(
             contacts.see(&sighting([0.0, 0.0], "s_mag"), Duration::ZERO),
-            Some(0)
+            Seen::New(0)
         );
         assert_eq!(
             contacts.see(&sighting([0.8, 0.0], "s_gpr"), Duration::ZERO),
-            None
+            Seen::Confirmed(0)
         );
         assert_eq!(
             contacts.see(&sighting([2.0, 0.0], "s_gpr"), Duration::ZERO),
-            Some(1)
+            Seen::New(1)
         );
         let first = &contacts.all()[0];
         assert_eq!(first.at, [0.4, 0.0]);
         assert_eq!(first.sensors.len(), 2);
+    }
+
+    #[test]
+    fn what_turns_out_harmless_is_not_offered_for_reporting_any_more() {
+        let mut contacts = Contacts::default();
+        contacts.see(&sighting([0.0, 0.0], "s_th160"), Duration::ZERO);
+        let harmless = Sighting {
+            harmless: true,
+            ..sighting([0.2, 0.0], "s_th160")
+        };
+        assert_eq!(contacts.see(&harmless, Duration::ZERO), Seen::Harmless(0));
+        assert_eq!(contacts.unreported().count(), 0);
+        let elsewhere = Sighting {
+            at: [9.0, 0.0],
+            ..harmless
+        };
+        assert_eq!(contacts.see(&elsewhere, Duration::ZERO), Seen::Again);
+        assert_eq!(contacts.all().len(), 1);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::sensor::Probe;
+use super::sensor::{Probe, Sensor};
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
 use crate::scoring::SafetyKind;
@@ -33,6 +33,8 @@ pub(crate) struct Craft {
     /// Height above home.
     pub height_m: f64,
     pub speed_m_s: f64,
+    /// Where it goes, or went last.
+    pub course: Course,
     /// Whether it would arm.
     pub ready: bool,
     pub armed: bool,
@@ -48,6 +50,9 @@ pub(crate) struct Craft {
     pub battery_percent: Option<f64>,
     /// For how long it has stood disarmed on the ground after flying.
     pub down_for: Duration,
+    /// What it carries.
+    pub sensors: Vec<&'static Sensor>,
+    /// Those of them that measure.
     pub probes: Vec<Probe>,
     /// Where it is and how high while nobody hears it.
     unheard: Option<(Point, f64)>,
@@ -63,12 +68,16 @@ pub(crate) struct Craft {
 pub(crate) type Breach = (SafetyKind, Text);
 
 impl Craft {
-    pub fn new(id: VehicleId, probes: Vec<Probe>) -> Self {
+    /// A vehicle with its sensors; their noise depends on the seed.
+    pub fn new(id: VehicleId, sensors: &[&'static Sensor], seed: u64) -> Self {
+        let stream = |index: usize| u64::from(id) * 256 + index as u64;
+        let fitted = sensors.iter().enumerate();
         Self {
             id,
             at: None,
             height_m: 0.0,
             speed_m_s: 0.0,
+            course: Course::default(),
             ready: false,
             armed: false,
             airborne: false,
@@ -78,7 +87,10 @@ impl Craft {
             pad_distance_m: None,
             battery_percent: None,
             down_for: Duration::ZERO,
-            probes,
+            sensors: sensors.to_vec(),
+            probes: fitted
+                .filter_map(|(index, sensor)| Probe::new(sensor, seed, stream(index)))
+                .collect(),
             unheard: None,
             energy_wh: None,
             sink_m_s: 0.0,
@@ -90,6 +102,11 @@ impl Craft {
     /// Whether it stands disarmed on the ground after flying.
     pub fn is_down(&self) -> bool {
         self.flown && !self.lost && !self.armed && !self.airborne
+    }
+
+    /// Whether its detectors work and what they see is heard.
+    pub fn can_see(&self) -> bool {
+        self.heard && self.airborne && !self.lost
     }
 
     /// Where it really is, which its operator may not know at the moment.
@@ -106,7 +123,7 @@ impl Craft {
 
     /// Whether it has a sensor, by id.
     pub fn carries(&self, sensor: &str) -> bool {
-        self.probes.iter().any(|probe| probe.sensor.id == sensor)
+        self.sensors.iter().any(|fitted| fitted.id == sensor)
     }
 
     /// What its hazard sensors show.
@@ -173,6 +190,7 @@ impl Craft {
             let distance = |pad: &Point| (at[0] - pad[0]).hypot(at[1] - pad[1]);
             self.pad_distance_m = mission.pads.iter().map(distance).min_by(f64::total_cmp);
             self.at = Some(at);
+            self.course.turn(&global);
             self.height_m = global.altitude_m;
             if self.height_m > NEAR_GROUND_M {
                 self.sink_m_s = 0.0;
@@ -256,6 +274,51 @@ impl Craft {
             ));
         }
         breaches
+    }
+}
+
+/// The direction in which a vehicle goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Course {
+    east: f64,
+    north: f64,
+}
+
+impl Default for Course {
+    fn default() -> Self {
+        Self {
+            east: 0.0,
+            north: 1.0,
+        }
+    }
+}
+
+impl Course {
+    /// Slower than this, a vehicle hovers and keeps its course.
+    const SLOWEST_M_S: f64 = 0.3;
+
+    fn turn(&mut self, global: &GlobalPosition) {
+        let (east, north) = (f64::from(global.east_m_s), f64::from(global.north_m_s));
+        let speed = east.hypot(north);
+        if speed >= Self::SLOWEST_M_S {
+            *self = Self {
+                east: east / speed,
+                north: north / speed,
+            };
+        }
+    }
+
+    /// A way to the east and north as one across, to the right, and along the course.
+    pub fn offset_m(self, [east, north]: Point) -> [f64; 2] {
+        [
+            east * self.north - north * self.east,
+            east * self.east + north * self.north,
+        ]
+    }
+
+    /// A way to the right of the course as one to the east and north.
+    pub fn aside(self, right_m: f64) -> Point {
+        [right_m * self.north, -right_m * self.east]
     }
 }
 

@@ -8,10 +8,10 @@ use super::contact::Contacts;
 use super::craft::Craft;
 use super::event::engine::Engine;
 use super::feedback::Feedback;
+use super::lookout::Lookout;
 use super::objective::{Scene, Standing, Tracker};
 use super::record::Recorder;
 use super::report::Marks;
-use super::sensor::Probe;
 use super::survey::Survey;
 use super::usage::Usage;
 use super::world::World;
@@ -38,6 +38,7 @@ mod swarm;
 mod threats;
 mod truth;
 mod view;
+mod watch;
 
 pub use deeds::Pledge;
 pub(crate) use loads::Release;
@@ -80,6 +81,7 @@ pub struct Flight {
     trackers: Vec<Box<dyn Tracker>>,
     surveys: Vec<Survey>,
     crafts: Vec<Craft>,
+    lookout: Lookout,
     /// What each craft has on board.
     holds: Vec<loads::Hold>,
     /// Everything that was let go of.
@@ -134,6 +136,7 @@ impl Flight {
                 .collect(),
             surveys: surveys.collect(),
             crafts: Vec::new(),
+            lookout: Lookout::new(seed),
             holds: Vec::new(),
             releases: Vec::new(),
             contacts: Contacts::default(),
@@ -189,6 +192,7 @@ impl Flight {
         self.step_crafts(vehicles, &mut notices);
         self.step_loads(&mut notices);
         self.note_peaks();
+        self.watch(&mut notices);
         self.step_commands(vehicles, ledger, &mut notices);
         self.step_usage(ledger);
         self.note_tracks();
@@ -250,12 +254,8 @@ impl Flight {
             }
             if self.crafts.iter().all(|craft| craft.id != id) {
                 let fit = &self.mission.fits[self.crafts.len()];
-                let probe = |(index, &sensor)| {
-                    Probe::new(sensor, self.seed, u64::from(id) * 256 + index as u64)
-                };
-                let probes = fit.sensors.iter().enumerate().filter_map(probe);
                 self.holds.push(loads::Hold::new(fit));
-                self.crafts.push(Craft::new(id, probes.collect()));
+                self.crafts.push(Craft::new(id, &fit.sensors, self.seed));
                 self.usage.push(Usage::new(id));
             }
         }

@@ -12,12 +12,19 @@ use crate::text::Text;
 
 mod dispersion;
 pub(super) mod fire;
+pub(super) mod flood;
+pub(super) mod line;
+pub(super) mod minefield;
+pub(super) mod people;
+mod placing;
 pub(super) mod plume;
 pub(super) mod puffs;
 pub(super) mod radiation;
+pub(super) mod survivors;
 mod wander;
 
 pub(crate) use fire::{Fire, Grid};
+pub(crate) use people::Care;
 
 /// A hazard as the file describes it.
 pub(crate) trait Hazard: Debug + Send + Sync {
@@ -42,6 +49,16 @@ pub(crate) trait Field: Debug + Send + Sync {
 
     /// What a load does to it where it comes down; `None` where the load does not concern it.
     fn affect(&mut self, _load: Load, _at: Point) -> Option<Effect> {
+        None
+    }
+
+    /// What has been done for the people in it; `None` where there are none.
+    fn care(&self) -> Option<Care> {
+        None
+    }
+
+    /// How near a place is to the structure; `None` for hazards without one.
+    fn distance_m(&self, _at: Point, _height_m: f64) -> Option<f64> {
         None
     }
 
@@ -185,8 +202,12 @@ pub(crate) enum TruthShape {
 
 /// All kinds by name.
 pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[
+    ("flood", flood::read),
+    ("line", line::read),
+    ("minefield", minefield::read),
     ("plume", plume::read),
     ("puffs", puffs::read),
     ("radiation", radiation::read),
+    ("survivors", survivors::read),
     ("fire", fire::read),
 ];

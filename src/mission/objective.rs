@@ -16,6 +16,9 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 pub(super) mod arm_time;
+pub(super) mod coverage;
+pub(super) mod deliver;
+pub(super) mod detect;
 pub(super) mod dose;
 pub(super) mod formation;
 pub(super) mod hover;
@@ -28,6 +31,7 @@ pub(super) mod protect;
 pub(super) mod recover;
 mod route;
 pub(super) mod sample_cells;
+pub(super) mod standoff;
 pub(super) mod stops;
 
 /// An objective of a mission.
@@ -148,6 +152,10 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("map_error", map_error::read),
     ("recover", recover::read),
     ("link", link::read),
+    ("coverage", coverage::read),
+    ("deliver", deliver::read),
+    ("detect", detect::read),
+    ("standoff", standoff::read),
     ("arm_time", arm_time::read),
     ("hover", hover::read),
     ("gates", stops::read_gates),

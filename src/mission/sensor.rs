@@ -3,11 +3,13 @@
 
 mod catalogue;
 mod detector;
+mod look;
 mod probe;
 
 pub(crate) use catalogue::SENSORS;
 pub(crate) use detector::DetectorSpec;
 use detector::{Band, Camera, Ground};
+pub(crate) use look::{Look, View};
 use probe::{Noise, Response};
 pub(crate) use probe::{Probe, ProbeSpec};
 

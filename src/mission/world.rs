@@ -1,6 +1,7 @@
 //! The truth of one flight: the weather, the hazards, and what is there to be found. Trainees see it through sensors
 //! only, until the debrief.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use rand::SeedableRng;
@@ -21,6 +22,8 @@ pub(crate) struct World {
     /// As it is now; events change it.
     pub weather: Weather,
     fields: Vec<Box<dyn Field>>,
+    /// What there is to report, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
+    sought: BTreeSet<&'static str>,
     seed: u64,
 }
 
@@ -34,10 +37,34 @@ impl World {
             hazard.release(&mission.weather, random)
         };
         let hazards = mission.hazards.iter().map(AsRef::as_ref);
+        let fields: Vec<Box<dyn Field>> = hazards.zip((0..=u64::MAX).rev()).map(release).collect();
+        let objects = fields.iter().flat_map(|field| field.objects());
         Self {
             seed,
             weather: mission.weather,
-            fields: hazards.zip((0..=u64::MAX).rev()).map(release).collect(),
+            sought: objects.filter_map(|object| object.class.kind()).collect(),
+            fields,
+        }
+    }
+
+    /// A world in which these things lie about, for tests.
+    #[cfg(test)]
+    pub fn of_objects(weather: Weather, objects: Vec<Object>) -> Self {
+        #[derive(Debug)]
+        struct Lying(Vec<Object>);
+        impl Field for Lying {
+            fn objects(&self) -> &[Object] {
+                &self.0
+            }
+        }
+        Self {
+            seed: 0,
+            weather,
+            sought: objects
+                .iter()
+                .filter_map(|object| object.class.kind())
+                .collect(),
+            fields: vec![Box::new(Lying(objects))],
         }
     }
 
@@ -89,6 +116,11 @@ impl World {
             let objects = field.objects().iter().enumerate();
             objects.map(move |(index, object)| (ObjectId { hazard, index }, object))
         })
+    }
+
+    /// Whether anything of a kind was there to be reported from the start.
+    pub fn seeks(&self, kind: &str) -> bool {
+        self.sought.contains(kind)
     }
 
     /// The hazard at a place in the file.

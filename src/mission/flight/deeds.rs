@@ -121,7 +121,7 @@ impl Flight {
         let mut found = Vec::new();
         for contact in self.contacts.unreported() {
             let wanted = kind.is_none_or(|kind| kind == contact.kind);
-            if wanted && (!confirmed || contact.sensors.len() > 1) {
+            if wanted && (!confirmed || contact.is_confirmed()) {
                 contact.reported = true;
                 found.push((contact.at, contact.kind));
             }

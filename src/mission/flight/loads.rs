@@ -8,6 +8,7 @@ use super::deeds::Done;
 use crate::mission::craft::Craft;
 use crate::mission::fit::Fit;
 use crate::mission::hazard::{Effect, Load};
+use crate::mission::sensor::Probe;
 use crate::mission::{Point, Reading, TICK};
 use crate::notice::Notice;
 use crate::text;
@@ -164,7 +165,7 @@ impl Flight {
             let limit = format!("{SAMPLE_UP_TO_M_S:.0}");
             return Err(text!("load-sample-speed", limit = limit));
         }
-        let reading = |probe: &super::Probe| {
+        let reading = |probe: &Probe| {
             text!(
                 "load-sample",
                 sensor = Text::new(probe.sensor.name, Vec::new()),

@@ -1,7 +1,8 @@
 //! How a flight stands, for the mission panel.
 
-use super::{Craft, Flight, Probe, Standing, Survey, result};
+use super::{Craft, Flight, Standing, Survey, result};
 use crate::language::Findings;
+use crate::mission::sensor::Probe;
 use crate::mission::{
     Cell, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
 };

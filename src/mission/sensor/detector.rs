@@ -1,5 +1,7 @@
 //! Sensors that find objects: heads that pass closely over the ground, and cameras.
 
+use crate::mission::weather::Light;
+
 /// How a sensor finds things.
 #[derive(Debug, PartialEq)]
 pub(crate) enum DetectorSpec {
@@ -59,6 +61,47 @@ pub(crate) enum Band {
 }
 
 impl DetectorSpec {
+    /// Nothing farther than this to the east or north is seen from a height.
+    pub fn reach_m(&self, height_m: f64) -> f64 {
+        match self {
+            Self::Ground(_) => self.strip_reach_m(height_m),
+            Self::Camera(camera) => {
+                let aside_m = 2.0 * camera.inspects_to_m.unwrap_or(0.0);
+                self.strip_reach_m(height_m).max(aside_m)
+            }
+        }
+    }
+
+    /// Whether it works at a height and a speed: half of its best, or half of all persons, are found.
+    pub fn works(&self, height_m: f64, speed_m_s: f64, light: Light) -> bool {
+        match self {
+            Self::Ground(ground) => ground.mines.left(height_m, speed_m_s) >= 0.5,
+            Self::Camera(camera) => camera.shows_persons(height_m, light),
+        }
+    }
+
+    /// Whether it finds well what lies so far across and along the course.
+    pub fn covers(&self, [across, along]: [f64; 2], height_m: f64) -> bool {
+        // A strip that just touches the next one leaves no gap between them.
+        const TOUCH_M: f64 = 1e-6;
+        let [width, length] = match self {
+            Self::Ground(ground) => [ground.swath_m; 2],
+            Self::Camera(camera) => camera.footprint_m(height_m),
+        };
+        across.abs() <= width / 2.0 + TOUCH_M && along.abs() <= length / 2.0 + TOUCH_M
+    }
+
+    /// How far away anything can be that it covers.
+    pub fn strip_reach_m(&self, height_m: f64) -> f64 {
+        match self {
+            Self::Ground(ground) => ground.swath_m,
+            Self::Camera(camera) => {
+                let [across, along] = camera.footprint_m(height_m);
+                across.hypot(along) / 2.0
+            }
+        }
+    }
+
     /// How wide a strip it covers on a pass at a height above the ground.
     pub fn swath_m(&self, height_m: f64) -> f64 {
         match self {

@@ -26,7 +26,7 @@ fn zones() -> Vec<Zone> {
 
 fn crafts() -> Vec<Craft> {
     let craft = |id, at, height_m, speed_m_s| {
-        let mut craft = Craft::new(id, Vec::new());
+        let mut craft = Craft::new(id, &[], 1);
         craft.at = Some(at);
         craft.height_m = height_m;
         craft.speed_m_s = speed_m_s;

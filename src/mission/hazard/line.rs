@@ -1,0 +1,279 @@
+//! `line`: a power line on pylons, with defects on its wire and stains that look like some.
+//!
+//! The wire hangs in catenaries: `y = a (cosh(x / a) - cosh(L / 2a))` below the pylons' tops, where the sag
+//! `a (cosh(L / 2a) - 1)` belongs to a span of the line's mean length; all spans have the same tension, so the same `a`.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::placing::revealed;
+use super::{Class, Field, Hazard, Object, Truth};
+use crate::mission::Point;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::report::distance_m;
+use crate::mission::weather::Weather;
+
+const MOST_PYLONS: usize = 100;
+const MOST_DEFECTS: u32 = 200;
+/// Distances to the wire are taken to points this far from one another.
+const STEP_M: f64 = 1.0;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LineFile {
+    pylons: Spanned<Vec<Spanned<Point>>>,
+    height: Spanned<f64>,
+    sag: Spanned<f64>,
+    defects: Spanned<u32>,
+    #[serde(default)]
+    stains: u32,
+    min_gap: Spanned<f64>,
+}
+
+#[derive(Debug)]
+struct Line {
+    wire: Wire,
+    defects: usize,
+    stains: usize,
+    gap_m: f64,
+}
+
+/// A wire on pylons.
+#[derive(Debug, Clone, PartialEq)]
+struct Wire {
+    pylons: Vec<Point>,
+    height_m: f64,
+    /// The catenary's parameter; infinite for a straight wire.
+    parameter_m: f64,
+}
+
+#[derive(Debug)]
+struct Strung {
+    objects: Vec<Object>,
+    /// Points of the wire, with their heights.
+    points: Vec<(Point, f64)>,
+}
+
+/// Reads a `[[hazards]]` of kind `line`.
+pub(crate) fn read(
+    section: Section<'_>,
+    _: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Hazard>> {
+    let file: LineFile = faults.read(section)?;
+    let pylons: Vec<Point> = file
+        .pylons
+        .get_ref()
+        .iter()
+        .map(|pylon| faults.point(pylon, "pylons"))
+        .collect();
+    let apart = pylons
+        .windows(2)
+        .all(|pair| distance_m(pair[0], pair[1]) >= 5.0);
+    if !(2..=MOST_PYLONS).contains(&pylons.len()) || !apart {
+        let fault = format!("a line has 2 to {MOST_PYLONS} pylons, 5 m or more apart");
+        faults.add(file.pylons.span(), fault);
+        return None;
+    }
+    let height_m = faults.number(&file.height, 2.0..=200.0, "height");
+    let sag_m = faults.number(&file.sag, 0.0..=height_m.max(0.0), "sag");
+    let gap_m = faults.number(&file.min_gap, 0.0..=1000.0, "min_gap");
+    let (defects, stains) = (*file.defects.get_ref(), file.stains);
+    if !(1..=MOST_DEFECTS).contains(&defects) || stains > MOST_DEFECTS {
+        let fault = format!("a line has 1 to {MOST_DEFECTS} defects");
+        faults.add(file.defects.span(), fault);
+    }
+    let wire = Wire::new(pylons, height_m, sag_m);
+    // Half of the length is kept free, or chance finds no room.
+    if f64::from(defects.saturating_add(stains)) * gap_m > wire.length_m() / 2.0 {
+        faults.add(
+            file.min_gap.span(),
+            "so many with this gap have no room on the line",
+        );
+    }
+    Some(Box::new(Line {
+        wire,
+        defects: defects as usize,
+        stains: stains as usize,
+        gap_m,
+    }))
+}
+
+impl Wire {
+    fn new(pylons: Vec<Point>, height_m: f64, sag_m: f64) -> Self {
+        let spans = pylons.len().saturating_sub(1).max(1) as f64;
+        let mut wire = Self {
+            pylons,
+            height_m,
+            parameter_m: f64::INFINITY,
+        };
+        wire.parameter_m = parameter_m(wire.length_m() / spans, sag_m);
+        wire
+    }
+
+    /// Length of the line on the ground.
+    fn length_m(&self) -> f64 {
+        let spans = self.pylons.windows(2);
+        spans.map(|pair| distance_m(pair[0], pair[1])).sum()
+    }
+
+    /// The place and the height of the wire and its direction, so far along the line.
+    fn at(&self, along_m: f64) -> (Point, f64, f64) {
+        let (mut left_m, mut last) = (along_m, ([0.0; 2], self.height_m, 0.0));
+        for pair in self.pylons.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let span_m = distance_m(from, to);
+            let x_m = left_m.clamp(0.0, span_m);
+            let share = x_m / span_m;
+            let place = [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * share);
+            let drop_m = drop_m(self.parameter_m, span_m, x_m);
+            let axis_deg = (to[0] - from[0]).atan2(to[1] - from[1]).to_degrees();
+            last = (place, self.height_m - drop_m, axis_deg);
+            if left_m <= span_m {
+                break;
+            }
+            left_m -= span_m;
+        }
+        last
+    }
+}
+
+/// How far a wire hangs below its ends at `x` of a span.
+fn drop_m(parameter_m: f64, span_m: f64, x_m: f64) -> f64 {
+    if !parameter_m.is_finite() {
+        return 0.0;
+    }
+    let end = (span_m / 2.0 / parameter_m).cosh();
+    parameter_m * (end - ((x_m - span_m / 2.0) / parameter_m).cosh())
+}
+
+/// The parameter of the catenary with a sag in a span: `a (cosh(L / 2a) - 1) = sag`, by bisection.
+fn parameter_m(span_m: f64, sag_m: f64) -> f64 {
+    if sag_m <= 1e-6 * span_m {
+        return f64::INFINITY;
+    }
+    // Logarithms of the bounds: a wire that hangs down almost straight, and one that is almost level.
+    let (mut low, mut high) = ((span_m / 1000.0).ln(), (span_m * 1e7).ln());
+    for _ in 0..80 {
+        let middle = f64::midpoint(low, high);
+        if drop_m(middle.exp(), span_m, span_m / 2.0) > sag_m {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low.exp()
+}
+
+impl Hazard for Line {
+    fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
+        let length_m = self.wire.length_m();
+        let mut places: Vec<f64> = Vec::new();
+        for _ in 0..self.defects + self.stains {
+            let mut tries = (0..400).map(|_| length_m * random.random::<f64>());
+            let lonely = |along: &f64| places.iter().all(|p| (p - along).abs() >= self.gap_m);
+            places.extend(tries.find(lonely));
+        }
+        let hang = |(index, along_m): (usize, f64)| {
+            let (at, height_m, axis_deg) = self.wire.at(along_m);
+            let class = if index < self.defects {
+                Class::Defect
+            } else {
+                Class::Clutter
+            };
+            Object {
+                height_m,
+                axis_deg: Some(axis_deg),
+                ..Object::new(class, at)
+            }
+        };
+        let steps = (length_m / STEP_M).ceil() as u32;
+        let point = |step: u32| {
+            let (at, height_m, _) = self.wire.at(f64::from(step) * length_m / f64::from(steps));
+            (at, height_m)
+        };
+        Box::new(Strung {
+            objects: places.into_iter().enumerate().map(hang).collect(),
+            points: (0..=steps).map(point).collect(),
+        })
+    }
+}
+
+impl Field for Strung {
+    fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    fn distance_m(&self, at: Point, height_m: f64) -> Option<f64> {
+        let distances = self
+            .points
+            .iter()
+            .map(|&(point, wire_m)| distance_m(point, at).hypot(wire_m - height_m));
+        distances.min_by(f64::total_cmp)
+    }
+
+    fn truth(&self) -> Vec<Truth> {
+        revealed(&self.objects)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+
+    use super::*;
+
+    #[test]
+    fn the_wire_hangs_in_a_catenary_with_the_sag_of_the_span() {
+        for (span_m, sag_m) in [(100.0, 2.0), (60.0, 20.0), (300.0, 9.0)] {
+            let a = parameter_m(span_m, sag_m);
+            assert!(
+                (drop_m(a, span_m, span_m / 2.0) - sag_m).abs() < 1e-6,
+                "{span_m} {sag_m}"
+            );
+            assert!(drop_m(a, span_m, 0.0).abs() < 1e-9);
+            // A catenary's slope is sinh(x / a).
+            let slope = (drop_m(a, span_m, 0.001) - drop_m(a, span_m, 0.0)) / 0.001;
+            assert!((slope - (span_m / 2.0 / a).sinh()).abs() < 1e-3 * slope.max(1.0));
+        }
+        // A flat one is a parabola: a = L^2 / (8 sag), a quarter of the way three quarters of the sag.
+        let a = parameter_m(100.0, 0.5);
+        assert!((a / 2500.0 - 1.0).abs() < 1e-3);
+        assert!((drop_m(a, 100.0, 25.0) - 0.375).abs() < 1e-3);
+        assert!(drop_m(parameter_m(100.0, 0.0), 100.0, 50.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn defects_hang_on_the_wire_with_the_gap_and_know_its_direction() {
+        let wire = Wire::new(vec![[0.0, 0.0], [80.0, 0.0], [80.0, 90.0]], 20.0, 3.0);
+        let line = Line {
+            wire,
+            defects: 4,
+            stains: 2,
+            gap_m: 10.0,
+        };
+        for seed in 0..30 {
+            let field = line.release(&Weather::CALM, ChaCha8Rng::seed_from_u64(seed));
+            assert_eq!(field.objects().len(), 6);
+            for object in field.objects() {
+                assert!((16.0..=20.0).contains(&object.height_m));
+                let to_wire = field.distance_m(object.at, object.height_m);
+                assert!(
+                    to_wire.is_some_and(|distance| distance < 0.6),
+                    "{to_wire:?}"
+                );
+                let axis = if object.at[1] < 1e-9 { 90.0 } else { 0.0 };
+                let known = object.axis_deg.map_or(f64::NAN, |deg| deg - axis);
+                assert!(known.abs() < 1e-9, "{object:?}");
+            }
+        }
+        let field = line.release(&Weather::CALM, ChaCha8Rng::seed_from_u64(1));
+        let beside = field.distance_m([40.0, 8.0], 17.0);
+        assert!(
+            beside.is_some_and(|distance| (distance - 8.0).abs() < 0.1),
+            "{beside:?}"
+        );
+    }
+}

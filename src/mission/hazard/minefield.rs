@@ -1,0 +1,154 @@
+//! `minefield`: mines and scrap in the ground of a zone, placed by the seed.
+
+use rand_chacha::ChaCha8Rng;
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::placing::{revealed, spread};
+use super::{Class, Field, Hazard, Object, Truth};
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::weather::Weather;
+use crate::mission::zone::Shape;
+
+/// More would slow a step down.
+const MOST_OBJECTS: f64 = 2000.0;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MinefieldFile {
+    zone: Spanned<String>,
+    count: Spanned<CountFile>,
+    #[serde(default)]
+    clutter: u32,
+    min_gap: Spanned<f64>,
+}
+
+#[derive(Debug, Deserialize, Default)]
+#[serde(deny_unknown_fields, default)]
+struct CountFile {
+    metal: u32,
+    min_metal: u32,
+    surface: u32,
+}
+
+#[derive(Debug)]
+struct Minefield {
+    shape: Shape,
+    counts: [(Class, u32); 4],
+    gap_m: f64,
+}
+
+#[derive(Debug)]
+struct Laid(Vec<Object>);
+
+/// Reads a `[[hazards]]` of kind `minefield`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Hazard>> {
+    let file: MinefieldFile = faults.read(section)?;
+    let gap_m = faults.number(&file.min_gap, 0.0..=100.0, "min_gap");
+    let zone = draft.task_zone(&file.zone, faults)?;
+    let count = file.count.get_ref();
+    let counts = [
+        (Class::MetalMine, count.metal),
+        (Class::MinimumMetalMine, count.min_metal),
+        (Class::SurfaceMine, count.surface),
+        (Class::Clutter, file.clutter),
+    ];
+    let mines: f64 = counts[..3].iter().map(|(_, count)| f64::from(*count)).sum();
+    let all = mines + f64::from(file.clutter);
+    if mines < 1.0 || all > MOST_OBJECTS {
+        let fault = format!("a minefield has a mine at least and {MOST_OBJECTS} objects at most");
+        faults.add(file.count.span(), fault);
+    }
+    let (low, high) = zone.shape.bounds();
+    let area_m2 = (high[0] - low[0]) * (high[1] - low[1]);
+    // Discs of half the gap around each cannot be packed denser than about half by chance.
+    if all * gap_m * gap_m > area_m2 {
+        let fault = format!(
+            "{all} objects with this gap have no room in zone `{}`",
+            zone.id
+        );
+        faults.add(file.min_gap.span(), fault);
+    }
+    Some(Box::new(Minefield {
+        shape: zone.shape.clone(),
+        counts,
+        gap_m,
+    }))
+}
+
+impl Hazard for Minefield {
+    fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
+        let all = self.counts.iter().map(|(_, count)| *count as usize).sum();
+        let places = spread(&self.shape, all, self.gap_m, Vec::new(), &mut random);
+        let classes = self
+            .counts
+            .iter()
+            .flat_map(|&(class, count)| (0..count).map(move |_| class));
+        let objects = classes.zip(places);
+        Box::new(Laid(
+            objects.map(|(class, at)| Object::new(class, at)).collect(),
+        ))
+    }
+}
+
+impl Field for Laid {
+    fn objects(&self) -> &[Object] {
+        &self.0
+    }
+
+    fn truth(&self) -> Vec<Truth> {
+        revealed(&self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+
+    use super::*;
+    use crate::mission::report::distance_m;
+
+    fn laid(seed: u64) -> Box<dyn Field> {
+        let field = Minefield {
+            shape: Shape::Polygon(vec![[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0]]),
+            counts: [
+                (Class::MetalMine, 6),
+                (Class::MinimumMetalMine, 4),
+                (Class::SurfaceMine, 3),
+                (Class::Clutter, 9),
+            ],
+            gap_m: 5.0,
+        };
+        field.release(&Weather::CALM, ChaCha8Rng::seed_from_u64(seed))
+    }
+
+    #[test]
+    fn the_seed_lays_all_of_them_in_the_zone_with_the_gap() {
+        for seed in 0..50 {
+            let field = laid(seed);
+            let objects = field.objects();
+            assert_eq!(objects.len(), 22);
+            let mines = objects
+                .iter()
+                .filter(|object| object.class.kind() == Some("mine"));
+            assert_eq!(mines.count(), 13);
+            for (index, object) in objects.iter().enumerate() {
+                let [east, north] = object.at;
+                assert!((0.0..=60.0).contains(&east) && (0.0..=40.0).contains(&north));
+                for other in &objects[..index] {
+                    assert!(distance_m(object.at, other.at) >= 5.0, "seed {seed}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn another_seed_lays_another_field_and_the_same_seed_the_same() {
+        assert_eq!(laid(1).objects(), laid(1).objects());
+        assert_ne!(laid(1).objects(), laid(2).objects());
+    }
+}

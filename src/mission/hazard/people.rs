@@ -1,0 +1,133 @@
+//! People who need help: where they are, until when they can be helped, and what a kit does for them.
+
+use std::time::Duration;
+
+use super::{Class, Effect, Load, Object};
+use crate::mission::Point;
+use crate::mission::report::distance_m;
+use crate::text;
+
+/// A kit that comes down this near is reached.
+const KIT_WITHIN_M: f64 = 8.0;
+/// A node must stand this near to its place.
+const NODE_WITHIN_M: f64 = 6.0;
+
+/// People and places for nodes of one hazard.
+#[derive(Debug, Default)]
+pub(super) struct People {
+    /// The people first, in the order of the fates; then whatever else there is.
+    pub objects: Vec<Object>,
+    fates: Vec<Fate>,
+    /// Where nodes are wanted, and whether one stands there.
+    nodes: Vec<(Point, bool)>,
+    now: Duration,
+}
+
+/// What becomes of somebody.
+#[derive(Debug, Clone, Copy)]
+struct Fate {
+    /// Until when help is of use; `None` for somebody who can wait.
+    until: Option<Duration>,
+    helped: bool,
+}
+
+/// What has been done for people.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Care {
+    pub people: usize,
+    /// Those whom a kit has reached in time.
+    pub helped: usize,
+    /// Those for whom it is too late.
+    pub lost: usize,
+    pub nodes: usize,
+    pub nodes_placed: usize,
+}
+
+impl People {
+    /// Nobody yet, and places where nodes are wanted.
+    pub fn new(nodes: Vec<Point>) -> Self {
+        Self {
+            nodes: nodes.into_iter().map(|at| (at, false)).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// Adds somebody; must come before anything else is added.
+    pub fn add(&mut self, person: Object, until: Option<Duration>) {
+        self.objects.push(person);
+        let helped = false;
+        self.fates.push(Fate { until, helped });
+    }
+
+    /// Lets time pass: who was not helped in time is gone.
+    pub fn step(&mut self, now: Duration) {
+        self.now = now;
+        for (object, fate) in self.objects.iter_mut().zip(&self.fates) {
+            object.present = object.class != Class::Person || !fate.is_lost(now);
+        }
+    }
+
+    /// What a kit or a node does where it comes down.
+    pub fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
+        match load {
+            Load::Kit if !self.fates.is_empty() => Some(self.take_kit(at)),
+            Load::Node if !self.nodes.is_empty() => Some(self.place_node(at)),
+            _ => None,
+        }
+    }
+
+    /// What has been done so far.
+    pub fn care(&self) -> Care {
+        let fates = self.fates.iter();
+        Care {
+            people: self.fates.len(),
+            helped: fates.clone().filter(|fate| fate.helped).count(),
+            lost: fates.filter(|fate| fate.is_lost(self.now)).count(),
+            nodes: self.nodes.len(),
+            nodes_placed: self.nodes.iter().filter(|(_, placed)| *placed).count(),
+        }
+    }
+
+    fn take_kit(&mut self, at: Point) -> Effect {
+        let waiting = self.objects.iter().zip(&self.fates).enumerate();
+        let waiting = waiting.filter(|(_, (_, fate))| !fate.helped && !fate.is_lost(self.now));
+        let distances = waiting.map(|(index, (object, _))| (index, distance_m(object.at, at)));
+        let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
+        match nearest.filter(|&(_, distance)| distance <= KIT_WITHIN_M) {
+            Some((index, distance)) => {
+                self.fates[index].helped = true;
+                Effect {
+                    good: true,
+                    object: Some(index),
+                    text: text!("people-kit-reached", distance = format!("{distance:.0}")),
+                }
+            }
+            None => Effect {
+                good: false,
+                object: None,
+                text: text!("people-kit-lost", distance = format!("{KIT_WITHIN_M:.0}")),
+            },
+        }
+    }
+
+    fn place_node(&mut self, at: Point) -> Effect {
+        let mut open = self.nodes.iter_mut().filter(|(_, placed)| !placed);
+        let near = open.find(|(place, _)| distance_m(*place, at) <= NODE_WITHIN_M);
+        let good = near.map(|(_, placed)| *placed = true).is_some();
+        Effect {
+            good,
+            object: None,
+            text: if good {
+                text!("people-node-placed")
+            } else {
+                text!("people-node-lost", distance = format!("{NODE_WITHIN_M:.0}"))
+            },
+        }
+    }
+}
+
+impl Fate {
+    fn is_lost(self, now: Duration) -> bool {
+        !self.helped && self.until.is_some_and(|until| now >= until)
+    }
+}

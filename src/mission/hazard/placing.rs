@@ -1,0 +1,61 @@
+//! Where the seed puts things, and how the debrief shows them.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+use super::{Object, Truth, TruthShape};
+use crate::mission::Point;
+use crate::mission::report::distance_m;
+use crate::mission::zone::Shape;
+
+/// Places that are tried for one thing before the best of them is taken.
+const TRIES: usize = 400;
+
+/// So many points in a shape, at least a gap from one another and from those that are `taken`, as far as there is
+/// room: where there is none, the loneliest of many random places is taken.
+pub(super) fn spread(
+    shape: &Shape,
+    count: usize,
+    gap_m: f64,
+    mut taken: Vec<Point>,
+    random: &mut ChaCha8Rng,
+) -> Vec<Point> {
+    let before = taken.len();
+    for _ in 0..count {
+        let mut best: Option<(f64, Point)> = None;
+        for _ in 0..TRIES {
+            let at = within(shape, random);
+            let nearest = taken.iter().map(|&other| distance_m(at, other));
+            let gap = nearest.fold(f64::INFINITY, f64::min);
+            if best.is_none_or(|(most, _)| gap > most) {
+                best = Some((gap, at));
+            }
+            if gap >= gap_m {
+                break;
+            }
+        }
+        taken.extend(best.map(|(_, at)| at));
+    }
+    taken.split_off(before)
+}
+
+/// A random point of a shape; its middle where the shape has hardly any area.
+fn within(shape: &Shape, random: &mut ChaCha8Rng) -> Point {
+    let (low, high) = shape.bounds();
+    for _ in 0..TRIES {
+        let at = [0, 1].map(|axis| low[axis] + (high[axis] - low[axis]) * random.random::<f64>());
+        if shape.contains(at) {
+            return at;
+        }
+    }
+    [0, 1].map(|axis| f64::midpoint(low[axis], high[axis]))
+}
+
+/// What the debrief reveals of objects.
+pub(super) fn revealed(objects: &[Object]) -> Vec<Truth> {
+    let truth = |object: &Object| Truth {
+        at: object.at,
+        shape: TruthShape::Object(object.class, object.present),
+    };
+    objects.iter().map(truth).collect()
+}

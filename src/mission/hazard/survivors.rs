@@ -1,0 +1,192 @@
+//! `survivors`: people somewhere in a zone, under trees or in the open, and animals that look like them from far.
+
+use std::time::Duration;
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Weibull};
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::people::{Care, People};
+use super::placing::{revealed, spread};
+use super::{Class, Effect, Field, Hazard, Load, Object, Truth};
+use crate::mission::Point;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::weather::Weather;
+use crate::mission::zone::Shape;
+
+/// How long people last is Weibull's with this shape: hardly anybody is lost early.
+const WEIBULL_SHAPE: f64 = 2.0;
+const MOST_PEOPLE: u32 = 100;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SurvivorsFile {
+    zone: Spanned<String>,
+    count: Spanned<u32>,
+    #[serde(default)]
+    animals: u32,
+    cover: Option<Spanned<[f64; 2]>>,
+    min_gap: Spanned<f64>,
+    lasts: Option<Spanned<f64>>,
+}
+
+#[derive(Debug)]
+struct Survivors {
+    shape: Shape,
+    count: usize,
+    animals: usize,
+    cover: [f64; 2],
+    gap_m: f64,
+    lasts: Option<Weibull<f64>>,
+}
+
+#[derive(Debug)]
+struct Scattered(People);
+
+/// Reads a `[[hazards]]` of kind `survivors`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Hazard>> {
+    let file: SurvivorsFile = faults.read(section)?;
+    let gap_m = faults.number(&file.min_gap, 0.0..=1000.0, "min_gap");
+    let cover = file.cover.map_or([0.0; 2], |cover| {
+        let [low, high] = *cover.get_ref();
+        if !(0.0 <= low && low <= high && high <= 0.95) {
+            faults.add(cover.span(), "`cover` must be [low, high], 0 to 0.95");
+        }
+        [low, high]
+    });
+    let lasts_s = file
+        .lasts
+        .map(|lasts| faults.number(&lasts, 10.0..=86_400.0, "lasts"));
+    if !(1..=MOST_PEOPLE).contains(file.count.get_ref()) || file.animals > MOST_PEOPLE {
+        let fault = format!("`count` must lie between 1 and {MOST_PEOPLE}, so must `animals`");
+        faults.add(file.count.span(), fault);
+    }
+    Some(Box::new(Survivors {
+        shape: draft.task_zone(&file.zone, faults)?.shape.clone(),
+        count: *file.count.get_ref() as usize,
+        animals: file.animals as usize,
+        cover,
+        gap_m,
+        lasts: lasts_s.and_then(|scale_s| Weibull::new(scale_s, WEIBULL_SHAPE).ok()),
+    }))
+}
+
+impl Hazard for Survivors {
+    fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
+        let all = self.count + self.animals;
+        let places = spread(&self.shape, all, self.gap_m, Vec::new(), &mut random);
+        let mut people = People::new(Vec::new());
+        for (index, at) in places.into_iter().enumerate() {
+            let [low, high] = self.cover;
+            let cover = low + (high - low) * random.random::<f64>();
+            let thing = |class| Object {
+                cover,
+                ..Object::new(class, at)
+            };
+            if index < self.count {
+                let lasts_s = self.lasts.map(|lasts| lasts.sample(&mut random));
+                people.add(thing(Class::Person), lasts_s.map(Duration::from_secs_f64));
+            } else {
+                people.objects.push(thing(Class::Animal));
+            }
+        }
+        Box::new(Scattered(people))
+    }
+}
+
+impl Field for Scattered {
+    fn step(&mut self, now: Duration, _: &Weather) {
+        self.0.step(now);
+    }
+
+    fn objects(&self) -> &[Object] {
+        &self.0.objects
+    }
+
+    fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
+        self.0.affect(load, at)
+    }
+
+    fn care(&self) -> Option<Care> {
+        Some(self.0.care())
+    }
+
+    fn truth(&self) -> Vec<Truth> {
+        revealed(&self.0.objects)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+
+    use super::*;
+
+    fn scattered(seed: u64, lasts_s: Option<f64>) -> Box<dyn Field> {
+        let hazard = Survivors {
+            shape: Shape::Circle {
+                center: [0.0, 0.0],
+                radius_m: 100.0,
+            },
+            count: 4,
+            animals: 2,
+            cover: [0.1, 0.4],
+            gap_m: 20.0,
+            lasts: lasts_s.and_then(|scale_s| Weibull::new(scale_s, WEIBULL_SHAPE).ok()),
+        };
+        hazard.release(&Weather::CALM, ChaCha8Rng::seed_from_u64(seed))
+    }
+
+    #[test]
+    fn people_and_animals_lie_under_cover() {
+        let field = scattered(1, None);
+        let objects = field.objects();
+        assert!(
+            objects
+                .iter()
+                .all(|object| (0.1..=0.4).contains(&object.cover))
+        );
+        let animals = objects
+            .iter()
+            .filter(|object| object.class == Class::Animal);
+        assert_eq!((objects.len(), animals.count()), (6, 2));
+    }
+
+    #[test]
+    fn a_kit_helps_whoever_is_near_and_has_none_yet() {
+        let mut field = scattered(1, None);
+        let [east, north] = field.objects()[2].at;
+        let good = |effect: Option<Effect>| effect.is_some_and(|effect| effect.good);
+        assert!(!good(field.affect(Load::Kit, [east + 8.5, north])));
+        assert!(good(field.affect(Load::Kit, [east + 7.5, north])));
+        assert!(
+            !good(field.affect(Load::Kit, [east, north])),
+            "once is enough"
+        );
+        assert!(field.affect(Load::Ball, [east, north]).is_none());
+        assert_eq!(field.care().map(|care| care.helped), Some(1));
+    }
+
+    #[test]
+    fn who_waits_too_long_is_lost_as_the_distribution_says() {
+        // S(t) = exp(-(t / 600)^2): 60.7 % last for 424 s.
+        let wait = Duration::from_secs_f64(600.0 * 0.5_f64.sqrt());
+        let mut lost = 0;
+        for seed in 0..500 {
+            let mut field = scattered(seed, Some(600.0));
+            field.step(wait, &Weather::CALM);
+            let care = field.care().unwrap_or_default();
+            let gone = field.objects().iter().filter(|object| !object.present);
+            assert_eq!(gone.count(), care.lost);
+            lost += care.lost;
+        }
+        let share = 1.0 - lost as f64 / 2000.0;
+        assert!((share - (-0.5_f64).exp()).abs() < 4.0 * 0.011, "{share}");
+    }
+}

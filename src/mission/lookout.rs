@@ -1,0 +1,282 @@
+//! What the detectors of a fleet see as the vehicles fly.
+//!
+//! A look that finds with probability `p` is an exposure of `-ln(1 - p)`; something is found when the exposure has
+//! reached a random amount with the exponential distribution. So a pass finds with `p`, a dwell of `t` with
+//! `1 - (1 - p)^(t / look)`, and who looks longer or from nearer never finds less. Passes within 2 s are one.
+//! Every vehicle, sensor and object has a random stream of its own, so nothing depends on who flies or is asked first.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Exp1, StandardNormal};
+
+use super::contact::Sighting;
+use super::craft::Craft;
+use super::sensor::{DetectorSpec, Look, Sensor, View};
+use super::world::{ObjectId, World};
+use super::{Point, TICK};
+use crate::vehicle::VehicleId;
+
+/// Passes nearer to one another are one.
+const ONE_PASS: Duration = Duration::from_secs(2);
+/// The share of mines that a kind of sensor never sees.
+const NEVER_SEEN: f64 = 0.03;
+/// Nothing is as sure as to be found at once.
+const SUREST: f64 = 0.999;
+/// What false alarms can be taken for.
+const ALARMS: [&str; 2] = ["mine", "person"];
+
+/// All detectors of a fleet.
+#[derive(Debug)]
+pub(crate) struct Lookout {
+    seed: u64,
+    eyes: BTreeMap<(VehicleId, &'static str), Eye>,
+}
+
+/// One detector on one vehicle.
+#[derive(Debug, Default)]
+struct Eye {
+    glances: BTreeMap<ObjectId, Glance>,
+    alarms: BTreeMap<&'static str, Chance>,
+}
+
+/// How a detector has seen an object so far.
+#[derive(Debug)]
+struct Glance {
+    chance: Chance,
+    last: Duration,
+    blind: bool,
+    /// Whether this pass has found it.
+    found: bool,
+}
+
+/// Something that happens after a random exposure, again and again.
+#[derive(Debug)]
+struct Chance {
+    random: ChaCha8Rng,
+    exposure: f64,
+    until: f64,
+}
+
+impl Lookout {
+    /// Detectors that have seen nothing yet.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            seed,
+            eyes: BTreeMap::new(),
+        }
+    }
+
+    /// A [`TICK`] of a vehicle's detectors; returns what they see. A vehicle that is not in the air or not heard sees
+    /// nothing.
+    pub fn step(&mut self, craft: &Craft, world: &World, now: Duration) -> Vec<Sighting> {
+        let mut seen = Vec::new();
+        let Some(at) = craft.at.filter(|_| craft.can_see()) else {
+            return seen;
+        };
+        for &sensor in &craft.sensors {
+            let Some(spec) = sensor.detector() else {
+                continue;
+            };
+            let mut watch = Watch {
+                seed: self.seed,
+                craft,
+                at,
+                sensor,
+                spec,
+                world,
+                now,
+            };
+            let eye = self.eyes.entry((craft.id, sensor.id)).or_default();
+            watch.objects(&mut eye.glances, &mut seen);
+            watch.alarms(&mut eye.alarms, &mut seen);
+        }
+        seen
+    }
+}
+
+/// One detector at one moment.
+struct Watch<'a> {
+    seed: u64,
+    craft: &'a Craft,
+    at: Point,
+    sensor: &'static Sensor,
+    spec: &'static DetectorSpec,
+    world: &'a World,
+    now: Duration,
+}
+
+impl Watch<'_> {
+    fn objects(&mut self, glances: &mut BTreeMap<ObjectId, Glance>, seen: &mut Vec<Sighting>) {
+        let reach_m = self.spec.reach_m(self.craft.height_m);
+        for (id, object) in self.world.objects() {
+            let toward_m = [object.at[0] - self.at[0], object.at[1] - self.at[1]];
+            if toward_m[0].abs() > reach_m || toward_m[1].abs() > reach_m || !object.present {
+                continue;
+            }
+            let view = View {
+                object,
+                offset_m: self.craft.course.offset_m(toward_m),
+                toward_m,
+                height_m: self.craft.height_m,
+                speed_m_s: self.craft.speed_m_s,
+                light: self.world.weather.light,
+                clear_view: self.world.clear_view(object.at, self.craft.height_m),
+            };
+            let Some(look) = self.spec.look(&view) else {
+                continue;
+            };
+            let glance = glances.entry(id).or_insert_with(|| self.glance(id, &look));
+            if let Some(find) = glance.take(&look, self.now) {
+                let at = [
+                    object.at[0] + find.error_m[0],
+                    object.at[1] + find.error_m[1],
+                ];
+                seen.push(Sighting {
+                    harmless: find.told_apart && object.class.kind().is_none(),
+                    ..self.sighting(at, &look, Some(id))
+                });
+            }
+        }
+    }
+
+    /// False alarms, by the way that the detector has gone over the ground.
+    fn alarms(&mut self, alarms: &mut BTreeMap<&'static str, Chance>, seen: &mut Vec<Sighting>) {
+        let way_m = self.craft.speed_m_s * TICK.as_secs_f64();
+        for taken_for in ALARMS {
+            let (height_m, light) = (self.craft.height_m, self.world.weather.light);
+            let rate = self.spec.false_alarms_per_m(taken_for, height_m, light);
+            if rate <= 0.0 || !self.world.seeks(taken_for) {
+                continue;
+            }
+            let alarm = alarms
+                .entry(taken_for)
+                .or_insert_with(|| Chance::new(self.random(&[taken_for.as_bytes()])));
+            if alarm.expose(rate * way_m) {
+                let aside = self.spec.swath_m(height_m) * (alarm.random.random::<f64>() - 0.5);
+                let [east, north] = self.craft.course.aside(aside);
+                let look = Look {
+                    chance: 0.0,
+                    told_apart: 0.0,
+                    every_s: None,
+                    taken_for,
+                    error_m: 0.0,
+                    merge_within_m: if taken_for == "mine" { 1.5 } else { 10.0 },
+                };
+                seen.push(self.sighting([self.at[0] + east, self.at[1] + north], &look, None));
+            }
+        }
+    }
+
+    fn glance(&self, id: ObjectId, look: &Look) -> Glance {
+        let object = [id.hazard.to_le_bytes(), id.index.to_le_bytes()];
+        // Whether a kind of sensor is blind to a mine is the same for all vehicles.
+        let mut kind = stream(self.seed, &[self.sensor.id.as_bytes(), &object.concat()]);
+        Glance {
+            chance: Chance::new(self.random(&[&object.concat()])),
+            last: self.now,
+            blind: look.taken_for == "mine" && kind.random::<f64>() < NEVER_SEEN,
+            found: false,
+        }
+    }
+
+    fn random(&self, of: &[&[u8]]) -> ChaCha8Rng {
+        let vehicle = self.craft.id.to_le_bytes();
+        let mut name = vec![self.sensor.id.as_bytes(), &vehicle];
+        name.extend(of);
+        stream(self.seed, &name)
+    }
+
+    fn sighting(&self, at: Point, look: &Look, object: Option<ObjectId>) -> Sighting {
+        Sighting {
+            at,
+            kind: look.taken_for,
+            sensor: self.sensor.id,
+            by: self.craft.id,
+            object,
+            harmless: false,
+            merge_within_m: look.merge_within_m,
+        }
+    }
+}
+
+/// What a look has found.
+struct Find {
+    /// By how much its place is off.
+    error_m: Point,
+    /// Whether it was seen well enough to know something harmless.
+    told_apart: bool,
+}
+
+impl Glance {
+    /// A tick of looking.
+    fn take(&mut self, look: &Look, now: Duration) -> Option<Find> {
+        let exposure = -(1.0 - look.chance.min(SUREST)).ln();
+        let away = now.saturating_sub(std::mem::replace(&mut self.last, now));
+        if self.blind {
+            return None;
+        }
+        let found = match look.every_s {
+            Some(every_s) => self.chance.expose(exposure * TICK.as_secs_f64() / every_s),
+            None => {
+                if away > ONE_PASS {
+                    self.chance.again();
+                    self.found = false;
+                }
+                let found = !self.found && exposure >= self.chance.until;
+                self.found |= found;
+                found
+            }
+        };
+        found.then(|| {
+            let random = &mut self.chance.random;
+            let mut error = || look.error_m * Distribution::<f64>::sample(&StandardNormal, random);
+            Find {
+                error_m: [error(), error()],
+                told_apart: random.random::<f64>() < look.told_apart,
+            }
+        })
+    }
+}
+
+impl Chance {
+    fn new(mut random: ChaCha8Rng) -> Self {
+        Self {
+            until: Exp1.sample(&mut random),
+            exposure: 0.0,
+            random,
+        }
+    }
+
+    /// Adds to the exposure; whether it happens by that.
+    fn expose(&mut self, by: f64) -> bool {
+        self.exposure += by;
+        let happens = self.exposure >= self.until;
+        if happens {
+            self.again();
+        }
+        happens
+    }
+
+    /// Begins anew.
+    fn again(&mut self) {
+        self.exposure = 0.0;
+        self.until = Exp1.sample(&mut self.random);
+    }
+}
+
+/// The random stream of a name: FNV-1a makes a number of it.
+fn stream(seed: u64, name: &[&[u8]]) -> ChaCha8Rng {
+    let bytes = name.iter().flat_map(|part| part.iter().chain(&[0xFF]));
+    let number = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    });
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(number);
+    random
+}
+
+#[cfg(test)]
+mod tests;

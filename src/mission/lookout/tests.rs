@@ -1,0 +1,162 @@
+use super::*;
+use crate::mission::hazard::{Class, Object};
+use crate::mission::weather::{Light, Weather};
+
+const SEEDS: u64 = 2000;
+
+fn sensor(id: &str) -> &'static Sensor {
+    Sensor::by_id(id).expect("it is in the catalogue")
+}
+
+/// A vehicle in the air over the origin's south that goes north.
+fn craft(id: VehicleId, sensor_id: &str, height_m: f64, speed_m_s: f64) -> Craft {
+    let mut craft = Craft::new(id, &[sensor(sensor_id)], 1);
+    craft.at = Some([0.0, -10.0]);
+    craft.heard = true;
+    craft.airborne = true;
+    craft.height_m = height_m;
+    craft.speed_m_s = speed_m_s;
+    craft
+}
+
+fn world(objects: Vec<Object>, light: Light) -> World {
+    let weather = Weather {
+        light,
+        ..Weather::CALM
+    };
+    World::of_objects(weather, objects)
+}
+
+/// Flies over the origin from 10 m before to 10 m behind it; returns what is seen.
+fn pass(lookout: &mut Lookout, craft: &mut Craft, world: &World, now: &mut Duration) -> usize {
+    let mut seen = 0;
+    let steps = (20.0 / (craft.speed_m_s * TICK.as_secs_f64())) as u32;
+    for step in 0..steps {
+        let way_m = f64::from(step) * craft.speed_m_s * TICK.as_secs_f64();
+        craft.at = Some([0.0, way_m - 10.0]);
+        *now += TICK;
+        seen += lookout
+            .step(craft, world, *now)
+            .iter()
+            .filter(|s| s.object.is_some())
+            .count();
+    }
+    seen
+}
+
+/// The share of seeds with at least one find.
+fn share(passes: u32, sensor: &str, class: Class, height_m: f64, speed_m_s: f64) -> f64 {
+    let world = world(vec![Object::new(class, [0.0; 2])], Light::Night);
+    let found = (0..SEEDS).filter(|&seed| {
+        let mut lookout = Lookout::new(seed);
+        let mut craft = craft(1, sensor, height_m, speed_m_s);
+        let mut now = Duration::ZERO;
+        (0..passes)
+            .map(|_| pass(&mut lookout, &mut craft, &world, &mut now))
+            .sum::<usize>()
+            > 0
+    });
+    found.count() as f64 / SEEDS as f64
+}
+
+/// Four standard deviations of a share of so many seeds.
+fn sure(share: f64) -> f64 {
+    4.0 * (share * (1.0 - share) / SEEDS as f64).sqrt()
+}
+
+#[test]
+fn passes_over_a_mine_add_up_to_one_minus_the_product_of_misses() {
+    // The best of the sensor times what is left at 2 m/s: 1 / (1 + e^((2 - 4) / 0.6)).
+    let one = 0.10 / (1.0 + (-2.0_f64 / 0.6).exp());
+    for passes in [1, 4] {
+        let all = (1.0 - NEVER_SEEN) * (1.0 - (1.0 - one).powi(passes));
+        let found = share(passes as u32, "s_mag", Class::MinimumMetalMine, 1.0, 2.0);
+        assert!(
+            (found - all).abs() < sure(all),
+            "{passes} passes: {found}, not {all}"
+        );
+    }
+}
+
+#[test]
+fn some_mines_are_never_seen_by_one_kind_of_sensor() {
+    let found = share(12, "s_mag", Class::MetalMine, 1.0, 2.0);
+    assert!((found - 0.97).abs() < sure(0.97), "{found}");
+}
+
+#[test]
+fn a_dwell_over_a_person_finds_as_often_as_the_looks_that_fit_into_it() {
+    // 44 degrees along the course at 80 m see 64.6 m: all 20 m of the pass, ten looks of 2 s at 1 m/s.
+    let object = Object::new(Class::Person, [0.0; 2]);
+    let view = View {
+        object: &object,
+        offset_m: [0.0; 2],
+        toward_m: [0.0; 2],
+        height_m: 118.0,
+        speed_m_s: 10.0,
+        light: Light::Night,
+        clear_view: 1.0,
+    };
+    let look = sensor("s_th160")
+        .detector()
+        .and_then(|spec| spec.look(&view));
+    let one = look.expect("it is in the picture").chance;
+    let all = 1.0 - (1.0 - one).powf(2.0 / 2.0);
+    let found = share(1, "s_th160", Class::Person, 118.0, 10.0);
+    assert!((found - all).abs() < sure(all), "{found}, not {all}");
+}
+
+#[test]
+fn false_alarms_come_by_the_area_that_is_swept() {
+    // The world has a mine, far away, or nobody would take anything for one.
+    let world = world(vec![Object::new(Class::MetalMine, [900.0; 2])], Light::Day);
+    let (mut alarms, mut metres) = (0_u32, 0.0);
+    let mut lookout = Lookout::new(5);
+    let mut craft = craft(1, "s_mag", 1.0, 3.0);
+    for tick in 1..=200_000 {
+        let now = TICK * tick;
+        let seen = lookout.step(&craft, &world, now);
+        alarms += seen
+            .iter()
+            .filter(|sighting| sighting.object.is_none())
+            .count() as u32;
+        metres += craft.speed_m_s * TICK.as_secs_f64();
+    }
+    let expected = 0.003 * 2.0 * metres;
+    assert!(
+        (f64::from(alarms) - expected).abs() < 4.0 * expected.sqrt(),
+        "{alarms}, not {expected}"
+    );
+    craft.airborne = false;
+    assert!(lookout.step(&craft, &world, TICK * 200_001).is_empty());
+}
+
+#[test]
+fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
+    let objects =
+        (0..40).map(|index| Object::new(Class::MetalMine, [0.0, f64::from(index) / 2.0 - 10.0]));
+    let world = world(objects.collect(), Light::Day);
+    let fly = |order: &[VehicleId]| {
+        let mut lookout = Lookout::new(3);
+        let mut seen: Vec<(VehicleId, Duration, Option<ObjectId>)> = Vec::new();
+        for step in 0..100_u32 {
+            for &id in order {
+                let mut craft = craft(id, "s_mag", 1.0, 2.0);
+                craft.at = Some([0.0, f64::from(step) * 0.2 - 10.0]);
+                let found = lookout.step(&craft, &world, TICK * step);
+                seen.extend(
+                    found
+                        .iter()
+                        .map(|sighting| (id, TICK * step, sighting.object)),
+                );
+            }
+        }
+        seen.sort_unstable();
+        seen
+    };
+    let both = fly(&[1, 2]);
+    assert_eq!(both, fly(&[2, 1]));
+    let second: Vec<_> = both.into_iter().filter(|(id, ..)| *id == 2).collect();
+    assert!(!second.is_empty());
+    assert_eq!(second, fly(&[2]));
+}

@@ -1,0 +1,317 @@
+//! `coverage`: pass over a zone with sensors that find what is sought, low and slow enough to work.
+//!
+//! Cells count as swept once the strip of a working sensor has gone over their middle. The result also tells the
+//! coverage of search theory, `C = W L / A` (strip width times way over area), and what a search without any plan would
+//! find with it, `1 - e^-C` (Koopman 1980): the difference is what flying lines is worth.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::craft::Craft;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::sensor::Sensor;
+use crate::mission::weather::Light;
+use crate::mission::world::World;
+use crate::mission::zone::Shape;
+use crate::mission::{Point, TICK};
+use crate::text;
+use crate::text::Text;
+
+const MOST_CELLS: f64 = 40_000.0;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CoverageFile {
+    zone: Spanned<String>,
+    sensors: Spanned<Vec<Spanned<String>>>,
+    cell: Spanned<f64>,
+    target: Spanned<f64>,
+    partial_from: Spanned<f64>,
+}
+
+#[derive(Debug)]
+struct Coverage {
+    grid: Grid,
+    sensors: Vec<&'static Sensor>,
+    target: f64,
+    partial_from: f64,
+}
+
+/// A zone in square cells; those with their middle outside are not among them.
+#[derive(Debug, Clone)]
+struct Grid {
+    shape: Shape,
+    corner: Point,
+    side_m: f64,
+    columns: usize,
+    /// Row by row; `None` outside the zone, whether it is swept inside.
+    cells: Vec<Option<bool>>,
+}
+
+#[derive(Debug)]
+struct Sweep {
+    grid: Grid,
+    sensors: Vec<&'static Sensor>,
+    target: f64,
+    partial_from: f64,
+    /// Area that strips have passed over, within the zone, again and again.
+    passed_m2: f64,
+}
+
+/// Reads a `[[objectives]]` of kind `coverage`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: CoverageFile = faults.read(section)?;
+    let side_m = faults.number(&file.cell, 0.2..=1000.0, "cell");
+    let target = faults.number(&file.target, 0.01..=1.0, "target");
+    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
+    if partial_from >= target {
+        faults.add(file.target.span(), "`target` must be above `partial_from`");
+    }
+    let mut sensors = Vec::new();
+    for name in file.sensors.get_ref() {
+        let Some(sensor) = draft.fitted_sensor(name, faults) else {
+            continue;
+        };
+        if sensor.detector().is_none() {
+            let fault = format!("`{}` measures where it is, it sweeps nothing", sensor.id);
+            faults.add(name.span(), fault);
+        }
+        sensors.push(sensor);
+    }
+    if file.sensors.get_ref().is_empty() {
+        faults.add(file.sensors.span(), "name a sensor at least");
+    }
+    let zone = draft.task_zone(&file.zone, faults)?;
+    let (low, high) = zone.shape.bounds();
+    if (high[0] - low[0]) * (high[1] - low[1]) > MOST_CELLS * side_m * side_m {
+        let fault = format!("more than {MOST_CELLS} cells; make `cell` larger");
+        faults.add(file.cell.span(), fault);
+        return None;
+    }
+    let grid = Grid::new(&zone.shape, side_m);
+    if grid.count() == 0 {
+        let fault = "no cell of this size has its middle in the zone";
+        faults.add(file.cell.span(), fault);
+    }
+    Some(Box::new(Coverage {
+        grid,
+        sensors,
+        target,
+        partial_from,
+    }))
+}
+
+impl Grid {
+    fn new(shape: &Shape, side_m: f64) -> Self {
+        let (low, high) = shape.bounds();
+        let count = |axis: usize| ((high[axis] - low[axis]) / side_m).round().max(1.0) as usize;
+        let (columns, rows) = (count(0), count(1));
+        let mut grid = Self {
+            shape: shape.clone(),
+            corner: low,
+            side_m,
+            columns,
+            cells: Vec::new(),
+        };
+        let inside = |index| shape.contains(grid.middle(index)).then_some(false);
+        grid.cells = (0..columns * rows).map(inside).collect();
+        grid
+    }
+
+    fn middle(&self, index: usize) -> Point {
+        let (column, row) = (index % self.columns, index / self.columns);
+        [
+            self.corner[0] + (column as f64 + 0.5) * self.side_m,
+            self.corner[1] + (row as f64 + 0.5) * self.side_m,
+        ]
+    }
+
+    /// The cells whose middle may lie within a distance of a point.
+    fn around(&self, at: Point, reach_m: f64) -> impl Iterator<Item = usize> + use<> {
+        let rows = self.cells.len() / self.columns;
+        let range = |axis: usize, count: usize| {
+            let cell = |edge: f64| ((edge - self.corner[axis]) / self.side_m).floor();
+            let first = cell(at[axis] - reach_m).clamp(0.0, count as f64) as usize;
+            let last = (cell(at[axis] + reach_m) + 1.0).clamp(0.0, count as f64) as usize;
+            first..last
+        };
+        let (columns, all) = (range(0, self.columns), self.columns);
+        range(1, rows).flat_map(move |row| columns.clone().map(move |column| row * all + column))
+    }
+
+    fn count(&self) -> usize {
+        self.cells.iter().flatten().count()
+    }
+
+    fn swept(&self) -> f64 {
+        let swept = self.cells.iter().flatten().filter(|swept| **swept).count();
+        swept as f64 / self.count().max(1) as f64
+    }
+
+    fn area_m2(&self) -> f64 {
+        self.count() as f64 * self.side_m * self.side_m
+    }
+}
+
+impl Kind for Coverage {
+    fn start(&self, _: &World) -> Box<dyn Tracker> {
+        Box::new(Sweep {
+            grid: self.grid.clone(),
+            sensors: self.sensors.clone(),
+            target: self.target,
+            partial_from: self.partial_from,
+            passed_m2: 0.0,
+        })
+    }
+}
+
+impl Sweep {
+    fn pass(&mut self, craft: &Craft, light: Light) {
+        let Some(at) = craft.at.filter(|_| craft.can_see()) else {
+            return;
+        };
+        let carried = |sensor: &&&'static Sensor| craft.sensors.iter().any(|s| s.id == sensor.id);
+        let working: Vec<_> = self
+            .sensors
+            .iter()
+            .filter(carried)
+            .filter_map(|sensor| sensor.detector())
+            .filter(|spec| spec.works(craft.height_m, craft.speed_m_s, light))
+            .collect();
+        for &spec in &working {
+            for index in self.grid.around(at, spec.strip_reach_m(craft.height_m)) {
+                let [east, north] = self.grid.middle(index);
+                let offset_m = craft.course.offset_m([east - at[0], north - at[1]]);
+                if let Some(Some(swept)) = self.grid.cells.get_mut(index) {
+                    *swept |= spec.covers(offset_m, craft.height_m);
+                }
+            }
+        }
+        let widest = working.iter().map(|spec| spec.swath_m(craft.height_m));
+        if self.grid.shape.contains(at) {
+            let way_m = craft.speed_m_s * TICK.as_secs_f64();
+            self.passed_m2 += widest.fold(0.0, f64::max) * way_m;
+        }
+    }
+
+    /// `C = W L / A`.
+    fn coverage(&self) -> f64 {
+        self.passed_m2 / self.grid.area_m2().max(1e-9)
+    }
+}
+
+impl Tracker for Sweep {
+    fn step(&mut self, scene: &Scene<'_>) {
+        for craft in scene.vehicles {
+            self.pass(craft, scene.world.weather.light);
+        }
+    }
+
+    fn standing(&self, _: &Scene<'_>) -> Standing {
+        let swept = self.grid.swept();
+        let met = swept >= self.target;
+        let coverage = self.coverage();
+        let percent = |share: f64| format!("{:.0}", share * 100.0);
+        Standing {
+            fraction: partial_credit(swept, self.partial_from, self.target),
+            measure: swept,
+            met,
+            settled: met,
+            landing: false,
+            quality: None,
+            result: text!(
+                "coverage-result",
+                swept = percent(swept),
+                coverage = format!("{coverage:.2}"),
+                random = percent(random_search(coverage)),
+            ),
+            outlook: Some(text!("coverage-outlook", swept = percent(swept))),
+            quality_advice: Text::default(),
+            target: text!("coverage-target", target = percent(self.target)),
+            advice: text!(
+                "coverage-advice",
+                left = percent(1.0 - swept),
+                coverage = format!("{coverage:.2}"),
+            ),
+        }
+    }
+}
+
+/// What a search finds that covers so much without a plan: `1 - e^-C`.
+fn random_search(coverage: f64) -> f64 {
+    1.0 - (-coverage).exp()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sweep() -> Sweep {
+        let shape = Shape::Polygon(vec![[0.0, 0.0], [40.0, 0.0], [40.0, 20.0], [0.0, 20.0]]);
+        Sweep {
+            grid: Grid::new(&shape, 1.0),
+            sensors: Sensor::by_id("s_mag").into_iter().collect(),
+            target: 0.9,
+            partial_from: 0.5,
+            passed_m2: 0.0,
+        }
+    }
+
+    /// Flies a line to the north through the zone.
+    fn line(sweep: &mut Sweep, east_m: f64, height_m: f64, speed_m_s: f64) {
+        let sensors: Vec<_> = Sensor::by_id("s_mag").into_iter().collect();
+        let mut craft = Craft::new(1, &sensors, 1);
+        (craft.heard, craft.airborne) = (true, true);
+        (craft.height_m, craft.speed_m_s) = (height_m, speed_m_s);
+        let step_m = speed_m_s * TICK.as_secs_f64();
+        for step in 0..(22.0 / step_m) as u32 {
+            craft.at = Some([east_m, f64::from(step) * step_m - 1.0]);
+            sweep.pass(&craft, Light::Day);
+        }
+    }
+
+    #[test]
+    fn lines_at_the_swath_sweep_all_of_it_and_others_leave_gaps() {
+        let mut dense = sweep();
+        for index in 0..20 {
+            line(&mut dense, f64::from(index) * 2.0 + 1.0, 1.5, 2.0);
+        }
+        assert!(
+            (dense.grid.swept() - 1.0).abs() < 1e-9,
+            "{}",
+            dense.grid.swept()
+        );
+        // The strip is as wide as the lines are apart: every square metre once.
+        assert!(
+            (dense.coverage() - 1.0).abs() < 0.02,
+            "{}",
+            dense.coverage()
+        );
+        let mut wide = sweep();
+        for index in 0..10 {
+            line(&mut wide, f64::from(index) * 4.0 + 1.0, 1.5, 2.0);
+        }
+        assert!(
+            (wide.grid.swept() - 0.5).abs() < 1e-9,
+            "{}",
+            wide.grid.swept()
+        );
+        assert!((wide.coverage() - 0.5).abs() < 0.01);
+        assert!((random_search(wide.coverage()) - 0.393).abs() < 0.01);
+    }
+
+    #[test]
+    fn too_high_and_too_fast_sweep_nothing() {
+        for (height_m, speed_m_s) in [(4.0, 2.0), (1.5, 6.0)] {
+            let mut sweep = sweep();
+            line(&mut sweep, 10.0, height_m, speed_m_s);
+            assert!(sweep.grid.swept() < 1e-9, "{height_m} m, {speed_m_s} m/s");
+            assert!(sweep.coverage() < 1e-9);
+        }
+    }
+}

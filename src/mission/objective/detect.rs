@@ -1,0 +1,303 @@
+//! `detect`: report what is there, where it is, and nothing else.
+//!
+//! A report within the radius of an object of its kind that no other report has found is a hit; every other report is
+//! a false alarm. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a missed
+//! mine costs far more than a false alarm. Only the first reports up to a budget count as hits, so that reporting
+//! everything earns nothing.
+
+use std::collections::BTreeSet;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::hazard::Object;
+use crate::mission::report::{Mark, distance_m};
+use crate::mission::world::World;
+use crate::text;
+use crate::text::Text;
+
+/// Reports that count, for each object that is there.
+const BUDGET: f64 = 3.0;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DetectFile {
+    hazard: Spanned<String>,
+    beta: Spanned<f64>,
+    radius: Spanned<f64>,
+    budget: Option<Spanned<f64>>,
+    target: Spanned<f64>,
+    partial_from: Spanned<f64>,
+}
+
+#[derive(Debug, Clone)]
+struct Detect {
+    hazard: usize,
+    beta: f64,
+    radius_m: f64,
+    budget: f64,
+    target: f64,
+    partial_from: f64,
+}
+
+/// What reports are worth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Tally {
+    pub there: usize,
+    pub found: usize,
+    /// Reports where nothing of the kind is.
+    pub false_alarms: usize,
+    /// Reports of what had been reported.
+    pub repeated: usize,
+}
+
+/// Reads a `[[objectives]]` of kind `detect`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: DetectFile = faults.read(section)?;
+    let target = faults.number(&file.target, 0.01..=1.0, "target");
+    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
+    if partial_from >= target {
+        faults.add(file.target.span(), "`target` must be above `partial_from`");
+    }
+    Some(Box::new(Detect {
+        beta: faults.number(&file.beta, 0.1..=10.0, "beta"),
+        radius_m: faults.number(&file.radius, 0.1..=1000.0, "radius"),
+        budget: file.budget.map_or(BUDGET, |budget| {
+            faults.number(&budget, 1.0..=100.0, "budget")
+        }),
+        hazard: draft.hazard(&file.hazard, faults)?,
+        target,
+        partial_from,
+    }))
+}
+
+impl Kind for Detect {
+    fn start(&self, _: &World) -> Box<dyn Tracker> {
+        Box::new(self.clone())
+    }
+}
+
+impl Tracker for Detect {
+    fn standing(&self, scene: &Scene<'_>) -> Standing {
+        let objects = scene.world.field(self.hazard).map(|field| field.objects());
+        let tally = self.tally(objects.unwrap_or_default(), scene.marks);
+        let score = tally.f_beta(self.beta);
+        let met = score >= self.target;
+        let [precision, recall] = tally.precision_and_recall();
+        Standing {
+            fraction: partial_credit(score, self.partial_from, self.target),
+            measure: score,
+            met,
+            settled: met,
+            landing: false,
+            quality: Some((
+                score,
+                text!(
+                    "detect-quality",
+                    recall = format!("{recall:.2}"),
+                    precision = format!("{precision:.2}")
+                ),
+            )),
+            result: self.result(tally, score),
+            // How many are there is not for the pilot to know.
+            outlook: Some(text!("detect-outlook", count = scene.marks.len())),
+            quality_advice: tally.advice(),
+            target: text!(
+                "detect-target",
+                beta = format!("{:.0}", self.beta),
+                target = format!("{:.2}", self.target),
+                radius = format!("{:.1}", self.radius_m),
+            ),
+            advice: tally.advice(),
+        }
+    }
+}
+
+impl Detect {
+    fn result(&self, tally: Tally, score: f64) -> Text {
+        text!(
+            "detect-result",
+            beta = format!("{:.0}", self.beta),
+            score = format!("{score:.2}"),
+            found = tally.found,
+            there = tally.there,
+            wrong = tally.false_alarms,
+            repeated = tally.repeated,
+        )
+    }
+
+    /// Matches reports, in the order of their making, with the nearest object that is still open.
+    fn tally(&self, objects: &[Object], marks: &[Mark]) -> Tally {
+        let sought: Vec<&Object> = objects
+            .iter()
+            .filter(|object| object.class.kind().is_some())
+            .collect();
+        let (mut found, mut repeated, mut wrong) = (BTreeSet::new(), 0, 0);
+        let kinds: BTreeSet<_> = sought
+            .iter()
+            .filter_map(|object| object.class.kind())
+            .collect();
+        let about = |mark: &&Mark| mark.kind.is_none_or(|kind| kinds.contains(kind));
+        let budget = (self.budget * sought.len() as f64).floor() as usize;
+        for (order, mark) in marks.iter().filter(about).enumerate() {
+            let near = sought.iter().enumerate().filter_map(|(index, object)| {
+                let same = mark.kind.is_none() || mark.kind == object.class.kind();
+                let distance = distance_m(mark.at, object.at);
+                (same && distance <= self.radius_m).then_some((index, distance))
+            });
+            let near: Vec<(usize, f64)> = near.collect();
+            let open = near.iter().filter(|(index, _)| !found.contains(index));
+            match open.min_by(|a, b| a.1.total_cmp(&b.1)) {
+                Some(&(index, _)) if order < budget => {
+                    found.insert(index);
+                }
+                _ if near.is_empty() => wrong += 1,
+                _ => repeated += 1,
+            }
+        }
+        Tally {
+            there: sought.len(),
+            found: found.len(),
+            false_alarms: wrong,
+            repeated,
+        }
+    }
+}
+
+impl Tally {
+    /// How many reports are right, and how much of what is there is reported.
+    fn precision_and_recall(self) -> [f64; 2] {
+        let share = |of: usize| match of {
+            0 => 0.0,
+            of => self.found as f64 / of as f64,
+        };
+        [
+            share(self.found + self.false_alarms + self.repeated),
+            share(self.there),
+        ]
+    }
+
+    /// `(1 + beta^2) P R / (beta^2 P + R)`.
+    fn f_beta(self, beta: f64) -> f64 {
+        let [precision, recall] = self.precision_and_recall();
+        let square = beta * beta;
+        let below = square * precision + recall;
+        if below > 0.0 {
+            (1.0 + square) * precision * recall / below
+        } else {
+            0.0
+        }
+    }
+
+    fn advice(self) -> Text {
+        let missed = self.there.saturating_sub(self.found);
+        let wrong = self.false_alarms + self.repeated;
+        if missed > 0 {
+            text!("detect-advice-missed", missed = missed, wrong = wrong)
+        } else {
+            text!("detect-advice-wrong", wrong = wrong)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::mission::Point;
+    use crate::mission::hazard::Class;
+
+    const DETECT: Detect = Detect {
+        hazard: 0,
+        beta: 2.0,
+        radius_m: 1.0,
+        budget: 3.0,
+        target: 0.8,
+        partial_from: 0.3,
+    };
+
+    fn mines() -> Vec<Object> {
+        let mut objects: Vec<Object> = (0..4)
+            .map(|index| Object::new(Class::MetalMine, [f64::from(index) * 10.0, 0.0]))
+            .collect();
+        objects.push(Object::new(Class::Clutter, [5.0, 5.0]));
+        objects
+    }
+
+    fn mark(at: Point, kind: Option<&'static str>) -> Mark {
+        Mark {
+            at,
+            kind,
+            by: 1,
+            when: Duration::ZERO,
+        }
+    }
+
+    fn tally(marks: &[(Point, Option<&'static str>)]) -> Tally {
+        let marks: Vec<Mark> = marks.iter().map(|&(at, kind)| mark(at, kind)).collect();
+        DETECT.tally(&mines(), &marks)
+    }
+
+    #[test]
+    fn reports_are_hits_false_alarms_or_repetitions() {
+        let mine = Some("mine");
+        let counted = tally(&[
+            ([0.0, 0.9], mine),
+            ([0.0, 0.1], None),
+            ([10.0, 1.1], mine),
+            ([5.0, 5.0], mine),
+            ([20.0, 0.0], Some("person")),
+            ([30.0, 0.0], None),
+        ]);
+        let expected = Tally {
+            there: 4,
+            found: 2,
+            false_alarms: 2,
+            repeated: 1,
+        };
+        assert_eq!(counted, expected);
+    }
+
+    #[test]
+    fn the_score_is_the_f_measure() {
+        for (found, wrong, beta, score) in [
+            // Precision 1, recall 1/2; precision 1/2, recall 1/2; precision 4/5, recall 1.
+            (2, 0, 1.0, 2.0 / 3.0),
+            (2, 0, 2.0, 5.0 * 0.5 / 4.5),
+            (2, 2, 2.0, 0.5),
+            (4, 1, 2.0, 5.0 * 0.8 / 4.2),
+            (0, 3, 2.0, 0.0),
+            (4, 0, 2.0, 1.0),
+        ] {
+            let tally = Tally {
+                there: 4,
+                found,
+                false_alarms: wrong,
+                repeated: 0,
+            };
+            assert!(
+                (tally.f_beta(beta) - score).abs() < 1e-12,
+                "{found} {wrong}"
+            );
+        }
+    }
+
+    #[test]
+    fn reporting_everything_is_worth_little() {
+        let everywhere: Vec<(Point, Option<&'static str>)> = (0..40)
+            .rev()
+            .map(|step| ([f64::from(step), 0.0], None))
+            .collect();
+        let counted = tally(&everywhere);
+        // The twelve reports of the budget end at 28 m, on the way from 39 m down.
+        assert_eq!(counted.found, 1);
+        assert!(counted.f_beta(2.0) < 0.15);
+    }
+}

@@ -1,0 +1,194 @@
+//! `standoff`: keep the right distance to a structure while vehicles are at it.
+//!
+//! Only time counts that a vehicle spends within `near` of the structure; the objective needs some of it, so that
+//! staying away is no way to reach it.
+
+use std::time::Duration;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::TICK;
+use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::world::World;
+use crate::text;
+use crate::text::Text;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StandoffFile {
+    hazard: Spanned<String>,
+    range: Spanned<[f64; 2]>,
+    near: Spanned<f64>,
+    time: Spanned<f64>,
+    target: Spanned<f64>,
+    partial_from: Spanned<f64>,
+}
+
+#[derive(Debug, Clone)]
+struct Standoff {
+    hazard: usize,
+    range_m: [f64; 2],
+    near_m: f64,
+    least: Duration,
+    target: f64,
+    partial_from: f64,
+    /// Time near the structure, at the right distance, and too near.
+    near: Duration,
+    kept: Duration,
+    too_near: Duration,
+}
+
+/// Reads a `[[objectives]]` of kind `standoff`.
+pub(crate) fn read(
+    section: Section<'_>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> Option<Box<dyn Kind>> {
+    let file: StandoffFile = faults.read(section)?;
+    let target = faults.number(&file.target, 0.01..=1.0, "target");
+    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
+    if partial_from >= target {
+        faults.add(file.target.span(), "`target` must be above `partial_from`");
+    }
+    let range_m = *file.range.get_ref();
+    let near_m = faults.number(&file.near, 1.0..=1000.0, "near");
+    if !(0.0 <= range_m[0] && range_m[0] < range_m[1] && range_m[1] <= near_m) {
+        faults.add(
+            file.range.span(),
+            "`range` must be [nearest, farthest], up to `near`",
+        );
+    }
+    let least_s = faults.number(&file.time, 1.0..=86_400.0, "time");
+    Some(Box::new(Standoff {
+        hazard: draft.hazard(&file.hazard, faults)?,
+        range_m,
+        near_m,
+        least: Duration::try_from_secs_f64(least_s).ok()?,
+        target,
+        partial_from,
+        near: Duration::ZERO,
+        kept: Duration::ZERO,
+        too_near: Duration::ZERO,
+    }))
+}
+
+impl Kind for Standoff {
+    fn start(&self, _: &World) -> Box<dyn Tracker> {
+        Box::new(self.clone())
+    }
+}
+
+impl Standoff {
+    fn count(&mut self, distance_m: f64) {
+        let [nearest, farthest] = self.range_m;
+        if distance_m > self.near_m {
+            return;
+        }
+        self.near += TICK;
+        if distance_m < nearest {
+            self.too_near += TICK;
+        } else if distance_m <= farthest {
+            self.kept += TICK;
+        }
+    }
+
+    /// The share of time at the right distance; of time too short, as if the rest had been spent elsewhere.
+    fn share(&self) -> f64 {
+        self.kept.as_secs_f64() / self.near.max(self.least).as_secs_f64()
+    }
+}
+
+impl Tracker for Standoff {
+    fn step(&mut self, scene: &Scene<'_>) {
+        let Some(structure) = scene.world.field(self.hazard) else {
+            return;
+        };
+        for craft in scene.vehicles.iter().filter(|craft| craft.can_see()) {
+            let distance_m = craft
+                .at
+                .and_then(|at| structure.distance_m(at, craft.height_m));
+            if let Some(distance_m) = distance_m {
+                self.count(distance_m);
+            }
+        }
+    }
+
+    fn standing(&self, _: &Scene<'_>) -> Standing {
+        let share = self.share();
+        let met = share >= self.target;
+        let [nearest, farthest] = self.range_m.map(|metres| format!("{metres:.0}"));
+        let percent = |share: f64| format!("{:.0}", share * 100.0);
+        let seconds = |time: Duration| format!("{:.0}", time.as_secs_f64());
+        Standing {
+            fraction: partial_credit(share, self.partial_from, self.target),
+            measure: share,
+            met,
+            settled: self.near >= self.least,
+            landing: false,
+            quality: None,
+            result: text!(
+                "standoff-result",
+                share = percent(share),
+                near = seconds(self.near),
+                close = seconds(self.too_near),
+            ),
+            outlook: None,
+            quality_advice: Text::default(),
+            target: text!(
+                "standoff-target",
+                share = percent(self.target),
+                nearest = nearest.clone(),
+                farthest = farthest.clone(),
+            ),
+            advice: text!(
+                "standoff-advice",
+                nearest = nearest,
+                farthest = farthest,
+                close = seconds(self.too_near),
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after(distances_m: &[(f64, u32)]) -> Standoff {
+        let mut standoff = Standoff {
+            hazard: 0,
+            range_m: [5.0, 12.0],
+            near_m: 30.0,
+            least: Duration::from_secs(60),
+            target: 0.9,
+            partial_from: 0.5,
+            near: Duration::ZERO,
+            kept: Duration::ZERO,
+            too_near: Duration::ZERO,
+        };
+        for &(distance_m, seconds) in distances_m {
+            (0..seconds * 10).for_each(|_| standoff.count(distance_m));
+        }
+        standoff
+    }
+
+    #[test]
+    fn time_at_the_right_distance_counts_against_all_time_near_the_structure() {
+        for (flown, share) in [
+            (vec![(8.0, 90), (4.0, 10)], 0.9),
+            (vec![(8.0, 90), (20.0, 30), (31.0, 500)], 0.75),
+            (vec![(5.0, 30), (12.0, 30)], 1.0),
+        ] {
+            let standoff = after(&flown);
+            assert!((standoff.share() - share).abs() < 1e-9, "{flown:?}");
+        }
+    }
+
+    #[test]
+    fn staying_away_is_no_way_to_keep_the_distance() {
+        assert!(after(&[(100.0, 500)]).share() < 1e-9);
+        assert!((after(&[(8.0, 15)]).share() - 0.25).abs() < 1e-9);
+    }
+}

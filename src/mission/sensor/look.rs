@@ -1,0 +1,262 @@
+//! How likely a detector finds an object that it looks at.
+//!
+//! Mines, per pass: best probability of the sensor for the class, times `exp(-(max(0, h - h0) / hs)^2)`, times
+//! `1 / (1 + exp((v - v0) / (0.15 v0)))`, times `L(2 x / W)` with `L(u) = 1` up to 0.8 and falling to 0 at 1.
+//!
+//! Pictures, per look of 2 s: Johnson's criteria in the form of the targeting task performance metric. A pixel on the
+//! ground is `2 h tan(FOV / 2) / px`; cycles over the target are `N = d_c / (2 pixel)`, with `d_c` the root of its area;
+//! `P = x^E / (1 + x^E)`, `x = N / N50`, `E = 2.7 + 0.7 x`, where `N50` is 0.75 to detect and 3 to recognise. This is
+//! thinned by contrast, by what hides the object, by smoke and by whoever watches the pictures.
+
+use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
+use crate::mission::hazard::{Class, Object};
+use crate::mission::weather::Light;
+
+/// Cycles over a target with which half of all are detected, and recognised.
+const DETECT_CYCLES: f64 = 0.75;
+const RECOGNISE_CYCLES: f64 = 3.0;
+/// Root of the area of a person who lies.
+const PERSON_M: f64 = 0.75;
+/// The share of what a picture shows that is noticed on board.
+const NOTICED: f64 = 0.9;
+/// Time of one independent look at a picture, and at something that is inspected.
+const LOOK_S: f64 = 2.0;
+const INSPECTION_S: f64 = 4.0;
+/// A defect must be looked at from this near to the normal of its line.
+const VIEW_ANGLE_DEG: f64 = 35.0;
+/// With this many times the cycles of a half, nine in ten are told.
+const NINE_IN_TEN: f64 = 1.77;
+/// What light loses in smoke, far infrared loses so much of: a power of what gets through (Beer-Lambert).
+const SMOKE_IN_INFRARED: f64 = 0.1;
+
+/// A detector and an object at one moment.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct View<'a> {
+    pub object: &'a Object,
+    /// From the vehicle to the object, across and along its course.
+    pub offset_m: [f64; 2],
+    /// The same to the east and north.
+    pub toward_m: [f64; 2],
+    /// The vehicle's height above the origin, and its speed.
+    pub height_m: f64,
+    pub speed_m_s: f64,
+    pub light: Light,
+    /// The share of light that smoke lets through, 0 to 1.
+    pub clear_view: f64,
+}
+
+/// What comes of looking.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Look {
+    /// Probability to notice it, for each pass or each look.
+    pub chance: f64,
+    /// Probability that what is noticed is told for what it is, where it is harmless.
+    pub told_apart: f64,
+    /// Length of one independent look; `None` where a whole pass is one look.
+    pub every_s: Option<f64>,
+    /// What it is taken for.
+    pub taken_for: &'static str,
+    /// Standard deviation of where it is placed, on each axis.
+    pub error_m: f64,
+    /// Sightings within this are of one thing.
+    pub merge_within_m: f64,
+}
+
+impl DetectorSpec {
+    /// What a look at an object may find; `None` where the detector cannot see it from there at all.
+    pub fn look(&self, view: &View<'_>) -> Option<Look> {
+        let look = match self {
+            Self::Ground(ground) => ground.look(view),
+            Self::Camera(camera) => camera.look(view),
+        };
+        look.filter(|look| view.object.present && look.chance > 0.0)
+    }
+
+    /// False alarms of mines or persons per metre that a vehicle goes at a height.
+    pub fn false_alarms_per_m(&self, taken_for: &str, height_m: f64, light: Light) -> f64 {
+        let mines = match self {
+            Self::Ground(ground) => Some(&ground.mines),
+            Self::Camera(camera) => camera.mines.as_ref(),
+        };
+        let per_m2 = match (taken_for, mines, self) {
+            ("mine", Some(mines), Self::Ground(_)) => mines.false_alarms_per_m2,
+            ("mine", Some(mines), Self::Camera(camera)) => {
+                mines.false_alarms_per_m2 * camera.mine_light(light)
+            }
+            ("person", _, Self::Camera(_)) => return FALSE_PERSONS_PER_M2 * self.swath_m(height_m),
+            _ => return 0.0,
+        };
+        per_m2 * mines.map_or(0.0, |mines| mines.nearness(height_m)) * self.swath_m(height_m)
+    }
+}
+
+/// Warm stones and stumps: one in ten hectares.
+const FALSE_PERSONS_PER_M2: f64 = 1e-5;
+
+impl Ground {
+    fn look(&self, view: &View<'_>) -> Option<Look> {
+        let lateral = lateral(2.0 * view.offset_m[0].abs() / self.swath_m);
+        // The head is as long as it is wide.
+        if view.offset_m[1].abs() > self.swath_m / 2.0 {
+            return None;
+        }
+        let look = self.mines.look(view)?;
+        Some(Look {
+            chance: look.chance * lateral,
+            ..look
+        })
+    }
+}
+
+impl MineSpec {
+    fn look(&self, view: &View<'_>) -> Option<Look> {
+        let class = match view.object.class {
+            Class::MetalMine => 0,
+            Class::MinimumMetalMine => 1,
+            Class::SurfaceMine => 2,
+            Class::Clutter if view.object.axis_deg.is_none() => 3,
+            _ => return None,
+        };
+        Some(Look {
+            chance: self.best[class] * self.left(view.height_m, view.speed_m_s),
+            told_apart: 0.0,
+            every_s: None,
+            taken_for: "mine",
+            error_m: 0.25,
+            merge_within_m: 1.5,
+        })
+    }
+
+    /// What height and speed leave of its probabilities.
+    pub(super) fn left(&self, height_m: f64, speed_m_s: f64) -> f64 {
+        let over = (speed_m_s - self.speed_m_s) / (0.15 * self.speed_m_s);
+        self.nearness(height_m) / (1.0 + over.exp())
+    }
+
+    /// What height leaves of them.
+    fn nearness(&self, height_m: f64) -> f64 {
+        let above = (height_m - self.height_m).max(0.0);
+        (-(above / self.height_scale_m).powi(2)).exp()
+    }
+}
+
+impl Camera {
+    fn look(&self, view: &View<'_>) -> Option<Look> {
+        if let Some(axis_deg) = view.object.axis_deg {
+            return self.inspect(view, axis_deg);
+        }
+        let [across, along] = self.footprint_m(view.height_m);
+        let inside =
+            view.offset_m[0].abs() <= across / 2.0 && view.offset_m[1].abs() <= along / 2.0;
+        if !inside {
+            return None;
+        }
+        let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
+        let (size_m, taken_for) = match view.object.class {
+            Class::Person => (PERSON_M, "person"),
+            Class::Animal => (0.6, "person"),
+            Class::Fire => (1.0, "fire"),
+            _ => return self.look_for_mines(view),
+        };
+        let cycles = size_m / (2.0 * self.pixel_m(view.height_m));
+        let contrast = match view.object.class {
+            Class::Fire => 1.0,
+            _ => self.contrast(view.light),
+        };
+        Some(Look {
+            chance: task_performance(cycles / DETECT_CYCLES) * contrast * clear,
+            told_apart: task_performance(cycles / RECOGNISE_CYCLES),
+            every_s: Some(LOOK_S),
+            taken_for,
+            error_m: 1.0 + 0.02 * view.height_m,
+            merge_within_m: 10.0,
+        })
+    }
+
+    fn look_for_mines(&self, view: &View<'_>) -> Option<Look> {
+        let look = self.mines.as_ref()?.look(view)?;
+        let clear = self.transmission(view) * (1.0 - view.object.cover);
+        Some(Look {
+            chance: look.chance * self.mine_light(view.light) * clear,
+            error_m: 0.4,
+            ..look
+        })
+    }
+
+    fn inspect(&self, view: &View<'_>, axis_deg: f64) -> Option<Look> {
+        let reach_m = self.inspects_to_m?;
+        let [east, north] = view.toward_m;
+        let distance_m = east
+            .hypot(north)
+            .hypot(view.object.height_m - view.height_m);
+        let (sin, cos) = axis_deg.to_radians().sin_cos();
+        // The axis runs to (sin, cos); its level normal is (cos, -sin).
+        let square_m = (east * cos - north * sin).abs();
+        if square_m < distance_m * VIEW_ANGLE_DEG.to_radians().cos() {
+            return None;
+        }
+        let told = task_performance(NINE_IN_TEN * reach_m / distance_m.max(1.0));
+        let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
+        Some(Look {
+            chance: told * clear * self.contrast(view.light),
+            // From half as far, stains and old repairs are told from defects as often.
+            told_apart: task_performance(NINE_IN_TEN * reach_m / (2.0 * distance_m.max(1.0))),
+            every_s: Some(INSPECTION_S),
+            taken_for: "defect",
+            error_m: 0.5,
+            merge_within_m: 4.0,
+        })
+    }
+
+    /// Whether a look from a height shows at least half of all persons in the open.
+    pub(super) fn shows_persons(&self, height_m: f64, light: Light) -> bool {
+        let cycles = PERSON_M / (2.0 * self.pixel_m(height_m));
+        task_performance(cycles / DETECT_CYCLES) * self.contrast(light) >= 0.5
+    }
+
+    /// How much a person or a structure stands out.
+    fn contrast(&self, light: Light) -> f64 {
+        match (self.band, light) {
+            (Band::Visible, Light::Day) | (Band::Thermal, Light::Night) => 1.0,
+            (Band::Thermal, Light::Dawn) => 0.9,
+            (Band::Visible, Light::Dawn) => 0.6,
+            (Band::Thermal, Light::Day) => 0.4,
+            (Band::Visible, Light::Night) => 0.05,
+        }
+    }
+
+    /// How much the light lets a camera see of mines: the warmth of dug ground shows at dawn and dusk only.
+    fn mine_light(&self, light: Light) -> f64 {
+        match (self.band, light) {
+            (Band::Thermal, Light::Day | Light::Night) => 0.0,
+            (Band::Thermal, Light::Dawn) => 1.0,
+            (Band::Visible, _) => self.contrast(light),
+        }
+    }
+
+    /// What smoke lets through.
+    fn transmission(&self, view: &View<'_>) -> f64 {
+        match self.band {
+            Band::Visible => view.clear_view,
+            Band::Thermal => view.clear_view.powf(SMOKE_IN_INFRARED),
+        }
+    }
+}
+
+/// `x^E / (1 + x^E)`, `E = 2.7 + 0.7 x`.
+fn task_performance(x: f64) -> f64 {
+    let power = x.powf(2.7 + 0.7 * x);
+    if power.is_finite() {
+        power / (1.0 + power)
+    } else {
+        1.0
+    }
+}
+
+/// 1 up to 0.8, then falling to 0 at 1.
+fn lateral(u: f64) -> f64 {
+    ((1.0 - u) / 0.2).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests;
