@@ -23,6 +23,7 @@ pub(super) mod dose;
 pub(super) mod formation;
 pub(super) mod hover;
 pub(super) mod land_on;
+pub(super) mod link;
 pub(super) mod locate;
 pub(super) mod map_error;
 pub(super) mod perimeter;
@@ -150,6 +151,7 @@ pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
     ("sample_cells", sample_cells::read),
     ("map_error", map_error::read),
     ("recover", recover::read),
+    ("link", link::read),
     ("coverage", coverage::read),
     ("deliver", deliver::read),
     ("detect", detect::read),
