@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::notice::sanitised;
-use crate::scoring::Report;
+use crate::scoring::{ObjectiveReport, Report};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -165,19 +165,40 @@ impl Page<'_> {
         );
         self.line(&heading);
         for objective in &report.objectives {
-            let line = format!(
-                "  [{}] {} {} {} {} {:.1}/{:.0}",
-                if objective.met { 'x' } else { ' ' },
-                fit(&objective.id, 8),
-                fit(&locale.text(&objective.title), 22),
-                fit(&locale.text(&objective.result), 13),
-                fit(&locale.text(&objective.target), 11),
-                objective.points,
-                objective.points_max,
-            );
-            self.line(&line);
+            self.objective(objective);
         }
-        self.words.push('\n');
+        self.gap();
+    }
+
+    /// One row, or more where the words would not fit between the columns.
+    fn objective(&mut self, objective: &ObjectiveReport) {
+        let locale = self.locale;
+        let met = if objective.met { 'x' } else { ' ' };
+        let points = format!("{:.1}/{:.0}", objective.points, objective.points_max);
+        let [title, result, target] = [&objective.title, &objective.result, &objective.target]
+            .map(|words| sanitised(&locale.text(words)));
+        let widths = [
+            objective.id.width(),
+            title.width(),
+            result.width(),
+            target.width(),
+        ];
+        let lead = format!(
+            "  [{met}] {}",
+            fit(&objective.id, objective.id.width().max(8))
+        );
+        if widths
+            .iter()
+            .zip([8, 22, 13, 11])
+            .all(|(width, room)| *width <= room)
+        {
+            let (title, result, target) = (fit(&title, 22), fit(&result, 13), fit(&target, 11));
+            self.line(&format!("{lead} {title} {result} {target} {points}"));
+        } else {
+            self.line(&format!("{} {points}", fit(&format!("{lead} {title}"), 62)));
+            let result = text!("debrief-objective-result", result = result, target = target);
+            self.wrapped(&" ".repeat(15), &result);
+        }
     }
 
     fn components(&mut self, report: &Report) {

@@ -89,6 +89,7 @@ argument-parameter-set = write it
 argument-parameter-value = the new value
 argument-mav-frame = MAV_FRAME
 argument-timeout = when to go on regardless, 60 s unless said
+argument-contacts = every contact that has none yet
 argument-pause = how long
 argument-in-mode = in this mode
 argument-altitude-or-distance = above home, to home

@@ -89,6 +89,7 @@ argument-parameter-set = записати
 argument-parameter-value = нове значення
 argument-mav-frame = MAV_FRAME
 argument-timeout = коли йти далі попри все, без уточнення 60 s
+argument-contacts = усі контакти, про які ще не повідомлено
 argument-pause = як довго
 argument-in-mode = у цьому режимі
 argument-altitude-or-distance = над домом, до дому

@@ -16,11 +16,12 @@ const FAINT: f64 = 0.03;
 const NAMED: usize = 6;
 
 /// What the signs mean, by the id of the words; those that lie above others come last.
-const SIGNS: [(char, &str); 8] = [
+const SIGNS: [(char, &str); 9] = [
     ('?', "debrief-sign-gap"),
     ('~', "debrief-sign-track"),
     ('P', "debrief-sign-pad"),
     ('d', "debrief-sign-decoy"),
+    ('o', "debrief-sign-there"),
     ('F', "debrief-sign-false"),
     ('v', "debrief-sign-mark"),
     ('O', "debrief-sign-found"),
@@ -50,9 +51,8 @@ impl Page<'_> {
 
     /// What was found, and where the rest was.
     fn missed(&mut self, truth: &TruthReport) {
-        let real = truth.objects.iter().filter(|object| object.kind != "decoy");
-        let (found, missed): (Vec<&ObjectReport>, Vec<_>) =
-            real.partition(|object| object.found || !object.present);
+        let real = truth.objects.iter().filter(|object| is_asked(object));
+        let (found, missed): (Vec<&ObjectReport>, Vec<_>) = real.partition(|object| object.found);
         let wrong = truth.marks.iter().filter(|mark| !mark.right).count();
         if found.len() + missed.len() + wrong > 0 {
             let (found, all) = (found.len(), found.len() + missed.len());
@@ -66,6 +66,11 @@ impl Page<'_> {
             self.wrapped("    ", &text);
         }
     }
+}
+
+/// Whether it counts as missed unless it is reported.
+fn is_asked(object: &ObjectReport) -> bool {
+    object.sought && object.kind != "decoy"
 }
 
 struct Canvas {
@@ -126,10 +131,11 @@ impl Canvas {
             self.put(mark.at, if mark.right { 'v' } else { 'F' });
         }
         for object in &truth.objects {
-            let sign = match (object.kind.as_str(), object.found || !object.present) {
+            let sign = match (object.kind.as_str(), object.found) {
                 ("decoy", _) => 'd',
                 (_, true) => 'O',
-                (_, false) => 'X',
+                _ if is_asked(object) => 'X',
+                _ => 'o',
             };
             self.put(object.at, sign);
         }
@@ -203,6 +209,7 @@ mod tests {
             kind: kind.to_owned(),
             present: true,
             found,
+            sought: kind != "decoy",
         }
     }
 

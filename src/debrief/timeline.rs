@@ -25,6 +25,8 @@ impl Page<'_> {
             rows.extend(report.ledger.iter().filter_map(command_row));
         }
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // A command to many is refused to each of them.
+        rows.dedup();
         let end = clock(report.sim_time_s);
         let strip = strip(&rows, report.sim_time_s);
         self.line(&format!("  00:00 |{strip}| {end}"));

@@ -222,7 +222,7 @@ fn targets_are_read_sorted_and_written_back_short() {
             Targets::Ids(vec![1, 2, 3, 4, 7]),
             "1-4,7 arm",
         ),
-        ("@red  pause", Targets::Group("red".to_owned()), "@red hold"),
+        ("@red  stop", Targets::Group("red".to_owned()), "@red hold"),
         ("wait 5 armed", Targets::Ids(vec![5]), "wait 5 armed"),
         ("wait 5", Targets::Selection, "wait 5"),
         (

@@ -46,10 +46,24 @@ pub(crate) struct Objective {
     pub kind: Box<dyn Kind>,
 }
 
+/// What is to be reported.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sought {
+    /// The hazard's place in the file.
+    pub hazard: usize,
+    /// How near a report must be.
+    pub within_m: f64,
+}
+
 /// What an objective asks for.
 pub(crate) trait Kind: Debug + Send + Sync {
     /// The survey that it needs, if it needs one.
     fn survey(&self) -> Option<&SurveyPlan> {
+        None
+    }
+
+    /// What it wants to be reported, if anything.
+    fn sought(&self) -> Option<Sought> {
         None
     }
 

@@ -116,6 +116,8 @@ enum Line {
     },
     /// [`Flight::inject`](super::Flight::inject).
     Inject { name: String },
+    /// [`Flight::note_pause`](super::Flight::note_pause).
+    Pause { seconds: u64 },
     /// [`Flight::abandon`](super::Flight::abandon).
     Abandon,
     /// What became of commands after the last step, and the score.
@@ -178,6 +180,8 @@ pub(super) struct Recorder {
     newest: Option<EntryId>,
     revision: Option<u64>,
     stepped: Option<Duration>,
+    /// Whether the newest step has a line.
+    is_step_written: bool,
 }
 
 impl Recorder {
@@ -189,6 +193,7 @@ impl Recorder {
             newest: None,
             revision: None,
             stepped: None,
+            is_step_written: true,
         };
         recorder.write(head);
         recorder
@@ -211,15 +216,26 @@ impl Recorder {
         };
         let is_next = self.stepped.is_some_and(|before| now == before + TICK);
         self.stepped = Some(now);
-        if !is_next || change != Change::default() {
+        self.is_step_written = !is_next || change != Change::default();
+        if self.is_step_written {
             let t = now.as_millis() as u64;
             self.write(&Line::Tick { t, change });
         }
     }
 
+    /// Writes something that befell the flight after its newest step, which then needs a line of its own.
+    fn befall(&mut self, line: &Line) {
+        if !std::mem::replace(&mut self.is_step_written, true) {
+            let t = self.stepped.unwrap_or_default().as_millis() as u64;
+            let change = Change::default();
+            self.write(&Line::Tick { t, change });
+        }
+        self.write(line);
+    }
+
     pub fn act(&mut self, deed: &Deed, vehicles: &[VehicleId]) {
         let (deed, vehicles) = (deed.clone(), vehicles.to_vec());
-        self.write(&Line::Act { deed, vehicles });
+        self.befall(&Line::Act { deed, vehicles });
     }
 
     pub fn lose(&mut self, vehicle: VehicleId, vehicles: &BTreeMap<VehicleId, Vehicle>) {
@@ -227,16 +243,21 @@ impl Recorder {
             v: self.changed_vehicles(vehicles),
             ..Change::default()
         };
-        self.write(&Line::Lose { vehicle, change });
+        self.befall(&Line::Lose { vehicle, change });
     }
 
     pub fn inject(&mut self, name: &str) {
         let name = name.to_owned();
-        self.write(&Line::Inject { name });
+        self.befall(&Line::Inject { name });
+    }
+
+    pub fn pause(&mut self, lasted: Duration) {
+        let seconds = lasted.as_secs();
+        self.befall(&Line::Pause { seconds });
     }
 
     pub fn abandon(&mut self) {
-        self.write(&Line::Abandon);
+        self.befall(&Line::Abandon);
     }
 
     pub fn end(&mut self, ledger: &Ledger, report: &Report) {

@@ -128,9 +128,10 @@ impl World {
         self.fields.get(hazard).map(AsRef::as_ref)
     }
 
-    /// What the debrief reveals of all hazards.
-    pub fn truth(&self) -> impl Iterator<Item = Truth> + '_ {
-        self.fields.iter().flat_map(|field| field.truth())
+    /// What the debrief reveals of all hazards, with the hazard's place in the file.
+    pub fn truth(&self) -> impl Iterator<Item = (usize, Truth)> + '_ {
+        let fields = self.fields.iter().enumerate();
+        fields.flat_map(|(hazard, field)| field.truth().into_iter().map(move |t| (hazard, t)))
     }
 
     /// What a load does where it comes down, to every hazard that it concerns.

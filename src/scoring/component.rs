@@ -143,7 +143,7 @@ pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
     ];
     let applies = values.each_ref().map(Option::is_some);
     let weights = rules.weights.applied(applies, facts.vehicles);
-    Component::ALL
+    let mut components: Vec<ComponentScore> = Component::ALL
         .into_iter()
         .zip(values)
         .filter_map(|(component, value)| {
@@ -158,11 +158,31 @@ pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
                 component,
                 weight,
                 value,
-                points_tenths: (10_000.0 * weight * value).round() as u32,
+                points_tenths: 0,
                 moved_by,
             })
         })
-        .collect()
+        .collect();
+    share_points(&mut components);
+    components
+}
+
+/// Gives the components whole tenths that add up to the rounded sum: those with the largest remainders are rounded
+/// up (the method of Hamilton).
+fn share_points(components: &mut [ComponentScore]) {
+    let exact = |c: &ComponentScore| 10_000.0 * c.weight * c.value;
+    let sum: f64 = components.iter().map(exact).sum();
+    for component in components.iter_mut() {
+        component.points_tenths = exact(component).floor() as u32;
+    }
+    let given: u32 = components.iter().map(|c| c.points_tenths).sum();
+    let left = (sum.round() as u32).saturating_sub(given);
+    let mut order: Vec<usize> = (0..components.len()).collect();
+    let remainder = |index: &usize| exact(&components[*index]).fract();
+    order.sort_by(|a, b| remainder(b).total_cmp(&remainder(a)));
+    for index in order.into_iter().take(left as usize) {
+        components[index].points_tenths += 1;
+    }
 }
 
 /// `sum(value * fraction) / sum(value)`, capped where a mandatory objective was missed.

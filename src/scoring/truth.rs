@@ -44,6 +44,8 @@ pub struct ObjectReport {
     pub present: bool,
     /// Whether it was reported.
     pub found: bool,
+    /// Whether an objective asked for its report.
+    pub sought: bool,
 }
 
 /// A report of the trainee's.

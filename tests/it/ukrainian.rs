@@ -1,6 +1,8 @@
 //! Nothing English is left where a person reads Ukrainian: Latin letters make names only.
 
 use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
 use std::time::Duration;
 
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
@@ -22,9 +24,9 @@ const NAMES: &[&str] = &[
     "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
-    "Ctrl Enter Esc Tab R1 w3",
+    "Ctrl Enter Esc Tab R1 w3 p3",
     // Units that no argument has.
-    "B B/s kB/s kB min Hz V A km mAh ms Wh PM2 e7 NaN",
+    "B B/s kB/s kB min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN",
     // What stands for something in a line to write.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
     // Parts of names in MAVLink and of parameters.
@@ -32,7 +34,7 @@ const NAMES: &[&str] = &[
     // Addresses, options and files.
     "features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.
-    "air alert bat invert status",
+    "air alert bat invert status peak",
     // Words in files of the user's: themes, keymaps, missions.
     "dark dumb false filter id inherits light none objectives off one roles rrggbb true two red",
 ];
@@ -317,11 +319,27 @@ fn states() -> Vec<Text> {
     said
 }
 
+/// The words that the names of missions and drills are made of.
+fn names_of_missions() -> Vec<String> {
+    let missions = Path::new(env!("CARGO_MANIFEST_DIR")).join("missions");
+    let mut words = Vec::new();
+    for folder in [missions.join("drills"), missions] {
+        for entry in fs::read_dir(folder).expect("readable").flatten() {
+            let name = entry.file_name().into_string().expect("plain letters");
+            if let Some(id) = name.strip_suffix(".toml") {
+                words.extend(parts(id).map(str::to_owned));
+            }
+        }
+    }
+    words
+}
+
 #[test]
 fn verbs_faults_outcomes_and_states_read_as_ukrainian() {
     let mut known = from_tables();
     // Names in examples, of missions and of the commands and messages that complete.
-    known.extend(["PreArm", "air", "sample", "01"].map(str::to_owned));
+    known.insert("PreArm".to_owned());
+    known.extend(names_of_missions());
     let locale = Locale::new(Language::Ukrainian);
     let all = [hints(), faults(), outcomes(), states()].concat();
     assert!(all.len() > 500, "the walk finds little: {}", all.len());

@@ -14,6 +14,9 @@ impl Flight {
         if self.ended.is_some() {
             return None;
         }
+        if let Some(recorder) = &mut self.recorder {
+            recorder.pause(lasted);
+        }
         let mut notices = Vec::new();
         let text = text!("mission-paused", seconds = lasted.as_secs());
         self.say("pause", None, Severity::Notice, text, &mut notices);

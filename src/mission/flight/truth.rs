@@ -3,11 +3,14 @@
 use super::Flight;
 use crate::mission::Point;
 use crate::mission::hazard::{Class, TruthShape};
+use crate::mission::objective::Sought;
 use crate::mission::report::{Mark, distance_m};
 use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport, rounded};
 
 /// Points of a track are this far apart.
 const TRACK_STEP_M: f64 = 5.0;
+/// A report of what nobody asked for is right this near to it.
+const UNASKED_WITHIN_M: f64 = 15.0;
 /// A track has no more points than this.
 const TRACK_POINTS: usize = 2000;
 
@@ -35,7 +38,8 @@ impl Flight {
             ..TruthReport::default()
         };
         let mut found = vec![false; self.marks.all().len()];
-        for piece in self.world.truth() {
+        for (hazard, piece) in self.world.truth() {
+            let sought = self.sought(hazard);
             match piece.shape {
                 TruthShape::Square(side_m, strength) => truth.squares.push(SquareReport {
                     at: tenths(piece.at),
@@ -44,7 +48,7 @@ impl Flight {
                 }),
                 TruthShape::Object(class, present) => {
                     let hits = self.marks.all().iter().enumerate();
-                    let hits = hits.filter(|(_, mark)| is_meant(mark, class, piece.at));
+                    let hits = hits.filter(|(_, mark)| is_meant(mark, class, piece.at, sought));
                     let hits: Vec<usize> = hits.map(|(index, _)| index).collect();
                     hits.iter().for_each(|&index| found[index] = true);
                     truth.objects.push(ObjectReport {
@@ -52,6 +56,7 @@ impl Flight {
                         kind: class.kind().unwrap_or("decoy").to_owned(),
                         present,
                         found: !hits.is_empty(),
+                        sought: sought.is_some(),
                     });
                 }
             }
@@ -75,6 +80,14 @@ impl Flight {
         flown.map(report).collect()
     }
 
+    /// What the objectives want to be reported of a hazard; the least strict of them counts.
+    fn sought(&self, hazard: usize) -> Option<Sought> {
+        let sought = self.mission.objectives.iter();
+        let sought = sought.filter_map(|objective| objective.kind.sought());
+        let of_hazard = sought.filter(|sought| sought.hazard == hazard);
+        of_hazard.max_by(|a, b| a.within_m.total_cmp(&b.within_m))
+    }
+
     /// The cells that nobody has sampled.
     fn gaps(&self) -> Vec<SquareReport> {
         let of = |survey: &super::Survey| {
@@ -91,12 +104,9 @@ impl Flight {
     }
 }
 
-/// Whether a report can only mean this object: near it, and of its kind if it names one.
-fn is_meant(mark: &Mark, class: Class, at: Point) -> bool {
-    let within_m = match class {
-        Class::MetalMine | Class::MinimumMetalMine | Class::SurfaceMine => 2.0,
-        _ => 15.0,
-    };
+/// Whether a report means this object: as near to it as is asked for, and of its kind if it names one.
+fn is_meant(mark: &Mark, class: Class, at: Point, sought: Option<Sought>) -> bool {
+    let within_m = sought.map_or(UNASKED_WITHIN_M, |sought| sought.within_m);
     let same = class
         .kind()
         .is_some_and(|kind| mark.kind.is_none_or(|said| said == kind));

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{Kind, Scene, Sought, Standing, Tracker, partial_credit};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::hazard::Object;
 use crate::mission::report::{Mark, distance_m};
@@ -78,6 +78,13 @@ pub(crate) fn read(
 }
 
 impl Kind for Detect {
+    fn sought(&self) -> Option<Sought> {
+        Some(Sought {
+            hazard: self.hazard,
+            within_m: self.radius_m,
+        })
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }

@@ -5,7 +5,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{Kind, Scene, Sought, Standing, Tracker, partial_credit};
 use crate::mission::Point;
 use crate::mission::craft::Craft;
 use crate::mission::file::{Draft, Faults, Section};
@@ -74,6 +74,13 @@ pub(crate) fn read(
 }
 
 impl Kind for Locate {
+    fn sought(&self) -> Option<Sought> {
+        Some(Sought {
+            hazard: self.hazard,
+            within_m: self.within_m,
+        })
+    }
+
     fn start(&self, world: &World) -> Box<dyn Tracker> {
         let objects = world
             .field(self.hazard)

@@ -6,8 +6,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::geo::LatLon;
 use crate::vehicle::{
-    Battery, GlobalPosition, Heartbeat, LandedState, Mode, Severity, StatusText, SystemStatus,
-    TEXTS_KEPT, Unheard, Vehicle, VehicleClass, VehicleId,
+    Battery, Ekf, EkfFlags, GlobalPosition, Health, Heartbeat, LandedState, Mode, Severity,
+    StatusText, SystemStatus, TEXTS_KEPT, Unheard, Vehicle, VehicleClass, VehicleId,
 };
 use crate::wire::AUTOPILOT_COMPONENT;
 
@@ -21,6 +21,9 @@ pub(super) struct Observed {
     mode: Option<ModeLine>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     landed: Option<LandedState>,
+    /// Whether it says that it can be armed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    ready: Option<bool>,
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",
@@ -68,6 +71,7 @@ impl Watched {
                 (mode.class, mode.number, heartbeat.armed)
             }),
             landed: Some(vehicle.landed),
+            ready: Some(vehicle.ready_to_arm()),
             at: Some(vehicle.global.map(position)),
             unheard: Some(vehicle.unheard.map(unheard)),
             battery: vehicle.battery().map(battery),
@@ -82,6 +86,9 @@ impl Watched {
             lost: now.lost.filter(|_| now.lost != known.lost),
             mode: now.mode.filter(|_| now.mode != known.mode),
             landed: now.landed.filter(|_| now.landed != known.landed),
+            ready: now
+                .ready
+                .filter(|_| now.ready != known.ready.or(Some(false))),
             at: now.at.filter(|_| now.at != known.at),
             unheard: now
                 .unheard
@@ -151,6 +158,10 @@ impl Observed {
         if let Some(landed) = self.landed {
             vehicle.landed = landed;
         }
+        if let Some(ready) = self.ready {
+            vehicle.health = ready.then_some(checked(now));
+            vehicle.ekf = ready.then_some(located(now));
+        }
         if let Some(at) = self.at {
             vehicle.global = at.map(|at| global(at, now));
         }
@@ -191,6 +202,28 @@ fn said<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     deserializer: D,
 ) -> Result<Option<Option<T>>, D::Error> {
     Option::deserialize(deserializer).map(Some)
+}
+
+/// What a vehicle that can be armed says of itself, and nothing more.
+fn checked(now: Duration) -> Health {
+    Health {
+        present: Health::PREARM,
+        enabled: Health::PREARM,
+        healthy: Health::PREARM,
+        load_percent: f32::NAN,
+        at: now,
+    }
+}
+
+fn located(now: Duration) -> Ekf {
+    Ekf {
+        flags: EkfFlags(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE),
+        velocity_variance: 0.0,
+        position_horizontal_variance: 0.0,
+        position_vertical_variance: 0.0,
+        compass_variance: 0.0,
+        at: now,
+    }
 }
 
 fn unheard(unheard: Unheard) -> UnheardLine {

@@ -134,6 +134,9 @@ impl Replay {
                 drop(self.flight.lose(*vehicle, &self.vehicles));
             }
             Line::Inject { name } => drop(self.flight.inject(name)),
+            Line::Pause { seconds } => {
+                drop(self.flight.note_pause(Duration::from_secs(*seconds)));
+            }
             Line::Abandon => self.flight.abandon(),
             Line::End { t, change, .. } => {
                 let at = Duration::from_millis(*t);
