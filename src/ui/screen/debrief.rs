@@ -6,6 +6,7 @@ use ratatui::text::Line;
 
 use crate::app::room::debrief::is_section;
 use crate::app::state::State;
+use crate::scoring::TruthReport;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_truth;
@@ -23,7 +24,8 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         put(buffer, below(area, 1), 0, &line);
         return;
     };
-    let beside = area.width >= TEXT_WIDTH + TRUTH_LEAST;
+    let has_room = area.width >= TEXT_WIDTH + TRUTH_LEAST;
+    let beside = has_room && debrief.report.truth != TruthReport::default();
     if beside {
         let truth = columns(area, TEXT_WIDTH + 1, area.width);
         draw_truth(&debrief.report.truth, look, truth, buffer);
