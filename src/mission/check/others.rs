@@ -13,6 +13,14 @@ use crate::mission::Mission;
 const MISSION: &str = "mission:";
 
 impl Mission {
+    /// The id that a mission's file gives it, also where the file has faults; `None` of a file that is no mission.
+    pub fn id_of(source: &str) -> Option<String> {
+        let (root, _) = DeTable::parse_recoverable(source);
+        let root = root.get_ref();
+        root.get("objectives")?;
+        root.get("id").map(Entry)?.text().map(str::to_owned)
+    }
+
     /// References to missions that are not among the known ones, by their ids: what it is a drill of, needs, and
     /// unlocks.
     pub fn unknown_missions(&self, known: &BTreeSet<String>) -> Vec<Diagnostic> {
