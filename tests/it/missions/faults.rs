@@ -138,12 +138,12 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "pads = [[0, 0]]",
         "pads = [[0, 500]]",
-        "29:9: pad 1 lies beyond the fence `fence`",
+        "30:9: pad 1 lies beyond the fence `fence`",
     ),
     (
         "max_vehicles = 1\npads = [[0, 0]]",
         "max_vehicles = 2\npads = [[0, 0], [1, 0]]",
-        "29:17: this pad is 1.0 m from another one; vehicles must keep 2 m apart",
+        "30:17: this pad is 1.0 m from another one; vehicles must keep 2 m apart",
     ),
     (
         "[30, 90], [-30, 90]",
@@ -158,32 +158,32 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 0, 70]]\nradius = 5\n[scoring]",
-        "58:10: this gate lies above the highest height allowed, 60 m",
+        "59:10: this gate lies above the highest height allowed, 60 m",
     ),
     (
         "[scoring]",
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 300, 9]]\nradius = 5\n[scoring]",
-        "58:10: this gate lies beyond the fence `fence`",
+        "59:10: this gate lies beyond the fence `fence`",
     ),
     (
         "[scoring]",
         "[[events]]\nid = \"late\"\nat = 480\ndo = [{ say = \"Late.\" }]\n[scoring]",
-        "55:6: the mission is over before this happens",
+        "56:6: the mission is over before this happens",
     ),
     (
         "[scoring]",
-        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"hover\"\nradius = 5\ntime = 500\n[scoring]",
-        "59:8: there are 480 s only",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"hover\"\nheights = [5, 9]\nradius = 5\ntime = 500\n[scoring]",
+        "61:8: there are 480 s only",
     ),
     (
         "[scoring]",
         "[scoring]\ngold_requires = [\"safety >= 1.5\"]",
-        "54:18: nobody can reach this",
+        "55:18: nobody can reach this",
     ),
     (
         "[scoring]",
         "[scoring]\nweights = { objective = 0.9, attention = 0.1 }",
-        "54:42: no alert of this mission has an `ok` to answer it by",
+        "55:42: no alert of this mission has an `ok` to answer it by",
     ),
     (
         "dwell = 5",
@@ -265,6 +265,6 @@ fn texts_and_conditions_have_a_greatest_length() {
     let faults = Mission::parse(&source).expect_err("too long");
     assert_eq!(
         faults[0].one_line("m", &source),
-        "m:50:8: a condition may have 1000 characters"
+        "m:51:8: a condition may have 1000 characters"
     );
 }
