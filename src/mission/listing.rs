@@ -113,7 +113,6 @@ impl Mission {
             vehicles: &[],
             surveys: &[],
             world: &world,
-            contacts: &[],
             marks: &[],
             margins_db: &BTreeMap::new(),
             releases: &[],

@@ -220,7 +220,7 @@ impl Radio {
     }
 
     /// What a margin means for a link.
-    pub fn fault(&self, margin_db: f64) -> RadioFault {
+    pub fn fault(margin_db: f64) -> RadioFault {
         let loss = loss(margin_db);
         if loss < NO_LOSS {
             return RadioFault::default();

@@ -187,12 +187,12 @@ fn content(
         faults,
     );
     Content {
+        draft,
         hazards,
         objectives,
-        threats,
         hints,
         clues,
-        draft,
+        threats,
     }
 }
 

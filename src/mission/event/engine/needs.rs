@@ -82,7 +82,7 @@ impl Engine {
     fn radio(&self, mission: &Mission, vehicle: VehicleId) -> RadioFault {
         let margin_db = self.margins_db.get(&vehicle).copied();
         let mut fault = match (&mission.radio, margin_db) {
-            (Some(radio), Some(margin_db)) => radio.fault(margin_db),
+            (Some(_), Some(margin_db)) => crate::mission::radio::Radio::fault(margin_db),
             _ => RadioFault::default(),
         };
         let is_link =
