@@ -102,7 +102,7 @@ impl Runs {
     pub fn all_tries(&self) -> BTreeMap<String, Vec<TryReport>> {
         let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
         for (head, end) in self.files().iter().filter_map(|path| outline(path).ok()) {
-            let one = as_try(&head, end);
+            let one = as_try(&head, end.as_ref());
             tries.entry(head.mission).or_default().push(one);
         }
         tries
