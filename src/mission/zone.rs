@@ -1,5 +1,7 @@
 //! Zones: areas with a meaning.
 
+use rand::RngExt;
+
 use super::Point;
 
 /// An area with a meaning.
@@ -10,6 +12,28 @@ pub(crate) struct Zone {
     pub shape: Shape,
     /// Whether it is there from the start; events switch zones on and off.
     pub active: bool,
+    /// By how much at most the seed moves it to each side, in metres.
+    pub jitter_m: f64,
+}
+
+impl Zone {
+    /// Where the seed puts it, which `random` stands for.
+    pub fn moved(&self, random: &mut impl RngExt) -> Self {
+        let mut by = || random.random_range(-1.0..=1.0) * self.jitter_m;
+        let [east_m, north_m] = [by(), by()];
+        let moved = |[x, y]: &Point| [x + east_m, y + north_m];
+        let shape = match &self.shape {
+            Shape::Polygon(corners) => Shape::Polygon(corners.iter().map(moved).collect()),
+            Shape::Circle { center, radius_m } => Shape::Circle {
+                center: moved(center),
+                radius_m: *radius_m,
+            },
+        };
+        Self {
+            shape,
+            ..self.clone()
+        }
+    }
 }
 
 /// What a zone means.
