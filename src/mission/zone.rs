@@ -145,6 +145,9 @@ fn distance_to_side_m(at: Point, from: Point, to: Point) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use rand::SeedableRng as _;
+    use rand_chacha::ChaCha8Rng;
+
     use super::*;
 
     #[test]
@@ -163,5 +166,27 @@ mod tests {
             assert!((square.distance_m(at) - to_square).abs() < 1e-9, "{at:?}");
             assert!((circle.distance_m(at) - to_circle).abs() < 1e-9, "{at:?}");
         }
+    }
+
+    #[test]
+    fn a_seed_moves_a_zone_by_its_jitter_at_most_and_as_a_whole() {
+        let shape = Shape::Polygon(vec![[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]]);
+        let zone = |jitter_m| Zone {
+            id: "ridge".to_owned(),
+            kind: ZoneKind::GnssJam { edge_m: 0.0 },
+            shape: shape.clone(),
+            active: true,
+            jitter_m,
+        };
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        assert_eq!(zone(0.0).moved(&mut random), zone(0.0));
+        let mut places = Vec::new();
+        for _ in 0..50 {
+            let ([west, south], [east, north]) = zone(4.0).moved(&mut random).shape.bounds();
+            assert!(west.abs() <= 4.0 && south.abs() <= 4.0, "{west} {south}");
+            assert!((east - west - 10.0).abs() < 1e-9 && (north - south - 10.0).abs() < 1e-9);
+            places.push(west);
+        }
+        assert!(places.iter().any(|&west| west > 2.0) && places.iter().any(|&west| west < -2.0));
     }
 }
