@@ -160,10 +160,7 @@ impl Engine {
             }
         }
         let mut airspace = std::mem::take(&mut self.airspace);
-        let breaches = airspace.step(
-            &self.scope(mission, weather, sight),
-            mission.min_separation_m,
-        );
+        let breaches = airspace.step(&self.scope(weather, sight), mission.min_separation_m);
         self.airspace = airspace;
         news.extend(
             breaches
@@ -184,7 +181,7 @@ impl Engine {
         sight: &Sight<'_>,
         news: &mut Vec<News>,
     ) {
-        let scope = self.scope(mission, weather, sight);
+        let scope = self.scope(weather, sight);
         let events = mission.events.iter().zip(&self.watches).zip(0..);
         let holds = events.map(|((event, watch), index)| {
             let Trigger::When(condition) = &event.trigger else {
@@ -313,12 +310,7 @@ impl Engine {
         }
     }
 
-    fn scope<'a>(
-        &'a self,
-        mission: &'a Mission,
-        weather: &Weather,
-        sight: &Sight<'a>,
-    ) -> Scope<'a> {
+    fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
         Scope {
             now: sight.now,
             crafts: sight.crafts,
