@@ -21,10 +21,15 @@
 //! | `[[places]]` `id`, `at` | a point that lines and objectives may name |
 //! | `[[zones]]` `id`, `kind` | `task` (an area) or `geofence` (must not be left; optional `ceiling`) |
 //! | `polygon` or `center`, `radius` | its shape |
+//! | `jitter` | by how much at most (m) the seed moves a zone that is neither `task` nor `geofence` |
 //! | `[[hazards]]` `id`, `kind` | see below |
 //! | `[fleet]` `max_vehicles`, `pads`, `sensors`, `loads` | one pad per vehicle; what every vehicle carries; loads: `ball`, `kit`, `node` in pieces, `spray` in seconds |
 //! | `vehicles = [{ sensors, loads }, ..]` | one per pad: more sensors, and loads in the place of the fleet's |
+//! | `budget`, `loaner` | credits for all that is flown; ids of designs that are lent, one for each pad at most |
 //! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
+//! | `pause` | whether it may be paused (true) |
+//! | `[requires]` `missions`, `medals = { ID = "silver" }`, `skills = { K6 = 0.6 }` | what has to be passed, earned and known before |
+//! | `[rewards]` `credits`, `xp_tier`, `unlock` | for passing it; `xp_tier` is the `tier` where it is missing; `part:ID`, `mission:ID`, `threat:ID` |
 //! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
 //! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
 //! | `[[hints]]` `level`, `text`, `phase`, `objective` | instead of being shown, it is given when it is asked for and costs by its level, 1 to 3; where named, only in that phase and until that objective is met |
@@ -82,6 +87,8 @@ use crate::sim::{Start, WorldConfig};
 use crate::text::Text;
 
 mod area;
+mod campaign;
+mod check;
 mod clock;
 mod contact;
 mod craft;
@@ -109,6 +116,7 @@ mod zone;
 
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
+pub use campaign::{Outlay, Requires, Rewards, Unlock};
 pub use clock::Clock;
 pub use event::alert::OpenAlert;
 pub use event::demand::Demand;
@@ -153,6 +161,14 @@ pub struct Mission {
     pub authors: Vec<String>,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
+    /// What has to be shown before it is on offer.
+    pub requires: Requires,
+    /// What passing it brings.
+    pub rewards: Rewards,
+    /// What its fleet may cost.
+    pub outlay: Outlay,
+    /// Whether it may stand still while somebody thinks.
+    pub pausable: bool,
     /// How many vehicles fly it.
     pub vehicles: usize,
     /// Mission time allowed.

@@ -53,7 +53,7 @@ impl Engine {
 
     /// What zones do to a vehicle's satellite navigation.
     fn navigation(&mut self, mission: &Mission, craft: &Craft, wishes: &mut Wishes) {
-        let zones = mission.zones.iter().zip(&self.active).enumerate();
+        let zones = self.zones.iter().zip(&self.active).enumerate();
         for (index, (zone, _)) in zones.filter(|(_, (_, active))| **active) {
             match zone.kind {
                 ZoneKind::GnssJam { edge_m } => {
