@@ -60,7 +60,10 @@ fn list_missions() -> Result<(), Box<dyn Error>> {
         writeln!(code, "/// {description}, by file name without its ending.")?;
         writeln!(code, "pub(super) const {list}: &[(&str, &str)] = &[")?;
         for path in &paths {
-            let stem = path.file_stem().unwrap_or_default();
+            let stem = path.file_stem().and_then(OsStr::to_str);
+            let (Some(stem), Some(path)) = (stem, path.to_str()) else {
+                return Err(format!("{} is not in UTF-8", path.display()).into());
+            };
             writeln!(code, "    ({stem:?}, include_str!({path:?})),")?;
         }
         writeln!(code, "];")?;

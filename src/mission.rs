@@ -21,6 +21,7 @@
 //! | `[[places]]` `id`, `at` | a point that lines and objectives may name |
 //! | `[[zones]]` `id`, `kind` | `task` (an area) or `geofence` (must not be left; optional `ceiling`) |
 //! | `polygon` or `center`, `radius` | its shape |
+//! | `jitter` | by how much at most (m) the seed moves a zone that is neither `task` nor `geofence` |
 //! | `[[hazards]]` `id`, `kind` | see below |
 //! | `[fleet]` `max_vehicles`, `pads`, `sensors`, `loads` | one pad per vehicle; what every vehicle carries; loads: `ball`, `kit`, `node` in pieces, `spray` in seconds |
 //! | `vehicles = [{ sensors, loads }, ..]` | one per pad: more sensors, and loads in the place of the fleet's |

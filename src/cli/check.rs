@@ -24,8 +24,9 @@ pub(super) struct CheckArguments {
     /// Files ending in .toml, whose content tells what they are, or .pilot; or folders with such files.
     #[arg(required_unless_present = "fly", value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Flies missions with their reference pilot, a naive one and none at all: the first has to pass, the second must
-    /// not earn a medal, and the third must not pass.
+    /// Flies missions with their reference pilot, a naive one and none at all: the first has to earn silver, the second
+    /// must not earn a medal, and the third must not pass nor score more than 250. The scripts are MISSION.pilot and
+    /// NN-naive.pilot, beside the mission's file, in its folder `pilots`, or of those shipped.
     #[arg(long, value_name = "MISSION", num_args = 1.., conflicts_with = "files")]
     fly: Vec<String>,
     /// With how many seeds, from 1 on.

@@ -28,7 +28,7 @@ impl Console {
         update(&mut self.state, Event::Paused(false));
         if let Some(running) = &mut self.running {
             running.hold(false);
-            for notice in running.note_pause(lasted, now) {
+            if let Some(notice) = running.note_pause(lasted, now) {
                 update(&mut self.state, Event::Notice(notice));
             }
         }

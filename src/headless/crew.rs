@@ -275,7 +275,9 @@ impl Crew {
             targets,
         };
         let (targets, rows) = self.conductor.order(ordered, &self.vehicles, now);
-        rows.iter().for_each(|row| self.ledger.apply(row));
+        for row in &rows {
+            self.ledger.apply(row);
+        }
         for seat in &mut self.seats {
             if targets.contains(&seat.session.vehicle().id) {
                 let order = Order::new(entry, verb, command.clone());
@@ -297,7 +299,9 @@ impl Crew {
             targets,
         };
         let rows = self.conductor.begin(call, &self.vehicles, now);
-        rows.iter().for_each(|row| self.ledger.apply(row));
+        for row in &rows {
+            self.ledger.apply(row);
+        }
     }
 
     fn open(

@@ -250,7 +250,7 @@ fn every_example_parses_to_its_own_verb() {
                 Action::Command { verb: said, .. }
                 | Action::Deed { verb: said, .. }
                 | Action::Manoeuvre { verb: said, .. } => {
-                    assert_eq!(said, verb, "{example}")
+                    assert_eq!(said, verb, "{example}");
                 }
                 Action::Wait(_) => assert_eq!(verb.name, "wait", "{example}"),
             }

@@ -186,7 +186,7 @@ mod tests {
             Seen::New(1)
         );
         let first = &contacts.all()[0];
-        assert_eq!(first.at, [0.4, 0.0]);
+        assert!((first.at[0] - 0.4).abs() < 1e-9 && first.at[1].abs() < 1e-9);
         assert_eq!(first.sensors.len(), 2);
     }
 

@@ -276,9 +276,12 @@ impl Flight {
             );
             for (index, probe) in craft.probes.iter_mut().enumerate() {
                 let (quantity, height_m) = (probe.spec.quantity, craft.height_m);
-                let amount = craft.at.map_or(0.0, |at| match probe.looks_down() {
-                    true => self.world.column(quantity, at, height_m),
-                    false => self.world.amount(quantity, at, height_m),
+                let amount = craft.at.map_or(0.0, |at| {
+                    if probe.looks_down() {
+                        self.world.column(quantity, at, height_m)
+                    } else {
+                        self.world.amount(quantity, at, height_m)
+                    }
                 });
                 probe.step(amount, craft.speed_m_s, TICK.as_secs_f64());
                 let shown = probe.shown;
@@ -496,7 +499,6 @@ impl Flight {
             vehicles: &self.crafts,
             surveys: &self.surveys,
             world: &self.world,
-            contacts: self.contacts.all(),
             marks: self.marks.all(),
             margins_db: self.engine.margins_db(),
             releases: &self.releases,

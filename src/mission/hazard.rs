@@ -86,8 +86,6 @@ pub(crate) enum Quantity {
     Particles,
     /// Dose rate of gamma radiation, in uSv/h.
     DoseRate,
-    /// Temperature above the surroundings, in K.
-    Heat,
 }
 
 /// Something that detectors can find.

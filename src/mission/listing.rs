@@ -159,7 +159,6 @@ impl Mission {
             vehicles: &[],
             surveys: &[],
             world: &world,
-            contacts: &[],
             marks: &[],
             margins_db: &BTreeMap::new(),
             releases: &[],

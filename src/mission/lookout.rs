@@ -123,7 +123,7 @@ impl Watch<'_> {
                 height_m: self.craft.height_m,
                 speed_m_s: self.craft.speed_m_s,
                 light: self.world.weather.light,
-                clear_view: self.world.clear_view(object.at, self.craft.height_m),
+                clarity: self.world.clear_view(object.at, self.craft.height_m),
             };
             let Some(look) = self.spec.look(&view) else {
                 continue;
@@ -218,17 +218,16 @@ impl Glance {
         if self.blind {
             return None;
         }
-        let found = match look.every_s {
-            Some(every_s) => self.chance.expose(exposure * TICK.as_secs_f64() / every_s),
-            None => {
-                if away > ONE_PASS {
-                    self.chance.again();
-                    self.found = false;
-                }
-                let found = !self.found && exposure >= self.chance.until;
-                self.found |= found;
-                found
+        let found = if let Some(every_s) = look.every_s {
+            self.chance.expose(exposure * TICK.as_secs_f64() / every_s)
+        } else {
+            if away > ONE_PASS {
+                self.chance.again();
+                self.found = false;
             }
+            let found = !self.found && exposure >= self.chance.until;
+            self.found |= found;
+            found
         };
         found.then(|| {
             let random = &mut self.chance.random;

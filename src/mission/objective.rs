@@ -5,7 +5,6 @@ use std::fmt::Debug;
 use std::time::Duration;
 
 use super::Point;
-use super::contact::Contact;
 use super::craft::Craft;
 use super::file::Reader;
 use super::flight::Release;
@@ -99,7 +98,6 @@ pub(crate) struct Scene<'a> {
     pub vehicles: &'a [Craft],
     pub surveys: &'a [Survey],
     pub world: &'a World,
-    pub contacts: &'a [Contact],
     pub marks: &'a [Mark],
     /// How well vehicles are heard, in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,

@@ -8,9 +8,9 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use super::Point;
 use super::craft::Craft;
-use super::zone::{Shadow, Shape, ZoneKind};
-use super::{Mission, Point};
+use super::zone::{Shadow, Shape, Zone, ZoneKind};
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
 
@@ -125,17 +125,12 @@ impl Radio {
     pub const USUAL_ANTENNA_M: f64 = 2.0;
 
     /// How well each vehicle is heard, in dB: by the best path, which is as good as its worst leg.
-    pub fn margins_db(
+    pub fn margins_db<'a>(
         &self,
-        mission: &Mission,
-        active: &[bool],
+        zones: impl Iterator<Item = &'a Zone>,
         crafts: &[Craft],
     ) -> BTreeMap<VehicleId, f64> {
-        let zones = mission.zones.iter().zip(active);
-        let zones: Vec<(&Shape, ZoneKind)> = zones
-            .filter(|(_, active)| **active)
-            .map(|(zone, _)| (&zone.shape, zone.kind))
-            .collect();
+        let zones: Vec<(&Shape, ZoneKind)> = zones.map(|zone| (&zone.shape, zone.kind)).collect();
         let placed = crafts
             .iter()
             .filter_map(|craft| Some((craft.id, self.node(craft)?)));
@@ -220,7 +215,7 @@ impl Radio {
     }
 
     /// What a margin means for a link.
-    pub fn fault(&self, margin_db: f64) -> RadioFault {
+    pub fn fault(margin_db: f64) -> RadioFault {
         let loss = loss(margin_db);
         if loss < NO_LOSS {
             return RadioFault::default();

@@ -1,5 +1,7 @@
 //! Zones: areas with a meaning.
 
+use rand::RngExt;
+
 use super::Point;
 
 /// An area with a meaning.
@@ -10,6 +12,28 @@ pub(crate) struct Zone {
     pub shape: Shape,
     /// Whether it is there from the start; events switch zones on and off.
     pub active: bool,
+    /// By how much at most the seed moves it to each side, in metres.
+    pub jitter_m: f64,
+}
+
+impl Zone {
+    /// Where the seed puts it, which `random` stands for.
+    pub fn moved(&self, random: &mut impl RngExt) -> Self {
+        let mut by = || random.random_range(-1.0..=1.0) * self.jitter_m;
+        let [east_m, north_m] = [by(), by()];
+        let moved = |[x, y]: &Point| [x + east_m, y + north_m];
+        let shape = match &self.shape {
+            Shape::Polygon(corners) => Shape::Polygon(corners.iter().map(moved).collect()),
+            Shape::Circle { center, radius_m } => Shape::Circle {
+                center: moved(center),
+                radius_m: *radius_m,
+            },
+        };
+        Self {
+            shape,
+            ..self.clone()
+        }
+    }
 }
 
 /// What a zone means.
@@ -121,6 +145,9 @@ fn distance_to_side_m(at: Point, from: Point, to: Point) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use rand::SeedableRng as _;
+    use rand_chacha::ChaCha8Rng;
+
     use super::*;
 
     #[test]
@@ -139,5 +166,27 @@ mod tests {
             assert!((square.distance_m(at) - to_square).abs() < 1e-9, "{at:?}");
             assert!((circle.distance_m(at) - to_circle).abs() < 1e-9, "{at:?}");
         }
+    }
+
+    #[test]
+    fn a_seed_moves_a_zone_by_its_jitter_at_most_and_as_a_whole() {
+        let shape = Shape::Polygon(vec![[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]]);
+        let zone = |jitter_m| Zone {
+            id: "ridge".to_owned(),
+            kind: ZoneKind::GnssJam { edge_m: 0.0 },
+            shape: shape.clone(),
+            active: true,
+            jitter_m,
+        };
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        assert_eq!(zone(0.0).moved(&mut random), zone(0.0));
+        let mut places = Vec::new();
+        for _ in 0..50 {
+            let ([west, south], [east, north]) = zone(4.0).moved(&mut random).shape.bounds();
+            assert!(west.abs() <= 4.0 && south.abs() <= 4.0, "{west} {south}");
+            assert!((east - west - 10.0).abs() < 1e-9 && (north - south - 10.0).abs() < 1e-9);
+            places.push(west);
+        }
+        assert!(places.iter().any(|&west| west > 2.0) && places.iter().any(|&west| west < -2.0));
     }
 }

@@ -75,7 +75,9 @@ impl CommandTally {
                 count = all
             ),
         };
-        (self.value(), words)
+        // Who gives none has not shown to give good ones.
+        let value = if all == 0 { 0.0 } else { self.value() };
+        (value, words)
     }
 }
 

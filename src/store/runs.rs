@@ -93,14 +93,16 @@ impl Runs {
         });
         let tries = of_it.filter_map(|path| outline(path).ok());
         let tries = tries.filter(|(head, _)| head.mission == mission);
-        tries.map(|(head, end)| as_try(&head, end)).collect()
+        tries
+            .map(|(head, end)| as_try(&head, end.as_ref()))
+            .collect()
     }
 
     /// The tries at all missions, by the mission's id, oldest first; as [`tries`](Self::tries) reads them.
     pub fn all_tries(&self) -> BTreeMap<String, Vec<TryReport>> {
         let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
         for (head, end) in self.files().iter().filter_map(|path| outline(path).ok()) {
-            let one = as_try(&head, end);
+            let one = as_try(&head, end.as_ref());
             tries.entry(head.mission).or_default().push(one);
         }
         tries
@@ -205,13 +207,13 @@ fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
     Ok((head, End::of_line(last.unwrap_or_default())))
 }
 
-fn as_try(head: &Head, end: Option<End>) -> TryReport {
+fn as_try(head: &Head, end: Option<&End>) -> TryReport {
     TryReport {
         attempt: head.attempt,
         when: head.when.clone(),
-        score: end.as_ref().map(|end| end.score),
-        medal: end.as_ref().and_then(|end| end.medal),
-        passed: end.as_ref().is_some_and(|end| end.passed),
+        score: end.map(|end| end.score),
+        medal: end.and_then(|end| end.medal),
+        passed: end.is_some_and(|end| end.passed),
         seed: head.seed,
         revision: head.revision,
     }

@@ -58,7 +58,7 @@ pub(super) fn lanes(
     let (low, high) = range(corners.iter().map(|corner| corner.dot(across)));
     let width = high - low;
     let (start, end) = range(corners.iter().map(|corner| corner.dot(along)));
-    if corners.len() < 3 || !(width.max(end - start) >= LEAST_EXTENT_M) {
+    if corners.len() < 3 || width.max(end - start) < LEAST_EXTENT_M {
         return Err(NoLanes::Empty);
     }
     let count = (width / spacing_m - SLACK).ceil().max(1.0);
@@ -98,14 +98,15 @@ fn extent(corners: &[DVec2], along: DVec2, across: DVec2, strip: (f64, f64)) -> 
     range(edges.flat_map(|(from, to)| {
         let (a, b) = (from.dot(across), to.dot(across));
         // The part of the edge inside the strip, as shares of the way.
-        let share = |at: f64| if a == b { 0.0 } else { (at - a) / (b - a) };
+        let is_along = (b - a).abs() < f64::EPSILON;
+        let share = |at: f64| if is_along { 0.0 } else { (at - a) / (b - a) };
         let (first, last) = (share(strip.0), share(strip.1));
-        let (first, last) = if a == b {
+        let (first, last) = if is_along {
             (0.0, 1.0)
         } else {
             (first.min(last).max(0.0), first.max(last).min(1.0))
         };
-        let outside = first > last || a == b && !(strip.0 - SLACK..=strip.1 + SLACK).contains(&a);
+        let outside = first > last || is_along && !(strip.0 - SLACK..=strip.1 + SLACK).contains(&a);
         let ends = [first, last].map(|share| from.lerp(*to, share).dot(along));
         ends.into_iter().filter(move |_| !outside)
     }))

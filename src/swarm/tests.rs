@@ -138,7 +138,9 @@ impl Stage {
 
     fn conduct(&mut self, now: Duration) {
         let turn = self.conductor.step(now, &self.vehicles);
-        turn.rows.iter().for_each(|row| self.ledger.apply(row));
+        for row in &turn.rows {
+            self.ledger.apply(row);
+        }
         for (id, steering) in turn.steering {
             let seat = &mut self.seats[usize::from(id) - 1];
             seat.session
@@ -207,7 +209,9 @@ impl Stage {
                     targets: &targets,
                 };
                 let (left, rows) = self.conductor.order(ordered, &self.vehicles, now);
-                rows.iter().for_each(|row| self.ledger.apply(row));
+                for row in &rows {
+                    self.ledger.apply(row);
+                }
                 for id in left {
                     let order = Order::new(entry, verb, command.clone());
                     self.seats[usize::from(id) - 1].session.order(order, now);
@@ -220,7 +224,9 @@ impl Stage {
                     targets: &targets,
                 };
                 let rows = self.conductor.begin(call, &self.vehicles, now);
-                rows.iter().for_each(|row| self.ledger.apply(row));
+                for row in &rows {
+                    self.ledger.apply(row);
+                }
             }
             Action::Deed { .. } | Action::Wait(_) => {}
         }

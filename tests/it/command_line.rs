@@ -56,6 +56,42 @@ fn the_reference_pilot_passes_with_the_same_bytes_twice() {
 }
 
 #[test]
+fn missions_are_flown_to_see_who_passes_them() {
+    let flown = sortie(&["check", "--fly", "d00", "--seeds", "1"]);
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
+    let table = text(&flown.stdout);
+    assert_eq!(table.matches("passed  1/1").count(), 1, "{table}");
+    assert_eq!(table.matches("passed  0/1").count(), 1, "{table}");
+}
+
+#[test]
+fn a_mission_that_its_own_pilot_does_not_pass_is_told() {
+    let mission = include_str!("../../missions/drills/d00-arm-and-hover.toml");
+    let folder = folder_with(&[
+        ("mine.toml", mission),
+        ("d00-arm-and-hover.pilot", "wait 5s\n"),
+    ]);
+    let path = folder.path().join("mine.toml");
+    let path = path.to_str().expect("Unicode");
+    let flown = sortie(&["check", "--fly", path, "--seeds", "2", "--json"]);
+    assert_eq!(flown.status.code(), Some(1), "{}", text(&flown.stderr));
+    let rows: Vec<serde_json::Value> = serde_json::from_slice(&flown.stdout).expect("a list");
+    let told: Vec<_> = rows
+        .iter()
+        .map(|row| {
+            (
+                row["pilot"].as_str(),
+                row["seed"].as_u64(),
+                row["good"].as_bool(),
+            )
+        })
+        .collect();
+    let wanted = [("reference", false), ("do-nothing", true)]
+        .map(|(pilot, good)| [1, 2].map(|seed| (Some(pilot), Some(seed), Some(good))));
+    assert_eq!(told, wanted.concat());
+}
+
+#[test]
 fn only_the_wall_time_differs_between_equal_runs() {
     let arguments = ["run", "01", "--pilot", "01-air-sample", "--json"];
     let read = |output: Output| -> serde_json::Value {

@@ -1,5 +1,6 @@
 //! `sortie check --fly`: whether a mission can be passed by who knows how, and only by them.
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,19 +12,22 @@ use crate::cli::Failure;
 use crate::cli::run::{load_mission, load_script};
 use crate::headless::Exercise;
 use crate::language::{Context, Script};
-use crate::mission::Mission;
+use crate::mission::{Mission, Report};
 use crate::scoring::Medal;
 use crate::store;
+
+/// The score that doing nothing must not exceed.
+const IDLE_AT_MOST: u16 = 250;
 
 /// Who flies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 enum Who {
-    /// The script that shows how: has to pass.
+    /// The script that shows how: has to pass with a silver medal at least.
     Reference,
     /// A script that makes the mistakes of a beginner: must not earn a medal.
     Naive,
-    /// Nobody at the controls: must not pass.
+    /// Nobody at the controls: must not pass, nor score more than [`IDLE_AT_MOST`].
     DoNothing,
 }
 
@@ -52,11 +56,11 @@ impl Who {
         }
     }
 
-    fn is_right(self, passed: bool, medal: Option<Medal>) -> bool {
+    fn is_right(self, report: &Report) -> bool {
         match self {
-            Self::Reference => passed,
-            Self::Naive => medal.is_none(),
-            Self::DoNothing => !passed,
+            Self::Reference => report.passed && report.medal >= Some(Medal::Silver),
+            Self::Naive => report.medal.is_none(),
+            Self::DoNothing => !report.passed && report.score <= IDLE_AT_MOST,
         }
     }
 }
@@ -87,8 +91,9 @@ pub(in crate::cli) fn fly(
 fn course(name: &str, seeds: u64) -> Result<Vec<Flown>, Failure> {
     let mission = Arc::new(load_mission(name)?);
     let number = mission.id.split('-').next().unwrap_or_default();
-    let naive = format!("{number}-naive");
-    let mut pilots = vec![(Who::Reference, load_script(&mission.id, &mission)?)];
+    let reference = pilot_beside(name, &mission.id);
+    let naive = pilot_beside(name, &format!("{number}-naive"));
+    let mut pilots = vec![(Who::Reference, load_script(&reference, &mission)?)];
     // A drill has none.
     if store::pilot(&naive).is_ok() {
         pilots.push((Who::Naive, load_script(&naive, &mission)?));
@@ -100,6 +105,15 @@ fn course(name: &str, seeds: u64) -> Result<Vec<Flown>, Failure> {
         .flat_map(|(who, script)| (1..=seeds).map(move |seed| (*who, script, seed)))
         .collect();
     Ok(flown_by_all_processors(&mission, &tasks))
+}
+
+/// The path of a pilot's script in one of the folders where it may lie with the mission's file, or else its name.
+fn pilot_beside(mission: &str, pilot: &str) -> String {
+    let folder = Path::new(mission).parent().unwrap_or(Path::new(""));
+    let file = format!("{pilot}.pilot");
+    let paths = ["", "pilots", "../pilots"].map(|within| folder.join(within).join(&file));
+    let found = paths.iter().find(|path| path.is_file());
+    found.map_or_else(|| pilot.to_owned(), |path| path.display().to_string())
 }
 
 /// The flights in the order of the tasks, whoever is done first.
@@ -143,7 +157,7 @@ fn flown(mission: &Arc<Mission>, pilot: Who, script: &Script, seed: u64) -> Flow
         medal: report.medal,
         sim_time_s: report.sim_time_s,
         realtime_factor: (report.sim_time_s / started.elapsed().as_secs_f64().max(1e-6)).round(),
-        good: pilot.is_right(report.passed, report.medal),
+        good: pilot.is_right(&report),
     }
 }
 

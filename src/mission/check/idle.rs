@@ -17,7 +17,6 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         vehicles: &[],
         surveys: &[],
         world: &world,
-        contacts: &[],
         marks: &[],
         margins_db: &BTreeMap::new(),
         releases: &[],

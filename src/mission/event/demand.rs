@@ -131,8 +131,7 @@ pub(crate) struct Demands {
 impl Demands {
     /// A vehicle should be like this now; what has changed becomes a demand.
     pub fn wish(&mut self, vehicle: VehicleId, wishes: Wishes) {
-        let old = self.wished.insert(vehicle, wishes.clone());
-        let old = old.unwrap_or_default().0;
+        let old = self.wished.remove(&vehicle).unwrap_or_default().0;
         let usual = |name: &str| USUAL.iter().find(|(usual, _)| *usual == name);
         let over = old.keys().filter(|name| !wishes.0.contains_key(*name));
         let over = over.filter_map(|name| usual(name).copied());
@@ -143,6 +142,7 @@ impl Demands {
             want: Want::Parameter { name, value },
         });
         self.new.extend(demands);
+        self.wished.insert(vehicle, wishes);
     }
 
     /// A vehicle's radio should be like this now.

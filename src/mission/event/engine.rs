@@ -19,6 +19,7 @@ use crate::mission::craft::{Breach, Craft};
 use crate::mission::objective::Standing;
 use crate::mission::report::Mark;
 use crate::mission::weather::Weather;
+use crate::mission::zone::Zone;
 use crate::mission::{Mission, TICK};
 use crate::scoring::{AlertFact, AlertLevel};
 use crate::text::Text;
@@ -28,6 +29,8 @@ mod needs;
 
 /// Random numbers of events; sensors and hazards have others.
 const STREAM: u64 = 1 << 40;
+/// Random numbers of where zones lie.
+const PLACES_STREAM: u64 = STREAM - 1;
 
 /// What the engine is shown of a flight.
 pub(crate) struct Sight<'a> {
@@ -65,6 +68,8 @@ struct Watch {
 /// The threats of one flight.
 #[derive(Debug)]
 pub(crate) struct Engine {
+    /// The mission's zones, where the seed has put them.
+    zones: Vec<Zone>,
     /// Which of the zones are there now, in the order of the file.
     active: Vec<bool>,
     watches: Vec<Watch>,
@@ -98,7 +103,11 @@ impl Engine {
             ..Watch::default()
         };
         let watches: Vec<Watch> = mission.events.iter().map(watch).collect();
+        let mut places = ChaCha8Rng::seed_from_u64(seed);
+        places.set_stream(PLACES_STREAM);
+        let zones = mission.zones.iter();
         Self {
+            zones: zones.map(|zone| zone.moved(&mut places)).collect(),
             active: mission.zones.iter().map(|zone| zone.active).collect(),
             fired: vec![false; watches.len()],
             watches,
@@ -134,7 +143,7 @@ impl Engine {
             .collect();
         if is_due(sight.now, expression::EVERY) {
             self.margins_db = mission.radio.as_ref().map_or_else(BTreeMap::new, |radio| {
-                radio.margins_db(mission, &self.active, sight.crafts)
+                radio.margins_db(self.zones_now(), sight.crafts)
             });
             self.ask(mission, weather, sight, &mut news);
         }
@@ -151,10 +160,7 @@ impl Engine {
             }
         }
         let mut airspace = std::mem::take(&mut self.airspace);
-        let breaches = airspace.step(
-            &self.scope(mission, weather, sight),
-            mission.min_separation_m,
-        );
+        let breaches = airspace.step(&self.scope(weather, sight), mission.min_separation_m);
         self.airspace = airspace;
         news.extend(
             breaches
@@ -175,7 +181,7 @@ impl Engine {
         sight: &Sight<'_>,
         news: &mut Vec<News>,
     ) {
-        let scope = self.scope(mission, weather, sight);
+        let scope = self.scope(weather, sight);
         let events = mission.events.iter().zip(&self.watches).zip(0..);
         let holds = events.map(|((event, watch), index)| {
             let Trigger::When(condition) = &event.trigger else {
@@ -304,12 +310,7 @@ impl Engine {
         }
     }
 
-    fn scope<'a>(
-        &'a self,
-        mission: &'a Mission,
-        weather: &Weather,
-        sight: &Sight<'a>,
-    ) -> Scope<'a> {
+    fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
         Scope {
             now: sight.now,
             crafts: sight.crafts,
@@ -317,7 +318,7 @@ impl Engine {
             standings: sight.standings,
             contacts: sight.contacts,
             marks: sight.marks,
-            zones: &mission.zones,
+            zones: &self.zones,
             active: &self.active,
             movers: &self.movers,
             alerts: self.alerts.levels(),
@@ -352,6 +353,12 @@ impl Engine {
     /// Which of the zones are there now, in the order of the file.
     pub fn active(&self) -> &[bool] {
         &self.active
+    }
+
+    /// The zones that are there now, each where it lies.
+    pub fn zones_now(&self) -> impl Iterator<Item = &Zone> {
+        let zones = self.zones.iter().zip(&self.active);
+        zones.filter(|(_, active)| **active).map(|(zone, _)| zone)
     }
 
     /// Who and what is on the way.

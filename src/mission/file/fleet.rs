@@ -143,12 +143,11 @@ impl VehicleFile {
         faults: &mut Faults,
     ) -> Fit {
         for name in sensors {
-            match Sensor::by_id(name.get_ref()) {
-                Some(sensor) => fit.add(sensor),
-                None => {
-                    let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
-                    faults.unknown("sensor", name, &known);
-                }
+            if let Some(sensor) = Sensor::by_id(name.get_ref()) {
+                fit.add(sensor)
+            } else {
+                let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
+                faults.unknown("sensor", name, &known);
             }
         }
         fit.loads.extend(loads.counted(faults));

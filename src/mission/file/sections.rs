@@ -208,12 +208,12 @@ fn content(
         faults,
     );
     Content {
+        draft,
         hazards,
         objectives,
-        threats,
         hints,
         clues,
-        draft,
+        threats,
     }
 }
 

@@ -21,15 +21,26 @@ pub(super) fn reader<'i>() -> impl FnMut(Spanned<DeValue<'i>>, &mut Faults) -> O
         check_unique(&mut seen, &section.id, faults);
         let shape = shape(&mut section.rest, faults);
         let active = take_optional::<bool>(section.rest.get_mut(), "active", faults);
+        let jitter: Option<Spanned<f64>> = take_optional(section.rest.get_mut(), "jitter", faults);
         let id = section.id.get_ref().clone();
         let kind = by_kind("zone", section, ZONE_KINDS, &Draft::default(), faults)?;
+        if let Some(jitter) = jitter.as_ref().filter(|_| is_fixed(kind)) {
+            let message = "objectives and rules go by this zone: the seed cannot move it";
+            faults.add(jitter.span(), message);
+        }
         Some(Zone {
             id,
             kind,
             shape: shape?,
             active: active.unwrap_or(true),
+            jitter_m: jitter.map_or(0.0, |jitter| faults.number(&jitter, 0.0..=1000.0, "jitter")),
         })
     }
+}
+
+/// Whether it lies where the file says with every seed: objectives and hazards are made for the place.
+fn is_fixed(kind: ZoneKind) -> bool {
+    matches!(kind, ZoneKind::Task | ZoneKind::Geofence { .. })
 }
 
 const ZONE_KINDS: &[(&str, super::Reader<ZoneKind>)] = &[

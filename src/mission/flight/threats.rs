@@ -115,13 +115,12 @@ impl Flight {
         let own = |event: &crate::mission::event::Event| {
             event.id == name && event.trigger == Trigger::Instructor
         };
-        match events.position(own) {
-            Some(index) => self.engine.inject_event(index, self.elapsed),
-            None => {
-                let known = standard::NAMES.iter().find(|known| **known == name);
-                if let Some(known) = known {
-                    self.engine.inject_standard(known);
-                }
+        if let Some(index) = events.position(own) {
+            self.engine.inject_event(index, self.elapsed)
+        } else {
+            let known = standard::NAMES.iter().find(|known| **known == name);
+            if let Some(known) = known {
+                self.engine.inject_standard(known);
             }
         }
         self.record("inject", None, inject.title.clone());

@@ -50,7 +50,9 @@ impl Flight {
                     let hits = self.marks.all().iter().enumerate();
                     let hits = hits.filter(|(_, mark)| is_meant(mark, class, piece.at, sought));
                     let hits: Vec<usize> = hits.map(|(index, _)| index).collect();
-                    hits.iter().for_each(|&index| found[index] = true);
+                    for &index in &hits {
+                        found[index] = true;
+                    }
                     truth.objects.push(ObjectReport {
                         at: tenths(piece.at),
                         kind: class.kind().unwrap_or("decoy").to_owned(),

@@ -48,7 +48,7 @@ pub(super) fn spreads_m(stability: Stability, terrain: Terrain, x: f64) -> (f64,
 }
 
 /// How fast a puff grows in calm air, horizontally and vertically, in m/s (Japan's manual for the control of total
-/// NOx emissions, for wind below 0.4 m/s).
+/// `NOx` emissions, for wind below 0.4 m/s).
 pub(super) fn calm_growth_m_s(stability: Stability) -> (f64, f64) {
     match stability {
         Stability::A => (0.948, 1.569),

@@ -31,8 +31,6 @@ const BALL_PUTS_OUT: f64 = 0.9;
 const SPRAY_PUTS_OUT: f64 = 0.6;
 /// Smoke rises about so far before it drifts.
 const SMOKE_RISES_M: f64 = 12.0;
-/// How fast warmth is lost above flames, in metres.
-const HEAT_REACHES_M: f64 = 15.0;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -241,19 +239,11 @@ impl Field for Fire {
     }
 
     fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
-        match quantity {
-            Quantity::Particles => {
-                let of = |plume: &Plume| plume.concentration_ug_m3(self.wind, at, height_m);
-                self.smoke.iter().map(of).sum()
-            }
-            Quantity::Heat => {
-                let grid = &self.blaze.grid;
-                let cell = grid.index(at).filter(|&index| grid.burns(index));
-                let flames = cell.map_or(0.0, |index| grid.cells[index].fuel.heat_k());
-                flames * (-height_m.max(0.0) / HEAT_REACHES_M).exp()
-            }
-            _ => 0.0,
+        if quantity != Quantity::Particles {
+            return 0.0;
         }
+        let of = |plume: &Plume| plume.concentration_ug_m3(self.wind, at, height_m);
+        self.smoke.iter().map(of).sum()
     }
 
     fn objects(&self) -> &[Object] {

@@ -58,7 +58,7 @@ enum Isotope {
 }
 
 impl Isotope {
-    /// Dose rate at 1 m in uSv/h per GBq, and the share that a metre of air absorbs.
+    /// Dose rate at 1 m in uSv/h per `GBq`, and the share that a metre of air absorbs.
     fn constants(self) -> (f64, f64) {
         match self {
             Self::Caesium137 => (92.7, 0.0093),

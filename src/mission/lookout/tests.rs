@@ -95,7 +95,7 @@ fn a_dwell_over_a_person_finds_as_often_as_the_looks_that_fit_into_it() {
         height_m: 118.0,
         speed_m_s: 10.0,
         light: Light::Night,
-        clear_view: 1.0,
+        clarity: 1.0,
     };
     let look = sensor("s_th160")
         .detector()

@@ -64,7 +64,11 @@ impl Kind for Deliver {
 impl Tracker for Deliver {
     fn standing(&self, scene: &Scene<'_>) -> Standing {
         let field = scene.world.field(self.hazard);
-        self.judged(field.and_then(|field| field.care()).unwrap_or_default())
+        self.judged(
+            field
+                .and_then(super::super::hazard::Field::care)
+                .unwrap_or_default(),
+        )
     }
 }
 

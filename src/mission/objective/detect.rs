@@ -92,7 +92,10 @@ impl Kind for Detect {
 
 impl Tracker for Detect {
     fn standing(&self, scene: &Scene<'_>) -> Standing {
-        let objects = scene.world.field(self.hazard).map(|field| field.objects());
+        let objects = scene
+            .world
+            .field(self.hazard)
+            .map(super::super::hazard::Field::objects);
         let tally = self.tally(objects.unwrap_or_default(), scene.marks);
         let score = tally.f_beta(self.beta);
         let met = score >= self.target;

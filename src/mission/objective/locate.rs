@@ -146,7 +146,7 @@ impl LocateTracker {
         sum / self.wanted.len().max(1) as f64
     }
 
-    fn words(&self, found: &Found) -> Text {
+    fn words(found: &Found) -> Text {
         let one = |distance: &Option<f64>| match distance {
             Some(distance) => text!("locate-off", distance = format!("{distance:.0}")),
             None => text!("locate-missed"),
@@ -173,7 +173,7 @@ impl Tracker for LocateTracker {
         let wrong = 0.5 * found.astray as f64 / wanted.max(1) as f64;
         let reports = self.reports(scene.marks).count();
         let result = if closed {
-            self.words(&found)
+            Self::words(&found)
         } else {
             text!("locate-reports", count = reports)
         };

@@ -99,7 +99,10 @@ impl Kind for Perimeter {
 
 impl Perimeter {
     fn grid<'a>(&self, world: &'a World) -> Option<&'a Grid> {
-        world.field(self.hazard)?.fire().map(|fire| fire.grid())
+        world
+            .field(self.hazard)?
+            .fire()
+            .map(super::super::hazard::fire::Fire::grid)
     }
 }
 
@@ -137,9 +140,10 @@ impl PerimeterTracker {
     fn words(&self) -> Text {
         let fits = self.fits.iter().map(|fit| format!("{fit:.2}"));
         let words: Vec<String> = fits.collect();
-        match words.is_empty() {
-            true => text!("perimeter-none"),
-            false => words.join(" ").into(),
+        if words.is_empty() {
+            text!("perimeter-none")
+        } else {
+            words.join(" ").into()
         }
     }
 
@@ -157,7 +161,7 @@ impl Tracker for PerimeterTracker {
             return;
         };
         // Half a second of flight is less than a cell.
-        if scene.now.as_millis() % 500 == 0 {
+        if scene.now.as_millis().is_multiple_of(500) {
             self.look(scene, grid);
         }
         let due = self.plan.times.get(self.fits.len());

@@ -140,7 +140,7 @@ impl Kind for Visit {
 /// Watches who is where.
 #[derive(Debug)]
 struct Stops {
-    stops: Vec<Stop>,
+    places: Vec<Stop>,
     /// For how long somebody has been at each.
     stayed_s: Vec<f64>,
     passed: Vec<bool>,
@@ -153,7 +153,7 @@ impl Stops {
         Self {
             stayed_s: vec![0.0; stops.len()],
             passed: vec![false; stops.len()],
-            stops,
+            places: stops,
             ordered,
             dwell_s,
         }
@@ -165,8 +165,8 @@ impl Stops {
 
     fn words(&self) -> (Text, Text, Text) {
         let passed = self.passed.iter().filter(|passed| **passed).count();
-        let count = self.stops.len();
-        let next = self.next().map(|next| &self.stops[next]);
+        let count = self.places.len();
+        let next = self.next().map(|next| &self.places[next]);
         let name = next.map_or("", |stop| stop.name.as_str());
         let radius = next.map_or(0.0, |stop| stop.radius_m);
         let radius = format!("{radius:.0}");
@@ -195,7 +195,7 @@ impl Stops {
 impl Tracker for Stops {
     fn step(&mut self, scene: &Scene<'_>) {
         let next = self.next();
-        for (index, stop) in self.stops.iter().enumerate() {
+        for (index, stop) in self.places.iter().enumerate() {
             if self.passed[index] || (self.ordered && next != Some(index)) {
                 continue;
             }
@@ -211,9 +211,9 @@ impl Tracker for Stops {
     fn standing(&self, _: &Scene<'_>) -> Standing {
         let passed = self.passed.iter().filter(|passed| **passed).count();
         let (result, target, advice) = self.words();
-        let met = passed == self.stops.len();
+        let met = passed == self.places.len();
         Standing {
-            fraction: partial_credit(passed as f64, 0.0, self.stops.len() as f64),
+            fraction: partial_credit(passed as f64, 0.0, self.places.len() as f64),
             measure: passed as f64,
             met,
             settled: met,
@@ -228,8 +228,8 @@ impl Tracker for Stops {
     }
 
     fn places(&self) -> Vec<(String, Point)> {
-        let gates = self.stops.iter().filter(|stop| stop.up_m.is_some());
-        let next = self.next().map(|next| &self.stops[next]);
+        let gates = self.places.iter().filter(|stop| stop.up_m.is_some());
+        let next = self.next().map(|next| &self.places[next]);
         let next = next.filter(|_| self.ordered);
         gates
             .map(|stop| (stop.name.clone(), stop.at))

@@ -29,11 +29,19 @@ pub(super) struct Observed {
         skip_serializing_if = "Option::is_none",
         deserialize_with = "said"
     )]
+    #[expect(
+        clippy::option_option,
+        reason = "not said differs from said to be unknown"
+    )]
     at: Option<Option<PositionLine>>,
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",
         deserialize_with = "said"
+    )]
+    #[expect(
+        clippy::option_option,
+        reason = "not said differs from said to be unknown"
     )]
     unheard: Option<Option<UnheardLine>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -54,12 +54,11 @@ impl Stored {
             lines: Vec::new(),
         };
         for (index, line) in all.enumerate() {
-            match serde_json::from_str(line) {
-                Ok(line) => stored.lines.push(line),
-                Err(_) => {
-                    stored.damage = Some(text!("record-damaged", line = index + 2));
-                    return Ok(stored);
-                }
+            if let Ok(line) = serde_json::from_str(line) {
+                stored.lines.push(line)
+            } else {
+                stored.damage = Some(text!("record-damaged", line = index + 2));
+                return Ok(stored);
             }
         }
         if stored.end().is_none() {

@@ -42,7 +42,7 @@ pub(crate) struct View<'a> {
     pub speed_m_s: f64,
     pub light: Light,
     /// The share of light that smoke lets through, 0 to 1.
-    pub clear_view: f64,
+    pub clarity: f64,
 }
 
 /// What comes of looking.
@@ -237,8 +237,8 @@ impl Camera {
     /// What smoke lets through.
     fn transmission(&self, view: &View<'_>) -> f64 {
         match self.band {
-            Band::Visible => view.clear_view,
-            Band::Thermal => view.clear_view.powf(SMOKE_IN_INFRARED),
+            Band::Visible => view.clarity,
+            Band::Thermal => view.clarity.powf(SMOKE_IN_INFRARED),
         }
     }
 }

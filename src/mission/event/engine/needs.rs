@@ -53,7 +53,7 @@ impl Engine {
 
     /// What zones do to a vehicle's satellite navigation.
     fn navigation(&mut self, mission: &Mission, craft: &Craft, wishes: &mut Wishes) {
-        let zones = mission.zones.iter().zip(&self.active).enumerate();
+        let zones = self.zones.iter().zip(&self.active).enumerate();
         for (index, (zone, _)) in zones.filter(|(_, (_, active))| **active) {
             match zone.kind {
                 ZoneKind::GnssJam { edge_m } => {
@@ -82,7 +82,7 @@ impl Engine {
     fn radio(&self, mission: &Mission, vehicle: VehicleId) -> RadioFault {
         let margin_db = self.margins_db.get(&vehicle).copied();
         let mut fault = match (&mission.radio, margin_db) {
-            (Some(radio), Some(margin_db)) => radio.fault(margin_db),
+            (Some(_), Some(margin_db)) => crate::mission::radio::Radio::fault(margin_db),
             _ => RadioFault::default(),
         };
         let is_link =

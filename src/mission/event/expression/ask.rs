@@ -254,12 +254,11 @@ pub(super) fn read(
         let message = format!("what is asked of the vehicle is missing: one of {known}");
         return Err(Diagnostic::new(span, message));
     };
-    match FIELDS.iter().find(|(field, ..)| *field == name) {
-        Some((_, field, is)) => Ok((Question::Vehicle(vehicle, *field), *is)),
-        None => {
-            let message = format!("a vehicle has no `{name}`");
-            Err(Diagnostic::new(span, message).with_nearest(&name, fields()))
-        }
+    if let Some((_, field, is)) = FIELDS.iter().find(|(field, ..)| *field == name) {
+        Ok((Question::Vehicle(vehicle, *field), *is))
+    } else {
+        let message = format!("a vehicle has no `{name}`");
+        Err(Diagnostic::new(span, message).with_nearest(&name, fields()))
     }
 }
 

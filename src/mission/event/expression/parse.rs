@@ -19,8 +19,11 @@ pub(super) struct Part {
 
 type Read = Result<Part, Diagnostic>;
 
+/// Operators that bind equally tightly, the type of what they stand between, and that of the result.
+type Level = (&'static [(&'static str, Operator)], Type, Type);
+
 /// Operators by how tightly they bind, the loosest first; with the type of what they stand between and of the result.
-const LEVELS: [(&[(&str, Operator)], Type, Type); 5] = [
+const LEVELS: [Level; 5] = [
     (&[("or", Operator::Or)], Type::Bool, Type::Bool),
     (&[("and", Operator::And)], Type::Bool, Type::Bool),
     (

@@ -20,6 +20,7 @@ fn zones() -> Vec<Zone> {
             radius_m: 20.0,
         },
         active: true,
+        jitter_m: 0.0,
     };
     vec![circle("lane", [0.0, 0.0]), circle("far", [500.0, 0.0])]
 }

@@ -27,9 +27,7 @@ fn act(pilot: &mut Pilot, deed: &Deed) -> (RowState, String) {
 
 fn left(pilot: &Pilot, load: &str) -> Option<f64> {
     let readings = pilot.flight.progress().readings;
-    let found = readings
-        .iter()
-        .find(|reading| reading.sensor.to_string() == load);
+    let found = readings.iter().find(|reading| reading.sensor == *load);
     found.map(|reading| reading.value)
 }
 

@@ -7,9 +7,8 @@ use crate::mission::{Area, MovingThing};
 impl Flight {
     /// The areas that are there now.
     pub(super) fn areas_now(&self) -> Vec<Area> {
-        let zones = self.mission.zones.iter().zip(self.engine.active());
-        let there = zones.filter(|(_, active)| **active);
-        there.map(|(zone, _)| self.mission.area(zone)).collect()
+        let zones = self.engine.zones_now();
+        zones.map(|zone| self.mission.area(zone)).collect()
     }
 
     pub(super) fn moving_things(&self) -> Vec<MovingThing> {

@@ -27,8 +27,6 @@ struct Burning {
     of_wind: f64,
     /// How long flames stay once the front has passed, in seconds.
     stays_s: f64,
-    /// Warmth of the flames above the surroundings, as a camera sees it, in K.
-    heat_k: f64,
     /// Smoke particles, in g/s and square metre.
     smoke_g_s_m2: f64,
 }
@@ -39,21 +37,18 @@ const GRASS: Burning = Burning {
     calm_m_s: 0.05,
     of_wind: 0.10,
     stays_s: 20.0,
-    heat_k: 250.0,
     smoke_g_s_m2: 0.05,
 };
 const SHRUB: Burning = Burning {
     calm_m_s: 0.025,
     of_wind: 0.06,
     stays_s: 80.0,
-    heat_k: 400.0,
     smoke_g_s_m2: 0.08,
 };
 const TIMBER: Burning = Burning {
     calm_m_s: 0.008,
     of_wind: 0.015,
     stays_s: 600.0,
-    heat_k: 350.0,
     smoke_g_s_m2: 0.03,
 };
 
@@ -89,11 +84,6 @@ impl Fuel {
     /// How long flames stay once the front has passed, in seconds.
     pub fn stays_s(self) -> f64 {
         self.burning().map_or(0.0, |burning| burning.stays_s)
-    }
-
-    /// Warmth of its flames, in K above the surroundings.
-    pub fn heat_k(self) -> f64 {
-        self.burning().map_or(0.0, |burning| burning.heat_k)
     }
 
     /// The smoke of a burning square metre, in g/s.

@@ -140,7 +140,6 @@ fn balls_put_out_flames_nine_times_in_ten_and_do_nothing_elsewhere() {
     for seed in 0..300 {
         let mut field = released(&[], seed);
         let flames = [15.0, 105.0];
-        assert!(field.amount(Quantity::Heat, flames, 0.0) > 200.0);
         out += u32::from(field.affect(Load::Ball, flames).expect("it is there").good);
         assert!(
             !field

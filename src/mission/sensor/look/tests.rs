@@ -24,7 +24,7 @@ fn above(object: &Object, height_m: f64, speed_m_s: f64, light: Light) -> View<'
         height_m,
         speed_m_s,
         light,
-        clear_view: 1.0,
+        clarity: 1.0,
     }
 }
 
@@ -130,7 +130,7 @@ fn light_cover_and_smoke_thin_what_a_camera_finds() {
     // Smoke that leaves e^-0.522 of the light leaves e^-0.0522 of far infrared.
     object.cover = 0.0;
     let smoky = View {
-        clear_view: (-0.522_f64).exp(),
+        clarity: (-0.522_f64).exp(),
         ..above(&object, 30.0, 5.0, Light::Day)
     };
     let seen = |id: &str| spec(id).look(&smoky).map_or(0.0, |look| look.chance);
