@@ -99,6 +99,7 @@ mod progress;
 mod radio;
 pub mod record;
 mod report;
+mod schema;
 mod sensor;
 mod survey;
 mod together;
@@ -120,6 +121,7 @@ pub use progress::{
     Cell, ClueProgress, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading,
     ShownContact, ShownMark, Trust,
 };
+pub use schema::schema;
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);

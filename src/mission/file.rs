@@ -32,12 +32,12 @@ pub(super) const POINT_RANGE: f64 = 20_000.0;
 const SHORTEST_LIMIT: std::time::Duration = std::time::Duration::from_secs(10);
 
 /// Keys of the file that stand before its first section.
-const HEAD: [&str; 11] = [
+pub(super) const HEAD: [&str; 11] = [
     "schema", "id", "rev", "title", "title_uk", "tier", "tags", "authors", "brief", "brief_uk",
     "drill_of",
 ];
 /// The sections.
-const SECTIONS: [&str; 13] = [
+pub(super) const SECTIONS: [&str; 13] = [
     "sim",
     "weather",
     "places",
@@ -52,6 +52,9 @@ const SECTIONS: [&str; 13] = [
     "hints",
     "scoring",
 ];
+
+pub(super) use events::action_keys;
+pub(super) use zones::zone_kinds;
 
 /// A table of the file with its place.
 pub(super) type Section<'i> = Spanned<DeTable<'i>>;

@@ -8,6 +8,7 @@ use sortie::text::{Language, Locale};
 
 mod basics;
 mod faults;
+mod guide;
 
 /// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.
 const REFUSALS: &[&str] = &[

@@ -32,6 +32,11 @@ pub(super) fn reader<'i>() -> impl FnMut(Spanned<DeValue<'i>>, &mut Faults) -> O
     }
 }
 
+/// The names of all kinds.
+pub(in crate::mission) fn zone_kinds() -> impl Iterator<Item = &'static str> {
+    ZONE_KINDS.iter().map(|(name, _)| *name)
+}
+
 const ZONE_KINDS: &[(&str, super::Reader<ZoneKind>)] = &[
     ("task", task),
     ("geofence", geofence),
