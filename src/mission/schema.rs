@@ -18,6 +18,7 @@ use super::sensor::SENSORS;
 
 mod keys;
 mod kinds;
+mod objectives;
 #[cfg(test)]
 mod tests;
 
@@ -37,7 +38,11 @@ pub fn schema() -> String {
         ),
         (
             "objectives",
-            kinded(names(objective::KINDS), keys::OBJECTIVE, kinds::OBJECTIVES),
+            kinded(
+                names(objective::KINDS),
+                keys::OBJECTIVE,
+                objectives::OBJECTIVES,
+            ),
         ),
         ("events", events()),
     ];

@@ -1,7 +1,5 @@
 //! The keys of mission files, but for those of single kinds.
 
-use super::{Kind, kinds};
-
 /// A key of a table.
 #[derive(Debug)]
 pub(super) struct Key {
@@ -349,13 +347,4 @@ pub(super) const EVENT: &[Key] = &[
     ),
     may("p", SHARE, "how likely it happens (1)"),
     need("do", Is::List(&Is::Table(&[])), "what happens"),
-];
-
-/// All tables of kinds, for tests.
-#[cfg(test)]
-pub(super) const ALL_KINDS: [(&str, &[Kind]); 4] = [
-    ("zones", kinds::ZONES),
-    ("hazards", kinds::HAZARDS),
-    ("objectives", kinds::OBJECTIVES),
-    ("actions", kinds::ACTIONS),
 ];
