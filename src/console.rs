@@ -172,6 +172,9 @@ impl Console {
         let mut warnings = preferences.warnings.clone();
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
+        if let Some(runs) = &preferences.runs {
+            state.tries = missions::tries(runs, &state.missions);
+        }
         state.has_ardupilot = options.ardupilot.is_some() && options.backend.ardupilot.is_none();
         state.config = preferences.config.clone();
         state.config.symbols = Some(options.look.symbols);

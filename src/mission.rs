@@ -61,7 +61,7 @@ pub use event::demand::Demand;
 pub use event::mover::MoverKind;
 pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
-pub use listing::{Listing, ObjectiveListing};
+pub use listing::{FitListing, Listing, ObjectiveListing};
 pub use progress::{
     Cell, ClueProgress, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading,
     ShownContact, ShownMark, Trust,

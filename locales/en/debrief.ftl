@@ -73,3 +73,14 @@ debrief-next-drill = Fly the drill { $drill }, then this mission again with one 
 debrief-next-again = Fly it again with one thing in mind: { $what }
 debrief-next-on = Go on to the next mission.
 debrief-last-mission = there is no mission after this one
+
+# The map of the debrief.
+truth-title = what was there
+truth-none = This mission has nothing to reveal.
+truth-found = found
+truth-missed = missed
+truth-over = settled
+truth-decoy = harmless
+truth-false = false report
+truth-strength = strongest
+truth-gaps = not covered

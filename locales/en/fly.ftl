@@ -208,3 +208,4 @@ hint-alike = same seed
 hint-next = next
 hint-fly = fly it
 hint-drill = drill
+hint-truth = truth

@@ -29,3 +29,7 @@ home-tier-2 = several skills
 home-tier-3 = everything together
 home-drill = drill, { $seconds } s: { $title }
 home-no-drill = there is no drill for it
+home-best = Best of { $count ->
+    [one] { $count } try
+   *[other] { $count } tries
+}: { $score } points, { $medal }.

@@ -116,7 +116,10 @@ deed-no-load = it carries nothing for that
 deed-no-hint = this mission has no further hint
 deed-no-mission = no mission is flown
 
-mission-hint-given = hint of level { $level } (-{ $percent } %): { $hint }
+mission-hint-given = { $percent ->
+    [0] hint of level { $level } (free): { $hint }
+   *[other] hint of level { $level } (-{ $percent } %): { $hint }
+}
 mission-goal-time = done within { $seconds } s
 mission-goal-time-result = { $seconds } s
 mission-goal-battery = land with { $percent } % battery
@@ -164,3 +167,20 @@ mission-said-score = { $points } points
 mission-alert = ! { $seconds } s: { $text }
 mission-radio-weak = ! { $vehicle } is hardly heard: { $margin } dB
 inject-done = injected: { $what }
+
+# Tries, hints and what is carried, in the room of the mission.
+mission-tries = your tries, { $count } so far
+mission-try = { $score } points, { $medal }
+mission-try-best = { $score } points, { $medal }, the best
+mission-try-unfinished = not finished
+mission-next-hint = hint
+mission-hint-price = { $percent ->
+    [0] w asks for the next one, level { $level }: it is free
+   *[other] w asks for the next one, level { $level }: it takes { $percent } % of the score
+}
+mission-hint-of = hint { $level }: { $hint }
+mission-rule-carries = drone { $vehicles }
+mission-rule-carries-nothing = no sensor, no load
+mission-rule-load = { $name } x{ $count }
+mission-rule-areas = areas
+mission-rule-area = { $meaning }: { $names }

@@ -80,3 +80,4 @@ action-abandon = end the mission
 action-next-section = the next section
 action-previous-section = the section before
 action-drill = fly the drill of the mission
+action-truth-map = the truth on the map, or the text

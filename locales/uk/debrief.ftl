@@ -73,3 +73,14 @@ debrief-next-drill = Виконайте вправу { $drill }, а тоді ц�
 debrief-next-again = Виконайте завдання ще раз, зваживши на одне: { $what }
 debrief-next-on = Переходьте до наступного завдання.
 debrief-last-mission = після цього завдань немає
+
+# Карта розбору.
+truth-title = що було насправді
+truth-none = Цьому завданню нема чого показати.
+truth-found = знайдено
+truth-missed = пропущено
+truth-over = ліквідовано
+truth-decoy = безпечне
+truth-false = хибна доповідь
+truth-strength = найсильніше
+truth-gaps = не обстежено

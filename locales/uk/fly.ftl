@@ -210,3 +210,4 @@ hint-alike = те саме зерно
 hint-next = наступне
 hint-fly = летіти
 hint-drill = вправа
+hint-truth = правда

@@ -29,3 +29,7 @@ home-tier-2 = кілька вмінь
 home-tier-3 = усе разом
 home-drill = вправа, { $seconds } s: { $title }
 home-no-drill = вправи до нього немає
+home-best = Найкраще з { $count ->
+    [one] { $count } спроби
+   *[other] { $count } спроб
+}: { $score } балів, { $medal }.

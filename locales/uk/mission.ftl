@@ -123,7 +123,10 @@ deed-no-load = у нього нічого для цього немає
 deed-no-hint = у цій місії більше немає підказок
 deed-no-mission = місії немає
 
-mission-hint-given = підказка рівня { $level } (-{ $percent } %): { $hint }
+mission-hint-given = { $percent ->
+    [0] підказка рівня { $level } (безкоштовно): { $hint }
+   *[other] підказка рівня { $level } (-{ $percent } %): { $hint }
+}
 mission-goal-time = виконати за { $seconds } с
 mission-goal-time-result = { $seconds } с
 mission-goal-battery = сісти із зарядом { $percent } %
@@ -172,3 +175,20 @@ mission-said-score = бали { $points }
 mission-alert = ! { $seconds } s: { $text }
 mission-radio-weak = ! { $vehicle } ледь чути: { $margin } dB
 inject-done = введено: { $what }
+
+# Спроби, підказки та спорядження в кімнаті завдання.
+mission-tries = ваші спроби, усього { $count }
+mission-try = { $score } балів, { $medal }
+mission-try-best = { $score } балів, { $medal }, найкраща
+mission-try-unfinished = не завершено
+mission-next-hint = підказка
+mission-hint-price = { $percent ->
+    [0] w просить наступну, рівень { $level }: безкоштовно
+   *[other] w просить наступну, рівень { $level }: забирає { $percent } % балів
+}
+mission-hint-of = підказка { $level }: { $hint }
+mission-rule-carries = дрон { $vehicles }
+mission-rule-carries-nothing = без датчика й вантажу
+mission-rule-load = { $name } x{ $count }
+mission-rule-areas = зони
+mission-rule-area = { $meaning }: { $names }

@@ -80,3 +80,4 @@ action-abandon = припинити завдання
 action-next-section = наступний розділ
 action-previous-section = попередній розділ
 action-drill = виконати вправу до завдання
+action-truth-map = правда на карті або текст

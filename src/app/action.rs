@@ -41,6 +41,8 @@ pub enum Action {
     PauseMission,
     /// End the mission now.
     Abandon,
+    /// Show the truth on the map, or the text again.
+    TruthMap,
     /// To the next section of a text.
     NextSection,
     /// To the section before.
@@ -188,6 +190,7 @@ impl Action {
         ("drill", Self::Drill),
         ("pause-mission", Self::PauseMission),
         ("abandon", Self::Abandon),
+        ("truth-map", Self::TruthMap),
         ("next-section", Self::NextSection),
         ("previous-section", Self::PreviousSection),
         ("leave", Self::Leave),

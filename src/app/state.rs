@@ -7,6 +7,7 @@ use std::time::Duration;
 use super::console::Names;
 use crate::config::Config;
 use crate::language::Context;
+use crate::scoring::TryReport;
 use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
@@ -75,6 +76,8 @@ pub struct State {
     pub notices: NoticeLog,
     /// The missions on offer.
     pub missions: Vec<MissionListing>,
+    /// The trainee's tries at them as they are now, by the mission's id, oldest first.
+    pub tries: BTreeMap<String, Vec<TryReport>>,
     /// The names of the themes on offer.
     pub themes: Vec<String>,
     /// The name of the theme in use.
@@ -129,6 +132,7 @@ impl State {
             session: Session::default(),
             notices: NoticeLog::default(),
             missions,
+            tries: BTreeMap::new(),
             themes,
             theme,
             keymap: Keymap::default(),
@@ -245,6 +249,13 @@ impl State {
     /// The listing of the mission that is being flown.
     pub fn flown_mission(&self) -> Option<&MissionListing> {
         self.session.listing.as_deref()
+    }
+
+    /// The trainee's best try at a mission; of equal ones the first.
+    pub fn best_try(&self, mission: &str) -> Option<&TryReport> {
+        let tries = self.tries.get(mission)?.iter();
+        let ended = tries.filter(|one| one.score.is_some());
+        ended.rev().max_by_key(|one| one.score)
     }
 
     /// The class whose modes a command line may name: that of the first vehicle it would go to.

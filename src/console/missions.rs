@@ -1,10 +1,25 @@
 //! The missions on offer.
 
+use std::collections::BTreeMap;
+
 use crate::app::state::MissionListing;
 use crate::mission::Mission;
+use crate::scoring::TryReport;
 use crate::store;
+use crate::store::Runs;
 use crate::text;
 use crate::text::Text;
+
+/// The trainee's tries at missions as they are now.
+pub fn tries(runs: &Runs, missions: &[MissionListing]) -> BTreeMap<String, Vec<TryReport>> {
+    let mut tries = runs.all_tries();
+    tries.retain(|id, tries| {
+        let mission = missions.iter().find(|mission| mission.id == *id);
+        tries.retain(|one| mission.is_some_and(|mission| mission.rev == one.revision));
+        !tries.is_empty()
+    });
+    tries
+}
 
 /// The missions that can be flown, and what is wrong with the others.
 pub fn listings() -> (Vec<MissionListing>, Vec<Text>) {

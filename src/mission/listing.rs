@@ -5,15 +5,18 @@ use std::time::Duration;
 
 use super::objective::Scene;
 use super::world::World;
-use super::{Hint, Mission};
+use super::{Area, Hint, Mission};
 use crate::scoring::{Component, Medals};
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 /// A mission on offer: its brief, its objectives and its rules.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Listing {
     /// Its name for files and results.
     pub id: String,
+    /// Its revision; results compare only within one.
+    pub rev: u32,
     /// Its name for people.
     pub title: Text,
     /// What the trainee is told.
@@ -38,8 +41,10 @@ pub struct Listing {
     pub wind_m_s: f64,
     /// Where the wind comes from, in degrees.
     pub wind_from_deg: f64,
-    /// The sensors that every vehicle carries.
-    pub sensors: Vec<Text>,
+    /// What the vehicles carry, those that carry the same together.
+    pub fits: Vec<FitListing>,
+    /// The areas that are known from the start.
+    pub areas: Vec<Area>,
     /// What has to be reached.
     pub objectives: Vec<ObjectiveListing>,
     /// Advice by phase of the flight.
@@ -52,6 +57,17 @@ pub struct Listing {
     pub pausable: bool,
     /// What gold needs besides points.
     pub gold_requires: Vec<Text>,
+}
+
+/// What some of the vehicles carry.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FitListing {
+    /// Which vehicles.
+    pub vehicles: Vec<VehicleId>,
+    /// Their sensors.
+    pub sensors: Vec<Text>,
+    /// Their loads, and how many of each; seconds of what is sprayed.
+    pub loads: Vec<(Text, u32)>,
 }
 
 /// An objective of a mission on offer.
@@ -70,13 +86,13 @@ pub struct ObjectiveListing {
 impl Mission {
     /// What can be told of it before it is flown.
     pub fn listing(&self) -> Listing {
-        let sensor = |sensor: &&super::sensor::Sensor| Text::new(sensor.name, Vec::new());
         let weight = |component: Component| {
             let weight = self.scoring.weights.of(component);
             (weight > 0.0).then(|| (component.title(), weight))
         };
         Listing {
             id: self.id.clone(),
+            rev: self.rev,
             title: self.title.clone(),
             brief: self.brief.clone(),
             drill_of: self.drill_of.clone(),
@@ -89,7 +105,8 @@ impl Mission {
             land_reserve_percent: self.land_reserve_percent,
             wind_m_s: self.weather.wind.speed_m_s,
             wind_from_deg: self.weather.wind.from_deg,
-            sensors: self.sensors.iter().map(sensor).collect(),
+            fits: self.listed_fits(),
+            areas: self.areas(),
             objectives: self.listed_objectives(),
             hints: self.hints.clone(),
             weights: Component::ALL.into_iter().filter_map(weight).collect(),
@@ -102,6 +119,26 @@ impl Mission {
                 .map(crate::scoring::Gate::text)
                 .collect(),
         }
+    }
+
+    /// Vehicles are numbered by their pads, from 1.
+    fn listed_fits(&self) -> Vec<FitListing> {
+        let mut listed: Vec<FitListing> = Vec::new();
+        for (vehicle, fit) in (1..).zip(&self.fits) {
+            let sensors = fit.sensors.iter();
+            let loads = fit.loads.iter();
+            let new = FitListing {
+                vehicles: vec![vehicle],
+                sensors: sensors.map(|it| Text::new(it.name, Vec::new())).collect(),
+                loads: loads.map(|(load, count)| (load.name(), *count)).collect(),
+            };
+            let alike = |it: &&mut FitListing| it.sensors == new.sensors && it.loads == new.loads;
+            match listed.iter_mut().find(alike) {
+                Some(known) => known.vehicles.push(vehicle),
+                None => listed.push(new),
+            }
+        }
+        listed
     }
 
     /// What is asked for does not depend on how it goes: it is read off a flight that has not begun.

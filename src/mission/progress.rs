@@ -7,6 +7,7 @@ use super::{Area, Inject, MoverKind, OpenAlert, Pledge};
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::scoring::SwarmFigures;
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -83,6 +84,19 @@ pub struct ClueProgress {
     pub next: Option<(u8, f64)>,
     /// What is left of the score by those that were given, 0.7 to 1.
     pub factor: f64,
+}
+
+impl ClueProgress {
+    /// How to get the next hint and what it costs, in words; `None` where there is none.
+    pub fn price(&self) -> Option<Text> {
+        let (level, price) = self.next?;
+        let percent = (price * 100.0).round() as u32;
+        Some(text!(
+            "mission-hint-price",
+            level = level,
+            percent = percent
+        ))
+    }
 }
 
 /// One objective as it stands now.

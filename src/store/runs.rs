@@ -3,8 +3,9 @@
 //! A file is called after the time and the mission, so that the tries at a mission are found without opening the
 //! others. What is written comes in whole lines; a crash loses what was not yet written and nothing else.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom, Write as _};
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
@@ -95,6 +96,16 @@ impl Runs {
         tries.map(|(head, end)| as_try(&head, end)).collect()
     }
 
+    /// The tries at all missions, by the mission's id, oldest first; as [`tries`](Self::tries) reads them.
+    pub fn all_tries(&self) -> BTreeMap<String, Vec<TryReport>> {
+        let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
+        for (head, end) in self.files().iter().filter_map(|path| outline(path).ok()) {
+            let one = as_try(&head, end);
+            tries.entry(head.mission).or_default().push(one);
+        }
+        tries
+    }
+
     /// The run that began last.
     pub fn newest(&self) -> Option<PathBuf> {
         self.files().pop()
@@ -183,10 +194,9 @@ fn date(days: u64) -> (u64, u64, u64) {
 /// The first line of a run, and the last one if it is its end.
 fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
     let mut file = File::open(path)?;
-    let mut start = Vec::new();
-    (&file).take(HEAD_LEN).read_to_end(&mut start)?;
-    let first = start.split(|byte| *byte == b'\n').next();
-    let head = serde_json::from_slice(first.unwrap_or_default())?;
+    let mut first = Vec::new();
+    BufReader::new((&file).take(HEAD_LEN)).read_until(b'\n', &mut first)?;
+    let head = serde_json::from_slice(&first)?;
     let len = file.metadata()?.len();
     file.seek(SeekFrom::Start(len.saturating_sub(TAIL_LEN)))?;
     let mut tail = Vec::new();
@@ -228,6 +238,9 @@ mod tests {
             run.append(HEAD).expect("written");
             run.append(end).expect("written");
         }
+        let all = runs.all_tries();
+        assert_eq!(all.keys().collect::<Vec<_>>(), ["01-a"]);
+        assert_eq!(all["01-a"], runs.tries("01-a"));
         let run = runs.begin("01-b", "2026-11-20T14:03:23Z").expect("created");
         let mode = fs::metadata(run.path())
             .expect("there")

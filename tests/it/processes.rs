@@ -149,10 +149,16 @@ fn a_start_that_never_ends_can_be_looked_at_and_cancelled() {
 fn a_mission_is_flown_and_begun_again_with_new_processes() {
     let stand_in = StandIn::new(Behaviour::Normal);
     let mut terminal = fly(&stand_in, &["01"], (80, 24));
-    terminal.see("FLY").see("ready");
+    // What the mission asks for is read first; so it is when new processes have been waited for.
+    terminal.see("MISSION").see("before launch");
+    terminal.press("\r").see("FLY").see("ready");
     let pids = children(terminal.process_id());
-    terminal.command("restart").see("y").press("y");
-    terminal.see("HANGAR").see("FLY");
+    terminal
+        .command("restart")
+        .see("Restart the mission?")
+        .press("y");
+    terminal.see("HANGAR").see("before launch");
+    terminal.press("\r").see("FLY").see("ready");
     wait_until_gone(&pids);
     let again = children(terminal.process_id());
     assert_eq!(again.len(), pids.len());

@@ -28,6 +28,8 @@ pub struct Debrief {
     pub report: Box<Report>,
     /// The first line shown.
     pub scroll: usize,
+    /// Whether the truth is shown on a map, where there is no room for it beside the text.
+    pub map: bool,
     /// When it opened: keys that were meant for the flight must not close it.
     pub since: Duration,
 }
@@ -51,6 +53,7 @@ pub const KEYS: &[Row] = &[
     does(key('s'), Action::AgainAlike),
     does(key('n'), Action::NextMission),
     does(key('t'), Action::Drill),
+    does(key('m'), Action::TruthMap),
     does(key('h'), Action::Leave),
     does(ESCAPE, Action::Leave),
     does(Press::Plain(KeyCode::Tab), Action::NextSection),
@@ -69,6 +72,10 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
             let before = sections.iter().rfind(|&&line| line < scroll);
             before.or(sections.last()).copied().unwrap_or(last)
         }),
+        Action::TruthMap => {
+            let debrief = state.rooms.debrief.as_mut()?;
+            debrief.map = !debrief.map;
+        }
         Action::NextMission => return Some(next_mission(state)),
         Action::Drill => {
             let flown = state.rooms.debrief.as_ref()?.report.mission.clone();

@@ -134,9 +134,14 @@ pub fn progress(state: &mut State, progress: Progress) {
 /// Shows the debrief. The command line stays open over it, or the rest of a line that is being typed
 /// would be taken as keys of the debrief.
 pub fn ended(state: &mut State, report: Box<Report>) {
+    if !report.tries.is_empty() {
+        let tries = report.tries.clone();
+        state.tries.insert(report.mission.clone(), tries);
+    }
     state.rooms.debrief = Some(Debrief {
         report,
         scroll: 0,
+        map: false,
         since: state.now,
     });
     state.session.over = true;

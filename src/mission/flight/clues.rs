@@ -40,7 +40,7 @@ impl Flight {
         let text = text!(
             "mission-hint-given",
             level = clue.level,
-            percent = format!("{:.0}", price * 100.0),
+            percent = (price * 100.0).round() as u32,
             hint = text
         );
         self.clues_given.push((self.elapsed, index));

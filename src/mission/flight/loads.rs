@@ -50,7 +50,7 @@ pub(crate) struct Release {
 }
 
 impl Load {
-    fn name(self) -> Text {
+    pub(in crate::mission) fn name(self) -> Text {
         match self {
             Self::Ball => text!("load-ball"),
             Self::Spray => text!("load-spray"),

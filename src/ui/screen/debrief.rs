@@ -6,12 +6,16 @@ use ratatui::text::Line;
 
 use crate::app::room::debrief::is_section;
 use crate::app::state::State;
+use crate::scoring::TruthReport;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, centred, put};
+use crate::ui::widget::map::draw_truth;
+use crate::ui::widget::{below, centred, columns, put};
 
 /// Columns that the text is made for.
 const TEXT_WIDTH: u16 = 80;
+/// Columns from which on the truth is shown beside it.
+const TRUTH_LEAST: u16 = 60;
 
 /// Draws the text from the first line shown on; the last page stays full.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -19,6 +23,19 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         let line = Line::styled(look.say("debrief-none"), look.style(Role::Muted));
         put(buffer, below(area, 1), 0, &line);
         return;
+    };
+    let has_room = area.width >= TEXT_WIDTH + TRUTH_LEAST;
+    let beside = has_room && debrief.report.truth != TruthReport::default();
+    if beside {
+        let truth = columns(area, TEXT_WIDTH + 1, area.width);
+        draw_truth(&debrief.report.truth, look, truth, buffer);
+    } else if debrief.map {
+        return draw_truth(&debrief.report.truth, look, area, buffer);
+    }
+    let area = if beside {
+        columns(area, 0, TEXT_WIDTH)
+    } else {
+        area
     };
     let (lines, scroll) = (debrief.lines(&look.locale), debrief.scroll);
     let column = centred(TEXT_WIDTH, area.height, area);

@@ -6,10 +6,12 @@ use ratatui::text::{Line, Span};
 
 use crate::app::room::home::{HomeItem, drill, items};
 use crate::app::state::{Room, State};
+use crate::scoring::Medal;
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, columns, put, reflow, row_of, titled, wrap};
+use crate::ui::widget::{aligned, below, columns, put, reflow, row_of, titled, wrap};
 
 /// Columns of the list.
 const LIST_WIDTH: u16 = 34;
@@ -68,8 +70,10 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
         let under_cursor = at == Some(cursor);
         let line = if at.is_some() {
             let mark = if under_cursor { '>' } else { ' ' };
-            let text = clip(&text, usize::from(inner.width).saturating_sub(3));
-            Line::raw(format!("{mark} {text}"))
+            let best = at.map_or(String::new(), |at| best(state, items(state)[at]));
+            let room = usize::from(inner.width).saturating_sub(3 + best.len());
+            let text = aligned(&text, room, false);
+            Line::raw(format!("{mark} {text}{best}"))
         } else {
             Line::styled(text, look.style(Role::Muted))
         };
@@ -77,6 +81,27 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
         if under_cursor {
             buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
         }
+    }
+}
+
+/// The best score at a mission, and its medal in stars: three are gold.
+fn best(state: &State, item: HomeItem) -> String {
+    let HomeItem::Mission(at) = item else {
+        return String::new();
+    };
+    let best = state.best_try(&state.missions[at].id);
+    let best = best.and_then(|best| Some((best.score?, best.medal)));
+    best.map_or(String::new(), |(score, medal)| {
+        format!(" {score:>4} {:<3}", stars(medal))
+    })
+}
+
+fn stars(medal: Option<Medal>) -> &'static str {
+    match medal {
+        Some(Medal::Gold) => "***",
+        Some(Medal::Silver) => "**",
+        Some(Medal::Bronze) => "*",
+        None => "",
     }
 }
 
@@ -125,6 +150,11 @@ fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mu
         put(buffer, inner, row, &Line::raw(line));
         row += 1;
     }
+    if let Some(best) = best_words(state, item) {
+        let line = Line::styled(look.text(&best), look.style(Role::Accent));
+        put(buffer, inner, row + 1, &line);
+        row += 2;
+    }
     let mut keys = vec![("Enter".to_owned(), look.say(deed(item)))];
     if let HomeItem::Mission(_) = item
         && state.session.activity.is_none()
@@ -158,6 +188,23 @@ fn draw_about(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mu
         put(buffer, columns(inner, used, inner.width), row, &line);
         used += width;
     }
+}
+
+/// The best of the trainee's tries, in words.
+fn best_words(state: &State, item: HomeItem) -> Option<Text> {
+    let HomeItem::Mission(at) = item else {
+        return None;
+    };
+    let id = &state.missions[at].id;
+    let best = state.best_try(id)?;
+    let medal = best.medal.map_or(text!("debrief-no-medal"), Medal::title);
+    let count = state.tries.get(id).map_or(0, Vec::len);
+    Some(text!(
+        "home-best",
+        score = best.score?,
+        medal = medal,
+        count = count
+    ))
 }
 
 fn name(state: &State, item: HomeItem, look: &Look) -> String {

@@ -31,6 +31,20 @@ const FLY: &[(&str, &str)] = &[
     ("c n", "hint-look-back"),
     ("M V P I L", "hint-rooms"),
 ];
+const FLY_MISSION: &[(&str, &str)] = &[
+    (":", "hint-command"),
+    ("?", "hint-help"),
+    ("p", "hint-pause"),
+    ("w", "hint-hint"),
+    ("B", "room-mission"),
+    ("Space", "hint-select"),
+    ("3-9 Enter", "hint-list"),
+    ("*", "hint-all"),
+    ("x", "hint-acknowledge"),
+    ("j k", "hint-move"),
+    ("c n", "hint-look-back"),
+    ("M V P I L", "hint-rooms"),
+];
 const LEDGER: &[(&str, &str)] = &[
     (":", "hint-command"),
     ("?", "hint-help"),
@@ -88,6 +102,7 @@ const MISSION: &[(&str, &str)] = &[
 const DEBRIEF: &[(&str, &str)] = &[
     ("j k", "hint-scroll"),
     ("Tab", "hint-section"),
+    ("m", "hint-truth"),
     ("r", "hint-again"),
     ("s", "hint-alike"),
     ("t", "hint-drill"),
@@ -150,6 +165,7 @@ fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
         Room::Parameters => parameters::HINTS,
         Room::Mission if state.session.activity.is_none() => BRIEF,
         Room::Mission => MISSION,
+        Room::Fly if state.flown_mission().is_some() => FLY_MISSION,
         Room::Fly => FLY,
     }
 }

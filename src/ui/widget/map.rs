@@ -18,8 +18,10 @@ mod ground;
 mod heat;
 mod legend;
 mod markers;
+mod truth;
 
 pub use legend::{draw as draw_legend, length};
+pub use truth::draw as draw_truth;
 
 /// Draws the map as a pane with a title.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {

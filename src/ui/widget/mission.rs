@@ -83,10 +83,14 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
-    let Some(hint) = &progress.hint else {
-        return Vec::new();
-    };
-    wrap(&look.text(&text!("mission-hint", hint = hint)), width)
+    let given = progress.clues.given.last();
+    let given = given.map(|(level, hint)| text!("mission-hint-of", level = *level, hint = hint));
+    let hint = progress.hint.as_ref();
+    let hint = hint.map(|hint| text!("mission-hint", hint = hint));
+    let texts = given.into_iter().chain(hint);
+    texts
+        .flat_map(|text| wrap(&look.text(&text), width))
+        .collect()
 }
 
 /// Alerts that wait for an answer, and vehicles that are hardly heard any more.

@@ -10,7 +10,9 @@ use crate::mission::{Listing, ObjectiveState};
 use crate::text;
 use crate::text::{Locale, Text, reflow, wrap};
 
+mod fits;
 mod launch;
+mod tries;
 
 /// From this width on there are two columns.
 const TWO_COLUMNS: u16 = 110;
@@ -64,6 +66,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     let mut first = page();
     first.brief();
     first.launch();
+    first.tries();
     if two {
         first.hints();
         let mut second = page();
@@ -197,11 +200,25 @@ impl Page<'_> {
 
     fn hints(&mut self) {
         let hints = &self.state.rooms.mission.hints;
-        if hints.is_empty() || self.awaits_launch() {
+        let clues = self.state.session.mission.as_ref().map(|it| &it.clues);
+        let given = clues.map_or(&[][..], |clues| &clues.given);
+        let next = clues
+            .and_then(|clues| clues.price())
+            .filter(|_| !self.state.session.over);
+        if self.awaits_launch() || hints.is_empty() && given.is_empty() && next.is_none() {
             return;
         }
         self.title(&text!("mission-hints"));
-        let last = hints.len() - 1;
+        for (level, clue) in given {
+            let clue = text!("mission-hint-of", level = *level, hint = clue);
+            let clue = self.locale.text(&clue);
+            self.paragraph(Tone::Plain, &clue);
+        }
+        if let Some(next) = next {
+            let next = self.locale.text(&next);
+            self.paragraph(Tone::Muted, &next);
+        }
+        let last = hints.len().saturating_sub(1);
         for (at, hint) in hints.iter().enumerate() {
             let going_on = at == last && !self.state.session.over;
             let tone = if going_on { Tone::Hint } else { Tone::Muted };
@@ -258,10 +275,8 @@ impl Page<'_> {
                 mission.vehicles.to_string().into(),
             ),
         ];
-        if !mission.sensors.is_empty() {
-            let sensors = Text::joined(", ", mission.sensors.clone());
-            rows.push((text!("mission-rule-sensors"), sensors));
-        }
+        rows.extend(self.fits());
+        rows.extend(self.zones());
         self.rows(&rows);
     }
 

@@ -142,7 +142,8 @@ fn draw_sketch(sketch: &Sketch, view: &Viewport, canvas: &mut Canvas, labels: &m
     }
 }
 
-fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke: Stroke) {
+/// Draws a closed line.
+pub fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke: Stroke) {
     let next = corners.iter().cycle().skip(1);
     for (&from, &to) in corners.iter().zip(next) {
         canvas.line(view.dot(from), view.dot(to), stroke);

@@ -66,6 +66,13 @@ pub fn draw_scale(name: &str, field: &SampleField, look: &Look, area: Rect, buff
     put(buffer, right, 0, &line);
 }
 
+/// The shade for a share of the most; none for nothing.
+pub fn shade(share: f64, symbols: Symbols) -> Option<char> {
+    let shades = shades(symbols);
+    let level = (share.clamp(0.0, 1.0) * shades.len() as f64).ceil() as usize;
+    shades.get(level.checked_sub(1)?).copied()
+}
+
 fn shades(symbols: Symbols) -> &'static [char] {
     match symbols {
         Symbols::Ascii => &DIGITS,

@@ -33,6 +33,10 @@ impl Page<'_> {
         let named = [
             (text!("mission-prediction"), prediction),
             (text!("mission-goal"), goal),
+            (
+                text!("mission-next-hint"),
+                progress.and_then(|it| it.clues.price()).filter(|_| waits),
+            ),
             (text!("mission-then"), open(text!("mission-then-is"))),
         ];
         let rows = named

@@ -1,0 +1,66 @@
+//! What the vehicles carry, and the areas of the mission.
+
+use super::Page;
+use crate::app::state::ranges;
+use crate::mission::{AreaKind, FitListing};
+use crate::text;
+use crate::text::Text;
+
+/// Kinds of areas by the words of the map's legend, which also tell the sign that stands for them there.
+const AREAS: [(AreaKind, &str); 6] = [
+    (AreaKind::Task, "map-legend-task"),
+    (AreaKind::Geofence, "map-legend-fence"),
+    (AreaKind::NoFly, "map-legend-no-fly"),
+    (AreaKind::Jamming, "map-legend-jamming"),
+    (AreaKind::People, "map-legend-people"),
+    (AreaKind::Radio, "map-legend-radio"),
+];
+
+impl Page<'_> {
+    /// Sensors and loads, by vehicle where they differ.
+    pub(super) fn fits(&self) -> Vec<(Text, Text)> {
+        let fits = self.mission.fits.as_slice();
+        let row = |fit: &FitListing| {
+            let whose = if fits.len() > 1 {
+                text!(
+                    "mission-rule-carries",
+                    vehicles = ranges(fit.vehicles.clone())
+                )
+            } else {
+                text!("mission-rule-sensors")
+            };
+            let loads = fit.loads.iter();
+            let loads =
+                loads.map(|(name, count)| text!("mission-rule-load", name = name, count = *count));
+            let carried: Vec<Text> = fit.sensors.iter().cloned().chain(loads).collect();
+            if carried.is_empty() {
+                return (whose, text!("mission-rule-carries-nothing"));
+            }
+            (whose, Text::joined(", ", carried))
+        };
+        let all = fits.iter().map(row);
+        match fits {
+            [only] if only.sensors.is_empty() && only.loads.is_empty() => Vec::new(),
+            _ => all.collect(),
+        }
+    }
+
+    /// The areas that are known from the start, by what they mean.
+    pub(super) fn zones(&self) -> Option<(Text, Text)> {
+        let areas = &self.mission.areas;
+        let kind = |(kind, words): &(AreaKind, &'static str)| {
+            let names = areas.iter().filter(|area| area.kind == *kind);
+            let names: Vec<&str> = names.map(|area| area.name.as_str()).collect();
+            let meaning = Text::new(*words, Vec::new());
+            (!names.is_empty()).then(|| {
+                text!(
+                    "mission-rule-area",
+                    meaning = meaning,
+                    names = names.join(", ")
+                )
+            })
+        };
+        let kinds: Vec<Text> = AREAS.iter().filter_map(kind).collect();
+        (!kinds.is_empty()).then(|| (text!("mission-rule-areas"), Text::joined("; ", kinds)))
+    }
+}

@@ -1,0 +1,46 @@
+//! What the trainee has reached before.
+
+use super::Page;
+use crate::scoring::{Medal, TryReport};
+use crate::text;
+use crate::text::Text;
+
+/// The newest tries are shown, and the best if it is not among them.
+const SHOWN: usize = 5;
+
+impl Page<'_> {
+    /// The tries at the mission before it is flown; nothing on the first.
+    pub(super) fn tries(&mut self) {
+        let is_read = self.state.session.activity.is_none() || self.awaits_launch();
+        let Some(tries) = self.state.tries.get(&self.mission.id).filter(|_| is_read) else {
+            return;
+        };
+        let from = tries.len().saturating_sub(SHOWN);
+        let best = self.state.best_try(&self.mission.id);
+        let earlier = best.filter(|best| !tries[from..].contains(best));
+        let rows: Vec<(Text, Text)> = earlier
+            .into_iter()
+            .chain(&tries[from..])
+            .map(|one| row(one, best == Some(one)))
+            .collect();
+        self.title(&text!("mission-tries", count = tries.len()));
+        self.rows(&rows);
+    }
+}
+
+/// When a try was, and what came of it.
+fn row(one: &TryReport, best: bool) -> (Text, Text) {
+    // The day and the time without seconds: `2026-11-20 14:03`.
+    let when: String = one.when.chars().take(16).collect();
+    let when = when.replace('T', " ");
+    let Some(score) = one.score else {
+        return (when.into(), text!("mission-try-unfinished"));
+    };
+    let medal = one.medal.map_or(text!("debrief-no-medal"), Medal::title);
+    let result = if best {
+        text!("mission-try-best", score = score, medal = medal)
+    } else {
+        text!("mission-try", score = score, medal = medal)
+    };
+    (when.into(), result)
+}

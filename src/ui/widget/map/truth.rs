@@ -1,0 +1,163 @@
+//! The truth of a flight, on a map of its own: what was there, what was found of it, and where was flown.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::canvas::{Canvas, Stroke};
+use super::ground::{TRAIL, outline};
+use super::heat;
+use super::legend::draw_scale;
+use crate::geo::{Extent, LatLon, Outline, Viewport};
+use crate::scoring::{ObjectReport, SquareReport, TruthReport};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, put, titled, upper, wrap};
+
+/// Stands for the mission's origin: a report tells no more of places than metres from there.
+const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
+/// What was not covered.
+const GAP: Stroke = Stroke::dotted(Role::Warning);
+/// Land around everything, as a share of it and in metres.
+const EDGE: (f64, f64) = (0.04, 5.0);
+
+/// What a sign means: the sign alone tells, colours only help.
+type Sign = (char, Role, &'static str);
+const FOUND: Sign = ('#', Role::Ok, "truth-found");
+const MISSED: Sign = ('X', Role::Danger, "truth-missed");
+const OVER: Sign = ('+', Role::Info, "truth-over");
+const DECOY: Sign = ('o', Role::Muted, "truth-decoy");
+const FALSE: Sign = ('?', Role::Warning, "truth-false");
+const PAD: Sign = ('H', Role::Title, "map-legend-home");
+const SIGNS: [Sign; 6] = [FOUND, MISSED, OVER, DECOY, FALSE, PAD];
+
+/// Draws the map as a pane with a title; the signs that are on it are explained below it.
+pub fn draw(truth: &TruthReport, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = titled(&look.say("truth-title"), look, area, buffer);
+    let Some(extent) = Extent::around(places(truth)) else {
+        let line = Line::styled(look.say("truth-none"), look.style(Role::Muted));
+        put(buffer, inner, 0, &line);
+        return;
+    };
+    let labels = labels(truth);
+    let legend = legend(truth, &labels, look, usize::from(inner.width));
+    let rows = inner.height.saturating_sub(legend.len() as u16);
+    let extent = extent.with_margin(EDGE.0, EDGE.1);
+    let size = (inner.width, rows);
+    let view = Viewport::new(extent.centre(), extent.zoom(size), size);
+    let canvas_area = upper(inner, rows);
+    for square in &truth.squares {
+        shade(square, look, &view, canvas_area, buffer);
+    }
+    let mut canvas = Canvas::new(size, look.symbols);
+    for gap in &truth.gaps {
+        let corners = Outline::square(place(gap.at), gap.side_m).corners();
+        outline(&corners, &view, &mut canvas, GAP);
+    }
+    for track in &truth.tracks {
+        for pair in track.points.windows(2) {
+            let ends = [pair[0], pair[1]].map(|at| view.dot(place(at)));
+            canvas.line(ends[0], ends[1], TRAIL);
+        }
+    }
+    canvas.draw(look, canvas_area, buffer);
+    for ((sign, role, _), at) in labels {
+        if let Some((column, row)) = view.cell(place(at)) {
+            let at = (canvas_area.x + column, canvas_area.y + row);
+            buffer.set_string(at.0, at.1, sign.to_string(), look.style(role));
+        }
+    }
+    draw_scale(look, &view, canvas_area, buffer);
+    for (row, line) in legend.into_iter().enumerate() {
+        put(buffer, below(inner, rows), row as u16, &line);
+    }
+}
+
+fn place([east_m, north_m]: [f64; 2]) -> LatLon {
+    ORIGIN.moved(north_m, east_m)
+}
+
+/// Everything that has to be on the map.
+fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
+    let squares = truth.squares.iter().chain(&truth.gaps);
+    let corners = squares.flat_map(|it| Outline::square(place(it.at), it.side_m).corners());
+    let objects = truth.objects.iter().map(|it| it.at);
+    let marks = truth.marks.iter().map(|it| it.at);
+    let tracks = truth.tracks.iter().flat_map(|it| it.points.iter().copied());
+    let points = objects.chain(marks).chain(tracks);
+    corners.chain(points.chain(truth.pads.iter().copied()).map(place))
+}
+
+/// The signs with their places, the most important last.
+fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
+    let pads = truth.pads.iter().map(|&at| (PAD, at));
+    let sign = |object: &ObjectReport| match (object.kind.as_str(), object.found) {
+        ("decoy", _) => DECOY,
+        (_, true) => FOUND,
+        _ if !object.present => OVER,
+        _ => MISSED,
+    };
+    let objects = truth.objects.iter().map(|object| (sign(object), object.at));
+    let wrong = truth.marks.iter().filter(|mark| !mark.right);
+    let wrong = wrong.map(|mark| (FALSE, mark.at));
+    let mut labels: Vec<(Sign, [f64; 2])> = pads.chain(objects).chain(wrong).collect();
+    // What was missed shows also where it shares its cell with something else.
+    labels.sort_by_key(|(sign, _)| *sign == MISSED);
+    labels
+}
+
+fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
+    let Some(shade) = heat::shade(square.strength, look.symbols) else {
+        return;
+    };
+    let half = square.side_m / 2.0;
+    let [east_m, north_m] = square.at;
+    let cell = |east_m, north_m| {
+        let (x, y) = view.dot(place([east_m, north_m]));
+        (
+            x / f64::from(crate::geo::DOTS_ACROSS),
+            y / f64::from(crate::geo::DOTS_DOWN),
+        )
+    };
+    let (left, top) = cell(east_m - half, north_m + half);
+    let (right, bottom) = cell(east_m + half, north_m - half);
+    let span = |from: f64, to: f64, count: u16| {
+        let within = |at: f64| at.round().clamp(0.0, f64::from(count)) as u16;
+        // At least the cell that its middle is in.
+        let middle = ((from + to) / 2.0).clamp(0.0, f64::from(count.saturating_sub(1))) as u16;
+        within(from).min(middle)..within(to).max(middle + 1)
+    };
+    for row in span(top, bottom, view.rows) {
+        for column in span(left, right, view.columns) {
+            if let Some(cell) = buffer.cell_mut((area.x + column, area.y + row)) {
+                cell.set_char(shade).set_style(look.style(Role::Warning));
+            }
+        }
+    }
+}
+
+/// The signs that are on the map, with what they mean and how many there are, in as many lines as that takes.
+fn legend(
+    truth: &TruthReport,
+    labels: &[(Sign, [f64; 2])],
+    look: &Look,
+    width: usize,
+) -> Vec<Line<'static>> {
+    let mut words = Vec::new();
+    for sign in SIGNS {
+        let count = labels.iter().filter(|(known, _)| *known == sign).count();
+        if count > 0 {
+            words.push(format!("{} {} {count}", sign.0, look.say(sign.2)));
+        }
+    }
+    let strongest = heat::shade(1.0, look.symbols).filter(|_| !truth.squares.is_empty());
+    words.extend(strongest.map(|shade| format!("{shade} {}", look.say("truth-strength"))));
+    if !truth.gaps.is_empty() {
+        let (line, count) = (GAP.sample(look.symbols), truth.gaps.len());
+        words.push(format!("{line} {} {count}", look.say("truth-gaps")));
+    }
+    let lines = wrap(&words.join("   "), width).into_iter();
+    lines
+        .map(|line| Line::from(Span::styled(line, look.style(Role::Muted))))
+        .collect()
+}
