@@ -93,13 +93,18 @@ fn the_first_pilot_of_the_guide_passes_its_first_mission_and_the_others_are_read
 }
 
 #[test]
-fn the_command_prints_the_schema() {
+fn the_command_prints_the_schema_that_lies_beside_the_missions() {
     let sortie = Command::new(env!("CARGO_BIN_EXE_sortie"))
         .args(["check", "--schema"])
         .output()
         .expect("it runs");
     let printed = String::from_utf8(sortie.stdout).expect("text");
-    assert_eq!(printed, schema() + "\n");
+    let committed = std::fs::read_to_string(folder("missions/schema.json")).expect("it is there");
+    let value = |text: &str| serde_json::from_str::<Value>(text).expect("JSON");
+    assert!(
+        value(&printed) == value(&committed),
+        "put it there: sortie check --schema > missions/schema.json"
+    );
 }
 
 #[test]
