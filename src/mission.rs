@@ -27,6 +27,8 @@ use crate::sim::{Start, WorldConfig};
 use crate::text::Text;
 
 mod area;
+mod campaign;
+mod check;
 mod clock;
 mod contact;
 mod craft;
@@ -55,6 +57,7 @@ mod zone;
 
 pub use crate::scoring::Report;
 pub use area::{Area, AreaKind};
+pub use campaign::{Outlay, Requires, Rewards, Unlock};
 pub use clock::Clock;
 pub use event::alert::OpenAlert;
 pub use event::demand::Demand;
@@ -100,6 +103,14 @@ pub struct Mission {
     pub authors: Vec<String>,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
+    /// What has to be shown before it is on offer.
+    pub requires: Requires,
+    /// What passing it brings.
+    pub rewards: Rewards,
+    /// What its fleet may cost.
+    pub outlay: Outlay,
+    /// Whether it may stand still while somebody thinks.
+    pub pausable: bool,
     /// How many vehicles fly it.
     pub vehicles: usize,
     /// Mission time allowed.

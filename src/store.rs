@@ -287,6 +287,26 @@ pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
     sources
 }
 
+/// The paths in a folder and below it whose names end so, by name. Links to folders are not followed.
+pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut entries: Vec<fs::DirEntry> = entries.collect();
+    entries.sort_by_key(fs::DirEntry::path);
+    let mut paths = Vec::new();
+    for entry in entries {
+        let path = entry.path();
+        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            paths.extend(paths_below(&path, endings));
+        } else if path
+            .extension()
+            .is_some_and(|found| endings.iter().any(|ending| found == *ending))
+        {
+            paths.push(path);
+        }
+    }
+    paths
+}
+
 /// The file of that path, if there is one. A folder is none: it may be called like a mission.
 fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
     let path = Path::new(path);

@@ -1,5 +1,6 @@
 //! `sortie check`: faults in files, as `FILE:LINE:COLUMN`.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -20,7 +21,7 @@ mod fly;
 /// Options of `sortie check`.
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
-    /// Files ending in .toml, whose content tells what they are, or .pilot.
+    /// Files ending in .toml, whose content tells what they are, or .pilot; or folders with such files.
     #[arg(required_unless_present_any = ["fly", "schema"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Flies missions with their reference pilot, a naive one and none at all: the first has to pass, the second must
@@ -68,14 +69,15 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     if !options.fly.is_empty() {
         return fly::fly(&options.fly, options.seeds, options.json);
     }
-    let files = &options.files;
+    let files = &unfolded(&options.files);
+    let known = known_missions(files);
     let mut faulty = false;
     // Names are the caller's to put right, so nothing is checked before all are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;
     for path in files {
         match store::read(path, "file-any") {
             Ok(source) => {
-                let (faults, notes) = examined(kind(path, &source.text), path, &source);
+                let (faults, notes) = examined(kind(path, &source.text), path, &source, &known);
                 for fault in &faults {
                     say!("{}", fault.one_line(&source.name, &source.text))?;
                 }
@@ -95,6 +97,37 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
         }
     }
     Ok(ExitCode::from(u8::from(faulty)))
+}
+
+/// The files, with what lies in folders in the place of these.
+fn unfolded(paths: &[PathBuf]) -> Vec<PathBuf> {
+    let inside = |path: &PathBuf| {
+        if path.is_dir() {
+            store::paths_below(path, &["toml", "pilot"])
+        } else {
+            vec![path.clone()]
+        }
+    };
+    paths.iter().flat_map(inside).collect()
+}
+
+/// The ids of the missions that others may name: the shipped ones and the user's, those that are checked, and those in
+/// the folders of these and above them.
+fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
+    let near = files.iter().filter_map(|path| path.parent());
+    let near = near.flat_map(|folder| [Some(folder), folder.parent()]);
+    let folders: BTreeSet<&Path> = near
+        .flatten()
+        .map(|folder| match folder.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => folder,
+        })
+        .collect();
+    let beside = folders.into_iter();
+    let beside = beside.flat_map(|folder| store::files(folder, "file-mission", "toml"));
+    let all = store::missions().into_iter().chain(beside);
+    all.filter_map(|source| Mission::id_of(&source.text))
+        .collect()
 }
 
 fn has_known_ending(path: &Path) -> Result<(), Failure> {
@@ -149,7 +182,12 @@ fn kind(path: &Path, text: &str) -> Kind {
 }
 
 /// Faults, and what is only worth a word.
-fn examined(kind: Kind, path: &Path, source: &Source) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
+fn examined(
+    kind: Kind,
+    path: &Path,
+    source: &Source,
+    missions: &BTreeSet<String>,
+) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
     let text = &source.text;
     let faults = match kind {
         Kind::Theme => {
@@ -170,7 +208,12 @@ fn examined(kind: Kind, path: &Path, source: &Source) -> (Vec<Diagnostic>, Vec<D
         }
         Kind::Configuration => settings::faults_in(source, &settings::themes()),
         Kind::Mission => match Mission::parse(text) {
-            Ok(mission) => return (Vec::new(), mission.untranslated),
+            Ok(mission) => {
+                let mut faults = mission.check();
+                faults.extend(mission.unknown_missions(missions));
+                faults.sort_by_key(|fault| fault.span.start);
+                return (faults, mission.untranslated);
+            }
             Err(faults) => Some(faults),
         },
         Kind::Script => {

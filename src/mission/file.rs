@@ -10,14 +10,15 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::objective::Objective;
-use super::sensor::{ProbeSpec, Sensor};
-use super::survey::SurveyPlan;
-use super::zone::{Zone, ZoneKind};
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
+mod campaign;
+mod draft;
 mod events;
 mod fleet;
+mod head;
+mod hints;
 mod names;
 mod place;
 mod points;
@@ -28,6 +29,9 @@ mod zones;
 /// Points may lie this far from the origin on each axis; the flat earth of [`crate::geo`] holds no farther.
 pub(super) const POINT_RANGE: f64 = 20_000.0;
 
+/// Bytes of one text: three screens full of letters of two bytes.
+const LONGEST_TEXT: usize = 8000;
+
 /// No mission is shorter; a limit below this has been reported as a fault of its own.
 const SHORTEST_LIMIT: std::time::Duration = std::time::Duration::from_secs(10);
 
@@ -37,7 +41,9 @@ pub(super) const HEAD: [&str; 11] = [
     "drill_of",
 ];
 /// The sections.
-pub(super) const SECTIONS: [&str; 13] = [
+pub(super) const SECTIONS: [&str; 15] = [
+    "requires",
+    "rewards",
     "sim",
     "weather",
     "places",
@@ -53,6 +59,7 @@ pub(super) const SECTIONS: [&str; 13] = [
     "scoring",
 ];
 
+pub(super) use draft::Draft;
 pub(super) use events::action_keys;
 pub(super) use zones::zone_kinds;
 
@@ -60,23 +67,6 @@ pub(super) use zones::zone_kinds;
 pub(super) type Section<'i> = Spanned<DeTable<'i>>;
 /// What reads one kind of a section that has kinds.
 pub(super) type Reader<T> = fn(Section<'_>, &Draft, &mut Faults) -> Option<T>;
-
-/// What earlier sections have established, for those that refer to it.
-#[derive(Debug, Default)]
-pub(super) struct Draft {
-    pub zones: Vec<Zone>,
-    pub sensors: Vec<&'static Sensor>,
-    pub surveys: Vec<SurveyPlan>,
-    /// Named points.
-    pub places: Vec<(String, Point)>,
-    pub pads: Vec<Point>,
-    /// Names of the hazards, in the order of the file.
-    pub hazards: Vec<String>,
-    /// All names in the file that could be referred to, whether they could be read or not.
-    pub declared: Vec<String>,
-    /// Id of the objective that is being read.
-    pub objective: String,
-}
 
 /// The faults found so far.
 #[derive(Debug, Default)]
@@ -184,6 +174,12 @@ impl Faults {
         ukrainian: Option<Spanned<String>>,
         key: &str,
     ) -> Text {
+        for text in std::iter::once(&english).chain(&ukrainian) {
+            if text.get_ref().len() > LONGEST_TEXT {
+                let fault = format!("a text may have {LONGEST_TEXT} bytes");
+                self.add(text.span(), fault);
+            }
+        }
         match &ukrainian {
             None => {
                 let note = text!("mission-untranslated", key = key);
@@ -235,94 +231,6 @@ impl Faults {
             self.add(value.span(), message);
         }
         *value.get_ref()
-    }
-}
-
-impl Draft {
-    /// A zone of kind `task` by name.
-    pub fn task_zone(&self, name: &Spanned<String>, faults: &mut Faults) -> Option<&Zone> {
-        let tasks = || self.zones.iter().filter(|zone| zone.kind == ZoneKind::Task);
-        let found = tasks().find(|zone| zone.id == *name.get_ref());
-        if found.is_none() {
-            let known: Vec<&str> = tasks().map(|zone| zone.id.as_str()).collect();
-            self.refers_to_nothing("task zone", name, &known, faults);
-        }
-        found
-    }
-
-    /// A sensor that the fleet carries.
-    pub fn fitted_sensor(
-        &self,
-        name: &Spanned<String>,
-        faults: &mut Faults,
-    ) -> Option<&'static Sensor> {
-        let found = self
-            .sensors
-            .iter()
-            .find(|sensor| sensor.id == name.get_ref());
-        if found.is_none() {
-            let known: Vec<&str> = self.sensors.iter().map(|sensor| sensor.id).collect();
-            self.refers_to_nothing("sensor of the fleet", name, &known, faults);
-        }
-        found.copied()
-    }
-
-    /// A sensor that the fleet carries and that measures where it is.
-    pub fn fitted_probe(
-        &self,
-        name: &Spanned<String>,
-        faults: &mut Faults,
-    ) -> Option<(&'static Sensor, &'static ProbeSpec)> {
-        let sensor = self.fitted_sensor(name, faults)?;
-        let probe = sensor.probe();
-        if probe.is_none() {
-            let fault = format!("`{}` finds things, it measures nothing", sensor.id);
-            faults.add(name.span(), fault);
-        }
-        Some((sensor, probe?))
-    }
-
-    /// The place of a hazard in the file, by name.
-    pub fn hazard(&self, name: &Spanned<String>, faults: &mut Faults) -> Option<usize> {
-        let found = self.hazards.iter().position(|id| id == name.get_ref());
-        if found.is_none() {
-            let known: Vec<&str> = self.hazards.iter().map(String::as_str).collect();
-            self.refers_to_nothing("hazard", name, &known, faults);
-        }
-        found
-    }
-
-    /// The survey of an objective that stands earlier in the file.
-    pub fn survey(&self, name: &Spanned<String>, faults: &mut Faults) -> Option<SurveyPlan> {
-        let found = self
-            .surveys
-            .iter()
-            .find(|survey| survey.id == *name.get_ref());
-        if found.is_none() {
-            let known: Vec<&str> = self
-                .surveys
-                .iter()
-                .map(|survey| survey.id.as_str())
-                .collect();
-            self.refers_to_nothing("earlier sample_cells objective", name, &known, faults);
-        }
-        found.cloned()
-    }
-}
-
-impl Draft {
-    /// A reference to nothing, unless that only follows from a fault that is already known.
-    fn refers_to_nothing(
-        &self,
-        what: &str,
-        name: &Spanned<String>,
-        known: &[&str],
-        faults: &mut Faults,
-    ) {
-        if faults.found.is_empty() || !(known.is_empty() || self.declared.contains(name.get_ref()))
-        {
-            faults.unknown(what, name, known);
-        }
     }
 }
 
@@ -431,10 +339,17 @@ fn objective(
     let title_uk = take_optional::<Spanned<String>>(table, "title_uk", faults);
     let value = take::<Spanned<f64>>(table, "value", &span, faults);
     let mandatory = take_optional::<bool>(table, "mandatory", faults).unwrap_or(false);
-    let id = section.id.get_ref().clone();
+    let (id, place) = (section.id.get_ref().clone(), section.id.span());
     draft.objective.clone_from(&id);
     let kind = by_kind("objective", section, super::objective::KINDS, draft, faults)?;
     draft.surveys.extend(kind.survey().cloned());
+    let drawn = kind.place_names();
+    if let Some(name) = drawn.iter().find(|name| draft.drawn.contains(name)) {
+        let fault =
+            format!("an earlier objective has a place `{name}`: one of them may have gates");
+        faults.add(place, fault);
+    }
+    draft.drawn.extend(drawn);
     Some(Objective {
         id,
         title: faults.written(title?, title_uk, "title_uk"),

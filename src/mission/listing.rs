@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::objective::Scene;
 use super::world::World;
-use super::{Area, Hint, Mission};
+use super::{Area, Hint, Mission, Outlay, Requires, Rewards};
 use crate::scoring::{Component, Medals};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -55,6 +55,12 @@ pub struct Listing {
     pub medals: Medals,
     /// Whether it may be paused.
     pub pausable: bool,
+    /// What has to be shown before.
+    pub requires: Requires,
+    /// What passing it brings.
+    pub rewards: Rewards,
+    /// What its fleet may cost.
+    pub outlay: Outlay,
     /// What gold needs besides points.
     pub gold_requires: Vec<Text>,
 }
@@ -111,7 +117,10 @@ impl Mission {
             hints: self.hints.clone(),
             weights: Component::ALL.into_iter().filter_map(weight).collect(),
             medals: self.scoring.medals,
-            pausable: true,
+            pausable: self.pausable,
+            requires: self.requires.clone(),
+            rewards: self.rewards.clone(),
+            outlay: self.outlay.clone(),
             gold_requires: self
                 .scoring
                 .gold_requires

@@ -144,6 +144,7 @@ impl Is {
             Self::Weather => one_of(Element::ALL.iter().map(|(name, ..)| *name)),
             Self::Vehicle => json!({ "type": ["integer", "string"] }),
             Self::List(of) => json!({ "type": "array", "items": of.schema() }),
+            Self::Map(of) => json!({ "type": "object", "additionalProperties": of.schema() }),
             Self::Table(keys) => Value::Object(table(keys.iter())),
         };
         match value {

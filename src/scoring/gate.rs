@@ -68,6 +68,21 @@ impl Gate {
         }
     }
 
+    /// Whether any flight could make it hold: components lie between 0 and 1, crashes are counted.
+    pub fn can_hold(&self) -> bool {
+        let is_component = Component::ALL.into_iter().any(|c| c.name() == self.name);
+        let (low, high) = match self.name.as_str() {
+            "crashes" => (0.0, f64::INFINITY),
+            _ if is_component => (0.0, 1.0),
+            _ => return true,
+        };
+        match self.comparison {
+            Comparison::AtLeast => self.number <= high,
+            Comparison::AtMost => self.number >= low,
+            Comparison::Equal => (low..=high).contains(&self.number),
+        }
+    }
+
     fn value(&self, facts: &Facts, components: &[ComponentScore]) -> Option<f64> {
         if self.name == "crashes" {
             return Some(

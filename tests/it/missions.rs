@@ -3,12 +3,14 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use sortie::mission::Mission;
+use sortie::mission::{Mission, Unlock};
+use sortie::scoring::Medal;
 use sortie::text::{Language, Locale};
 
 mod basics;
 mod faults;
 mod guide;
+mod mutants;
 
 /// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.
 const REFUSALS: &[&str] = &[
@@ -207,4 +209,84 @@ fn all_faults_of_a_file_are_reported_at_once() {
         .map(|fault| fault.line_column(&broken).0)
         .collect();
     assert_eq!(lines, [8, 21, 34]);
+}
+
+/// The shipped missions and drills, by their files' names.
+fn shipped() -> Vec<(String, String)> {
+    let paths = toml_files(&folder("missions")).into_iter();
+    let paths = paths.chain(toml_files(&folder("missions/drills")));
+    let read = |path: PathBuf| {
+        let name = path.file_stem().expect("a file").to_string_lossy();
+        let source = std::fs::read_to_string(&path).expect("it is there");
+        (name.into_owned(), source)
+    };
+    paths.map(read).collect()
+}
+
+#[test]
+fn shipped_missions_and_drills_make_sense_and_name_missions_that_exist() {
+    let known: BTreeSet<String> = shipped().into_iter().map(|(name, _)| name).collect();
+    let mut wrong = Vec::new();
+    for (name, source) in shipped() {
+        let mission = Mission::parse(&source).unwrap_or_else(|faults| panic!("{name}: {faults:?}"));
+        let faults = mission.check().into_iter();
+        let faults = faults.chain(mission.unknown_missions(&known));
+        wrong.extend(faults.map(|fault| fault.one_line(&name, &source)));
+        assert_eq!(mission.drill_of.is_some(), name.starts_with('d'), "{name}");
+        assert_eq!(Mission::id_of(&source), Some(name));
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+#[test]
+fn a_mission_that_others_name_and_nobody_has_is_a_fault_at_its_place() {
+    let source = std::fs::read_to_string(folder("tests/data/good_mission.toml")).expect("there");
+    let source = source.replace(
+        "[sim]",
+        "[requires]\nmissions = [\"00-first-fligt\"]\nmedals = { nobody = \"gold\" }\n[sim]",
+    );
+    let known = BTreeSet::from(["00-first-flight".to_owned()]);
+    let faults = Mission::parse(&source)
+        .expect("good")
+        .unknown_missions(&known);
+    let lines: Vec<String> = faults
+        .iter()
+        .map(|fault| fault.one_line("m", &source))
+        .collect();
+    assert!(
+        lines[0]
+            .ends_with("there is no mission `00-first-fligt` (did you mean `00-first-flight`?)"),
+        "{lines:?}"
+    );
+    assert!(
+        lines[1].ends_with("there is no mission `nobody`"),
+        "{lines:?}"
+    );
+}
+
+#[test]
+fn what_a_mission_asks_of_a_career_and_gives_to_it_is_read() {
+    let source = std::fs::read_to_string(folder("tests/data/good_mission.toml")).expect("there");
+    let listing = Mission::parse(&source).expect("good").listing();
+    assert!(listing.pausable && listing.outlay.budget.is_none());
+    let source = source.replace(
+        "[fleet]",
+        "[requires]\nmissions = [\"a\"]\nmedals = { b = \"silver\" }\nskills = { K6 = 0.6 }\n\
+         [rewards]\ncredits = 900\nunlock = [\"part:s_gpr\", \"mission:c\", \"threat:gust\"]\n\
+         [rules]\npause = false\n[fleet]\nbudget = 9000\nloaner = [\"scout-450\"]",
+    );
+    let listing = Mission::parse(&source).expect("good").listing();
+    assert!(!listing.pausable);
+    assert_eq!(listing.outlay.budget, Some(9000));
+    assert_eq!(listing.outlay.loaners, ["scout-450"]);
+    assert_eq!(listing.requires.missions, ["a"]);
+    assert_eq!(listing.requires.medals["b"], Medal::Silver);
+    assert!((listing.requires.skills["K6"] - 0.6).abs() < 1e-9);
+    assert_eq!((listing.rewards.credits, listing.rewards.xp_tier), (900, 0));
+    let unlock = [
+        Unlock::Part("s_gpr".to_owned()),
+        Unlock::Mission("c".to_owned()),
+        Unlock::Threat("gust".to_owned()),
+    ];
+    assert_eq!(listing.rewards.unlock, unlock);
 }

@@ -15,6 +15,8 @@ mod action;
 
 /// Actions of one event.
 const MOST_ACTIONS: usize = 50;
+/// Characters of one condition, which is looked at several times a second.
+const LONGEST_CONDITION: usize = 1000;
 /// The longest time that an event may name.
 const LONGEST_S: f64 = 86_400.0;
 
@@ -161,6 +163,11 @@ fn condition(
     names: &Names<'_>,
     faults: &mut Faults,
 ) -> Option<Expression> {
+    if written.get_ref().len() > LONGEST_CONDITION {
+        let fault = format!("a condition may have {LONGEST_CONDITION} characters");
+        faults.add(written.span(), fault);
+        return None;
+    }
     match Expression::parse(written.get_ref(), names) {
         Ok(expression) => Some(expression),
         Err(fault) => {

@@ -7,15 +7,18 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::Faults;
-use crate::mission::Point;
+use super::campaign::is_part;
 use crate::mission::fit::Fit;
 use crate::mission::hazard::Load;
 use crate::mission::sensor::{SENSORS, Sensor};
+use crate::mission::{Outlay, Point};
 
 /// More than a console can fly.
 const MOST_VEHICLES: usize = 250;
 /// Pieces of one load, or seconds of the sprayer, on one vehicle.
 const MOST_LOAD: u32 = 1000;
+/// More than any fleet costs.
+const MOST_CREDITS: u32 = 1_000_000;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -27,6 +30,8 @@ struct FleetFile {
     #[serde(default)]
     loads: LoadsFile,
     vehicles: Option<Spanned<Vec<VehicleFile>>>,
+    budget: Option<Spanned<u32>>,
+    loaner: Option<Spanned<Vec<Spanned<String>>>>,
 }
 
 /// What one vehicle carries besides what all do.
@@ -51,6 +56,7 @@ pub(super) struct Fleet {
     pub pads: Vec<Point>,
     /// One for each pad.
     pub fits: Vec<Fit>,
+    pub outlay: Outlay,
 }
 
 impl Fleet {
@@ -79,9 +85,34 @@ pub(super) fn fleet(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<
     }
     let fits = fits(&file, faults);
     Some(Fleet {
+        outlay: outlay(&file, faults),
         pads: pads.iter().map(|pad| faults.point(pad, "pads")).collect(),
         fits,
     })
+}
+
+/// What the fleet may cost, and what is lent.
+fn outlay(file: &FleetFile, faults: &mut Faults) -> Outlay {
+    if let Some(budget) = &file.budget
+        && !(1..=MOST_CREDITS).contains(budget.get_ref())
+    {
+        let fault = format!("`budget` must lie between 1 and {MOST_CREDITS} credits");
+        faults.add(budget.span(), fault);
+    }
+    let lent = file.loaner.as_ref();
+    if let Some(list) = lent.filter(|list| list.get_ref().len() > file.pads.get_ref().len()) {
+        let fault = "`loaner` lends one design for each pad at most";
+        faults.add(list.span(), fault);
+    }
+    let lent = lent.into_iter().flat_map(Spanned::get_ref);
+    for id in lent.clone().filter(|id| !is_part(id.get_ref())) {
+        let fault = "a design's id is 1 to 40 small letters, digits, `-` and `_`";
+        faults.add(id.span(), fault);
+    }
+    Outlay {
+        budget: file.budget.as_ref().map(|budget| *budget.get_ref()),
+        loaners: lent.map(|id| id.get_ref().clone()).collect(),
+    }
 }
 
 /// What each vehicle carries: what all do, and its own.

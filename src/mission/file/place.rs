@@ -92,13 +92,19 @@ struct RulesFile {
     max_agl: Option<Spanned<f64>>,
     land_reserve_pct: Option<Spanned<f64>>,
     min_separation: Option<Spanned<f64>>,
+    pause: Option<bool>,
 }
 
-/// Highest height in metres, battery reserve in percent and separation in metres, with their defaults.
-pub(super) fn rules(
-    value: Option<Spanned<DeValue<'_>>>,
-    faults: &mut Faults,
-) -> Option<(f64, f64, f64)> {
+/// What everybody has to keep to.
+pub(super) struct RuleSet {
+    pub max_height_m: f64,
+    pub land_reserve_percent: f64,
+    pub min_separation_m: f64,
+    pub pausable: bool,
+}
+
+/// The rules, with their defaults.
+pub(super) fn rules(value: Option<Spanned<DeValue<'_>>>, faults: &mut Faults) -> Option<RuleSet> {
     let file: RulesFile = value.map_or_else(
         || Some(RulesFile::default()),
         |value| faults.read_value(value),
@@ -112,9 +118,10 @@ pub(super) fn rules(
     let separation = file
         .min_separation
         .map(|metres| faults.number(&metres, 0.0..=1000.0, "min_separation"));
-    Some((
-        height.unwrap_or(DEFAULT_MAX_HEIGHT_M),
-        reserve.unwrap_or(DEFAULT_RESERVE_PERCENT),
-        separation.unwrap_or(DEFAULT_SEPARATION_M),
-    ))
+    Some(RuleSet {
+        max_height_m: height.unwrap_or(DEFAULT_MAX_HEIGHT_M),
+        land_reserve_percent: reserve.unwrap_or(DEFAULT_RESERVE_PERCENT),
+        min_separation_m: separation.unwrap_or(DEFAULT_SEPARATION_M),
+        pausable: file.pause.unwrap_or(true),
+    })
 }

@@ -3,14 +3,15 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::fleet::{self, Fleet};
-use super::place;
+use super::head::HeadFile;
+use super::hints::{Advice, HintFile};
+use super::place::{self, RuleSet};
 use super::{
-    Draft, Faults, HEAD, SECTIONS, Section, by_kind, check_unique, events, kinded, names,
+    Draft, Faults, HEAD, SECTIONS, Section, by_kind, campaign, check_unique, events, kinded, names,
     objective, points, radio, zones,
 };
 use crate::diagnostic::Diagnostic;
@@ -20,11 +21,15 @@ use crate::mission::hazard::{self, Hazard};
 use crate::mission::objective::Objective;
 use crate::mission::radio::Radio;
 use crate::mission::weather::Weather;
-use crate::mission::{Clue, Hint, Mission, NEXT_CELL, Origin, Phase};
+use crate::mission::{Clue, Hint, Mission, Origin, Requires, Rewards};
 use crate::scoring::Rules;
 
-/// The only version of the format so far.
-const SCHEMA: u32 = 1;
+/// Zones, places, events and hints of one mission.
+const MOST_TABLES: usize = 200;
+/// Each may have ten thousands of cells.
+const MOST_HAZARDS: usize = 20;
+/// As with hazards.
+const MOST_OBJECTIVES: usize = 50;
 
 /// The sections of a file by name.
 struct Sections<'i>(BTreeMap<&'static str, Spanned<DeValue<'i>>>);
@@ -34,9 +39,7 @@ struct Setting {
     time_limit: Duration,
     origin: Origin,
     weather: Weather,
-    max_height_m: f64,
-    land_reserve_percent: f64,
-    min_separation_m: f64,
+    rules: RuleSet,
     fleet: Fleet,
 }
 
@@ -77,6 +80,8 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
     let content = content(&mut sections, setting.as_ref(), declared, faults);
     let limit = setting.as_ref().map(|setting| setting.time_limit);
     let scoring = scoring(&mut sections, &content.objectives, limit, faults);
+    let tier = head.as_ref().map_or(0, |head| head.tier);
+    let campaign = career(&mut sections, tier, faults);
     let (head, setting) = (head?, setting?);
     Some(Mission {
         id: head.id.into_inner(),
@@ -86,9 +91,12 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         untranslated: Vec::new(),
         source: String::new(),
         tier: head.tier,
-        tags: head.tags,
-        authors: head.authors,
+        tags: head.tags.into_inner(),
+        authors: head.authors.into_inner(),
         drill_of: head.drill_of.map(Spanned::into_inner),
+        requires: campaign.0,
+        rewards: campaign.1,
+        pausable: setting.rules.pausable,
         vehicles: setting.fleet.pads.len(),
         sensors: setting.fleet.sensors(),
         time_limit: setting.time_limit,
@@ -99,13 +107,14 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         weather: setting.weather,
         pads: setting.fleet.pads,
         fits: setting.fleet.fits,
+        outlay: setting.fleet.outlay,
         zones: content.draft.zones,
         places: content.draft.places,
         hazards: content.hazards,
         objectives: content.objectives,
-        max_height_m: setting.max_height_m,
-        land_reserve_percent: setting.land_reserve_percent,
-        min_separation_m: setting.min_separation_m,
+        max_height_m: setting.rules.max_height_m,
+        land_reserve_percent: setting.rules.land_reserve_percent,
+        min_separation_m: setting.rules.min_separation_m,
         events: content.threats.events,
         radio: content.threats.radio,
         may_inject: content.threats.may_inject,
@@ -136,16 +145,13 @@ fn setting(sections: &mut Sections<'_>, faults: &mut Faults) -> Option<Setting> 
     let weather = sections
         .optional("weather")
         .map_or(Some(Weather::CALM), |value| place::weather(value, faults));
-    let (max_height_m, land_reserve_percent, min_separation_m) =
-        place::rules(sections.optional("rules"), faults)?;
+    let rules = place::rules(sections.optional("rules"), faults);
     let (time_limit, origin) = sim?;
     Some(Setting {
         time_limit,
         origin,
         weather: weather?,
-        max_height_m,
-        land_reserve_percent,
-        min_separation_m,
+        rules: rules?,
         fleet: fleet?,
     })
 }
@@ -158,9 +164,19 @@ fn content(
 ) -> Content {
     let hazard_ids = events::declared(sections.0.get("hazards")).0;
     let mut draft = Draft {
-        zones: array(sections.optional("zones"), faults, zones::reader()),
+        zones: array(
+            sections.optional("zones"),
+            MOST_TABLES,
+            faults,
+            zones::reader(),
+        ),
         sensors: setting.map_or(Vec::new(), |setting| setting.fleet.sensors()),
-        places: array(sections.optional("places"), faults, names::reader()),
+        places: array(
+            sections.optional("places"),
+            MOST_TABLES,
+            faults,
+            names::reader(),
+        ),
         pads: setting.map_or(Vec::new(), |setting| setting.fleet.pads.clone()),
         declared,
         ..Draft::default()
@@ -169,10 +185,15 @@ fn content(
     draft.hazards = named;
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
     // Hints may refer to objectives and their cells.
-    let advice = array(sections.optional("hints"), faults, |value, faults| {
-        let hint: HintFile = faults.read_value(value)?;
-        hint.checked(&draft, faults)
-    });
+    let advice = array(
+        sections.optional("hints"),
+        MOST_TABLES,
+        faults,
+        |value, faults| {
+            let hint: HintFile = faults.read_value(value)?;
+            hint.checked(&draft, faults)
+        },
+    );
     let (mut hints, mut clues) = (Vec::new(), Vec::new());
     for one in advice {
         match one {
@@ -222,12 +243,21 @@ fn threats(
     let mut seen = Vec::new();
     let list = sections.optional("events");
     Threats {
-        events: array(list, faults, |value, faults| {
+        events: array(list, MOST_TABLES, faults, |value, faults| {
             events::event(value, &names, &mut seen, faults)
         }),
         radio,
         may_inject: may_inject.unwrap_or_default(),
     }
+}
+
+/// What it asks of a career, and gives to it.
+fn career(sections: &mut Sections<'_>, tier: u8, faults: &mut Faults) -> (Requires, Rewards) {
+    let requires = sections.optional("requires");
+    let requires = requires.and_then(|value| campaign::requires(value, faults));
+    let rewards = sections.optional("rewards");
+    let rewards = rewards.and_then(|value| campaign::rewards(value, tier, faults));
+    (requires.unwrap_or_default(), rewards.unwrap_or_default())
 }
 
 fn borrowed<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
@@ -282,66 +312,10 @@ fn check_keys(root: &DeTable<'_>, faults: &mut Faults) {
     }
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct HeadFile {
-    schema: Spanned<u32>,
-    id: Spanned<String>,
-    rev: u32,
-    title: Spanned<String>,
-    title_uk: Option<Spanned<String>>,
-    #[serde(default)]
-    tier: u8,
-    #[serde(default)]
-    tags: Vec<String>,
-    #[serde(default)]
-    authors: Vec<String>,
-    brief: Spanned<String>,
-    brief_uk: Option<Spanned<String>>,
-    drill_of: Option<Spanned<String>>,
-}
-
-impl HeadFile {
-    fn checked(self, faults: &mut Faults) -> Self {
-        if *self.schema.get_ref() != SCHEMA {
-            faults.add(
-                self.schema.span(),
-                format!("this program reads schema {SCHEMA} only"),
-            );
-        }
-        for id in std::iter::once(&self.id).chain(&self.drill_of) {
-            if !is_mission_id(id.get_ref()) {
-                faults.add(
-                    id.span(),
-                    "a mission's id is 1 to 40 small letters, digits and `-`",
-                );
-            }
-        }
-        if let Some(of) = self.drill_of.as_ref().filter(|of| **of == self.id) {
-            faults.add(of.span(), "a mission is no drill of itself");
-        }
-        for (title, key) in [
-            (Some(&self.title), "title"),
-            (self.title_uk.as_ref(), "title_uk"),
-        ] {
-            let Some(title) = title else { continue };
-            if !(1..=60).contains(&title.get_ref().chars().count()) {
-                let fault = format!("`{key}` must have 1 to 60 characters");
-                faults.add(title.span(), fault);
-            }
-        }
-        self
-    }
-}
-
-fn is_mission_id(id: &str) -> bool {
-    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-    (1..=40).contains(&id.len()) && id.chars().all(plain)
-}
-
-/// Reads an array of tables; a missing one is empty.
+/// Reads an array of tables, so many at most; a missing one is empty.
 fn array<'i, T>(
     value: Option<Spanned<DeValue<'i>>>,
+    most: usize,
     faults: &mut Faults,
     mut read: impl FnMut(Spanned<DeValue<'i>>, &mut Faults) -> Option<T>,
 ) -> Vec<T> {
@@ -353,8 +327,13 @@ fn array<'i, T>(
         faults.add(span, "an array of tables is needed here, as in [[zones]]");
         return Vec::new();
     };
+    if let Some(beyond) = items.get(most) {
+        let fault = format!("a mission has {most} of these at most, not {}", items.len());
+        faults.add(beyond.span(), fault);
+    }
     items
         .into_iter()
+        .take(most)
         .filter_map(|item| read(item, faults))
         .collect()
 }
@@ -366,7 +345,7 @@ fn hazards(
     faults: &mut Faults,
 ) -> (Vec<Box<dyn Hazard>>, Vec<String>) {
     let mut seen = Vec::new();
-    let hazards = array(value, faults, |value, faults| {
+    let hazards = array(value, MOST_HAZARDS, faults, |value, faults| {
         let section = kinded(value, faults)?;
         check_unique(&mut seen, &section.id, faults);
         by_kind("hazard", section, hazard::KINDS, draft, faults)
@@ -381,7 +360,7 @@ fn objectives(
 ) -> Vec<Objective> {
     let place = value.as_ref().map(Spanned::span);
     let mut seen = Vec::new();
-    let objectives = array(value, faults, |value, faults| {
+    let objectives = array(value, MOST_OBJECTIVES, faults, |value, faults| {
         objective(value, draft, &mut seen, faults)
     });
     let none_mandatory = !objectives.iter().any(|objective| objective.mandatory);
@@ -392,63 +371,4 @@ fn objectives(
         );
     }
     objectives
-}
-
-/// Advice as the file has it: shown by itself, or to be asked for.
-enum Advice {
-    Shown(Hint),
-    Asked(Clue),
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct HintFile {
-    phase: Option<Phase>,
-    level: Option<Spanned<u8>>,
-    objective: Option<Spanned<String>>,
-    text: Spanned<String>,
-    text_uk: Option<Spanned<String>>,
-}
-
-impl HintFile {
-    fn checked(self, draft: &Draft, faults: &mut Faults) -> Option<Advice> {
-        let no_cells = draft.surveys.is_empty() && faults.found.is_empty();
-        for written in std::iter::once(&self.text).chain(&self.text_uk) {
-            let text = written.get_ref();
-            let rest = text.replace(NEXT_CELL, "");
-            if rest.contains(['{', '}']) {
-                let message = format!("a hint knows one placeholder only: `{NEXT_CELL}`");
-                faults.add(written.span(), message);
-            }
-            if rest.len() < text.len() && no_cells {
-                let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
-                faults.add(written.span(), message);
-            }
-        }
-        let place = self.text.span();
-        let text = faults.written(self.text, self.text_uk, "text_uk");
-        let Some(level) = self.level else {
-            // Shown by itself, so it has to be said when.
-            let Some(phase) = self.phase else {
-                faults.add(place, "a hint needs a `phase` to be shown in, or a `level`");
-                return None;
-            };
-            return Some(Advice::Shown(Hint { phase, text }));
-        };
-        if !(1..=3).contains(level.get_ref()) {
-            faults.add(level.span(), "`level` must be 1, 2 or 3");
-        }
-        if let Some(id) = &self.objective
-            && !draft.declared.contains(id.get_ref())
-        {
-            let known: Vec<&str> = draft.declared.iter().map(String::as_str).collect();
-            faults.unknown("objective", id, &known);
-        }
-        Some(Advice::Asked(Clue {
-            level: level.into_inner(),
-            phase: self.phase,
-            objective: self.objective.map(Spanned::into_inner),
-            text,
-        }))
-    }
 }

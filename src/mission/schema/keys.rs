@@ -38,6 +38,8 @@ pub(super) enum Is {
     /// A number or a word.
     Vehicle,
     List(&'static Is),
+    /// Names of the writer's own, each with such a value.
+    Map(&'static Is),
     Table(&'static [Key]),
 }
 
@@ -92,6 +94,12 @@ pub(super) const HEAD: &[Key] = &[
 
 /// Sections whose tables have kinds are filled in by the schema.
 pub(super) const SECTIONS: &[Key] = &[
+    may(
+        "requires",
+        Is::Table(REQUIRES),
+        "what has to be shown before",
+    ),
+    may("rewards", Is::Table(REWARDS), "what passing it brings"),
     need("sim", Is::Table(SIM), "where and for how long"),
     may(
         "weather",
@@ -127,6 +135,40 @@ pub(super) const SECTIONS: &[Key] = &[
     need("scoring", Is::Table(SCORING), "what it all is worth"),
 ];
 
+const REQUIRES: &[Key] = &[
+    may(
+        "missions",
+        Is::List(&Is::Text),
+        "that have to be passed, by id",
+    ),
+    may(
+        "medals",
+        Is::Map(&Is::Word(&["bronze", "silver", "gold"])),
+        "by mission: the least medal",
+    ),
+    may(
+        "skills",
+        Is::Map(&SHARE),
+        "K1 to K12: how likely they have to be mastered",
+    ),
+];
+const REWARDS: &[Key] = &[
+    may(
+        "credits",
+        Is::Whole(0, 100_000),
+        "for a perfect first pass (0)",
+    ),
+    may(
+        "xp_tier",
+        Is::Whole(0, 3),
+        "that experience is counted with (its tier)",
+    ),
+    may(
+        "unlock",
+        Is::List(&Is::Text),
+        "part:ID, mission:ID or threat:ID",
+    ),
+];
 const SIM: &[Key] = &[
     need(
         "time_limit",
@@ -189,6 +231,16 @@ const FLEET: &[Key] = &[
         Is::List(&Is::Table(VEHICLE)),
         "one per pad: more sensors, other loads",
     ),
+    may(
+        "budget",
+        Is::Whole(1, 1_000_000),
+        "credits for all that is flown",
+    ),
+    may(
+        "loaner",
+        Is::List(&Is::Text),
+        "designs that are lent, one per pad at most",
+    ),
 ];
 const VEHICLE: &[Key] = &[
     may("sensors", Is::List(&Is::Sensor), "besides those of all"),
@@ -216,6 +268,7 @@ const RULES: &[Key] = &[
         Is::Number(0.0, 1000.0),
         "between vehicles in the air, m (2)",
     ),
+    may("pause", Is::Flag, "whether it may be paused (true)"),
 ];
 const RADIO: &[Key] = &[
     need("model", Is::Radio, "the radio of every vehicle"),

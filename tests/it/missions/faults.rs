@@ -91,6 +91,105 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"formation\"\ngates = [[0, 0, 5]]\nradius = 3\nspacing = [1, 2]\ntarget = 0.5\npartial_from = 0.2\n[scoring]",
         "49:1: a formation needs two vehicles or more",
     ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 0, 5]]\nradius = 5\n[[objectives]]\nid = \"p\"\ntitle = \"P\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 9, 5]]\nradius = 5\n[scoring]",
+        "57:6: an earlier objective has a place `gate1`: one of them may have gates",
+    ),
+    (
+        "[fleet]",
+        "[requires]\nskills = { K13 = 0.5 }\n[fleet]",
+        "24:12: unknown skill `K13`; known: K1, K2, K3, K4, K5, K6, K7, K8, K9, K10, K11, K12 (did you mean `K1`?)",
+    ),
+    (
+        "[fleet]",
+        "[requires]\nmissions = [\"Lane 7\"]\n[fleet]",
+        "24:13: a mission's id is 1 to 40 small letters, digits and `-`",
+    ),
+    (
+        "[fleet]",
+        "[requires]\nmedals = { lane = \"tin\" }\n[fleet]",
+        "24:19: unknown variant `tin`, expected one of `bronze`, `silver`, `gold`",
+    ),
+    (
+        "[fleet]",
+        "[rewards]\nunlock = [\"s_gpr\"]\n[fleet]",
+        "24:11: what is unlocked is written `part:ID`, `mission:ID` or `threat:ID`",
+    ),
+    (
+        "[fleet]",
+        "[rewards]\ncredits = 100001\n[fleet]",
+        "24:11: `credits` must lie between 0 and 100000",
+    ),
+    (
+        "[fleet]",
+        "[fleet]\nbudget = 0",
+        "24:10: `budget` must lie between 1 and 1000000 credits",
+    ),
+    (
+        "[fleet]",
+        "[fleet]\nloaner = [\"scout-450\", \"scout-450\"]",
+        "24:10: `loaner` lends one design for each pad at most",
+    ),
+];
+
+/// The same for what only the whole file shows.
+const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
+    (
+        "pads = [[0, 0]]",
+        "pads = [[0, 500]]",
+        "30:9: pad 1 lies beyond the fence `fence`",
+    ),
+    (
+        "max_vehicles = 1\npads = [[0, 0]]",
+        "max_vehicles = 2\npads = [[0, 0], [1, 0]]",
+        "30:17: this pad is 1.0 m from another one; vehicles must keep 2 m apart",
+    ),
+    (
+        "[30, 90], [-30, 90]",
+        "[30, 190], [-30, 190]",
+        "36:8: the zone `yard` reaches beyond the fence `fence`",
+    ),
+    (
+        "heights = [15, 40]",
+        "heights = [60, 80]",
+        "41:11: all these heights lie above the highest allowed, 60 m",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 0, 70]]\nradius = 5\n[scoring]",
+        "59:10: this gate lies above the highest height allowed, 60 m",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = [[0, 300, 9]]\nradius = 5\n[scoring]",
+        "59:10: this gate lies beyond the fence `fence`",
+    ),
+    (
+        "[scoring]",
+        "[[events]]\nid = \"late\"\nat = 480\ndo = [{ say = \"Late.\" }]\n[scoring]",
+        "56:6: the mission is over before this happens",
+    ),
+    (
+        "[scoring]",
+        "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"hover\"\nheights = [5, 9]\nradius = 5\ntime = 500\n[scoring]",
+        "61:8: there are 480 s only",
+    ),
+    (
+        "[scoring]",
+        "[scoring]\ngold_requires = [\"safety >= 1.5\"]",
+        "55:18: nobody can reach this",
+    ),
+    (
+        "[scoring]",
+        "[scoring]\nweights = { objective = 0.9, attention = 0.1 }",
+        "55:42: no alert of this mission has an `ok` to answer it by",
+    ),
+    (
+        "dwell = 5",
+        "dwell = 70",
+        "36:8: at 10 m/s in straight lines this takes 563 s, and there are 480 s",
+    ),
 ];
 
 fn good() -> String {
@@ -110,4 +209,62 @@ fn each_fault_of_a_section_is_named_at_its_place_and_nothing_else_is() {
             .collect();
         assert_eq!(found, [expected], "{new}");
     }
+}
+
+/// With a fence, so that things can lie beyond it.
+fn fenced() -> String {
+    good().replace(
+        "[[hazards]]",
+        "[[zones]]\nid = \"fence\"\nkind = \"geofence\"\npolygon = [[-50, -20], [50, -20], [50, 120], [-50, 120]]\nceiling = 60\n[[hazards]]",
+    )
+}
+
+#[test]
+fn what_cannot_be_flown_as_it_is_meant_is_named_at_its_place() {
+    let fenced = fenced();
+    let found = |source: &str| -> Vec<String> {
+        let mission = Mission::parse(source).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let faults = mission.check().into_iter();
+        let lines = faults.map(|fault| fault.one_line("", source));
+        lines
+            .map(|line| line.trim_start_matches(':').to_owned())
+            .collect()
+    };
+    assert_eq!(found(&fenced), Vec::<String>::new());
+    for &(old, new, expected) in FAULTS_OF_SENSE {
+        assert_eq!(fenced.matches(old).count(), 1, "{old}");
+        assert_eq!(found(&fenced.replace(old, new)), [expected], "{new}");
+    }
+}
+
+#[test]
+fn a_section_has_no_more_tables_than_a_mission_can_use() {
+    let place = |index: usize| format!("[[places]]\nid = \"at-{index}\"\nat = [0, 0]\n");
+    let places: String = (0..201).map(place).collect();
+    let source = good().replace("[scoring]", &format!("{places}[scoring]"));
+    let faults = Mission::parse(&source).expect_err("too many");
+    let line = faults[0].one_line("m", &source);
+    assert!(line.starts_with("m:649:1: a mission has 200"), "{line}");
+    assert_eq!(faults.len(), 1);
+}
+
+#[test]
+fn texts_and_conditions_have_a_greatest_length() {
+    let brief = format!("brief = \"{}\"", "x".repeat(8001));
+    let source = good().replace("brief = \"Bad.\"", &brief);
+    let faults = Mission::parse(&source).expect_err("too long");
+    assert_eq!(
+        faults[0].one_line("m", &source),
+        "m:5:9: a text may have 8000 bytes"
+    );
+    let sum = "1 + ".repeat(300);
+    let event = format!(
+        "[[events]]\nid = \"e\"\nwhen = \"{sum}1 > t\"\ndo = [{{ say = \"E.\" }}]\n[scoring]"
+    );
+    let source = good().replace("[scoring]", &event);
+    let faults = Mission::parse(&source).expect_err("too long");
+    assert_eq!(
+        faults[0].one_line("m", &source),
+        "m:51:8: a condition may have 1000 characters"
+    );
 }

@@ -1,0 +1,41 @@
+//! Whether somebody has to do something.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::Examined;
+use crate::mission::objective::Scene;
+use crate::mission::world::World;
+
+/// Objectives that are met before anybody has flown.
+pub(super) fn check(examined: &mut Examined<'_>) {
+    let mission = examined.mission;
+    let world = World::new(mission, 0);
+    let nobody = Scene {
+        now: Duration::ZERO,
+        over: false,
+        vehicles: &[],
+        surveys: &[],
+        world: &world,
+        contacts: &[],
+        marks: &[],
+        margins_db: &BTreeMap::new(),
+        releases: &[],
+    };
+    let entries = examined.entries("objectives");
+    let mut all = true;
+    for (objective, entry) in mission.objectives.iter().zip(&entries) {
+        let standing = objective.kind.start(&world).standing(&nobody);
+        if standing.met && standing.settled {
+            let fault = "this is met before anybody has flown";
+            examined.add(entry.span(), fault);
+            return;
+        }
+        all &= standing.met || !objective.mandatory;
+    }
+    if let Some(first) = entries.first().filter(|_| all) {
+        let fault =
+            "the mission is passed by doing nothing: no mandatory objective has to be worked for";
+        examined.add(first.span(), fault);
+    }
+}
