@@ -28,12 +28,20 @@ fn of_kind(kind: &str) -> Vec<String> {
     of_kind.map(|(_, body)| body).collect()
 }
 
-/// Adds a snippet to a mission: tables in the place of those that are there, arrays to their end.
+/// Adds a snippet to a mission: tables in the place of those that are there, arrays to their end, but for entries whose
+/// id is there already.
 fn add(mission: &mut Table, snippet: &str) {
     let snippet: Table = snippet.parse().expect("TOML");
     for (key, value) in snippet {
         match (mission.get_mut(&key), value) {
-            (Some(toml::Value::Array(list)), toml::Value::Array(more)) => list.extend(more),
+            (Some(toml::Value::Array(list)), toml::Value::Array(more)) => {
+                let again = |old: &toml::Value| {
+                    let id = old.get("id");
+                    id.is_some() && more.iter().any(|new| new.get("id") == id)
+                };
+                list.retain(|old| !again(old));
+                list.extend(more);
+            }
             (_, value) => {
                 mission.insert(key, value);
             }
