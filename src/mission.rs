@@ -5,77 +5,17 @@
 //! [`Report`]. Everything is a function of the file, the seed, and what was flown.
 //!
 //! # The file
-//! Units are m, s, m/s, deg, Wh unless a key says otherwise. A point `[east, north]` is metres from the origin, as
-//! on a map (the grammar's `goto n .. e ..` names its axes); heights are above the origin. Keys without a default
-//! are required, unknown keys are faults.
+//! What may stand in it is told to those who write missions, in `docs/missions.md`, and to editors, by [`schema`]; tests
+//! hold both against the reader. For those who write code:
 //!
-//! | key | meaning |
-//! | --- | --- |
-//! | `schema` | 1 |
-//! | `title_uk`, `brief_uk`, `text_uk` | each beside its English text, the same in Ukrainian; where one is missing, English is shown |
-//! | `id`, `rev`, `title`, `brief` | name for files and results; revision; for people |
-//! | `tier`, `tags`, `authors` | difficulty 0-3 (0); for lists |
-//! | `drill_of` | id of the mission that this one is a short exercise for |
-//! | `[sim]` `time_limit`, `origin = { lat, lon, alt, heading }` | seconds; where [0, 0] is, height above sea level, heading of the parked vehicles (0) |
-//! | `[weather]` `wind = { speed, dir }` | `dir` is where it comes from (calm) |
-//! | `[[places]]` `id`, `at` | a point that lines and objectives may name |
-//! | `[[zones]]` `id`, `kind` | `task` (an area) or `geofence` (must not be left; optional `ceiling`) |
-//! | `polygon` or `center`, `radius` | its shape |
-//! | `jitter` | by how much at most (m) the seed moves a zone that is neither `task` nor `geofence` |
-//! | `[[hazards]]` `id`, `kind` | see below |
-//! | `[fleet]` `max_vehicles`, `pads`, `sensors`, `loads` | one pad per vehicle; what every vehicle carries; loads: `ball`, `kit`, `node` in pieces, `spray` in seconds |
-//! | `vehicles = [{ sensors, loads }, ..]` | one per pad: more sensors, and loads in the place of the fleet's |
-//! | `budget`, `loaner` | credits for all that is flown; ids of designs that are lent, one for each pad at most |
-//! | `[rules]` `max_agl`, `land_reserve_pct` | highest height (120), battery to land with (20) |
-//! | `pause` | whether it may be paused (true) |
-//! | `[requires]` `missions`, `medals = { ID = "silver" }`, `skills = { K6 = 0.6 }` | what has to be passed, earned and known before |
-//! | `[rewards]` `credits`, `xp_tier`, `unlock` | for passing it; `xp_tier` is the `tier` where it is missing; `part:ID`, `mission:ID`, `threat:ID` |
-//! | `[[objectives]]` `id`, `title`, `kind`, `value`, `mandatory` | share of points; whether the mission fails without it (false) |
-//! | `[[hints]]` `phase`, `text` | shown while on the `ground`, `armed`, in the `air`, or when everything but the landing is `done`; `{next_cell}` in the text becomes the next cell to sample |
-//! | `[[hints]]` `level`, `text`, `phase`, `objective` | instead of being shown, it is given when it is asked for and costs by its level, 1 to 3; where named, only in that phase and until that objective is met |
-//! | `[scoring]` `weights`, `par = { time, energy_wh }`, `medals`, `gold_requires` | see [`crate::scoring`]; weights sum to 1 |
-//!
-//! Hazard kind `plume`: a Gaussian plume. `source`, `height`, `rate` (g/s), `stability` (`A`-`F`), `terrain` (`open` or
-//! `urban`, `open`), `substance` (`vapour`, `monoxide`, `methane`, `smoke`; `vapour`), `meander` (how much its axis
-//! swings, standard deviation in degrees, 0), `intermittency` (standard deviation of the logarithm of its gusts, 0),
-//! `jitter = { position, rate }`: by how much at most the seed moves the source (m) and changes its rate (share of it).
-//!
-//! Hazard kind `puffs`: a leak that comes in puffs, `every` so many seconds (2); else as `plume`, without `meander` and
-//! `intermittency`.
-//!
-//! Hazard kind `radiation`: `sources = [{ at, height, isotope, activity_gbq }, ..]` (`Cs-137` or `Co-60`, height 0),
-//! `walls = [{ from, to, height, passes }, ..]` (`passes`: the share that gets through), `background` (uSv/h, 0.1),
-//! `jitter` (m, for each source).
-//!
-//! Hazard kind `fire`: `area = [west, south, east, north]` in square cells of `cell` m, `fuel` (`grass`, `shrub`,
-//! `timber`, `bare`; `grass`), `patches = [{ area, fuel }, ..]` on top of it, `moisture` (share of water, 0.05), `embers`
-//! (how many times more than usual, 1), `ignitions = [{ at, time, radius }, ..]`, `jitter` (m, for each ignition).
-//!
-//! Hazard kind `minefield`: `zone`, `count = { metal, min_metal, surface }`, `clutter` (pieces of scrap, 0), `min_gap` (m).
-//!
-//! Hazard kind `survivors`: `zone`, `count`, `animals` (0), `cover = [low, high]` (share of them that trees hide, 0),
-//! `min_gap` (m), `lasts` (s; how long they last is Weibull's with shape 2 and this scale; for ever).
-//!
-//! Hazard kind `flood`: `zone`, `houses`, `people` and `animals` (0) on their roofs, `min_gap` (m), `roofs = [low, high]`
-//! (m), `level` (m) and `rise` (m a minute) of the water, `nodes = [point, ..]`: where gauges belong.
-//!
-//! Hazard kind `line`: `pylons = [point, ..]`, `height`, `sag` (m, of a span of mean length), `defects`, `stains` (0; what
-//! looks like defects from far), `min_gap` (m).
-//!
-//! Objective kinds: `sample_cells` (`zone`, `sensor`, `cell`, `dwell`, `max_speed`, `heights = [low, high]`,
-//! `target`, `partial_from`), `map_error` (`of`: a `sample_cells` objective, `height`, `target`, `partial_from`),
-//! `arm_time` (`within` s of being ready), `hover` (`heights`, `radius`, `time`,
-//! `place`: anywhere); `gates` (`gates = [[east, north, up], ..]` in their order, `radius`, `jitter`: by how much at most
-//! the seed moves each); `visit` (`places`, `radius`, `dwell` (0), `heights`); `formation` (the middle of all through
-//! `gates`, `radius`, `jitter`, with `spacing = [least, most]` to the nearest other for a share `target`,
-//! `partial_from`); `land_on` (`place`, `radius`, `count` (1)),
-//! `recover` (`radius`, `battery_pct`), `locate` (`of`: a hazard, `within`, `partial_to`), `perimeter` (`of`: a fire,
-//! `sensor`, `times`, `target`, `partial_from`), `protect` (`of`: a fire, `zone`), `contain` (`of`: a fire, `target`,
-//! `partial_from`: shares of what would burn untouched), `dose` (`limit_usv`), `detect` (`hazard`, `beta`, `radius`, `budget` (3, reports that
-//! count for each object), `target`, `partial_from`), `coverage` (`zone`, `sensors`, `cell`, `target`, `partial_from`),
-//! `deliver` (`hazard`, `load`: `kit` or `node`, `target`, `partial_from` (0)), `standoff` (`hazard`: a line,
-//! `range = [nearest, farthest]`, `near`, `time` (s to spend near it), `target`, `partial_from`). Cells are named like chess squares: `A1` is the south-west one, letters go
-//! east, numbers go north.
+//! - `file` reads one section after the other, so that one fault does not hide the others. A section is a serde struct
+//!   with spans that denies unknown fields, then ranges are checked; units are m, s, m/s, deg, Wh.
+//! - Zones, hazards, objectives and actions have kinds. A kind is a file of its own with a `read`, entered by name in the
+//!   table of its section (`hazard`'s and `objective`'s `KINDS`), with its keys in `schema::kinds` and a row in the guide.
+//! - A section may refer to those that were read before it (`file::Draft`): zones, fleet, places, hazards, objectives,
+//!   hints, events, scoring.
+//! - Points are `[east, north]` metres from the origin, as on a map; the grammar's `goto n .. e ..` names its axes.
+//! - Cells are named like chess squares: `A1` is the south-west one, letters go east, numbers go north.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -106,6 +46,7 @@ mod progress;
 mod radio;
 pub mod record;
 mod report;
+mod schema;
 mod sensor;
 mod survey;
 mod together;
@@ -128,6 +69,7 @@ pub use progress::{
     Cell, ClueProgress, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading,
     ShownContact, ShownMark, Trust,
 };
+pub use schema::schema;
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);

@@ -22,7 +22,7 @@ mod fly;
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
     /// Files ending in .toml, whose content tells what they are, or .pilot; or folders with such files.
-    #[arg(required_unless_present = "fly", value_name = "FILE")]
+    #[arg(required_unless_present_any = ["fly", "schema"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Flies missions with their reference pilot, a naive one and none at all: the first has to earn silver, the second
     /// must not earn a medal, and the third must not pass nor score more than 250. The scripts are MISSION.pilot and
@@ -32,6 +32,9 @@ pub(super) struct CheckArguments {
     /// With how many seeds, from 1 on.
     #[arg(long, default_value_t = 5, requires = "fly", value_parser = clap::value_parser!(u64).range(1..=1000))]
     seeds: u64,
+    /// Prints the JSON schema of mission files, for editors.
+    #[arg(long, conflicts_with_all = ["files", "fly"])]
+    schema: bool,
     /// One JSON document instead of the table.
     #[arg(long, requires = "fly")]
     json: bool,
@@ -60,6 +63,10 @@ const MISSION_KEYS: &[&str] = &[
 
 /// Prints what is wrong with each file, or how missions are flown; exit code 1 when anything is wrong.
 pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
+    if options.schema {
+        say!("{}", crate::mission::schema())?;
+        return Ok(ExitCode::SUCCESS);
+    }
     if !options.fly.is_empty() {
         return fly::fly(&options.fly, options.seeds, options.json);
     }

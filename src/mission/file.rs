@@ -36,12 +36,12 @@ const LONGEST_TEXT: usize = 8000;
 const SHORTEST_LIMIT: std::time::Duration = std::time::Duration::from_secs(10);
 
 /// Keys of the file that stand before its first section.
-const HEAD: [&str; 11] = [
+pub(super) const HEAD: [&str; 11] = [
     "schema", "id", "rev", "title", "title_uk", "tier", "tags", "authors", "brief", "brief_uk",
     "drill_of",
 ];
 /// The sections.
-const SECTIONS: [&str; 15] = [
+pub(super) const SECTIONS: [&str; 15] = [
     "requires",
     "rewards",
     "sim",
@@ -60,6 +60,8 @@ const SECTIONS: [&str; 15] = [
 ];
 
 pub(super) use draft::Draft;
+pub(super) use events::action_keys;
+pub(super) use zones::zone_kinds;
 
 /// A table of the file with its place.
 pub(super) type Section<'i> = Spanned<DeTable<'i>>;

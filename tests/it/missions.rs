@@ -9,6 +9,7 @@ use sortie::text::{Language, Locale};
 
 mod basics;
 mod faults;
+mod guide;
 mod mutants;
 
 /// What each file of `tests/data/bad_missions` is refused with: one fault each, none that only follows from it.

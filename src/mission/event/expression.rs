@@ -21,6 +21,9 @@ mod tests;
 mod token;
 
 pub(in crate::mission) use ask::Names;
+#[cfg(test)]
+pub(in crate::mission) use ask::{FUNCTIONS, field_names};
+pub(in crate::mission) use token::LONGEST;
 
 /// A condition: true or false at every moment.
 #[derive(Debug, Clone, PartialEq)]

@@ -55,6 +55,11 @@ pub(super) fn declared(value: Option<&Spanned<DeValue<'_>>>) -> (Vec<String>, Ve
     (events.collect(), spawned.collect())
 }
 
+/// The keys that tell actions, one each.
+pub(in crate::mission) fn action_keys() -> impl IntoIterator<Item = &'static str> {
+    action::ACTIONS.map(|(key, _)| key)
+}
+
 /// Reads one event.
 pub(super) fn event(
     value: Spanned<DeValue<'_>>,

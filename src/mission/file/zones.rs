@@ -43,6 +43,11 @@ fn is_fixed(kind: ZoneKind) -> bool {
     matches!(kind, ZoneKind::Task | ZoneKind::Geofence { .. })
 }
 
+/// The names of all kinds.
+pub(in crate::mission) fn zone_kinds() -> impl Iterator<Item = &'static str> {
+    ZONE_KINDS.iter().map(|(name, _)| *name)
+}
+
 const ZONE_KINDS: &[(&str, super::Reader<ZoneKind>)] = &[
     ("task", task),
     ("geofence", geofence),

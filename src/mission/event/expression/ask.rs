@@ -106,6 +106,12 @@ pub(super) enum Field {
     Height,
 }
 
+/// What can be asked of one vehicle, by name.
+#[cfg(test)]
+pub(in crate::mission) fn field_names() -> impl Iterator<Item = &'static str> {
+    FIELDS.iter().map(|(name, ..)| *name)
+}
+
 const FIELDS: [(&str, Field, Type); 11] = [
     ("airborne", Field::Airborne, Type::Bool),
     ("armed", Field::Armed, Type::Bool),

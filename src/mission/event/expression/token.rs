@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::diagnostic::Diagnostic;
 
 /// A longer expression is none that somebody has written.
-const LONGEST: usize = 1000;
+pub(in crate::mission) const LONGEST: usize = 1000;
 
 /// One word.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,7 +17,7 @@ use crate::scoring::AlertLevel;
 type Read = fn(Section<'_>, &Names<'_>, &mut Faults) -> Option<Action>;
 
 /// All actions by the key that tells them.
-const ACTIONS: [(&str, Read); 8] = [
+pub(super) const ACTIONS: [(&str, Read); 8] = [
     ("say", say),
     ("alert", alert),
     ("set", set),
