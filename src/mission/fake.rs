@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{Flight, Mission, Report, TICK};
+use crate::geo::LatLon;
 use crate::language::{self, Action, Context};
 use crate::ledger::{Given, Ledger, RowState, RowUpdate};
 use crate::vehicle::{
@@ -204,12 +205,12 @@ impl Pilot {
         let vehicle = self.vehicles.get_mut(&1).expect("there from the start");
         let [north, east, up] = self.position_m;
         vehicle.global = Some(GlobalPosition {
-            at_point: start.at.moved(north, east),
-            altitude_amsl_m: start.altitude_amsl_m + up,
-            altitude_m: up,
-            north_m_s: velocity_m_s[0] as f32,
-            east_m_s: velocity_m_s[1] as f32,
-            down_m_s: -velocity_m_s[2] as f32,
+            at_point: at_point(start.at.moved(north, east)),
+            altitude_amsl_m: millimetres(start.altitude_amsl_m + up),
+            altitude_m: millimetres(up),
+            north_m_s: centimetres(velocity_m_s[0]),
+            east_m_s: centimetres(velocity_m_s[1]),
+            down_m_s: centimetres(-velocity_m_s[2]),
             heading_deg: None,
             at: self.now,
         });
@@ -219,12 +220,26 @@ impl Pilot {
             id: 0,
             voltage_v: Some(12.6),
             current_a: None,
-            consumed_mah: Some(used_mah as f32),
+            consumed_mah: Some(used_mah.round() as f32),
             consumed_wh: None,
             remaining_percent: Some((100.0 - used_mah / 33.0).max(0.0) as u8),
             at: self.now,
         }];
     }
+}
+
+/// As a message carries it; so are the following.
+fn at_point(place: LatLon) -> LatLon {
+    let (lat, lon) = place.to_e7();
+    LatLon::from_e7(lat, lon)
+}
+
+fn millimetres(metres: f64) -> f64 {
+    (metres * 1e3).round() * 1e-3
+}
+
+fn centimetres(metres: f64) -> f32 {
+    (metres * 100.0).round() as f32 * 0.01
 }
 
 /// The whole mission as the reference pilot flies it.

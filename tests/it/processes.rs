@@ -155,7 +155,7 @@ fn a_mission_is_flown_and_begun_again_with_new_processes() {
     let pids = children(terminal.process_id());
     terminal
         .command("restart")
-        .see("Restart the mission?")
+        .see("RESTART the mission")
         .press("y");
     terminal.see("HANGAR").see("before launch");
     terminal.press("\r").see("FLY").see("ready");

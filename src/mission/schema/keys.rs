@@ -358,6 +358,11 @@ pub(super) const ZONE: &[Key] = &[
         Is::Flag,
         "whether it is there from the start (true)",
     ),
+    may(
+        "jitter",
+        Is::Number(0.0, 1000.0),
+        "by how much the seed moves it, m (0); not of task and geofence",
+    ),
 ];
 pub(super) const OBJECTIVE: &[Key] = &[
     need("id", Is::Text, "1 to 32 letters, digits, - and _"),

@@ -3,6 +3,7 @@
 use sortie::app::effect::Effect;
 use sortie::app::event::{Event, Started};
 use sortie::app::state::{Activity, Overlay, Room};
+use sortie::scoring::EventReport;
 use sortie::text::{Language, Locale};
 
 use crate::console::hangar::starting;
@@ -193,7 +194,11 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
     let mut console = flying();
     let mut report = fixtures::report();
     let event = report.events[0].clone();
-    report.events.extend(vec![event; 40]);
+    // As many that differ: equal ones would share a row.
+    report.events.extend((0..40).map(|number| EventReport {
+        text: format!("event {number}").into(),
+        ..event.clone()
+    }));
     console.hear(Event::MissionEnded(Box::new(report)));
     console.at(300);
     let mut seen = Vec::new();
