@@ -119,9 +119,12 @@ fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
     let near = near.flat_map(|folder| [Some(folder), folder.parent()]);
     let folders: BTreeSet<&Path> = near
         .flatten()
-        .map(|folder| match folder.as_os_str().is_empty() {
-            true => Path::new("."),
-            false => folder,
+        .map(|folder| {
+            if folder.as_os_str().is_empty() {
+                Path::new(".")
+            } else {
+                folder
+            }
         })
         .collect();
     let beside = folders.into_iter();

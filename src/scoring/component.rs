@@ -154,7 +154,7 @@ pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
             } else {
                 0.0
             };
-            (weight > 0.0).then(|| ComponentScore {
+            (weight > 0.0).then_some(ComponentScore {
                 component,
                 weight,
                 value,

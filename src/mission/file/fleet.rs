@@ -144,7 +144,7 @@ impl VehicleFile {
     ) -> Fit {
         for name in sensors {
             if let Some(sensor) = Sensor::by_id(name.get_ref()) {
-                fit.add(sensor)
+                fit.add(sensor);
             } else {
                 let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
                 faults.unknown("sensor", name, &known);

@@ -116,7 +116,7 @@ impl Flight {
             event.id == name && event.trigger == Trigger::Instructor
         };
         if let Some(index) = events.position(own) {
-            self.engine.inject_event(index, self.elapsed)
+            self.engine.inject_event(index, self.elapsed);
         } else {
             let known = standard::NAMES.iter().find(|known| **known == name);
             if let Some(known) = known {

@@ -55,7 +55,7 @@ impl Stored {
         };
         for (index, line) in all.enumerate() {
             if let Ok(line) = serde_json::from_str(line) {
-                stored.lines.push(line)
+                stored.lines.push(line);
             } else {
                 stored.damage = Some(text!("record-damaged", line = index + 2));
                 return Ok(stored);

@@ -180,9 +180,9 @@ fn the_guide_has_every_name_that_a_mission_may_use() {
     all_keys(keys::HEAD, &mut wanted);
     all_keys(keys::SECTIONS, &mut wanted);
     for (_, kinds) in ALL_KINDS {
-        kinds
-            .iter()
-            .for_each(|(_, keys)| all_keys(keys, &mut wanted));
+        for (_, keys) in kinds {
+            all_keys(keys, &mut wanted);
+        }
     }
     wanted.extend(SENSORS.iter().map(|sensor| sensor.id));
     wanted.extend(MODELS.iter().map(|model| model.id));

@@ -6,7 +6,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use super::shown;
 use crate::app::state::State;
-use crate::mission::{Listing, ObjectiveState};
+use crate::mission::{ClueProgress, Listing, ObjectiveState};
 use crate::text;
 use crate::text::{Locale, Text, reflow, wrap};
 
@@ -203,7 +203,7 @@ impl Page<'_> {
         let clues = self.state.session.mission.as_ref().map(|it| &it.clues);
         let given = clues.map_or(&[][..], |clues| &clues.given);
         let next = clues
-            .and_then(|clues| clues.price())
+            .and_then(ClueProgress::price)
             .filter(|_| !self.state.session.over);
         if self.awaits_launch() || hints.is_empty() && given.is_empty() && next.is_none() {
             return;

@@ -124,7 +124,7 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     let span = |from: f64, to: f64, count: u16| {
         let within = |at: f64| at.round().clamp(0.0, f64::from(count)) as u16;
         // At least the cell that its middle is in.
-        let middle = ((from + to) / 2.0).clamp(0.0, f64::from(count.saturating_sub(1))) as u16;
+        let middle = f64::midpoint(from, to).clamp(0.0, f64::from(count.saturating_sub(1))) as u16;
         within(from).min(middle)..within(to).max(middle + 1)
     };
     for row in span(top, bottom, view.rows) {
