@@ -59,9 +59,9 @@ fn parsed(source: &str) -> Mission {
 #[test]
 fn every_example_of_the_guide_is_a_good_mission_or_part_of_one() {
     let whole = of_kind("toml");
-    whole.iter().for_each(|source| {
+    for source in &whole {
         parsed(source);
-    });
+    }
     let mut mission: Table = whole[0].parse().expect("TOML");
     let snippets = of_kind("toml snippet");
     assert!(snippets.len() > 8, "{} snippets", snippets.len());
