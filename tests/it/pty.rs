@@ -189,7 +189,11 @@ fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
         .press("\u{1b}")
         .see_no_more("command to 1");
     terminal.command("continue").see_no_more("PAUSED");
-    terminal.press("n").see("paused ").press("\u{1b}");
+    terminal
+        .press("n")
+        .see("Esc closes")
+        .see("paused ")
+        .press("\u{1b}");
     terminal.see_no_more("Esc closes");
     terminal.command("abandon").see("type y").press("y");
     terminal.see("DEBRIEF").see("ABANDONED");
