@@ -37,40 +37,14 @@ mod result;
 mod swarm;
 mod threats;
 mod truth;
+mod verdict;
 mod view;
 mod watch;
 
 pub use deeds::Pledge;
 pub(crate) use loads::Release;
 pub use threats::Inject;
-
-/// The seconds before the limit at which the trainee is told.
-const WARN_BEFORE_S: [u64; 2] = [60, 30];
-
-/// How a flight ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// All mandatory objectives are met.
-    Passed,
-    /// It ended without them.
-    Failed,
-    /// The time was up before they were met.
-    TimedOut,
-    /// The trainee gave up.
-    Abandoned,
-}
-
-impl Outcome {
-    /// The same in a word or two.
-    pub fn text(self) -> Text {
-        match self {
-            Self::Passed => text!("mission-passed"),
-            Self::Failed => text!("mission-failed"),
-            Self::TimedOut => text!("mission-timed-out"),
-            Self::Abandoned => text!("mission-abandoned"),
-        }
-    }
-}
+pub use verdict::Outcome;
 
 /// A running mission: a pure function of the mission, the seed and what it was shown.
 #[derive(Debug)]
@@ -399,71 +373,6 @@ impl Flight {
             }
         }
         standings
-    }
-
-    fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
-        for seconds in WARN_BEFORE_S {
-            let mark = self
-                .mission
-                .time_limit
-                .saturating_sub(Duration::from_secs(seconds));
-            if previous < mark && mark <= self.elapsed {
-                self.say(
-                    "alert",
-                    None,
-                    Severity::Warning,
-                    text!("mission-time-left", seconds = seconds),
-                    notices,
-                );
-            }
-        }
-    }
-
-    fn decide(&mut self, now: Duration, standings: &[Standing], notices: &mut Vec<Notice>) {
-        let mut mandatory = standings
-            .iter()
-            .zip(&self.mission.objectives)
-            .filter(|(_, o)| o.mandatory);
-        let all_met = mandatory.clone().all(|(standing, _)| standing.met);
-        let settled = mandatory.all(|(standing, _)| standing.settled);
-        let down = |craft: &Craft| craft.lost || craft.down_for >= super::objective::DOWN_FOR;
-        let all_down = !self.crafts.is_empty() && self.crafts.iter().all(down);
-        let all_lost = !self.crafts.is_empty() && self.crafts.iter().all(|craft| craft.lost);
-        let verdict = if all_met {
-            Outcome::Passed
-        } else {
-            Outcome::Failed
-        };
-        let harmed = self
-            .safety
-            .events()
-            .iter()
-            .any(|event| event.kind.is_harm());
-        if self.failed || harmed {
-            self.end(Outcome::Failed, notices);
-        } else if all_lost || (settled && all_down) {
-            self.end(verdict, notices);
-        } else if now >= self.mission.time_limit {
-            self.end(
-                if all_met {
-                    Outcome::Passed
-                } else {
-                    Outcome::TimedOut
-                },
-                notices,
-            );
-        }
-    }
-
-    fn end(&mut self, outcome: Outcome, notices: &mut Vec<Notice>) {
-        self.ended = Some(outcome);
-        self.say(
-            "phase",
-            None,
-            Severity::Notice,
-            text!("mission-over", outcome = outcome.text()),
-            notices,
-        );
     }
 
     fn say(

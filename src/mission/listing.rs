@@ -1,6 +1,5 @@
 //! What can be told of a mission before it is flown.
 
-use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::objective::Scene;
@@ -153,16 +152,7 @@ impl Mission {
     /// What is asked for does not depend on how it goes: it is read off a flight that has not begun.
     fn listed_objectives(&self) -> Vec<ObjectiveListing> {
         let world = World::new(self, 0);
-        let nobody = Scene {
-            now: Duration::ZERO,
-            over: false,
-            vehicles: &[],
-            surveys: &[],
-            world: &world,
-            marks: &[],
-            margins_db: &BTreeMap::new(),
-            releases: &[],
-        };
+        let nobody = Scene::empty(&world);
         let listed = |objective: &super::objective::Objective| ObjectiveListing {
             title: objective.title.clone(),
             target: objective.kind.start(&world).standing(&nobody).target,

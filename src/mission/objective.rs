@@ -105,7 +105,21 @@ pub(crate) struct Scene<'a> {
     pub releases: &'a [Release],
 }
 
-impl Scene<'_> {
+impl<'a> Scene<'a> {
+    /// What there is to see before anybody has come.
+    pub fn empty(world: &'a World) -> Self {
+        Self {
+            now: Duration::ZERO,
+            over: false,
+            vehicles: &[],
+            surveys: &[],
+            world,
+            marks: &[],
+            margins_db: const { &BTreeMap::new() },
+            releases: &[],
+        }
+    }
+
     /// The survey that an objective asked for.
     pub fn survey(&self, id: &str) -> Option<&Survey> {
         self.surveys.iter().find(|survey| survey.plan.id == id)

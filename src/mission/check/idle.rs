@@ -1,8 +1,5 @@
 //! Whether somebody has to do something.
 
-use std::collections::BTreeMap;
-use std::time::Duration;
-
 use super::Examined;
 use crate::mission::objective::Scene;
 use crate::mission::world::World;
@@ -11,16 +8,7 @@ use crate::mission::world::World;
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let world = World::new(mission, 0);
-    let nobody = Scene {
-        now: Duration::ZERO,
-        over: false,
-        vehicles: &[],
-        surveys: &[],
-        world: &world,
-        marks: &[],
-        margins_db: &BTreeMap::new(),
-        releases: &[],
-    };
+    let nobody = Scene::empty(&world);
     let entries = examined.entries("objectives");
     let mut all = true;
     for (objective, entry) in mission.objectives.iter().zip(&entries) {

@@ -1,0 +1,111 @@
+//! How a flight comes to its end.
+
+use std::time::Duration;
+
+use super::Flight;
+use crate::mission::craft::Craft;
+use crate::mission::objective::{DOWN_FOR, Standing};
+use crate::notice::Notice;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// The seconds before the limit at which the trainee is told.
+const WARN_BEFORE_S: [u64; 2] = [60, 30];
+
+/// How a flight ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// All mandatory objectives are met.
+    Passed,
+    /// It ended without them.
+    Failed,
+    /// The time was up before they were met.
+    TimedOut,
+    /// The trainee gave up.
+    Abandoned,
+}
+
+impl Outcome {
+    /// The same in a word or two.
+    pub fn text(self) -> Text {
+        match self {
+            Self::Passed => text!("mission-passed"),
+            Self::Failed => text!("mission-failed"),
+            Self::TimedOut => text!("mission-timed-out"),
+            Self::Abandoned => text!("mission-abandoned"),
+        }
+    }
+}
+
+impl Flight {
+    pub(super) fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
+        for seconds in WARN_BEFORE_S {
+            let mark = self
+                .mission
+                .time_limit
+                .saturating_sub(Duration::from_secs(seconds));
+            if previous < mark && mark <= self.elapsed {
+                self.say(
+                    "alert",
+                    None,
+                    Severity::Warning,
+                    text!("mission-time-left", seconds = seconds),
+                    notices,
+                );
+            }
+        }
+    }
+
+    pub(super) fn decide(
+        &mut self,
+        now: Duration,
+        standings: &[Standing],
+        notices: &mut Vec<Notice>,
+    ) {
+        let mut mandatory = standings
+            .iter()
+            .zip(&self.mission.objectives)
+            .filter(|(_, o)| o.mandatory);
+        let all_met = mandatory.clone().all(|(standing, _)| standing.met);
+        let settled = mandatory.all(|(standing, _)| standing.settled);
+        let down = |craft: &Craft| craft.lost || craft.down_for >= DOWN_FOR;
+        let all_down = !self.crafts.is_empty() && self.crafts.iter().all(down);
+        let all_lost = !self.crafts.is_empty() && self.crafts.iter().all(|craft| craft.lost);
+        let verdict = if all_met {
+            Outcome::Passed
+        } else {
+            Outcome::Failed
+        };
+        let harmed = self
+            .safety
+            .events()
+            .iter()
+            .any(|event| event.kind.is_harm());
+        if self.failed || harmed {
+            self.end(Outcome::Failed, notices);
+        } else if all_lost || (settled && all_down) {
+            self.end(verdict, notices);
+        } else if now >= self.mission.time_limit {
+            self.end(
+                if all_met {
+                    Outcome::Passed
+                } else {
+                    Outcome::TimedOut
+                },
+                notices,
+            );
+        }
+    }
+
+    pub(super) fn end(&mut self, outcome: Outcome, notices: &mut Vec<Notice>) {
+        self.ended = Some(outcome);
+        self.say(
+            "phase",
+            None,
+            Severity::Notice,
+            text!("mission-over", outcome = outcome.text()),
+            notices,
+        );
+    }
+}
