@@ -58,3 +58,4 @@ pub mod text;
 pub mod ui;
 pub mod vehicle;
 pub mod wire;
+pub mod workshop;

@@ -45,6 +45,7 @@ catalogue! {
     "telemetry",
     "transport",
     "verbs",
+    "workshop",
 }
 
 /// The message files of a language: subject and contents.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 const PURE: &[&[&str]] = &[
     &["geo", "text"],
     &["diagnostic", "config"],
-    &["wire", "parameters"],
+    &["wire", "parameters", "workshop"],
     &["inspector"],
     &["doctor"],
     &["vehicle"],

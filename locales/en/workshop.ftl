@@ -1,0 +1,102 @@
+# The drone constructor: slots, parts, and what speaks against a design.
+slot-frame = frame
+slot-motor = motors
+slot-propeller = propellers
+slot-esc = speed controllers
+slot-battery = battery
+slot-autopilot = autopilot
+slot-navigation = navigation
+slot-power = power module
+slot-radio = radio
+slot-payload = payload
+
+part-motor = motor { $size }, { $kv } rpm/V
+part-propeller = { $size } in
+part-propeller-plastic = { $size } in, plastic
+part-propeller-carbon = { $size } in, carbon
+part-propeller-folding = { $size } in, folding
+part-lipo = LiPo { $cells }S { $capacity } Ah, { $rate }C
+part-liion = Li-ion { $cells }S { $capacity } Ah, { $rate }C
+
+fr_5q_226 = quad 226 mm, carbon
+fr_7q_315 = quad 315 mm, long range
+fr_450q = quad 450 mm, nylon arms
+fr_500q = quad 500 mm, high legs
+fr_550h = hexa 550 mm, nylon arms
+fr_650q_tube = quad 650 mm, carbon tubes
+fr_650q_fold = quad 650 mm, folding
+fr_680h = hexa 680 mm, folding
+fr_750q_tube = quad 750 mm, carbon tubes
+fr_900h = hexa 900 mm, retracting legs
+fr_960h = hexa 960 mm, umbrella
+fr_1045o = octo 1045 mm
+fr_1133h = hexa 1133 mm, heavy
+
+e20 = 20 A, 4S
+e30opto = 30 A, 4S
+e40 = 40 A, 6S
+e40foc = 40 A, 6S, field oriented
+e60hv = 60 A, 12S
+e80hv = 80 A, 12S, field oriented
+e4in1_35 = 35 A, 6S, a quarter of four in one
+
+fc_h7 = small autopilot
+fc_px6c = autopilot, two IMUs
+fc_cube = autopilot, three IMUs
+gps_m8n = satellite receiver and compass
+gps_m10 = newer satellite receiver and compass
+gps_f9p = dual-band receiver, RTK
+gps_crpa = receiver with an anti-jam antenna
+pm_02 = up to 6S, 60 A
+pm_hv = up to 14S, 200 A
+
+r_wifi24 = Wi-Fi 2.4 GHz, 100 mW
+r_sik433 = telemetry 433 MHz, 100 mW
+r_sik915 = telemetry 868/915 MHz, 100 mW
+r_rfd900 = telemetry 868/915 MHz, 1 W
+r_elrs24 = control link 2.4 GHz, 100 mW
+r_lora868 = LoRa 868 MHz, 160 mW
+r_mesh24 = mesh 2.4 GHz, 1 W
+r_lte = mobile network modem
+
+s_rgb = camera, fixed
+s_rgbg = camera on a gimbal
+s_zoom = zoom camera on a gimbal
+s_th160 = thermal camera 160x120
+s_th320 = thermal camera 320x256
+s_thdual = thermal camera 640 on a gimbal
+s_pm25 = particle counter
+s_gas4 = four-gas sensor
+s_tdlas = methane laser
+s_voc = vapour detector
+s_mag = magnetometer
+s_md = metal detector
+s_gpr = ground radar
+s_geiger = Geiger counter
+s_csi = gamma spectrometer
+s_drop = dropper
+s_ball = fire-extinguishing ball
+s_med = rescue kit
+s_node = sensor node
+s_relay = relay antenna
+
+design-schema = schema { $found } is not known to this version, which reads schema { $known }
+design-name = a name is one line of 1 to { $most } letters
+design-part = there is no part `{ $part }` for the slot { $slot }
+design-slot = `{ $part }` does not go into `{ $slot }` but into `{ $other }`
+design-batteries = batteries in parallel must all be of one kind
+design-full = `{ $part }` is one too many: `{ $slot }` takes { $most }, and only loads and batteries twice
+
+finding-missing = no { $slot } yet
+finding-propeller = propellers of { $diameter } in touch each other: this frame takes { $most } in
+finding-motor-cells = the battery has { $cells } cells, the motors take { $fewest } to { $most }
+finding-esc-cells = the battery has { $cells } cells, the speed controllers bear { $most }
+finding-esc-current = speed controllers of { $current } A, motors peak at { $peak } A: { $wanted } A would be safe
+finding-thrust = thrust is { $ratio } times the weight of { $mass } kg: it cannot hold its place in wind (1.3 is the least, 1.8 is good)
+finding-weak = thrust is { $ratio } times the weight: fine in calm air, gusts and climbs use it all up (1.8 is good)
+finding-collapse = the battery's voltage breaks down in the hover
+finding-current = the hover draws { $current } A, the battery gives { $most } A: its voltage breaks down
+finding-hover-current = the hover draws { $current } A, more than half of the { $most } A that the battery gives: voltage will sag
+finding-sag = below { $charge } % charge the voltage is too low for the hover: land by { $land } %
+finding-power-cells = the battery has { $cells } cells, the power module bears { $most }
+finding-power-current = the hover draws { $current } A, the power module bears { $most } A

@@ -1,0 +1,29 @@
+//! The drone constructor: parts, designs, and what a design can do before anybody has flown it.
+//!
+//! A [`Design`] is a choice of parts; [`Figures`] are what follows from it: mass, thrust, power, endurance, speed,
+//! range, cost. The same figures become the airframe and the parameters of both simulators ([`Airframe`]), so that a
+//! drone flies as it was computed. Everything here is pure and quick: a list of parts shows what each would change
+//! while the cursor moves over it.
+//!
+//! The physics is momentum theory with measured propeller coefficients and a brushless motor as a resistance behind a
+//! back-EMF, fitted to bench tests of motors. Against published flight times of ten known machines it is right within
+//! about 10 %; see the tests.
+
+mod airframe;
+mod catalogue;
+mod check;
+mod design;
+mod drive;
+mod figures;
+mod forward;
+mod pack;
+mod part;
+#[cfg(test)]
+mod tests;
+
+pub use airframe::Airframe;
+pub use catalogue::{part, parts, parts_for};
+pub use check::{Finding, Severity};
+pub use design::{Design, DesignError};
+pub use figures::{Air, Figures, Link};
+pub use part::{Part, Slot};

@@ -1,0 +1,139 @@
+//! A design as both simulators fly it: a frame file of SITL, and the parameters that go with it.
+
+use serde_json::{Value, json};
+
+use super::design::{Design, Drive};
+use super::figures::{Air, Figures};
+use super::pack::Pack;
+use super::part::Chemistry;
+
+const GRAVITY_M_S2: f64 = 9.806_65;
+const SEA_LEVEL_DENSITY: f64 = 1.225;
+/// The lean of the reference flight in the frame file.
+const REFERENCE_LEAN_DEG: f64 = 30.0;
+/// Thrust over command, as a share of the square; the autopilot is told the same.
+const EXPO: f64 = 0.65;
+/// Rate gains of the default quad, and its control authority: thrust over weight per metre of diagonal.
+const RATE_GAIN: f64 = 0.135;
+const RATE_DAMPING: f64 = 0.0036;
+const DEFAULT_AUTHORITY: f64 = 7.31;
+
+/// What a simulator needs to know of a design.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Airframe {
+    /// The frame file (`SIM_Frame` JSON).
+    pub frame: Value,
+    /// The motor layout, as `--model` names it.
+    pub model: &'static str,
+    /// Parameters by name.
+    pub parameters: Vec<(&'static str, f64)>,
+}
+
+impl Design {
+    /// The airframe; `None` while parts of the drive are missing.
+    pub fn airframe(&self) -> Option<Airframe> {
+        let drive = self.drive()?;
+        let figures = self.figures(Air::default())?;
+        let pack = Pack::of(&drive, Air::default().battery_c);
+        Some(Airframe {
+            frame: frame(&drive, &figures, &pack),
+            model: model(drive.frame.motors),
+            parameters: parameters(&drive, &figures, &pack),
+        })
+    }
+}
+
+fn model(motors: u8) -> &'static str {
+    match motors {
+        6 => "hexax",
+        8 => "octa-cwx",
+        _ => "x",
+    }
+}
+
+/// The reference flight is the hover that was computed, and a drag that follows from the frame's area.
+fn frame(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Value {
+    let lean = REFERENCE_LEAN_DEG.to_radians();
+    let weight_n = figures.mass_kg * GRAVITY_M_S2;
+    let drag_m = 0.5 * SEA_LEVEL_DENSITY * drive.frame.drag_area_m2;
+    json!({
+        "mass": rounded(figures.mass_kg, 3),
+        "diagonal_size": drive.frame.wheelbase_m,
+        "refSpd": rounded((weight_n * lean.tan() / drag_m).sqrt(), 2),
+        "refAngle": REFERENCE_LEAN_DEG,
+        "refVoltage": rounded(figures.hover_voltage_v, 2),
+        "refCurrent": rounded(figures.hover_power_w / figures.hover_voltage_v, 3),
+        "refAlt": 0.0,
+        "refTempC": 25.0,
+        "refBatRes": rounded(pack.resistance_ohm, 4),
+        "maxVoltage": rounded(pack.full_v(), 2),
+        "battCapacityAh": pack.capacity_ah,
+        "propExpo": EXPO,
+        "refRotRate": (60.0 / drive.frame.wheelbase_m).clamp(80.0, 400.0).round(),
+        "hoverThrOut": rounded(figures.hover_throttle, 3),
+        "pwmMin": 1000.0,
+        "pwmMax": 2000.0,
+        "spin_min": 0.15,
+        "spin_max": 0.95,
+        "slew_max": 150.0,
+        "disc_area": rounded(drive.disc_area_m2(), 4),
+        "mdrag_coef": 0.1,
+        "num_motors": f64::from(drive.frame.motors),
+    })
+}
+
+/// Frame class, battery limits of its chemistry, and gains for its control authority.
+fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'static str, f64)> {
+    let cells = f64::from(drive.battery.cells);
+    let capacity_mah = pack.capacity_ah * 1000.0;
+    let reserve_mah = capacity_mah * (1.0 - pack.usable);
+    let (low_v, critical_v) = match drive.battery.chemistry {
+        Chemistry::Polymer => (3.5, 3.35),
+        Chemistry::Ion => (3.3, 3.1),
+    };
+    let authority = figures.thrust_to_weight_full / drive.frame.wheelbase_m;
+    let gain = (DEFAULT_AUTHORITY / authority).clamp(0.25, 2.0);
+    let rate = rounded(RATE_GAIN * gain, 4);
+    let damping = rounded(RATE_DAMPING * gain, 5);
+    vec![
+        (
+            "FRAME_CLASS",
+            match drive.frame.motors {
+                6 => 2.0,
+                8 => 3.0,
+                _ => 1.0,
+            },
+        ),
+        ("FRAME_TYPE", 1.0),
+        ("BATT_MONITOR", 4.0),
+        ("BATT_CAPACITY", capacity_mah.round()),
+        ("BATT_LOW_VOLT", rounded(low_v * cells, 2)),
+        ("BATT_CRT_VOLT", rounded(critical_v * cells, 2)),
+        ("BATT_LOW_MAH", (reserve_mah * 1.25).round()),
+        ("BATT_CRT_MAH", (reserve_mah * 0.6).round()),
+        ("BATT_FS_LOW_ACT", 2.0),
+        ("BATT_FS_CRT_ACT", 1.0),
+        ("MOT_BAT_VOLT_MAX", rounded(pack.full_v(), 2)),
+        ("MOT_BAT_VOLT_MIN", rounded(3.3 * cells, 2)),
+        ("MOT_THST_EXPO", EXPO),
+        (
+            "MOT_THST_HOVER",
+            rounded((1.0 / figures.thrust_to_weight).clamp(0.125, 0.8), 3),
+        ),
+        (
+            "WPNAV_SPEED",
+            (70.0 * figures.top_speed_m_s).min(1000.0).round(),
+        ),
+        ("ATC_RAT_PIT_P", rate),
+        ("ATC_RAT_PIT_I", rate),
+        ("ATC_RAT_PIT_D", damping),
+        ("ATC_RAT_RLL_P", rate),
+        ("ATC_RAT_RLL_I", rate),
+        ("ATC_RAT_RLL_D", damping),
+    ]
+}
+
+fn rounded(value: f64, digits: i32) -> f64 {
+    let scale = 10f64.powi(digits);
+    (value * scale).round() / scale
+}

@@ -1,0 +1,210 @@
+//! What speaks against a design, and why.
+
+use super::design::{Design, Drive};
+use super::figures::{Air, Figures};
+use super::part::{Slot, Spec};
+use crate::text;
+use crate::text::Text;
+
+/// Less thrust over weight than this cannot hold a position in wind.
+const LEAST_THRUST: f64 = 1.3;
+/// Less than this saturates its motors in gusts.
+const GOOD_THRUST: f64 = 1.8;
+/// A speed controller should bear this much more than the motor's peak.
+const ESC_ROOM: f64 = 1.2;
+/// A hover should take no more than this share of what the battery gives.
+const HOVER_SHARE: f64 = 0.5;
+
+/// How bad a finding is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// It may be flown, knowing this.
+    Warning,
+    /// It cannot be flown.
+    Fault,
+}
+
+/// Something about a design that its builder should know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// How bad it is.
+    pub severity: Severity,
+    /// The slot in which it can be mended.
+    pub slot: Slot,
+    /// What and why.
+    pub text: Text,
+}
+
+impl Design {
+    /// Everything that speaks against it, faults first. A design without faults flies.
+    pub fn findings(&self, air: Air) -> Vec<Finding> {
+        let mut found = Found::default();
+        for slot in Slot::ALL {
+            if slot.is_required() && self.in_slot(slot).is_empty() {
+                found.fault(slot, text!("finding-missing", slot = slot.name()));
+            }
+        }
+        if let Some(drive) = self.drive() {
+            found.fits(&drive);
+            if let Some(figures) = self.figures(air) {
+                found.flies(&figures);
+                found.feeds(self, &figures);
+            }
+        }
+        found
+            .0
+            .sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+        found.0
+    }
+
+    /// Whether it flies at all.
+    pub fn is_airworthy(&self, air: Air) -> bool {
+        self.findings(air)
+            .iter()
+            .all(|finding| finding.severity == Severity::Warning)
+    }
+}
+
+#[derive(Default)]
+struct Found(Vec<Finding>);
+
+impl Found {
+    fn fault(&mut self, slot: Slot, text: Text) {
+        self.add(Severity::Fault, slot, text);
+    }
+
+    fn warning(&mut self, slot: Slot, text: Text) {
+        self.add(Severity::Warning, slot, text);
+    }
+
+    fn add(&mut self, severity: Severity, slot: Slot, text: Text) {
+        self.0.push(Finding {
+            severity,
+            slot,
+            text,
+        });
+    }
+
+    /// Whether the parts go together at all.
+    fn fits(&mut self, drive: &Drive<'_>) {
+        let diameter = drive.propeller.diameter_in;
+        let clearance = drive.clearance_in();
+        // Both are stated in tenths of an inch.
+        if diameter > clearance + 0.05 {
+            let text = text!(
+                "finding-propeller",
+                diameter = tenths(diameter),
+                most = tenths(clearance)
+            );
+            self.fault(Slot::Propeller, text);
+        }
+        let cells = drive.battery.cells;
+        let (fewest, most) = drive.motor.cells;
+        if !(fewest..=most).contains(&cells) {
+            let text = text!(
+                "finding-motor-cells",
+                cells = u32::from(cells),
+                fewest = u32::from(fewest),
+                most = u32::from(most)
+            );
+            self.fault(Slot::Battery, text);
+        }
+        if cells > drive.esc.max_cells {
+            let text = text!(
+                "finding-esc-cells",
+                cells = u32::from(cells),
+                most = u32::from(drive.esc.max_cells)
+            );
+            self.fault(Slot::Esc, text);
+        }
+        let wanted_a = ESC_ROOM * drive.motor.max_current_a;
+        if drive.esc.max_current_a < drive.motor.max_current_a {
+            let text = text!(
+                "finding-esc-current",
+                current = tenths(drive.esc.max_current_a),
+                peak = tenths(drive.motor.max_current_a),
+                wanted = tenths(wanted_a)
+            );
+            self.warning(Slot::Esc, text);
+        }
+    }
+
+    /// Whether it lifts itself, and for how long.
+    fn flies(&mut self, figures: &Figures) {
+        let ratio = figures.thrust_to_weight;
+        let mass = format!("{:.2}", figures.mass_kg);
+        if ratio < LEAST_THRUST {
+            self.fault(
+                Slot::Motor,
+                text!("finding-thrust", ratio = hundredths(ratio), mass = mass),
+            );
+        } else if ratio < GOOD_THRUST {
+            self.warning(
+                Slot::Motor,
+                text!("finding-weak", ratio = hundredths(ratio)),
+            );
+        }
+        let most_a = figures.max_current_a;
+        if !figures.hover_current_a.is_finite() {
+            self.fault(Slot::Battery, text!("finding-collapse"));
+        } else if figures.hover_current_a > most_a {
+            let text = text!(
+                "finding-current",
+                current = tenths(figures.hover_current_a),
+                most = tenths(most_a)
+            );
+            self.fault(Slot::Battery, text);
+        } else if figures.hover_current_a > HOVER_SHARE * most_a {
+            let text = text!(
+                "finding-hover-current",
+                current = tenths(figures.hover_current_a),
+                most = tenths(most_a)
+            );
+            self.warning(Slot::Battery, text);
+        }
+        if let Some(charge) = figures.sags_at
+            && ratio >= LEAST_THRUST
+        {
+            let text = text!(
+                "finding-sag",
+                charge = charge.round() as i64,
+                land = charge.round() as i64 + 5
+            );
+            self.warning(Slot::Battery, text);
+        }
+    }
+
+    /// Whether the power module bears it.
+    fn feeds(&mut self, design: &Design, figures: &Figures) {
+        let Some(part) = design.in_slot(Slot::Power).first() else {
+            return;
+        };
+        let (Spec::Power(module), Some(drive)) = (&part.spec, design.drive()) else {
+            return;
+        };
+        if drive.battery.cells > module.max_cells {
+            let text = text!(
+                "finding-power-cells",
+                cells = u32::from(drive.battery.cells),
+                most = u32::from(module.max_cells)
+            );
+            self.fault(Slot::Power, text);
+        }
+        if figures.hover_current_a > module.max_current_a {
+            let text = text!(
+                "finding-power-current",
+                current = tenths(figures.hover_current_a),
+                most = tenths(module.max_current_a)
+            );
+            self.fault(Slot::Power, text);
+        }
+    }
+}
+
+fn tenths(value: f64) -> String {
+    format!("{value:.1}")
+}
+
+fn hundredths(value: f64) -> String {
+    format!("{value:.2}")
+}

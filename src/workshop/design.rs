@@ -1,0 +1,175 @@
+//! A drone on paper: which part is in which slot. Designs are TOML files that can be shared.
+
+mod file;
+
+use std::collections::BTreeMap;
+
+use super::part::{Battery, Esc, Frame, Motor, Part, Propeller, Radio, Slot, Spec};
+
+pub use file::DesignError;
+
+/// Wires, connectors and mounts of any drone, and what they add to every other gram.
+const WIRING_G: f64 = 60.0;
+const WIRING_SHARE: f64 = 0.03;
+const WIRING_CREDITS: u32 = 15;
+/// Receivers, lights and losses of any drone, in watts.
+const OTHER_POWER_W: f64 = 1.0;
+
+/// A choice of parts. It may be incomplete: what is missing, [`super::Finding`]s tell.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Design {
+    /// What its owner calls it.
+    pub name: String,
+    slots: BTreeMap<Slot, Vec<&'static Part>>,
+}
+
+/// The parts that turn a battery's charge into thrust, once they are all there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Drive<'a> {
+    pub frame: &'a Frame,
+    pub motor: &'a Motor,
+    pub propeller: &'a Propeller,
+    pub esc: &'a Esc,
+    pub battery: &'a Battery,
+    /// Batteries in parallel.
+    pub packs: u8,
+}
+
+impl Design {
+    /// Nothing built in yet.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            slots: BTreeMap::new(),
+        }
+    }
+
+    /// The parts in a slot.
+    pub fn in_slot(&self, slot: Slot) -> &[&'static Part] {
+        self.slots.get(&slot).map_or(&[], Vec::as_slice)
+    }
+
+    /// All parts, slot by slot, each with how many pieces of it the drone has.
+    pub fn pieces(&self) -> impl Iterator<Item = (&'static Part, u32)> {
+        let motors = u32::from(self.motors());
+        self.slots.iter().flat_map(move |(slot, parts)| {
+            let pieces = if slot.is_per_motor() { motors } else { 1 };
+            parts.iter().map(move |part| (*part, pieces))
+        })
+    }
+
+    /// Whether a part of this id is on board.
+    pub fn has(&self, id: &str) -> bool {
+        self.slots.values().flatten().any(|part| part.id == id)
+    }
+
+    /// This design with a part more. In a slot with room for one it takes the place of what is there; so does a battery
+    /// of another kind; any other part that is there already is not added again, unless it is a load.
+    #[must_use]
+    pub fn with(&self, part: &'static Part) -> Self {
+        let slot = part.slot();
+        let mut changed = self.clone();
+        let there = changed.slots.entry(slot).or_default();
+        let replaces = match slot {
+            Slot::Battery => there.iter().any(|other| other.id != part.id),
+            Slot::Payload => false,
+            _ => true,
+        };
+        if replaces {
+            there.clear();
+        }
+        let is_twice = there.iter().any(|other| other.id == part.id);
+        let may_repeat = slot == Slot::Battery || part.is_load();
+        if there.len() < slot.room() && (may_repeat || !is_twice) {
+            there.push(part);
+        }
+        changed
+    }
+
+    /// This design with one piece of a part less.
+    #[must_use]
+    pub fn without(&self, part: &Part) -> Self {
+        let mut changed = self.clone();
+        if let Some(there) = changed.slots.get_mut(&part.slot()) {
+            if let Some(at) = there.iter().rposition(|other| other.id == part.id) {
+                there.remove(at);
+            }
+            if there.is_empty() {
+                changed.slots.remove(&part.slot());
+            }
+        }
+        changed
+    }
+
+    /// How many motors its frame has room for; none without a frame.
+    pub fn motors(&self) -> u8 {
+        self.in_slot(Slot::Frame)
+            .first()
+            .map_or(0, |part| match &part.spec {
+                Spec::Frame(frame) => frame.motors,
+                _ => 0,
+            })
+    }
+
+    /// Mass ready to fly, in kilograms.
+    pub fn mass_kg(&self) -> f64 {
+        let parts: f64 = self
+            .pieces()
+            .map(|(part, pieces)| part.mass_g * f64::from(pieces))
+            .sum();
+        (parts + WIRING_G) * (1.0 + WIRING_SHARE) * 1e-3
+    }
+
+    /// What all its parts cost together, in credits.
+    pub fn credits(&self) -> u32 {
+        let parts: u32 = self
+            .pieces()
+            .map(|(part, pieces)| part.credits * pieces)
+            .sum();
+        parts + WIRING_CREDITS
+    }
+
+    /// What its electronics and sensors draw, in watts.
+    pub fn electronics_w(&self) -> f64 {
+        let parts: f64 = self.pieces().map(|(part, _)| part.power_w).sum();
+        parts + OTHER_POWER_W
+    }
+
+    /// Its drive, once it has a part in each of those slots.
+    pub(super) fn drive(&self) -> Option<Drive<'static>> {
+        let spec = |slot| self.in_slot(slot).first().map(|part| &part.spec);
+        match (
+            spec(Slot::Frame)?,
+            spec(Slot::Motor)?,
+            spec(Slot::Propeller)?,
+            spec(Slot::Esc)?,
+            spec(Slot::Battery)?,
+        ) {
+            (
+                Spec::Frame(frame),
+                Spec::Motor(motor),
+                Spec::Propeller(propeller),
+                Spec::Esc(esc),
+                Spec::Battery(battery),
+            ) => Some(Drive {
+                frame,
+                motor,
+                propeller,
+                esc,
+                battery,
+                packs: self.in_slot(Slot::Battery).len() as u8,
+            }),
+            _ => None,
+        }
+    }
+
+    /// Its radio.
+    pub(super) fn radio(&self) -> Option<&'static Radio> {
+        self.in_slot(Slot::Radio)
+            .first()
+            .and_then(|part| match &part.spec {
+                Spec::Radio(radio) => Some(radio),
+                _ => None,
+            })
+    }
+}

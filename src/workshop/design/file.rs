@@ -1,0 +1,169 @@
+//! Designs as TOML.
+
+use std::fmt::Write as _;
+use std::ops::Range;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::Design;
+use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::workshop::catalogue::{part, parts_for};
+use crate::workshop::part::Slot;
+
+/// The version of the format.
+const SCHEMA: i64 = 1;
+/// Letters of a name.
+const LONGEST_NAME: usize = 40;
+
+/// Why a text is no design: every fault, with its place.
+pub type DesignError = Vec<Diagnostic>;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    schema: Spanned<i64>,
+    name: Spanned<String>,
+    frame: Option<Spanned<String>>,
+    motor: Option<Spanned<String>>,
+    propeller: Option<Spanned<String>>,
+    esc: Option<Spanned<String>>,
+    #[serde(default)]
+    battery: Vec<Spanned<String>>,
+    autopilot: Option<Spanned<String>>,
+    navigation: Option<Spanned<String>>,
+    power: Option<Spanned<String>>,
+    radio: Option<Spanned<String>>,
+    #[serde(default)]
+    payload: Vec<Spanned<String>>,
+}
+
+impl File {
+    fn slots(self) -> [(Slot, Vec<Spanned<String>>); 10] {
+        let one = |part: Option<Spanned<String>>| part.into_iter().collect();
+        [
+            (Slot::Frame, one(self.frame)),
+            (Slot::Motor, one(self.motor)),
+            (Slot::Propeller, one(self.propeller)),
+            (Slot::Esc, one(self.esc)),
+            (Slot::Battery, self.battery),
+            (Slot::Autopilot, one(self.autopilot)),
+            (Slot::Navigation, one(self.navigation)),
+            (Slot::Power, one(self.power)),
+            (Slot::Radio, one(self.radio)),
+            (Slot::Payload, self.payload),
+        ]
+    }
+}
+
+impl Design {
+    /// Reads a design file.
+    ///
+    /// # Errors
+    /// Every fault with its place: what is no TOML, a schema that this program does not know, a part that does not
+    /// exist or belongs into another slot, more parts than a slot takes.
+    pub fn from_toml(source: &str) -> Result<Self, DesignError> {
+        let file: File =
+            toml::from_str(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
+        let mut faults = Vec::new();
+        if *file.schema.get_ref() != SCHEMA {
+            let fault = text!(
+                "design-schema",
+                found = *file.schema.get_ref(),
+                known = SCHEMA
+            );
+            faults.push(Diagnostic::new(file.schema.span(), fault));
+        }
+        let name = file.name.get_ref().trim();
+        if let Err(fault) = checked_name(name) {
+            faults.push(Diagnostic::new(file.name.span(), fault));
+        }
+        let mut design = Self::new(name);
+        for (slot, ids) in file.slots() {
+            for id in ids {
+                match placed(&design, slot, &id) {
+                    Ok(changed) => design = changed,
+                    Err(fault) => faults.push(fault),
+                }
+            }
+        }
+        if faults.is_empty() {
+            Ok(design)
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// This design as a file.
+    pub fn to_toml(&self) -> String {
+        let mut file = format!("schema = {SCHEMA}\nname = {}\n", quoted(&self.name));
+        for slot in Slot::ALL {
+            let ids: Vec<String> = self
+                .in_slot(slot)
+                .iter()
+                .map(|part| quoted(part.id))
+                .collect();
+            let value = match ids.as_slice() {
+                [] => continue,
+                [id] if slot.room() == 1 => id.clone(),
+                ids => format!("[{}]", ids.join(", ")),
+            };
+            // Writing to a String cannot fail.
+            let _ = writeln!(file, "{} = {value}", slot.key());
+        }
+        file
+    }
+}
+
+/// Whether a name can be a design's: something to read, of one line, and not too long for a table.
+pub(super) fn checked_name(name: &str) -> Result<(), crate::text::Text> {
+    let is_fine = !name.is_empty()
+        && name.chars().count() <= LONGEST_NAME
+        && !name.chars().any(char::is_control);
+    if is_fine {
+        Ok(())
+    } else {
+        Err(text!("design-name", most = LONGEST_NAME))
+    }
+}
+
+/// A design with a part more, as a file asks for it.
+fn placed(design: &Design, slot: Slot, id: &Spanned<String>) -> Result<Design, Diagnostic> {
+    let (name, span): (&str, Range<usize>) = (id.get_ref(), id.span());
+    let Some(part) = part(name) else {
+        let fault = text!("design-part", part = name, slot = slot.name());
+        return Err(
+            Diagnostic::new(span, fault).with_nearest(name, parts_for(slot).map(|part| part.id))
+        );
+    };
+    if part.slot() != slot {
+        let fault = text!(
+            "design-slot",
+            part = name,
+            slot = slot.key(),
+            other = part.slot().key()
+        );
+        return Err(Diagnostic::new(span, fault));
+    }
+    let there = design.in_slot(slot);
+    if slot == Slot::Battery && there.iter().any(|other| other.id != part.id) {
+        return Err(Diagnostic::new(span, text!("design-batteries")));
+    }
+    let changed = design.with(part);
+    if changed.in_slot(slot).len() == there.len() {
+        let fault = text!(
+            "design-full",
+            part = name,
+            slot = slot.key(),
+            most = slot.room()
+        );
+        return Err(Diagnostic::new(span, fault));
+    }
+    Ok(changed)
+}
+
+/// A TOML string.
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}

@@ -1,0 +1,295 @@
+//! What follows from a design.
+
+use super::design::{Design, Drive};
+use super::drive::VOLTAGE_SHARE;
+use super::forward::Forward;
+use super::pack::Pack;
+use super::part::Radio;
+
+const GRAVITY_M_S2: f64 = 9.806_65;
+/// Thrust is stated at this charge, in percent: the middle of a flight.
+const MIDDLE_CHARGE: f64 = 60.0;
+/// Nobody leans farther; a drone with little thrust less, for a tenth of it is kept for control.
+const MOST_LEAN_DEG: f64 = 35.0;
+const CONTROL_SHARE: f64 = 0.9;
+/// Speeds that are tried, in steps of half a metre per second.
+const SPEED_STEP_M_S: f64 = 0.5;
+const SPEED_STEPS: u32 = 70;
+/// A link is planned with this much to spare, in decibels.
+const FADE_MARGIN_DB: f64 = 20.0;
+/// The ground antenna stands this high, in metres.
+const GROUND_ANTENNA_M: f64 = 2.0;
+
+/// The air that a drone flies in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Air {
+    /// Metres above sea level.
+    pub altitude_m: f64,
+    /// Of the air, in degrees Celsius.
+    pub temperature_c: f64,
+    /// Of the battery, in degrees Celsius: packs come from a warm bag, unless a mission says otherwise.
+    pub battery_c: f64,
+}
+
+impl Default for Air {
+    /// The standard atmosphere at sea level.
+    fn default() -> Self {
+        Self {
+            altitude_m: 0.0,
+            temperature_c: 15.0,
+            battery_c: 25.0,
+        }
+    }
+}
+
+impl Air {
+    /// Kilograms per cubic metre (standard atmosphere, corrected for the temperature).
+    pub fn density(&self) -> f64 {
+        let standard = 1.225 * (1.0 - 2.255_77e-5 * self.altitude_m).powf(5.2559);
+        standard * 288.15 / (273.15 + self.temperature_c)
+    }
+}
+
+/// What a complete design can do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Figures {
+    /// Ready to fly, in kilograms.
+    pub mass_kg: f64,
+    /// What all parts cost.
+    pub credits: u32,
+    /// Of all motors, at 60 % charge, in newtons.
+    pub max_thrust_n: f64,
+    /// Thrust over weight at 60 % charge.
+    pub thrust_to_weight: f64,
+    /// The same with a full battery.
+    pub thrust_to_weight_full: f64,
+    /// From the battery, with electronics, in watts.
+    pub hover_power_w: f64,
+    /// In the hover at 60 % charge.
+    pub hover_current_a: f64,
+    /// Under that current.
+    pub hover_voltage_v: f64,
+    /// Of the propellers.
+    pub hover_rpm: f64,
+    /// Share of the thrust that the hover needs, with a full battery.
+    pub hover_throttle: f64,
+    /// In the hover with the part of the charge that a flight may use, in seconds.
+    pub hover_time_s: f64,
+    /// In the hover until 80 % of the charge is used, in seconds.
+    pub hover_80_s: f64,
+    /// The charge below which the motors no longer get the voltage for the hover, if it is above the reserve; percent.
+    pub sags_at: Option<f64>,
+    /// Where the least power is taken: longest in the air.
+    pub endurance_speed_m_s: f64,
+    /// At that speed, in seconds.
+    pub longest_s: f64,
+    /// Where the most metres are made.
+    pub range_speed_m_s: f64,
+    /// At that speed without wind, in metres.
+    pub range_m: f64,
+    /// Level, as far as lean and thrust allow.
+    pub top_speed_m_s: f64,
+    /// Battery capacity, in ampere hours.
+    pub capacity_ah: f64,
+    /// Nominal energy of the battery, in watt hours.
+    pub energy_wh: f64,
+    /// The largest current of a climb at full thrust and what the battery gives for long, in amperes.
+    pub max_current_a: f64,
+    /// What could be added until the thrust is 1.8 times the weight, in kilograms; negative: too heavy already.
+    pub spare_kg: f64,
+}
+
+/// How far a radio reaches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Link {
+    /// With 20 dB to spare, from an antenna 2 m high to a drone at a height, in metres.
+    pub range_m: f64,
+}
+
+impl Design {
+    /// What the design can do in some air; `None` while parts of the drive are missing.
+    pub fn figures(&self, air: Air) -> Option<Figures> {
+        let drive = self.drive()?;
+        let bench = Bench::new(self, &drive, air);
+        Some(bench.figures(self))
+    }
+
+    /// What level flight takes, in watts, at each speed from 0 in steps of half a metre per second, as far as the drone
+    /// can fly; empty while parts of the drive are missing.
+    pub fn polar(&self, air: Air) -> Vec<(f64, f64)> {
+        let Some(drive) = self.drive() else {
+            return Vec::new();
+        };
+        let bench = Bench::new(self, &drive, air);
+        let top = bench.top_speed_m_s();
+        speeds()
+            .take_while(|speed| *speed <= top)
+            .map(|speed| (speed, bench.forward.at(speed).power_w))
+            .collect()
+    }
+
+    /// Hover time in seconds over payload added, in kilograms, up to a thrust of 1.3 times the weight.
+    pub fn endurance_by_payload(&self, air: Air) -> Vec<(f64, f64)> {
+        let Some(drive) = self.drive() else {
+            return Vec::new();
+        };
+        let bench = Bench::new(self, &drive, air);
+        let most_kg = bench.max_thrust_n(MIDDLE_CHARGE) / (1.3 * GRAVITY_M_S2) - bench.mass_kg();
+        let steps = 20;
+        (0..=steps)
+            .map(|step| most_kg.max(0.0) * f64::from(step) / f64::from(steps))
+            .map(|added_kg| (added_kg, bench.hover_time_s(bench.mass_kg() + added_kg)))
+            .collect()
+    }
+
+    /// How far the radio reaches to a drone at a height; `None` without one.
+    pub fn link(&self, height_m: f64) -> Option<Link> {
+        self.radio().map(|radio| Link {
+            range_m: radio.range_m(height_m),
+        })
+    }
+}
+
+/// Everything that is computed from, once.
+struct Bench<'a> {
+    drive: &'a Drive<'a>,
+    pack: Pack,
+    forward: Forward<'a>,
+}
+
+impl<'a> Bench<'a> {
+    fn new(design: &Design, drive: &'a Drive<'a>, air: Air) -> Self {
+        let density = air.density();
+        let mass_kg = design.mass_kg();
+        let electronics_w = design.electronics_w();
+        let hover = drive.hovering(mass_kg, density);
+        Self {
+            drive,
+            pack: Pack::of(drive, air.battery_c),
+            forward: Forward {
+                drive,
+                mass_kg,
+                density,
+                electronics_w,
+                hover,
+                hover_power_w: drive.hover_power_w(&hover, electronics_w),
+            },
+        }
+    }
+
+    fn mass_kg(&self) -> f64 {
+        self.forward.mass_kg
+    }
+
+    fn max_thrust_n(&self, charge: f64) -> f64 {
+        let forward = &self.forward;
+        self.drive
+            .max_thrust_n(&self.pack, charge, forward.electronics_w, forward.density)
+    }
+
+    /// In the hover with more mass than the drone has.
+    fn hover_time_s(&self, mass_kg: f64) -> f64 {
+        let hover = self.drive.hovering(mass_kg, self.forward.density);
+        let power_w = self.drive.hover_power_w(&hover, self.forward.electronics_w);
+        let needed_v = hover.volts / VOLTAGE_SHARE;
+        self.pack.lasts(power_w, self.pack.usable, needed_v).0
+    }
+
+    fn top_speed_m_s(&self) -> f64 {
+        let weight_n = self.mass_kg() * GRAVITY_M_S2;
+        let thrust_n = CONTROL_SHARE * self.max_thrust_n(MIDDLE_CHARGE);
+        if thrust_n <= weight_n {
+            return 0.0;
+        }
+        let lean_deg = (weight_n / thrust_n).acos().to_degrees().min(MOST_LEAN_DEG);
+        speeds()
+            .take_while(|speed| self.forward.at(*speed).lean_deg <= lean_deg)
+            .last()
+            .unwrap_or_default()
+    }
+
+    /// The speed with the most of something.
+    fn best(&self, worth: impl Fn(f64, f64) -> f64) -> (f64, f64) {
+        let top = self.top_speed_m_s().max(SPEED_STEP_M_S);
+        speeds()
+            .take_while(|speed| *speed <= top)
+            .map(|speed| {
+                let power_w = self.forward.at(speed).power_w;
+                (speed, worth(speed, self.lasts_s(power_w)))
+            })
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or_default()
+    }
+
+    fn lasts_s(&self, power_w: f64) -> f64 {
+        self.pack.lasts(power_w, self.pack.usable, 0.0).0
+    }
+
+    fn figures(&self, design: &Design) -> Figures {
+        let weight_n = self.mass_kg() * GRAVITY_M_S2;
+        let (hover, power_w) = (self.forward.hover, self.forward.hover_power_w);
+        let needed_v = hover.volts / VOLTAGE_SHARE;
+        let loaded = self.pack.loaded(MIDDLE_CHARGE, power_w);
+        let (hover_time_s, end) = self.pack.lasts(power_w, self.pack.usable, needed_v);
+        let reserve = 100.0 * (1.0 - self.pack.usable);
+        let max_thrust_n = self.max_thrust_n(MIDDLE_CHARGE);
+        let full = self.max_thrust_n(100.0) / weight_n;
+        let (endurance_speed_m_s, longest_s) = self.best(|_, lasts_s| lasts_s);
+        let (range_speed_m_s, range_m) = self.best(|speed, lasts_s| speed * lasts_s);
+        Figures {
+            mass_kg: self.mass_kg(),
+            credits: design.credits(),
+            max_thrust_n,
+            thrust_to_weight: max_thrust_n / weight_n,
+            thrust_to_weight_full: full,
+            hover_power_w: power_w,
+            hover_current_a: loaded.map_or(f64::INFINITY, |loaded| loaded.amperes),
+            hover_voltage_v: loaded.map_or(0.0, |loaded| loaded.volts),
+            hover_rpm: hover.rpm,
+            hover_throttle: 1.0 / full,
+            hover_time_s,
+            hover_80_s: self.pack.lasts(power_w, 0.8, needed_v).0,
+            sags_at: (end > reserve + 0.25).then_some(end),
+            endurance_speed_m_s,
+            longest_s,
+            range_speed_m_s,
+            range_m,
+            top_speed_m_s: self.top_speed_m_s(),
+            capacity_ah: self.pack.capacity_ah,
+            energy_wh: self.pack.energy_wh(),
+            max_current_a: self.pack.max_current_a,
+            spare_kg: max_thrust_n / (1.8 * GRAVITY_M_S2) - self.mass_kg(),
+        }
+    }
+}
+
+impl Figures {
+    /// How far out and back along a wind, in metres: `t (v^2 - w^2) / 2 v` at the speed of the longest range; zero
+    /// where the wind is as fast.
+    pub fn radius_m(&self, wind_m_s: f64) -> f64 {
+        let speed = self.range_speed_m_s;
+        let time_s = self.range_m / speed.max(SPEED_STEP_M_S);
+        (time_s * (speed * speed - wind_m_s * wind_m_s) / (2.0 * speed.max(SPEED_STEP_M_S)))
+            .max(0.0)
+    }
+}
+
+impl Radio {
+    /// The farthest distance whose loss still leaves the fade margin; loss is the larger of free space (ITU-R P.525) and
+    /// the two-ray model.
+    fn range_m(&self, height_m: f64) -> f64 {
+        let budget_db = self.power_dbm + self.air_dbi + self.ground_dbi
+            - self.losses_db
+            - self.sensitivity_dbm
+            - FADE_MARGIN_DB;
+        let free_m =
+            10f64.powf((budget_db - 32.44 - 20.0 * self.frequency_mhz.log10()) / 20.0) * 1e3;
+        let heights = (height_m.max(0.3) * GROUND_ANTENNA_M).log10();
+        let two_ray_m = 10f64.powf((budget_db + 20.0 * heights) / 40.0);
+        free_m.min(two_ray_m)
+    }
+}
+
+fn speeds() -> impl Iterator<Item = f64> {
+    (0..SPEED_STEPS).map(|step| f64::from(step) * SPEED_STEP_M_S)
+}

@@ -1,0 +1,292 @@
+//! What can be built in: one [`Part`] of the catalogue, and the [`Slot`]s of a drone.
+
+use crate::text;
+use crate::text::Text;
+
+/// A place of a drone that parts go into. The order is that of building.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Slot {
+    /// Arms, hubs, legs.
+    Frame,
+    /// One per arm.
+    Motor,
+    /// One per motor.
+    Propeller,
+    /// Speed controllers, one per motor.
+    Esc,
+    /// One or several of one kind, in parallel.
+    Battery,
+    /// The flight controller.
+    Autopilot,
+    /// Satellite navigation and compass.
+    Navigation,
+    /// Feeds the electronics and measures the battery.
+    Power,
+    /// The link to the ground.
+    Radio,
+    /// Sensors, droppers, and what they drop.
+    Payload,
+}
+
+impl Slot {
+    /// All of them.
+    pub const ALL: [Self; 10] = [
+        Self::Frame,
+        Self::Motor,
+        Self::Propeller,
+        Self::Esc,
+        Self::Battery,
+        Self::Autopilot,
+        Self::Navigation,
+        Self::Power,
+        Self::Radio,
+        Self::Payload,
+    ];
+
+    /// Its key in a design file.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Frame => "frame",
+            Self::Motor => "motor",
+            Self::Propeller => "propeller",
+            Self::Esc => "esc",
+            Self::Battery => "battery",
+            Self::Autopilot => "autopilot",
+            Self::Navigation => "navigation",
+            Self::Power => "power",
+            Self::Radio => "radio",
+            Self::Payload => "payload",
+        }
+    }
+
+    /// Its name for people.
+    pub fn name(self) -> Text {
+        match self {
+            Self::Frame => text!("slot-frame"),
+            Self::Motor => text!("slot-motor"),
+            Self::Propeller => text!("slot-propeller"),
+            Self::Esc => text!("slot-esc"),
+            Self::Battery => text!("slot-battery"),
+            Self::Autopilot => text!("slot-autopilot"),
+            Self::Navigation => text!("slot-navigation"),
+            Self::Power => text!("slot-power"),
+            Self::Radio => text!("slot-radio"),
+            Self::Payload => text!("slot-payload"),
+        }
+    }
+
+    /// How many parts it takes.
+    pub fn room(self) -> usize {
+        match self {
+            Self::Battery => 4,
+            Self::Payload => 16,
+            _ => 1,
+        }
+    }
+
+    /// Whether a drone has one for each motor.
+    pub fn is_per_motor(self) -> bool {
+        matches!(self, Self::Motor | Self::Propeller | Self::Esc)
+    }
+
+    /// Whether no drone flies without it.
+    pub fn is_required(self) -> bool {
+        self != Self::Payload
+    }
+}
+
+/// A kind of part. Masses, prices and powers are of one piece.
+#[derive(Debug, PartialEq)]
+pub struct Part {
+    /// Its id in designs and mission files.
+    pub id: &'static str,
+    /// Grams.
+    pub mass_g: f64,
+    /// What one costs.
+    pub credits: u32,
+    /// What it draws when it works, in watts; motors not counted.
+    pub power_w: f64,
+    pub(super) spec: Spec,
+}
+
+/// What only some kinds of parts have.
+#[derive(Debug, PartialEq)]
+pub(super) enum Spec {
+    Frame(Frame),
+    Motor(Motor),
+    Propeller(Propeller),
+    Esc(Esc),
+    Battery(Battery),
+    Autopilot,
+    Navigation,
+    Power(PowerModule),
+    Radio(Radio),
+    /// A sensor, a dropper or a light.
+    Payload,
+    /// Something to drop; several may be carried.
+    Load,
+}
+
+#[derive(Debug, PartialEq)]
+pub(super) struct Frame {
+    pub motors: u8,
+    /// Between opposite motors.
+    pub wheelbase_m: f64,
+    pub largest_propeller_in: f64,
+    /// Drag coefficient times area.
+    pub drag_area_m2: f64,
+    /// The share of the thrust that the air pushing on the arms takes.
+    pub download: f64,
+}
+
+#[derive(Debug, PartialEq)]
+pub(super) struct Motor {
+    pub kv_rpm_v: f64,
+    pub resistance_ohm: f64,
+    pub idle_current_a: f64,
+    pub max_current_a: f64,
+    pub max_power_w: f64,
+    /// Fewest and most cells of its battery.
+    pub cells: (u8, u8),
+}
+
+#[derive(Debug, PartialEq)]
+pub(super) struct Propeller {
+    pub diameter_in: f64,
+    pub pitch_in: f64,
+    /// `C_T` of `T = C_T rho n^2 D^4`, n in turns per second.
+    pub thrust: f64,
+    /// `C_P` of `P = C_P rho n^3 D^5`.
+    pub power: f64,
+    pub max_rpm: f64,
+}
+
+#[derive(Debug, PartialEq)]
+pub(super) struct Esc {
+    pub max_current_a: f64,
+    pub max_cells: u8,
+    pub efficiency: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Chemistry {
+    Polymer,
+    Ion,
+}
+
+#[derive(Debug, PartialEq)]
+pub(super) struct Battery {
+    pub chemistry: Chemistry,
+    pub cells: u8,
+    pub capacity_ah: f64,
+    /// The largest current that it can give for long, as a multiple of its capacity.
+    pub c_rate: f64,
+    /// Of one of the cells in series.
+    pub cell_resistance_ohm: f64,
+}
+
+#[derive(Debug, PartialEq)]
+pub(super) struct PowerModule {
+    pub max_cells: u8,
+    pub max_current_a: f64,
+}
+
+#[derive(Debug, PartialEq)]
+pub(super) struct Radio {
+    pub power_dbm: f64,
+    pub frequency_mhz: f64,
+    /// The weakest signal that it can read.
+    pub sensitivity_dbm: f64,
+    pub air_dbi: f64,
+    pub ground_dbi: f64,
+    /// Cables, bodies in the way, antennas that point elsewhere.
+    pub losses_db: f64,
+}
+
+impl Part {
+    pub(super) const fn new(id: &'static str, (mass_g, credits): (f64, u32), spec: Spec) -> Self {
+        Self {
+            id,
+            mass_g,
+            credits,
+            power_w: 0.0,
+            spec,
+        }
+    }
+
+    /// The slot that it goes into.
+    pub fn slot(&self) -> Slot {
+        match self.spec {
+            Spec::Frame(_) => Slot::Frame,
+            Spec::Motor(_) => Slot::Motor,
+            Spec::Propeller(_) => Slot::Propeller,
+            Spec::Esc(_) => Slot::Esc,
+            Spec::Battery(_) => Slot::Battery,
+            Spec::Autopilot => Slot::Autopilot,
+            Spec::Navigation => Slot::Navigation,
+            Spec::Power(_) => Slot::Power,
+            Spec::Radio(_) => Slot::Radio,
+            Spec::Payload | Spec::Load => Slot::Payload,
+        }
+    }
+
+    /// Whether it is used up: several of it may be on board.
+    pub fn is_load(&self) -> bool {
+        matches!(self.spec, Spec::Load)
+    }
+
+    /// Its name for people: what the trade calls it by its figures, or a name of its own.
+    pub fn name(&self) -> Text {
+        match &self.spec {
+            Spec::Motor(motor) => {
+                text!("part-motor", size = self.size(), kv = whole(motor.kv_rpm_v))
+            }
+            Spec::Propeller(_) => self.propeller_name(),
+            Spec::Battery(battery) => battery.name(),
+            _ => Text::new(self.id, Vec::new()),
+        }
+    }
+
+    /// The size of a motor's stator, from its id: `m2212_920` is 22 mm wide and 12 mm high.
+    fn size(&self) -> &'static str {
+        let size = self.id.trim_start_matches('m');
+        size.split_once('_').map_or(size, |(size, _)| size)
+    }
+
+    /// `10x4.5`, with its make where one size has several.
+    fn propeller_name(&self) -> Text {
+        let size = self.id.trim_start_matches('p');
+        if let Some(size) = size.strip_suffix("cf") {
+            text!("part-propeller-carbon", size = size)
+        } else if let Some(size) = size.strip_suffix('f') {
+            text!("part-propeller-folding", size = size)
+        } else if let Some(size) = size.strip_suffix('p') {
+            text!("part-propeller-plastic", size = size)
+        } else {
+            text!("part-propeller", size = size)
+        }
+    }
+}
+
+impl Battery {
+    fn name(&self) -> Text {
+        let cells = u32::from(self.cells);
+        let capacity = format!("{}", self.capacity_ah);
+        let rate = format!("{}", self.c_rate);
+        match self.chemistry {
+            Chemistry::Polymer => {
+                text!("part-lipo", cells = cells, capacity = capacity, rate = rate)
+            }
+            Chemistry::Ion => text!(
+                "part-liion",
+                cells = cells,
+                capacity = capacity,
+                rate = rate
+            ),
+        }
+    }
+}
+
+fn whole(value: f64) -> i64 {
+    value.round() as i64
+}
