@@ -393,9 +393,10 @@ fn radios_reach_as_far_as_their_budget() {
         let drone = Design::new("radio").with(part(radio).expect("known"));
         for (height_m, wanted_m) in [(10.0, low_m), (50.0, high_m)] {
             let found_m = drone.link(height_m).expect("a radio").range_m;
-            let error: f64 = (found_m - wanted_m) / wanted_m;
+            let error_m: f64 = found_m - wanted_m;
+            // Worked out to a hundred metres.
             assert!(
-                error.abs() < 0.06,
+                error_m.abs() < 75.0,
                 "{radio} at {height_m} m: {found_m:.0} m"
             );
         }
