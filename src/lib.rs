@@ -27,6 +27,7 @@
 //! - Text from a vehicle is cleaned of control characters before it reaches the model.
 
 pub mod app;
+pub mod campaign;
 pub mod cli;
 pub mod commands;
 pub mod config;

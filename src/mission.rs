@@ -169,6 +169,21 @@ impl Origin {
 }
 
 impl Mission {
+    /// Id and kind of each objective, in order.
+    pub fn objective_kinds(&self) -> impl Iterator<Item = (&str, &str)> {
+        let objectives = self.objectives.iter();
+        objectives.map(|objective| (objective.id.as_str(), objective.kind_name.as_str()))
+    }
+
+    /// Whether something can happen that wants an answer.
+    pub fn has_alerts(&self) -> bool {
+        let is_question =
+            |action: &event::Action| matches!(action, event::Action::Alert { ok: Some(_), .. });
+        self.events
+            .iter()
+            .any(|event| event.actions.iter().any(is_question))
+    }
+
     /// Reads a mission file.
     ///
     /// # Errors

@@ -341,6 +341,7 @@ fn objective(
     let mandatory = take_optional::<bool>(table, "mandatory", faults).unwrap_or(false);
     let (id, place) = (section.id.get_ref().clone(), section.id.span());
     draft.objective.clone_from(&id);
+    let kind_name = section.kind.get_ref().clone();
     let kind = by_kind("objective", section, super::objective::KINDS, draft, faults)?;
     draft.surveys.extend(kind.survey().cloned());
     let drawn = kind.place_names();
@@ -355,6 +356,7 @@ fn objective(
         title: faults.written(title?, title_uk, "title_uk"),
         value: faults.number(&value?, 0.1..=1000.0, "value"),
         mandatory,
+        kind_name,
         kind,
     })
 }

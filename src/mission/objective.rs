@@ -42,6 +42,8 @@ pub(crate) struct Objective {
     pub value: f64,
     /// Whether the mission fails without it.
     pub mandatory: bool,
+    /// What its kind is called in mission files.
+    pub kind_name: String,
     pub kind: Box<dyn Kind>,
 }
 

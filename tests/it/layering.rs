@@ -18,6 +18,7 @@ const PURE: &[&[&str]] = &[
     &["session", "sim", "swarm"],
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
+    &["campaign"],
     &["headless"],
 ];
 /// Modules with input and output: they may use pure ones, and those before them.

@@ -1,0 +1,86 @@
+//! A trainee's career: what is unlocked, earned, owned and known.
+//!
+//! A career is a history of [`Entry`]s, flights and purchases, that only grows. Everything else follows from it:
+//! [`Standing::of`] folds a history into credits, experience, licences, parts and skills, so that nothing can
+//! contradict itself and a formula can be mended for past flights too. What each figure came from can be told.
+
+mod course;
+mod daily;
+mod economy;
+mod knowledge;
+mod skill;
+mod standing;
+#[cfg(test)]
+mod tests;
+
+pub use course::{Course, Offer, Reason, Stage};
+pub use daily::{daily_seed, exam_seed};
+pub use economy::{STARTER_PARTS, licence_price};
+pub use knowledge::{Knowledge, Mastery};
+pub use skill::{Evidence, Skill};
+pub use standing::{Best, PartState, Refusal, Standing};
+
+use serde::{Deserialize, Serialize};
+
+use crate::scoring::Medal;
+
+/// Something that a career keeps for good.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", tag = "entry")]
+pub enum Entry {
+    /// A finished flight.
+    Flight(Flight),
+    /// A licence to use a part.
+    Purchase(Purchase),
+}
+
+/// How a flight counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stake {
+    /// For medals, credits and experience, on a layout of its own.
+    Graded,
+    /// With a seed that the trainee chose: for practice only.
+    Practice,
+    /// With the seed of the exam, without hints and pauses.
+    Exam,
+}
+
+/// A finished flight, as far as a career is concerned. What the mission offered is kept with it: a mission that is
+/// changed later changes no past.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Flight {
+    /// Id of the mission.
+    pub mission: String,
+    /// The mission that it is a drill for.
+    pub drill_of: Option<String>,
+    /// Tier of its experience, 0 to 3.
+    pub tier: u8,
+    /// Credits for a perfect first pass.
+    pub reward: u32,
+    /// How many vehicles flew.
+    pub vehicles: u8,
+    /// How it counts.
+    pub stake: Stake,
+    /// The day on which it ended, in days since 1970 (UTC).
+    pub day: i64,
+    /// 0 to 1000.
+    pub score: u16,
+    /// Whether all mandatory objectives were met.
+    pub passed: bool,
+    /// The medal.
+    pub medal: Option<Medal>,
+    /// What it tells of the trainee's skills, in order.
+    pub evidence: Vec<Evidence>,
+    /// What was worn, lost or used up of own parts, in credits.
+    pub wear: u32,
+}
+
+/// The right to use a kind of part.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Purchase {
+    /// Id of the part.
+    pub part: String,
+    /// What it cost.
+    pub credits: u32,
+}

@@ -1,0 +1,226 @@
+//! The missions of a campaign, and which of them somebody may fly.
+
+use super::{Mastery, Skill, Standing};
+use crate::mission::{Mission, Requires, Unlock};
+use crate::scoring::Medal;
+use crate::text;
+use crate::text::Text;
+
+/// A mission as a campaign sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Offer {
+    /// Its id.
+    pub id: String,
+    /// Its name for people.
+    pub title: Text,
+    /// Difficulty, 0 to 3.
+    pub tier: u8,
+    /// How many drones it takes.
+    pub vehicles: u8,
+    /// The mission that it is a drill for.
+    pub drill_of: Option<String>,
+    /// What has to be shown before.
+    pub requires: Requires,
+    /// Credits for a perfect first pass.
+    pub credits: u32,
+    /// Parts that passing it puts on sale.
+    pub parts: Vec<String>,
+    /// What it trains.
+    pub skills: Vec<Skill>,
+}
+
+/// All missions of a campaign, in their order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Course {
+    offers: Vec<Offer>,
+}
+
+/// Whether a mission may be flown.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stage {
+    /// Not yet, and why.
+    Locked(Vec<Reason>),
+    /// Not passed yet.
+    Open,
+    /// Passed, with the best medal.
+    Passed(Option<Medal>),
+}
+
+/// Why a mission is not on offer yet.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reason {
+    /// Another mission has to be passed.
+    Pass(Text),
+    /// Another mission needs a medal at least.
+    Medal(Text, Medal),
+    /// A skill has to be this likely, in percent, and is that.
+    Skill(Skill, u8, u8),
+    /// It takes so many drones, and the licence is for that many.
+    Licence(u8, u8),
+}
+
+impl Reason {
+    /// In words: what to do.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::Pass(title) => text!("locked-pass", mission = title.clone()),
+            Self::Medal(title, medal) => {
+                text!(
+                    "locked-medal",
+                    mission = title.clone(),
+                    medal = medal.title()
+                )
+            }
+            Self::Skill(skill, wanted, has) => text!(
+                "locked-skill",
+                skill = skill.title(),
+                wanted = u32::from(*wanted),
+                has = u32::from(*has)
+            ),
+            Self::Licence(wanted, has) => text!(
+                "locked-licence",
+                wanted = u32::from(*wanted),
+                has = u32::from(*has)
+            ),
+        }
+    }
+}
+
+impl Offer {
+    /// A mission's offer.
+    pub fn of(mission: &Mission) -> Self {
+        let parts = mission
+            .rewards
+            .unlock
+            .iter()
+            .filter_map(|unlock| match unlock {
+                Unlock::Part(id) => Some(id.clone()),
+                Unlock::Mission(_) | Unlock::Threat(_) => None,
+            });
+        let mut skills: Vec<Skill> = mission
+            .objective_kinds()
+            .filter_map(|(_, kind)| Skill::of_objective(kind))
+            .chain([Skill::K2, Skill::K4])
+            .chain((mission.vehicles > 1).then_some(Skill::K10))
+            .chain(mission.has_alerts().then_some(Skill::K8))
+            .collect();
+        skills.sort_unstable();
+        skills.dedup();
+        Self {
+            id: mission.id.clone(),
+            title: mission.title.clone(),
+            tier: mission.tier,
+            vehicles: mission.vehicles as u8,
+            drill_of: mission.drill_of.clone(),
+            requires: mission.requires.clone(),
+            credits: mission.rewards.credits,
+            parts: parts.collect(),
+            skills,
+        }
+    }
+}
+
+impl Course {
+    /// A course of missions.
+    pub fn new(offers: impl IntoIterator<Item = Offer>) -> Self {
+        Self {
+            offers: offers.into_iter().collect(),
+        }
+    }
+
+    /// The missions, in their order.
+    pub fn offers(&self) -> &[Offer] {
+        &self.offers
+    }
+
+    /// The mission of an id.
+    pub fn offer(&self, id: &str) -> Option<&Offer> {
+        self.offers.iter().find(|offer| offer.id == id)
+    }
+
+    /// Where somebody stands with a mission on a day. A drill is open with the mission that it is for.
+    pub fn stage(&self, offer: &Offer, standing: &Standing, day: i64) -> Stage {
+        if let Some(best) = standing
+            .best(&offer.id)
+            .filter(|best| best.passed.is_some())
+        {
+            return Stage::Passed(best.medal);
+        }
+        let asked = offer
+            .drill_of
+            .as_deref()
+            .and_then(|mission| self.offer(mission))
+            .unwrap_or(offer);
+        let reasons = self.reasons(asked, standing, day);
+        if reasons.is_empty() {
+            Stage::Open
+        } else {
+            Stage::Locked(reasons)
+        }
+    }
+
+    fn reasons(&self, offer: &Offer, standing: &Standing, day: i64) -> Vec<Reason> {
+        let title = |id: &String| {
+            let known = self.offer(id).map(|offer| offer.title.clone());
+            known.unwrap_or_else(|| Text::verbatim(id.clone()))
+        };
+        let passes = offer
+            .requires
+            .missions
+            .iter()
+            .filter(|id| !standing.has_passed(id));
+        let medals = offer.requires.medals.iter().filter(|(id, medal)| {
+            let best = standing.best(id).and_then(|best| best.medal);
+            best.is_none_or(|best| best < **medal)
+        });
+        let skills = offer.requires.skills.iter().filter_map(|(code, wanted)| {
+            let skill = Skill::of(code)?;
+            let chance = standing.skill(skill).chance(day);
+            (chance < *wanted).then(|| Reason::Skill(skill, percent(*wanted), percent(chance)))
+        });
+        let licence = standing.licence();
+        let licence =
+            (offer.vehicles > licence).then_some(Reason::Licence(offer.vehicles, licence));
+        passes
+            .map(|id| Reason::Pass(title(id)))
+            .chain(medals.map(|(id, medal)| Reason::Medal(title(id), *medal)))
+            .chain(skills)
+            .chain(licence)
+            .collect()
+    }
+
+    /// What to train next, and the mission that trains it best among those that may be flown: a skill that is due, else the
+    /// least likely one. Drills come first for a skill that is shaky, whole missions for one that grows.
+    pub fn next(&self, standing: &Standing, day: i64) -> Option<(Skill, &Offer)> {
+        let open = |offer: &&Offer| !matches!(self.stage(offer, standing, day), Stage::Locked(_));
+        let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
+            .into_iter()
+            .map(|skill| {
+                let known = standing.skill(skill);
+                (known.mastery(day) != Mastery::Due, known.chance(day), skill)
+            })
+            .collect();
+        skills.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        skills.into_iter().find_map(|(_, chance, skill)| {
+            let trains = self
+                .offers
+                .iter()
+                .filter(open)
+                .filter(|offer| offer.skills.contains(&skill));
+            // A new mission before a known one; among equals the easiest.
+            let best = trains.min_by_key(|offer| {
+                let is_known = standing.has_passed(&offer.id);
+                let is_drill = offer.drill_of.is_some();
+                (is_known, is_drill != (chance < SHAKY), offer.tier)
+            });
+            best.map(|offer| (skill, offer))
+        })
+    }
+}
+
+/// Below this, a skill is better drilled than used.
+const SHAKY: f64 = 0.4;
+
+fn percent(share: f64) -> u8 {
+    (share * 100.0).floor().clamp(0.0, 100.0) as u8
+}

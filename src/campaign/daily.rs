@@ -1,0 +1,23 @@
+//! Seeds that everybody has in common.
+
+/// The seed of a day (days since 1970, UTC): the same for all trainees, another one tomorrow.
+pub fn daily_seed(day: i64) -> u64 {
+    mixed(day as u64 ^ 0x7361_696c_7964_6179)
+}
+
+/// The seed of a mission's exam: the same for all trainees and for good, until the mission is revised.
+pub fn exam_seed(mission: &str, revision: u32) -> u64 {
+    mission
+        .bytes()
+        .fold(mixed(u64::from(revision)), |seed, byte| {
+            mixed(seed ^ u64::from(byte))
+        })
+}
+
+/// Neighbours go far apart (the finaliser of `SplitMix64`). Small enough to be typed.
+fn mixed(value: u64) -> u64 {
+    let value = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let value = (value ^ (value >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let value = (value ^ (value >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    (value ^ (value >> 31)) % 1_000_000
+}

@@ -1,0 +1,82 @@
+//! Credits and experience.
+
+use super::{Flight, Stake};
+
+/// What a career begins with.
+pub(super) const START_CREDITS: u32 = 500;
+/// The right to use a part costs this share of its price.
+const LICENCE_SHARE: f64 = 0.4;
+/// Of a first pass's reward, this much is for passing, the rest for the score.
+const FOR_PASSING: f64 = 0.5;
+/// Experience of a perfect flight of tier 1; tier 0 counts as half of it.
+const EXPERIENCE: f64 = 150.0;
+const NEW_BEST: f64 = 1.25;
+/// The first flight of a day that refreshes a skill that is due.
+const DUE_SKILL: f64 = 1.2;
+/// A flight that is worse than the best one still teaches something.
+const REPEAT: f64 = 0.25;
+/// Level n needs `LEVEL * n^1.5`.
+const LEVEL: f64 = 250.0;
+
+/// The parts that everybody may use from the start: a small quad that carries a particle counter.
+pub const STARTER_PARTS: [&str; 10] = [
+    "fr_450q",
+    "m2212_920",
+    "p10x4.5p",
+    "b3s5000",
+    "e30opto",
+    "fc_h7",
+    "gps_m8n",
+    "pm_02",
+    "r_sik915",
+    "s_voc",
+];
+
+/// What the right to use a part of a price costs, in credits.
+pub fn licence_price(credits: u32) -> u32 {
+    (f64::from(credits) * LICENCE_SHARE).ceil() as u32
+}
+
+/// Credits for a flight, with the best score of the passes before it at the mission, if there is one: all for the first pass,
+/// after that only for what is better than ever. Practice and drills earn none.
+pub(super) fn pay(flight: &Flight, best: Option<u16>) -> u32 {
+    if !flight.passed || flight.stake == Stake::Practice {
+        return 0;
+    }
+    let reward = f64::from(flight.reward);
+    let share = match best {
+        None => FOR_PASSING + (1.0 - FOR_PASSING) * thousandths(flight.score),
+        Some(best) => thousandths(flight.score.saturating_sub(best)),
+    };
+    (reward * share).round() as u32
+}
+
+/// Experience for a flight.
+pub(super) fn experience(flight: &Flight, best: Option<u16>, refreshes: bool) -> u32 {
+    if flight.stake == Stake::Practice {
+        return 0;
+    }
+    let tier = f64::from(flight.tier).max(0.5);
+    let is_best = best.is_none_or(|best| flight.score > best);
+    let worth = match (best, is_best) {
+        (_, true) => NEW_BEST,
+        (Some(_), false) => REPEAT,
+        (None, false) => 1.0,
+    };
+    let due = if refreshes { DUE_SKILL } else { 1.0 };
+    (EXPERIENCE * tier * thousandths(flight.score) * worth * due).round() as u32
+}
+
+/// The level that an experience makes.
+pub(super) fn level(experience: u64) -> u32 {
+    (experience as f64 / LEVEL).powf(2.0 / 3.0).floor() as u32
+}
+
+/// The experience that a level needs.
+pub(super) fn level_experience(level: u32) -> u64 {
+    (LEVEL * f64::from(level).powf(1.5)).ceil() as u64
+}
+
+fn thousandths(score: u16) -> f64 {
+    f64::from(score.min(1000)) / 1000.0
+}

@@ -1,0 +1,148 @@
+//! How likely a skill is mastered: Bayesian knowledge tracing (Corbett and Anderson 1995) with forgetting.
+
+use std::collections::BTreeSet;
+
+use super::Skill;
+
+/// Before anything was seen.
+const START: f64 = 0.20;
+/// Of an opportunity that was missed although the skill is there.
+const SLIP: f64 = 0.08;
+/// Of one that was met by luck; less so in hard missions.
+const GUESS: f64 = 0.20;
+const GUESS_HARD: f64 = 0.10;
+const HARD_TIER: u8 = 3;
+/// Each opportunity teaches.
+const LEARN: f64 = 0.12;
+/// What is left of everything forgotten.
+const FLOOR: f64 = 0.15;
+/// Days after which half is forgotten; each review in time makes it longer.
+const HALF_LIFE_DAYS: f64 = 14.0;
+const REVIEW_GROWTH: f64 = 1.8;
+const LONGEST_HALF_LIFE_DAYS: f64 = 180.0;
+/// What mastery asks for.
+const MASTERED: f64 = 0.95;
+const OPPORTUNITIES: u32 = 4;
+const MISSIONS: usize = 2;
+const DAYS: usize = 2;
+/// A mastered skill is due when it is less likely than this.
+const DUE: f64 = 0.80;
+/// An outcome of this much counts as a success.
+const SUCCESS: f64 = 0.5;
+
+/// What is known of one skill.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Knowledge {
+    chance: f64,
+    last_day: i64,
+    opportunities: u32,
+    missions: BTreeSet<String>,
+    days: BTreeSet<i64>,
+    reviews: i32,
+    was_mastered: bool,
+}
+
+/// Where somebody stands with a skill.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mastery {
+    /// Never shown.
+    Unknown,
+    /// On the way.
+    Learning,
+    /// Likely and shown often, in several missions, on several days.
+    Mastered,
+    /// Mastered once, and to be refreshed.
+    Due,
+}
+
+impl Default for Knowledge {
+    fn default() -> Self {
+        Self {
+            chance: START,
+            last_day: 0,
+            opportunities: 0,
+            missions: BTreeSet::new(),
+            days: BTreeSet::new(),
+            reviews: 0,
+            was_mastered: false,
+        }
+    }
+}
+
+impl Knowledge {
+    /// How likely the skill is there on a day, 0 to 1.
+    pub fn chance(&self, day: i64) -> f64 {
+        if self.opportunities == 0 {
+            return START;
+        }
+        let idle_days = (day - self.last_day).max(0) as f64;
+        let left = 2f64.powf(-idle_days / self.half_life_days());
+        FLOOR + (self.chance - FLOOR).max(0.0) * left
+    }
+
+    /// Where its owner stands on a day.
+    pub fn mastery(&self, day: i64) -> Mastery {
+        if self.opportunities == 0 {
+            Mastery::Unknown
+        } else if self.was_mastered && self.is_due(day) {
+            Mastery::Due
+        } else if self.was_mastered {
+            Mastery::Mastered
+        } else {
+            Mastery::Learning
+        }
+    }
+
+    /// The day on which it will be due, if it was mastered once.
+    pub fn due_day(&self) -> Option<i64> {
+        if !self.was_mastered {
+            return None;
+        }
+        // By the formula, not by trying days: where chance(day) falls to DUE, and no later than the half-life.
+        let above = (self.chance - FLOOR).max(1e-9) / (DUE - FLOOR);
+        let days = self.half_life_days() * above.log2().clamp(0.0, 1.0);
+        Some(self.last_day + days.ceil() as i64)
+    }
+
+    /// How often it could be shown.
+    pub fn opportunities(&self) -> u32 {
+        self.opportunities
+    }
+
+    /// In how many missions it was shown.
+    pub fn missions(&self) -> usize {
+        self.missions.len()
+    }
+
+    /// What an opportunity with an outcome of 0 to 1 makes of it.
+    pub(super) fn observe(&mut self, outcome: f64, tier: u8, mission: &str, day: i64) {
+        let before = self.chance(day);
+        if self.mastery(day) == Mastery::Due && outcome >= SUCCESS {
+            self.reviews += 1;
+        }
+        let guess = if tier >= HARD_TIER { GUESS_HARD } else { GUESS };
+        let right = before * (1.0 - SLIP) / (before * (1.0 - SLIP) + (1.0 - before) * guess);
+        let wrong = before * SLIP / (before * SLIP + (1.0 - before) * (1.0 - guess));
+        let seen = outcome * right + (1.0 - outcome) * wrong;
+        self.chance = seen + (1.0 - seen) * LEARN;
+        self.last_day = day.max(self.last_day);
+        self.opportunities += 1;
+        self.missions.insert(mission.to_owned());
+        self.days.insert(day);
+        self.was_mastered |= self.chance >= MASTERED
+            && self.opportunities >= OPPORTUNITIES
+            && self.missions.len() >= MISSIONS
+            && self.days.len() >= DAYS;
+    }
+
+    fn is_due(&self, day: i64) -> bool {
+        self.chance(day) < DUE || (day - self.last_day) as f64 > self.half_life_days()
+    }
+
+    fn half_life_days(&self) -> f64 {
+        (HALF_LIFE_DAYS * REVIEW_GROWTH.powi(self.reviews)).min(LONGEST_HALF_LIFE_DAYS)
+    }
+}
+
+/// The knowledge of every skill.
+pub(super) type Skills = std::collections::BTreeMap<Skill, Knowledge>;

@@ -1,0 +1,179 @@
+//! The competencies of a swarm operator, and what a flight tells of them.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::mission::Mission;
+use crate::scoring::{Component, Report};
+use crate::text;
+use crate::text::Text;
+
+/// A competency.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum Skill {
+    /// Checks and arming.
+    K1,
+    /// Modes and commands.
+    K2,
+    /// Flying to places.
+    K3,
+    /// Energy.
+    K4,
+    /// Links and failsafes.
+    K5,
+    /// Covering areas.
+    K6,
+    /// Reading sensors.
+    K7,
+    /// Answering threats.
+    K8,
+    /// Separation and airspace.
+    K9,
+    /// Tasking a swarm.
+    K10,
+    /// Designing vehicles.
+    K11,
+    /// Judging oneself.
+    K12,
+}
+
+impl Skill {
+    /// All, in order.
+    pub const ALL: [Self; 12] = [
+        Self::K1,
+        Self::K2,
+        Self::K3,
+        Self::K4,
+        Self::K5,
+        Self::K6,
+        Self::K7,
+        Self::K8,
+        Self::K9,
+        Self::K10,
+        Self::K11,
+        Self::K12,
+    ];
+
+    /// `K1` to `K12`, as in mission files.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::K1 => "K1",
+            Self::K2 => "K2",
+            Self::K3 => "K3",
+            Self::K4 => "K4",
+            Self::K5 => "K5",
+            Self::K6 => "K6",
+            Self::K7 => "K7",
+            Self::K8 => "K8",
+            Self::K9 => "K9",
+            Self::K10 => "K10",
+            Self::K11 => "K11",
+            Self::K12 => "K12",
+        }
+    }
+
+    /// The skill of a code.
+    pub fn of(code: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|skill| skill.code() == code)
+    }
+
+    /// Its name for people.
+    pub fn title(self) -> Text {
+        match self {
+            Self::K1 => text!("skill-arming"),
+            Self::K2 => text!("skill-commands"),
+            Self::K3 => text!("skill-navigation"),
+            Self::K4 => text!("skill-energy"),
+            Self::K5 => text!("skill-links"),
+            Self::K6 => text!("skill-coverage"),
+            Self::K7 => text!("skill-sensors"),
+            Self::K8 => text!("skill-threats"),
+            Self::K9 => text!("skill-separation"),
+            Self::K10 => text!("skill-swarm"),
+            Self::K11 => text!("skill-design"),
+            Self::K12 => text!("skill-judgement"),
+        }
+    }
+
+    /// The skill that an objective of a kind shows.
+    pub fn of_objective(kind: &str) -> Option<Self> {
+        Some(match kind {
+            "arm_time" => Self::K1,
+            "hover" | "gates" | "visit" | "land_on" | "standoff" => Self::K3,
+            "land_with" => Self::K4,
+            "link" => Self::K5,
+            "sample_cells" | "coverage" | "perimeter" => Self::K6,
+            "map_error" | "locate" | "detect" | "dose" => Self::K7,
+            "protect" | "contain" | "deliver" | "recover" | "formation" => Self::K10,
+            _ => return None,
+        })
+    }
+}
+
+impl Skill {
+    /// The skill that a component of the score stands for.
+    fn of_component(component: Component) -> Option<Self> {
+        match component {
+            Component::Command => Some(Self::K2),
+            Component::Energy => Some(Self::K4),
+            Component::Attention => Some(Self::K8),
+            Component::Safety => Some(Self::K9),
+            Component::Utilisation => Some(Self::K10),
+            Component::Objective | Component::Quality | Component::Time => None,
+        }
+    }
+}
+
+/// One opportunity to show a skill, and how well it went.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Evidence {
+    /// Which.
+    pub skill: Skill,
+    /// 0 to 1.
+    pub outcome: f64,
+    /// What was looked at.
+    pub what: Text,
+}
+
+/// A prediction that is off by so many points shows nothing.
+const BLIND_POINTS: f64 = 250.0;
+/// Outcomes are kept to this fraction, so that a career comes back from a file as it was.
+const STEPS: f64 = 1000.0;
+
+impl Evidence {
+    fn new(skill: Skill, outcome: f64, what: Text) -> Self {
+        Self {
+            skill,
+            outcome: (outcome.clamp(0.0, 1.0) * STEPS).round() / STEPS,
+            what,
+        }
+    }
+
+    /// What a flight of a mission tells: every objective of the skill that its kind needs, the components of the score that
+    /// stand for one, and the prediction. Nothing for a flight that was given up before anything was commanded.
+    pub fn of(report: &Report, mission: &Mission) -> Vec<Self> {
+        if report.ledger.is_empty() {
+            return Vec::new();
+        }
+        let kinds: BTreeMap<&str, &str> = mission.objective_kinds().collect();
+        let objectives = report.objectives.iter().filter_map(|objective| {
+            let skill = Skill::of_objective(kinds.get(objective.id.as_str())?)?;
+            let share = objective.points / objective.points_max.max(f64::EPSILON);
+            Some(Self::new(skill, share, objective.title.clone()))
+        });
+        let components = report.components.iter().filter_map(|shown| {
+            let component = Component::ALL
+                .into_iter()
+                .find(|it| it.title() == shown.name)?;
+            let skill = Skill::of_component(component)?;
+            // A component without weight had nothing to judge.
+            (shown.weight > 0.0).then(|| Self::new(skill, shown.value, shown.name.clone()))
+        });
+        let prediction = report.prediction.iter().map(|prediction| {
+            let off = f64::from(prediction.error.unsigned_abs()) / BLIND_POINTS;
+            Self::new(Skill::K12, 1.0 - off, text!("skill-prediction"))
+        });
+        objectives.chain(components).chain(prediction).collect()
+    }
+}

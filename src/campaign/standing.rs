@@ -1,0 +1,257 @@
+//! What a history amounts to.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::economy::{self, START_CREDITS, STARTER_PARTS};
+use super::knowledge::Skills;
+use super::{Course, Entry, Flight, Knowledge, Mastery, Purchase, Skill, Stake};
+use crate::scoring::Medal;
+use crate::text;
+use crate::text::Text;
+use crate::workshop::{Part, part};
+
+/// Where somebody stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Standing {
+    credits: u32,
+    experience: u64,
+    missions: BTreeMap<String, Best>,
+    owned: BTreeSet<String>,
+    skills: Skills,
+    licence: u8,
+    flights: u32,
+}
+
+/// The best of somebody's flights of one mission; practice does not count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Best {
+    /// Graded flights.
+    pub tries: u32,
+    /// The highest score of all.
+    pub score: u16,
+    /// The highest score of those that passed.
+    pub passed: Option<u16>,
+    /// The best medal.
+    pub medal: Option<Medal>,
+    /// The most drones with which a silver medal or a better one was won.
+    silver_with: u8,
+    /// The same for gold.
+    gold_with: u8,
+}
+
+/// Whether a part may be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PartState {
+    /// It may.
+    Owned,
+    /// After paying this many credits.
+    ForSale(u32),
+    /// After passing the mission of this id.
+    Locked(String),
+}
+
+/// Why something cannot be bought.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Refusal {
+    /// There is no such part.
+    Unknown,
+    /// It is owned already.
+    Owned,
+    /// A mission has to be passed first.
+    Locked(String),
+    /// It costs the first, and there is the second.
+    TooDear(u32, u32),
+}
+
+impl Refusal {
+    /// In words.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::Unknown => text!("buy-unknown"),
+            Self::Owned => text!("buy-owned"),
+            Self::Locked(mission) => text!("buy-locked", mission = mission.as_str()),
+            Self::TooDear(price, credits) => {
+                text!("buy-too-dear", price = *price, credits = *credits)
+            }
+        }
+    }
+}
+
+impl Default for Standing {
+    fn default() -> Self {
+        Self {
+            credits: START_CREDITS,
+            experience: 0,
+            missions: BTreeMap::new(),
+            owned: STARTER_PARTS.iter().map(|id| (*id).to_owned()).collect(),
+            skills: Skills::new(),
+            licence: 1,
+            flights: 0,
+        }
+    }
+}
+
+impl Standing {
+    /// What a history amounts to, oldest entry first.
+    pub fn of<'a>(history: impl IntoIterator<Item = &'a Entry>) -> Self {
+        let mut standing = Self::default();
+        for entry in history {
+            standing.enter(entry);
+        }
+        standing
+    }
+
+    /// Adds one entry. Flights bring credits and never take more than there are; a purchase that there are no credits for
+    /// has no effect.
+    pub fn enter(&mut self, entry: &Entry) {
+        match entry {
+            Entry::Flight(flight) => self.fly(flight),
+            Entry::Purchase(purchase) => {
+                if let Some(left) = self.credits.checked_sub(purchase.credits)
+                    && self.owned.insert(purchase.part.clone())
+                {
+                    self.credits = left;
+                }
+            }
+        }
+    }
+
+    fn fly(&mut self, flight: &Flight) {
+        let best = self.missions.get(&flight.mission).copied();
+        let refreshes = flight
+            .evidence
+            .iter()
+            .any(|evidence| self.skill(evidence.skill).mastery(flight.day) == Mastery::Due);
+        self.credits += economy::pay(flight, best.and_then(|best| best.passed));
+        self.credits = self.credits.saturating_sub(flight.wear);
+        let best_score = best.map(|best| best.score);
+        self.experience += u64::from(economy::experience(flight, best_score, refreshes));
+        self.flights += 1;
+        for evidence in &flight.evidence {
+            let known = self.skills.entry(evidence.skill).or_default();
+            known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
+        }
+        if flight.stake != Stake::Practice {
+            self.missions
+                .entry(flight.mission.clone())
+                .or_default()
+                .take(flight);
+            self.licence = self.earned_licence();
+        }
+    }
+
+    /// A purchase of the right to use a part.
+    ///
+    /// # Errors
+    /// Why it cannot be bought.
+    pub fn buy(&self, id: &str, course: &Course) -> Result<Purchase, Refusal> {
+        let part = part(id).ok_or(Refusal::Unknown)?;
+        match self.part_state(part, course) {
+            PartState::Owned => Err(Refusal::Owned),
+            PartState::Locked(mission) => Err(Refusal::Locked(mission)),
+            PartState::ForSale(price) if price > self.credits => {
+                Err(Refusal::TooDear(price, self.credits))
+            }
+            PartState::ForSale(credits) => Ok(Purchase {
+                part: id.to_owned(),
+                credits,
+            }),
+        }
+    }
+
+    /// Whether a part may be used. Parts that no mission unlocks are for sale from the start.
+    pub fn part_state(&self, part: &Part, course: &Course) -> PartState {
+        if self.owned.contains(part.id) {
+            return PartState::Owned;
+        }
+        let mut unlocking = course
+            .offers()
+            .iter()
+            .filter(|offer| offer.parts.iter().any(|id| id == part.id))
+            .peekable();
+        let first = unlocking.peek().map(|offer| offer.id.clone());
+        let is_unlocked = unlocking.any(|offer| self.has_passed(&offer.id));
+        match first {
+            Some(mission) if !is_unlocked => PartState::Locked(mission),
+            _ => PartState::ForSale(economy::licence_price(part.credits)),
+        }
+    }
+
+    /// Credits to spend.
+    pub fn credits(&self) -> u32 {
+        self.credits
+    }
+
+    /// Experience so far, the level that it makes, and the experience that the next one needs.
+    pub fn experience(&self) -> (u64, u32, u64) {
+        let level = economy::level(self.experience);
+        (self.experience, level, economy::level_experience(level + 1))
+    }
+
+    /// Finished flights.
+    pub fn flights(&self) -> u32 {
+        self.flights
+    }
+
+    /// The best of a mission; `None` before the first graded flight.
+    pub fn best(&self, mission: &str) -> Option<&Best> {
+        self.missions.get(mission)
+    }
+
+    /// Whether a mission was passed.
+    pub fn has_passed(&self, mission: &str) -> bool {
+        self.best(mission).is_some_and(|best| best.passed.is_some())
+    }
+
+    /// What is known of a skill.
+    pub fn skill(&self, skill: Skill) -> Knowledge {
+        self.skills.get(&skill).cloned().unwrap_or_default()
+    }
+
+    /// How many drones may be flown in missions at a time.
+    pub fn licence(&self) -> u8 {
+        self.licence
+    }
+
+    /// The licence grows with what was shown: two drones after the first pass, four after the second, eight after silver in
+    /// two missions with three drones or more, 16 after silver with eight, 32 after gold with eight.
+    fn earned_licence(&self) -> u8 {
+        let missions = || self.missions.values();
+        let passes = missions().filter(|best| best.passed.is_some()).count();
+        let silver = |vehicles| {
+            missions()
+                .filter(move |best| best.silver_with >= vehicles)
+                .count()
+        };
+        if missions().any(|best| best.gold_with >= 8) {
+            32
+        } else if silver(8) >= 1 {
+            16
+        } else if silver(3) >= 2 {
+            8
+        } else if passes >= 2 {
+            4
+        } else if passes == 1 {
+            2
+        } else {
+            1
+        }
+    }
+}
+
+impl Best {
+    fn take(&mut self, flight: &Flight) {
+        self.tries += 1;
+        self.score = self.score.max(flight.score);
+        if flight.passed {
+            self.passed = self.passed.max(Some(flight.score));
+        }
+        self.medal = self.medal.max(flight.medal);
+        if flight.medal >= Some(Medal::Silver) {
+            self.silver_with = self.silver_with.max(flight.vehicles);
+        }
+        if flight.medal >= Some(Medal::Gold) {
+            self.gold_with = self.gold_with.max(flight.vehicles);
+        }
+    }
+}

@@ -1,0 +1,345 @@
+use std::collections::BTreeSet;
+
+use proptest::prelude::*;
+use proptest::sample::select;
+
+use super::{
+    Best, Course, Entry, Evidence, Flight, Knowledge, Mastery, Offer, PartState, Reason, Refusal,
+    STARTER_PARTS, Skill, Stage, Stake, Standing, daily_seed, exam_seed, licence_price,
+};
+use crate::mission::Requires;
+use crate::scoring::Medal;
+use crate::text::Text;
+use crate::workshop::{part, parts};
+
+fn offer(id: &str, vehicles: u8, after: &[&str], parts: &[&str]) -> Offer {
+    let owned = |list: &[&str]| list.iter().map(|it| (*it).to_owned()).collect::<Vec<_>>();
+    Offer {
+        id: id.to_owned(),
+        title: Text::verbatim(id.to_owned()),
+        tier: 1,
+        vehicles,
+        drill_of: None,
+        requires: Requires {
+            missions: owned(after),
+            ..Requires::default()
+        },
+        credits: 400,
+        parts: owned(parts),
+        skills: vec![Skill::K3],
+    }
+}
+
+fn course() -> Course {
+    Course::new([
+        offer("one", 1, &[], &["s_gas4"]),
+        offer("two", 1, &["one"], &[]),
+        offer("three", 3, &["two"], &["s_gpr"]),
+        offer("four", 3, &["three"], &[]),
+        offer("eight", 8, &["four"], &[]),
+        Offer {
+            drill_of: Some("three".to_owned()),
+            ..offer("drill", 1, &[], &[])
+        },
+    ])
+}
+
+fn medal(score: u16) -> Option<Medal> {
+    match score {
+        850.. => Some(Medal::Gold),
+        700.. => Some(Medal::Silver),
+        550.. => Some(Medal::Bronze),
+        _ => None,
+    }
+}
+
+fn flight(course: &Course, mission: &str, score: u16, day: i64) -> Flight {
+    let offer = course.offer(mission).expect("known");
+    Flight {
+        mission: mission.to_owned(),
+        drill_of: offer.drill_of.clone(),
+        tier: offer.tier,
+        reward: offer.credits,
+        vehicles: offer.vehicles,
+        stake: Stake::Graded,
+        day,
+        score,
+        passed: score >= 550,
+        medal: medal(score),
+        evidence: vec![Evidence {
+            skill: Skill::K3,
+            outcome: f64::from(score) / 1000.0,
+            what: Text::default(),
+        }],
+        wear: 0,
+    }
+}
+
+fn standing(entries: &[Entry]) -> Standing {
+    Standing::of(entries)
+}
+
+#[test]
+fn a_first_pass_pays_and_a_better_one_pays_the_difference() {
+    let course = course();
+    let fly = |score| Entry::Flight(flight(&course, "one", score, 1));
+    let credits = |scores: &[u16]| {
+        let entries: Vec<Entry> = scores.iter().map(|score| fly(*score)).collect();
+        standing(&entries).credits() - 500
+    };
+    assert_eq!(credits(&[500]), 0);
+    assert_eq!(credits(&[800]), 360);
+    assert_eq!(
+        credits(&[500, 800]),
+        360,
+        "what failed before takes nothing away"
+    );
+    assert_eq!(credits(&[800, 800, 700]), 360, "grinding pays nothing");
+    assert_eq!(credits(&[800, 900]), 400);
+}
+
+#[test]
+fn practice_earns_nothing_and_teaches_all_the_same() {
+    let course = course();
+    let flown = Flight {
+        stake: Stake::Practice,
+        ..flight(&course, "one", 1000, 1)
+    };
+    let standing = standing(&[Entry::Flight(flown)]);
+    assert_eq!(standing.credits(), 500);
+    assert_eq!(standing.experience().0, 0);
+    assert!(!standing.has_passed("one"));
+    assert!(standing.skill(Skill::K3).chance(1) > 0.2);
+}
+
+#[test]
+fn what_is_locked_says_what_to_do() {
+    let course = course();
+    let stage = |entries: &[Entry], id: &str| {
+        course.stage(course.offer(id).expect("known"), &standing(entries), 1)
+    };
+    assert_eq!(stage(&[], "one"), Stage::Open);
+    let Stage::Locked(reasons) = stage(&[], "three") else {
+        panic!("three drones without a licence");
+    };
+    let pass = Reason::Pass(Text::verbatim("two"));
+    assert_eq!(reasons, [pass, Reason::Licence(3, 1)]);
+    assert_eq!(reasons[0].text().to_string(), "pass two");
+    assert!(
+        matches!(stage(&[], "drill"), Stage::Locked(_)),
+        "locked with its mission"
+    );
+    let passed = ["one", "two"].map(|id| Entry::Flight(flight(&course, id, 600, 1)));
+    assert_eq!(stage(&passed, "three"), Stage::Open);
+    assert_eq!(stage(&passed, "drill"), Stage::Open);
+    assert_eq!(stage(&passed, "one"), Stage::Passed(Some(Medal::Bronze)));
+}
+
+#[test]
+fn the_licence_grows_with_what_was_shown() {
+    let course = course();
+    let licence = |flown: &[(&str, u16)]| {
+        let entries: Vec<Entry> = flown
+            .iter()
+            .map(|(id, score)| Entry::Flight(flight(&course, id, *score, 1)))
+            .collect();
+        standing(&entries).licence()
+    };
+    assert_eq!(licence(&[]), 1);
+    assert_eq!(licence(&[("one", 600)]), 2);
+    assert_eq!(
+        licence(&[("one", 600), ("one", 900)]),
+        2,
+        "two missions, not two passes"
+    );
+    assert_eq!(licence(&[("one", 600), ("two", 600)]), 4);
+    assert_eq!(licence(&[("three", 700), ("four", 700)]), 8);
+    assert_eq!(licence(&[("three", 600), ("four", 900)]), 4);
+    assert_eq!(licence(&[("eight", 700)]), 16);
+    assert_eq!(licence(&[("eight", 900)]), 32);
+}
+
+#[test]
+fn parts_are_bought_once_unlocked_and_paid_for() {
+    let course = course();
+    let new = Standing::default();
+    let state = |standing: &Standing, id| standing.part_state(part(id).expect("known"), &course);
+    assert_eq!(state(&new, STARTER_PARTS[0]), PartState::Owned);
+    assert_eq!(state(&new, "s_gas4"), PartState::Locked("one".to_owned()));
+    assert_eq!(
+        new.buy("s_gas4", &course),
+        Err(Refusal::Locked("one".to_owned()))
+    );
+    assert_eq!(new.buy("nothing", &course), Err(Refusal::Unknown));
+    assert_eq!(new.buy("fr_450q", &course), Err(Refusal::Owned));
+    assert_eq!(
+        new.buy("r_mesh24", &course),
+        Ok(super::Purchase {
+            part: "r_mesh24".to_owned(),
+            credits: 404
+        })
+    );
+    assert_eq!(new.buy("s_magx", &course), Err(Refusal::Unknown));
+    let mut rich = new.clone();
+    rich.enter(&Entry::Flight(flight(&course, "one", 600, 1)));
+    let purchase = rich.buy("s_gas4", &course).expect("on sale");
+    assert_eq!(purchase.credits, licence_price(480));
+    rich.enter(&Entry::Purchase(purchase.clone()));
+    assert_eq!(state(&rich, "s_gas4"), PartState::Owned);
+    let credits = rich.credits();
+    rich.enter(&Entry::Purchase(purchase));
+    assert_eq!(rich.credits(), credits, "the same entry twice is paid once");
+    assert_eq!(
+        rich.buy("r_mesh24", &course),
+        Ok(super::Purchase {
+            part: "r_mesh24".to_owned(),
+            credits: 404
+        })
+    );
+}
+
+#[test]
+fn starter_parts_exist_and_fly() {
+    let design = STARTER_PARTS
+        .iter()
+        .fold(crate::workshop::Design::new("starter"), |design, id| {
+            design.with(part(id).expect("known"))
+        });
+    let air = crate::workshop::Air::default();
+    assert!(design.is_airworthy(air), "{:?}", design.findings(air));
+}
+
+#[test]
+fn a_skill_is_mastered_over_missions_and_days_and_comes_due_again() {
+    let mut known = Knowledge::default();
+    assert_eq!(known.mastery(0), Mastery::Unknown);
+    for _ in 0..6 {
+        known.observe(1.0, 1, "one", 10);
+    }
+    assert_eq!(
+        known.mastery(10),
+        Mastery::Learning,
+        "one mission on one day"
+    );
+    known.observe(1.0, 1, "two", 11);
+    assert_eq!(known.mastery(11), Mastery::Mastered);
+    let due = known.due_day().expect("mastered");
+    assert_eq!(
+        known.mastery(due - 1),
+        Mastery::Mastered,
+        "due on day {due}"
+    );
+    assert_eq!(known.mastery(due + 1), Mastery::Due);
+    known.observe(1.0, 1, "two", due + 1);
+    assert!(
+        known.due_day().expect("mastered") - (due + 1) > due - 11,
+        "a review lasts longer"
+    );
+}
+
+#[test]
+fn common_seeds_differ_by_day_and_mission() {
+    let days: BTreeSet<u64> = (20_000..20_400).map(daily_seed).collect();
+    assert!(days.len() >= 399);
+    assert_ne!(exam_seed("one", 1), exam_seed("two", 1));
+    assert_ne!(exam_seed("one", 1), exam_seed("one", 2));
+    assert_eq!(exam_seed("one", 1), exam_seed("one", 1));
+}
+
+fn any_entry() -> impl Strategy<Value = Entry> {
+    let missions = select(vec!["one", "two", "three", "four", "eight", "drill"]);
+    let flown = (missions, 0u16..=1000, 0i64..400, 0u32..2000, any::<bool>()).prop_map(
+        |(mission, score, day, wear, graded)| {
+            let stake = if graded {
+                Stake::Graded
+            } else {
+                Stake::Practice
+            };
+            Entry::Flight(Flight {
+                wear,
+                stake,
+                ..flight(&course(), mission, score, day)
+            })
+        },
+    );
+    let bought = (select(parts().collect::<Vec<_>>()), 0u32..3000).prop_map(|(part, credits)| {
+        Entry::Purchase(super::Purchase {
+            part: part.id.to_owned(),
+            credits,
+        })
+    });
+    prop_oneof![flown, bought]
+}
+
+proptest! {
+    #[test]
+    fn whatever_happens_credits_add_up_and_locks_hold(entries in proptest::collection::vec(any_entry(), 0..40)) {
+        let course = course();
+        let mut now = Standing::default();
+        for entry in &entries {
+            let before = now.clone();
+            now.enter(entry);
+            if let Entry::Purchase(purchase) = entry {
+                let paid = before.credits() - now.credits();
+                prop_assert!(paid == 0 || paid == purchase.credits);
+            } else {
+                prop_assert!(now.experience().0 >= before.experience().0);
+                prop_assert!(now.licence() >= before.licence());
+            }
+            for offer in course.offers() {
+                let needs = offer.drill_of.as_deref().unwrap_or(&offer.id);
+                let needs = &course.offer(needs).expect("known").requires.missions;
+                let holds = needs.iter().all(|id| now.has_passed(id));
+                let stage = course.stage(offer, &now, 400);
+                prop_assert!(holds || !matches!(stage, Stage::Open));
+            }
+            prop_assert!(now.buy("s_gas4", &course).is_err() || now.has_passed("one"));
+        }
+        prop_assert_eq!(Standing::of(&entries), now);
+    }
+
+    #[test]
+    fn a_better_outcome_never_makes_a_skill_less_likely(outcomes in proptest::collection::vec(0.0f64..=1.0, 1..12), at in 0usize..12, more in 0.0f64..1.0) {
+        let chance = |outcomes: &[f64]| {
+            let mut known = Knowledge::default();
+            for (day, outcome) in outcomes.iter().enumerate() {
+                known.observe(*outcome, 1, "one", day as i64);
+            }
+            known.chance(outcomes.len() as i64)
+        };
+        let mut better = outcomes.clone();
+        let at = at % outcomes.len();
+        better[at] = (better[at] + more).min(1.0);
+        prop_assert!(chance(&better) + 1e-12 >= chance(&outcomes));
+        prop_assert!((0.0..=1.0).contains(&chance(&outcomes)));
+    }
+
+    #[test]
+    fn entries_come_back_from_json_as_they_were(entry in any_entry()) {
+        let json = serde_json::to_string(&entry).expect("it is plain");
+        let back: Entry = serde_json::from_str(&json).expect("it was just written");
+        prop_assert_eq!(back, entry);
+    }
+}
+
+#[test]
+fn the_next_thing_to_train_is_one_that_may_be_flown() {
+    let course = course();
+    let (skill, offer) = course.next(&Standing::default(), 1).expect("something");
+    assert_eq!((skill, offer.id.as_str()), (Skill::K3, "one"));
+    let passed = Entry::Flight(flight(&course, "one", 900, 1));
+    let (_, offer) = course.next(&standing(&[passed]), 1).expect("something");
+    assert_eq!(offer.id, "two", "a new mission before a known one");
+}
+
+#[test]
+fn the_best_of_a_mission_is_kept_apart_by_pass_and_medal() {
+    let course = course();
+    let entries = [700, 500, 900].map(|score| Entry::Flight(flight(&course, "one", score, 1)));
+    let best = *standing(&entries).best("one").expect("flown");
+    assert_eq!(
+        (best.tries, best.score, best.passed, best.medal),
+        (3, 900, Some(900), Some(Medal::Gold))
+    );
+    assert_eq!(standing(&[]).best("one"), None::<&Best>);
+}
