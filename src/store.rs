@@ -16,10 +16,12 @@ use crate::text::Text;
 
 mod folders;
 mod history;
+mod profiles;
 mod runs;
 
 pub use folders::Folders;
 pub use history::History;
+pub use profiles::{Profile, ProfileError, ProfileFile, Profiles, Rescue, RunEntry};
 pub use runs::{RunFile, Runs, read_run, utc};
 
 mod shipped {

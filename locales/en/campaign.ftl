@@ -22,3 +22,14 @@ buy-unknown = there is no such part
 buy-owned = it is yours already
 buy-locked = pass { $mission } first
 buy-too-dear = it costs { $price } credits, there are { $credits }
+
+profiles-unusable = the profiles cannot be kept in { $path }: { $error }
+profiles-newer = { $path } was made by a newer version of sortie (tables of version { $found }, this one knows { $known }); nothing was changed. Use that version, or another folder with --data
+profiles-database = { $path }: { $error }
+profiles-unknown = there is no profile `{ $name }`; there are: { $known }
+profiles-unknown-first = there is no profile `{ $name }`, nor any other; `sortie profile create { $name }` makes it
+profiles-exists = there is a profile `{ $name }` already
+profiles-name = a profile's name is one line of 1 to { $most } letters
+profiles-no-profile = this is no profile: { $fault }
+profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
+profiles-lost = the profiles were damaged ({ $fault }) and there is no copy: they begin anew; the damaged file is { $damaged }

@@ -22,3 +22,14 @@ buy-unknown = такої деталі немає
 buy-owned = вона вже ваша
 buy-locked = спершу пройдіть { $mission }
 buy-too-dear = вона коштує { $price } кредитів, у вас { $credits }
+
+profiles-unusable = профілі не можна зберігати в { $path }: { $error }
+profiles-newer = { $path } зробила новіша версія sortie (таблиці версії { $found }, ця знає { $known }); нічого не змінено. Візьміть ту версію або іншу теку з --data
+profiles-database = { $path }: { $error }
+profiles-unknown = профілю `{ $name }` немає; є: { $known }
+profiles-unknown-first = немає ні профілю `{ $name }`, ні іншого; його зробить `sortie profile create { $name }`
+profiles-exists = профіль `{ $name }` уже є
+profiles-name = ім'я профілю — один рядок від 1 до { $most } літер
+profiles-no-profile = це не профіль: { $fault }
+profiles-rescued = профілі були пошкоджені ({ $fault }), їх відновлено з { $copy }; пошкоджений файл — { $damaged }
+profiles-lost = профілі були пошкоджені ({ $fault }), а копії немає: вони починаються наново; пошкоджений файл — { $damaged }

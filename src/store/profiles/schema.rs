@@ -1,0 +1,72 @@
+//! The tables, and how those of earlier versions become today's.
+
+use rusqlite::{Connection, TransactionBehavior};
+
+/// What each version added to the one before it.
+const STEPS: [&str; 1] = ["
+    CREATE TABLE profiles (
+        key INTEGER PRIMARY KEY,
+        name TEXT NOT NULL UNIQUE COLLATE NOCASE,
+        since TEXT NOT NULL,
+        lang TEXT
+    ) STRICT;
+    CREATE TABLE entries (
+        number INTEGER PRIMARY KEY,
+        profile INTEGER NOT NULL REFERENCES profiles (key) ON DELETE CASCADE,
+        id TEXT NOT NULL,
+        at TEXT NOT NULL,
+        entry TEXT NOT NULL,
+        UNIQUE (profile, id)
+    ) STRICT;
+    CREATE TABLE runs (
+        profile INTEGER NOT NULL,
+        id TEXT NOT NULL,
+        ended TEXT NOT NULL,
+        mission TEXT NOT NULL,
+        revision INTEGER NOT NULL,
+        seed INTEGER NOT NULL,
+        backend TEXT NOT NULL,
+        score INTEGER NOT NULL,
+        passed INTEGER NOT NULL,
+        airframes TEXT NOT NULL,
+        report TEXT NOT NULL,
+        recording TEXT,
+        PRIMARY KEY (profile, id),
+        FOREIGN KEY (profile, id) REFERENCES entries (profile, id) ON DELETE CASCADE
+    ) STRICT, WITHOUT ROWID;
+    CREATE TABLE designs (
+        profile INTEGER NOT NULL REFERENCES profiles (key) ON DELETE CASCADE,
+        name TEXT NOT NULL COLLATE NOCASE,
+        design TEXT NOT NULL,
+        PRIMARY KEY (profile, name)
+    ) STRICT, WITHOUT ROWID;
+"];
+
+/// The version of the tables that this program writes.
+pub(super) const VERSION: i32 = STEPS.len() as i32;
+
+/// Brings the tables up to date, in one transaction. Returns the version that is there now: a newer one than
+/// [`VERSION`] is left as it is.
+pub(super) fn migrate(connection: &mut Connection) -> rusqlite::Result<i32> {
+    let found = version(connection)?;
+    if found >= VERSION {
+        return Ok(found);
+    }
+    let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
+    // Another console may have been faster.
+    let found = version(&transaction)?;
+    for step in STEPS
+        .iter()
+        .skip(usize::try_from(found).unwrap_or_default())
+    {
+        transaction.execute_batch(step)?;
+    }
+    let now = found.max(VERSION);
+    transaction.pragma_update(None, "user_version", now)?;
+    transaction.commit()?;
+    Ok(now)
+}
+
+fn version(connection: &Connection) -> rusqlite::Result<i32> {
+    connection.query_row("PRAGMA user_version", [], |row| row.get(0))
+}

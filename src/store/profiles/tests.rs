@@ -1,0 +1,227 @@
+use std::fs;
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::Path;
+
+use super::{Profile, ProfileError, ProfileFile, Profiles, RunEntry};
+use crate::campaign::{Course, Entry, Flight, Offer, Refusal, Stake, Standing};
+use crate::mission::Requires;
+use crate::scoring::{Medal, Report};
+use crate::text::Text;
+use crate::workshop::{Design, part};
+
+const WHEN: &str = "2026-11-20T14:03:22Z";
+
+fn open(data: &Path) -> Profiles {
+    let (profiles, rescue) = Profiles::open(data).expect("a folder of our own");
+    assert_eq!(rescue, None);
+    profiles
+}
+
+fn run(id: &str, mission: &str, score: u16) -> RunEntry {
+    let report = Report {
+        mission: mission.to_owned(),
+        score,
+        ..crate::scoring::Report::example()
+    };
+    RunEntry {
+        id: id.to_owned(),
+        when: WHEN.to_owned(),
+        flight: Flight {
+            mission: mission.to_owned(),
+            drill_of: None,
+            tier: 1,
+            reward: 400,
+            vehicles: 1,
+            stake: Stake::Graded,
+            day: 20_000,
+            score,
+            passed: score >= 550,
+            medal: (score >= 700).then_some(Medal::Silver),
+            evidence: Vec::new(),
+            wear: 0,
+        },
+        report,
+        airframes: vec!["schema = 1\n".to_owned()],
+        recording: Some(format!("{id}.run.jsonl")),
+    }
+}
+
+fn course() -> Course {
+    Course::new([Offer {
+        id: "one".to_owned(),
+        title: Text::verbatim("one"),
+        tier: 1,
+        vehicles: 1,
+        drill_of: None,
+        requires: Requires::default(),
+        credits: 400,
+        parts: vec!["s_gpr".to_owned()],
+        skills: Vec::new(),
+    }])
+}
+
+fn anna(profiles: &Profiles) -> Profile {
+    profiles.create("Anna", WHEN).expect("a new one")
+}
+
+#[test]
+fn a_profile_is_found_by_its_name_in_any_case_and_made_once() {
+    let data = tempfile::tempdir().expect("a folder");
+    let profiles = open(data.path());
+    let anna = anna(&profiles);
+    assert_eq!(profiles.find("ANNA").expect("there"), anna);
+    assert!(matches!(profiles.create("anna", WHEN), Err(ProfileError::Exists { .. })));
+    let unknown = profiles.find("Borys").expect_err("nobody");
+    assert!(unknown.to_string().contains("Anna"), "{unknown}");
+    for name in ["", "  ", "two\nlines", &"x".repeat(41)] {
+        assert!(matches!(profiles.create(name, WHEN), Err(ProfileError::Name)), "{name:?}");
+    }
+    profiles.set_lang(&anna, Some("uk")).expect("stored");
+    assert_eq!(profiles.find("Anna").expect("there").lang.as_deref(), Some("uk"));
+    profiles.delete(&anna).expect("gone");
+    assert_eq!(profiles.list().expect("readable"), []);
+}
+
+#[test]
+fn only_its_owner_reads_the_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let data = folder.path().join("new");
+    let profiles = open(&data);
+    anna(&profiles);
+    for file in fs::read_dir(&data).expect("made").flatten() {
+        let mode = file.metadata().expect("there").permissions().mode() & 0o777;
+        assert_eq!(mode, 0o600, "{:?}", file.file_name());
+    }
+    let mode = fs::metadata(&data).expect("made").permissions().mode() & 0o777;
+    assert_eq!(mode, 0o700);
+}
+
+#[test]
+fn a_run_counts_once_however_often_it_is_handed_in() {
+    let data = tempfile::tempdir().expect("a folder");
+    let mut profiles = open(data.path());
+    let anna = anna(&profiles);
+    assert!(profiles.store(&anna, &run("a", "one", 800)).expect("stored"));
+    assert!(!profiles.store(&anna, &run("a", "one", 1000)).expect("known"));
+    assert!(profiles.store(&anna, &run("b", "two", 600)).expect("stored"));
+    let history = profiles.history(&anna).expect("readable");
+    assert_eq!(history, ["a", "b"].map(|id| {
+        let (mission, score) = if id == "a" { ("one", 800) } else { ("two", 600) };
+        Entry::Flight(run(id, mission, score).flight)
+    }));
+    let reports = profiles.reports(&anna, Some("one")).expect("readable");
+    assert_eq!(reports, [(WHEN.to_owned(), run("a", "one", 800).report)]);
+    assert_eq!(profiles.reports(&anna, None).expect("readable").len(), 2);
+}
+
+#[test]
+fn what_one_console_stores_another_sees_and_credits_are_spent_once() {
+    let data = tempfile::tempdir().expect("a folder");
+    let (mut one, mut two) = (open(data.path()), open(data.path()));
+    let anna = anna(&one);
+    one.store(&anna, &run("a", "one", 1000)).expect("stored");
+    let credits = || Standing::of(&two.history(&anna).expect("readable")).credits();
+    assert_eq!(credits(), 900);
+    // A mesh radio costs 404.
+    one.buy(&anna, "r_mesh24", &course(), WHEN).expect("paid");
+    assert!(matches!(
+        two.buy(&anna, "r_mesh24", &course(), WHEN),
+        Err(ProfileError::Refused(Refusal::Owned))
+    ));
+    assert!(matches!(
+        two.buy(&anna, "gps_crpa", &course(), WHEN),
+        Ok(purchase) if purchase.credits == 474
+    ));
+    assert!(matches!(
+        one.buy(&anna, "fc_cube", &course(), WHEN),
+        Err(ProfileError::Refused(Refusal::TooDear(152, 22)))
+    ));
+}
+
+#[test]
+fn a_profile_that_is_exported_and_imported_is_the_same() {
+    let data = tempfile::tempdir().expect("a folder");
+    let mut profiles = open(data.path());
+    let anna = anna(&profiles);
+    profiles.store(&anna, &run("a", "one", 800)).expect("stored");
+    profiles.buy(&anna, "r_rfd900", &course(), WHEN).expect("paid");
+    let design = Design::new("Scout").with(part("fr_5q_226").expect("known"));
+    profiles.keep_design(&anna, &design).expect("kept");
+    let exported = profiles.export(&anna).expect("readable");
+    let read = ProfileFile::read(&exported.write()).expect("just written");
+    assert_eq!(read, exported);
+    assert!(matches!(profiles.import(&read, "anna"), Err(ProfileError::Exists { .. })));
+    let copy = profiles.import(&read, "Copy").expect("free");
+    let again = profiles.export(&copy).expect("readable");
+    assert_eq!(again.write(), exported.write().replacen("Anna", "Copy", 1));
+    assert_eq!(profiles.designs(&copy).expect("readable"), [design]);
+    for broken in ["", "{}", "[1]", &exported.write().replacen("\"sortie_profile\": 1", "\"sortie_profile\": 9", 1)] {
+        assert!(matches!(ProfileFile::read(broken), Err(ProfileError::NoProfile { .. })));
+    }
+}
+
+#[test]
+fn a_damaged_file_is_set_aside_and_the_last_copy_takes_its_place() {
+    let data = tempfile::tempdir().expect("a folder");
+    let file = data.path().join("profiles.sqlite");
+    {
+        let mut profiles = open(data.path());
+        let anna = anna(&profiles);
+        profiles.store(&anna, &run("a", "one", 800)).expect("stored");
+        profiles.back_up().expect("copied");
+    }
+    fs::write(&file, "this was a database").expect("writable");
+    let (profiles, rescue) = Profiles::open(data.path()).expect("restored");
+    let rescue = rescue.expect("it was damaged");
+    assert_eq!(fs::read(&rescue.damaged).expect("kept"), b"this was a database");
+    assert!(rescue.copy.is_some());
+    let anna = profiles.find("Anna").expect("restored");
+    assert_eq!(profiles.history(&anna).expect("readable").len(), 1);
+}
+
+#[test]
+fn damage_in_the_middle_is_found_and_without_a_copy_it_begins_anew() {
+    let data = tempfile::tempdir().expect("a folder");
+    let file = data.path().join("profiles.sqlite");
+    {
+        let mut profiles = open(data.path());
+        let anna = anna(&profiles);
+        for number in 0..40 {
+            profiles.store(&anna, &run(&format!("{number}"), "one", 800)).expect("stored");
+        }
+    }
+    let mut bytes = fs::read(&file).expect("readable");
+    let middle = bytes.len() / 2;
+    bytes[middle..middle + 8192].fill(0x55);
+    fs::write(&file, bytes).expect("writable");
+    let (profiles, rescue) = Profiles::open(data.path()).expect("anew");
+    let rescue = rescue.expect("it was damaged");
+    assert_eq!(rescue.copy, None);
+    assert!(rescue.text().to_string().contains("damaged-"));
+    assert_eq!(profiles.list().expect("readable"), []);
+}
+
+#[test]
+fn a_database_of_a_newer_version_is_left_as_it_is() {
+    let data = tempfile::tempdir().expect("a folder");
+    let file = data.path().join("profiles.sqlite");
+    {
+        let profiles = open(data.path());
+        anna(&profiles);
+        let newer = profiles.connection.execute_batch("PRAGMA user_version = 99");
+        newer.expect("writable");
+    }
+    let before = fs::read(&file).expect("readable");
+    let refused = Profiles::open(data.path()).expect_err("newer");
+    assert!(refused.to_string().contains("99"), "{refused}");
+    assert_eq!(fs::read(&file).expect("readable"), before);
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let data = folder.path().join("file");
+    fs::write(&data, "no folder").expect("writable");
+    let refused = Profiles::open(&data).expect_err("no folder");
+    assert!(refused.to_string().contains("profiles.sqlite"), "{refused}");
+}

@@ -1,0 +1,202 @@
+//! A profile as a file, to carry it to another machine.
+
+use rusqlite::{TransactionBehavior, params};
+use serde::{Deserialize, Serialize};
+
+use super::{Profile, ProfileError, Profiles, RunRow, checked_name, json};
+use crate::campaign::Entry;
+use crate::scoring::Report;
+
+/// The version of the format.
+const SCHEMA: u32 = 1;
+
+/// A profile with all that it has.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ProfileFile {
+    /// The version of the format.
+    sortie_profile: u32,
+    /// The name that it had.
+    pub name: String,
+    since: String,
+    lang: Option<String>,
+    entries: Vec<EntryDocument>,
+    runs: Vec<RunDocument>,
+    designs: Vec<DesignDocument>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct EntryDocument {
+    id: String,
+    at: String,
+    entry: Entry,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct RunDocument {
+    id: String,
+    ended: String,
+    airframes: Vec<String>,
+    recording: Option<String>,
+    report: Report,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct DesignDocument {
+    name: String,
+    design: String,
+}
+
+impl ProfileFile {
+    /// Reads an exported profile.
+    ///
+    /// # Errors
+    /// It is none, or of a version that this program does not know.
+    pub fn read(source: &str) -> Result<Self, ProfileError> {
+        let fault = |fault: String| ProfileError::NoProfile { fault };
+        let file: Self = serde_json::from_str(source).map_err(|error| fault(error.to_string()))?;
+        if file.sortie_profile == SCHEMA {
+            Ok(file)
+        } else {
+            let found = file.sortie_profile;
+            Err(fault(format!(
+                "sortie_profile {found}, this program reads {SCHEMA}"
+            )))
+        }
+    }
+
+    /// As a document.
+    pub fn write(&self) -> String {
+        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
+}
+
+impl Profiles {
+    /// A profile with all that it has.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn export(&self, profile: &Profile) -> Result<ProfileFile, ProfileError> {
+        Ok(ProfileFile {
+            sortie_profile: SCHEMA,
+            name: profile.name.clone(),
+            since: profile.since.clone(),
+            lang: profile.lang.clone(),
+            entries: self.entry_rows(profile)?,
+            runs: self.run_rows(profile)?,
+            designs: self.design_rows(profile)?,
+        })
+    }
+
+    fn entry_rows(&self, profile: &Profile) -> Result<Vec<EntryDocument>, ProfileError> {
+        let sql = "SELECT id, at, entry FROM entries WHERE profile = ?1 ORDER BY number";
+        let mut query = self.ask(sql)?;
+        let rows = query
+            .query_map([profile.key], |row| {
+                Ok((row.get(0)?, row.get(1)?, row.get::<_, String>(2)?))
+            })
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>)
+            .map_err(|error| self.fault(error))?;
+        rows.into_iter()
+            .map(|(id, at, entry)| {
+                let entry = self.read(&entry)?;
+                Ok(EntryDocument { id, at, entry })
+            })
+            .collect()
+    }
+
+    fn run_rows(&self, profile: &Profile) -> Result<Vec<RunDocument>, ProfileError> {
+        let sql = "SELECT id, runs.ended, airframes, recording, report
+             FROM runs JOIN entries USING (profile, id) WHERE profile = ?1 ORDER BY number";
+        let mut query = self.ask(sql)?;
+        let rows = query
+            .query_map([profile.key], |row| {
+                let (airframes, report) = (row.get::<_, String>(2)?, row.get::<_, String>(4)?);
+                Ok((row.get(0)?, row.get(1)?, airframes, row.get(3)?, report))
+            })
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>)
+            .map_err(|error| self.fault(error))?;
+        rows.into_iter()
+            .map(|(id, ended, airframes, recording, report)| {
+                Ok(RunDocument {
+                    id,
+                    ended,
+                    airframes: self.read(&airframes)?,
+                    recording,
+                    report: self.read(&report)?,
+                })
+            })
+            .collect()
+    }
+
+    fn design_rows(&self, profile: &Profile) -> Result<Vec<DesignDocument>, ProfileError> {
+        let sql = "SELECT name, design FROM designs WHERE profile = ?1 ORDER BY name";
+        let mut query = self.ask(sql)?;
+        query
+            .query_map([profile.key], |row| {
+                Ok(DesignDocument {
+                    name: row.get(0)?,
+                    design: row.get(1)?,
+                })
+            })
+            .and_then(Iterator::collect)
+            .map_err(|error| self.fault(error))
+    }
+
+    /// Takes in an exported profile, all or nothing, under a name that is not taken.
+    ///
+    /// # Errors
+    /// The name is taken or none; the database cannot be written.
+    pub fn import(&mut self, file: &ProfileFile, name: &str) -> Result<Profile, ProfileError> {
+        let name = checked_name(name)?;
+        if self
+            .list()?
+            .iter()
+            .any(|profile| profile.name.eq_ignore_ascii_case(name))
+        {
+            return Err(ProfileError::Exists {
+                name: name.to_owned(),
+            });
+        }
+        let path = self.path.clone();
+        let taken = import(&mut self.connection, file, name);
+        taken.map_err(|error| ProfileError::Database { path, error })?;
+        self.find(name)
+    }
+}
+
+fn import(
+    connection: &mut rusqlite::Connection,
+    file: &ProfileFile,
+    name: &str,
+) -> rusqlite::Result<()> {
+    let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
+    transaction.execute(
+        "INSERT INTO profiles (name, since, lang) VALUES (?1, ?2, ?3)",
+        params![name, file.since, file.lang],
+    )?;
+    let key = transaction.last_insert_rowid();
+    for row in &file.entries {
+        transaction.execute(
+            "INSERT INTO entries (profile, id, at, entry) VALUES (?1, ?2, ?3, ?4)",
+            params![key, row.id, row.at, json(&row.entry)],
+        )?;
+    }
+    for run in &file.runs {
+        let row = RunRow {
+            id: &run.id,
+            ended: &run.ended,
+            airframes: &run.airframes,
+            recording: run.recording.as_deref(),
+            report: &run.report,
+        };
+        row.insert(&transaction, key)?;
+    }
+    for row in &file.designs {
+        transaction.execute(
+            "INSERT INTO designs (profile, name, design) VALUES (?1, ?2, ?3)",
+            params![key, row.name, row.design],
+        )?;
+    }
+    transaction.commit()
+}
