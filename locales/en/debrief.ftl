@@ -66,6 +66,7 @@ debrief-sign-missed = missed
 debrief-sign-shades = { $shades } weak to strong
 debrief-scale = a column is { $metres } m
 debrief-found = found { $found } of { $all }, false reports { $wrong }
+debrief-gaps = not covered: { $area } m2, most of it around n { $north } e { $east }
 debrief-missed = missed: { $kind } at n { $north } e { $east }
 
 debrief-tries = YOUR TRIES
@@ -82,6 +83,7 @@ truth-none = This mission has nothing to reveal.
 truth-found = found
 truth-missed = missed
 truth-over = settled
+truth-unasked = there, not asked for
 truth-decoy = harmless
 truth-false = false report
 truth-strength = strongest

@@ -37,9 +37,12 @@ impl Page<'_> {
     }
 }
 
-/// Whether an event only says that the alert came.
+/// Whether an event only says that the alert came, or that it was answered: its row tells both.
 fn is_of(event: &EventReport, alert: &AlertReport) -> bool {
-    event.kind == "alert" && event.text == alert.text && (event.at_s - alert.at_s).abs() < 0.05
+    event.kind == "answer"
+        || event.kind == "alert"
+            && event.text == alert.text
+            && (event.at_s - alert.at_s).abs() < 0.05
 }
 
 /// What came and what was done about it, and only then whether that was soon enough.

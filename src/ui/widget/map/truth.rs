@@ -26,10 +26,11 @@ type Sign = (char, Role, &'static str);
 const FOUND: Sign = ('#', Role::Ok, "truth-found");
 const MISSED: Sign = ('X', Role::Danger, "truth-missed");
 const OVER: Sign = ('+', Role::Info, "truth-over");
+const UNASKED: Sign = ('*', Role::Info, "truth-unasked");
 const DECOY: Sign = ('o', Role::Muted, "truth-decoy");
 const FALSE: Sign = ('?', Role::Warning, "truth-false");
 const PAD: Sign = ('H', Role::Title, "map-legend-home");
-const SIGNS: [Sign; 6] = [FOUND, MISSED, OVER, DECOY, FALSE, PAD];
+const SIGNS: [Sign; 7] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, PAD];
 
 /// Draws the map as a pane with a title; the signs that are on it are explained below it.
 pub fn draw(truth: &TruthReport, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -95,6 +96,7 @@ fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
         ("decoy", _) => DECOY,
         (_, true) => FOUND,
         _ if !object.present => OVER,
+        _ if !object.sought => UNASKED,
         _ => MISSED,
     };
     let objects = truth.objects.iter().map(|object| (sign(object), object.at));
