@@ -88,7 +88,12 @@ impl Page<'_> {
         for line in [first, second] {
             // A long title takes a line more rather than the outcome.
             let words = sanitised(&self.locale.text(&line));
-            for line in wrap(&words, WIDTH - 4) {
+            let lines = if words.width() > WIDTH - 4 {
+                wrap(&words, WIDTH - 4)
+            } else {
+                vec![words]
+            };
+            for line in lines {
                 self.line(&format!("| {} |", fit(&line, WIDTH - 4)));
             }
         }

@@ -116,8 +116,8 @@ mission-reward-threat = загроза { $threat }
 mission-lines = рядки { $first }-{ $last } з { $count }   j k гортають
 mission-vehicle-gone = його симулятор завершився: апарат втрачено
 
-# Що місія відповідає на дії.
-deed-over = місію завершено
+# Що завдання відповідає на дії.
+deed-over = завдання завершено
 deed-launched = це кажуть до зльоту
 deed-no-position = його місце невідоме
 deed-no-contacts = немає такого контакту, про який ще не доповіли
@@ -125,8 +125,8 @@ deed-no-mark = у межах 15 m звідти нічого не відміче�
 deed-marked-before = про це вже доповіли
 deed-marked = доповідей: { $count }
 deed-no-load = у нього нічого для цього немає
-deed-no-hint = у цій місії більше немає підказок
-deed-no-mission = місії немає
+deed-no-hint = у цьому завданні більше немає підказок
+deed-no-mission = завдання немає
 
 mission-hint-given = { $percent ->
     [0] підказка рівня { $level } (безкоштовно): { $hint }

@@ -210,7 +210,7 @@ impl Canvas {
         }
         let scale = format!("{:.1}", self.scale_m);
         parts.push(text!("debrief-scale", metres = scale));
-        Text::joined("   ", parts)
+        Text::joined(", ", parts)
     }
 }
 

@@ -8,8 +8,8 @@ use sortie::app::state::Activity;
 use sortie::config::Symbols;
 use sortie::geo::Outline;
 use sortie::mission::{
-    Area, AreaKind, ClueProgress, Inject, LoadLeft, MoverKind, MovingThing, OpenAlert, Progress,
-    ShownContact, ShownMark, Trust,
+    Area, AreaKind, ClueProgress, Ground, Inject, LoadLeft, MoverKind, MovingThing, OpenAlert,
+    Progress, ShownContact, ShownMark, Trust,
 };
 use sortie::scoring::AlertLevel;
 use sortie::text::Language;
@@ -120,6 +120,109 @@ fn alerts_loads_contacts_and_hints_are_in_the_flight_screen() {
 }
 
 #[test]
+fn what_cannot_wait_is_told_in_every_room_and_in_ukrainian() {
+    let mut console = resized(crowded(), (80, 24));
+    let fly = drawn(&console, Symbols::Braille, Language::Ukrainian, (80, 24));
+    insta::assert_snapshot!("crowded_fly_uk_80x24", fly);
+    for (key, expected) in [
+        ("F", "! 12 s: a helicopter comes in: go below 20 m"),
+        ("M", "! 12 s: a helicopter comes in: go below 20 m"),
+        ("V", "! 12 s"),
+        ("B", "! 12 s"),
+        ("I", "! 12 s"),
+    ] {
+        let text = console.press(key).screen(80, 24);
+        assert!(text.contains(expected), "{key}: {text}");
+    }
+}
+
+#[test]
+fn of_many_things_that_cannot_wait_the_rest_is_counted() {
+    let mut console = resized(crowded(), (80, 24));
+    let mut progress = progress();
+    progress.margins_db = (1..=9).map(|id| (id, 1.0)).collect();
+    console.hear(Event::Mission(Box::new(progress)));
+    let text = console.screen(80, 24);
+    assert!(text.contains("! 1 is hardly heard: 1 dB"), "{text}");
+    assert!(text.contains("and 8 more that cannot wait"), "{text}");
+    assert!(!text.contains("! 2 is hardly heard"), "{text}");
+}
+
+#[test]
+fn a_pause_is_on_the_screen_until_it_ends() {
+    let size = (80, 24);
+    let mut console = resized(crowded(), size);
+    console.hear(Event::Paused(true));
+    for language in Language::ALL {
+        let text = drawn(&console, Symbols::Braille, language, size);
+        let name = format!("crowded_paused_{}_80x24", language.code());
+        insta::assert_snapshot!(name, text);
+    }
+    console.hear(Event::Paused(false));
+    assert!(!console.screen(80, 24).contains("PAUSED"));
+}
+
+#[test]
+fn burnt_ground_is_edged_as_it_was_seen_and_explained() {
+    let size = (120, 40);
+    let mut console = resized(crowded(), size);
+    console.press("M").press("z");
+    let before = drawn(&console, Symbols::Ascii, Language::English, size);
+    assert!(!before.contains("burnt"), "{before}");
+    let ground = |north_m, east_m| Ground {
+        centre: fixtures::HOME.moved(north_m, east_m),
+        side_m: 20.0,
+    };
+    // A block of three by three: only its outer edges are drawn.
+    let block = [-20.0, 0.0, 20.0].map(|north| [-20.0, 0.0, 20.0].map(|east| (north, east)));
+    let block = block.concat().into_iter();
+    let progress = Progress {
+        mapped: block
+            .map(|(north, east)| ground(100.0 + north, -90.0 + east))
+            .collect(),
+        ..progress()
+    };
+    console.hear(Event::Mission(Box::new(progress)));
+    console.press("z");
+    let text = drawn(&console, Symbols::Ascii, Language::English, size);
+    assert!(text.contains("burnt, as you saw it"), "{text}");
+    insta::assert_snapshot!("burnt_map_120x40", text);
+}
+
+#[test]
+fn names_on_the_map_are_whole_or_only_a_sign_but_never_run_into_each_other() {
+    let size = (80, 24);
+    let mut console = resized(crowded(), size);
+    let contact = |number: u32| ShownContact {
+        name: format!("c{number}"),
+        kind: "fire",
+        at: fixtures::HOME.moved(100.0, f64::from(number) * 4.0),
+        trust: Trust::Seen,
+    };
+    let progress = Progress {
+        contacts: (10..30).map(contact).collect(),
+        ..progress()
+    };
+    console.hear(Event::Mission(Box::new(progress)));
+    console.press("M").press("z");
+    let text = drawn(&console, Symbols::Ascii, Language::English, size);
+    let row = text
+        .lines()
+        .find(|line| line.contains("?c29"))
+        .expect("the newest contact");
+    for word in row.split_whitespace().filter(|word| word.starts_with('?')) {
+        let name = word.trim_start_matches('?');
+        let known = name
+            .strip_prefix('c')
+            .and_then(|number| number.parse().ok());
+        assert!(
+            name.is_empty() || known.is_some_and(|it: u32| (10..30).contains(&it)),
+            "{row}"
+        );
+    }
+}
+
+#[test]
 fn areas_people_aircraft_and_contacts_are_on_the_map_and_told_apart_by_signs() {
     let size = (120, 40);
     let mut console = resized(crowded(), size);
@@ -166,7 +269,10 @@ fn the_room_of_the_mission_tells_what_the_next_hint_takes() {
 fn what_an_instructor_may_have_happen_is_offered_by_name() {
     let mut console = crowded();
     console.press("e");
-    assert!(console.screen(80, 24).contains("gust"));
+    for language in Language::ALL {
+        let text = drawn(&console, Symbols::Braille, language, (80, 24));
+        insta::assert_snapshot!(format!("inject_{}_80x24", language.code()), text);
+    }
     console.write("gust").press("enter");
     assert!(
         matches!(console.effects.as_slice(), [Effect::Inject(name)] if name == "gust"),

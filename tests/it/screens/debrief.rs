@@ -107,6 +107,67 @@ fn the_truth_is_beside_the_text_where_there_is_room_and_behind_a_key_elsewhere()
 }
 
 #[test]
+fn what_nobody_asked_for_is_not_missed() {
+    let mut truth = truth();
+    for object in &mut truth.objects {
+        object.sought = false;
+    }
+    let mut console = debriefed((80, 24));
+    let report = Report {
+        truth,
+        ..fixtures::report()
+    };
+    console.hear(Event::MissionEnded(Box::new(report)));
+    console.at(10).press("m");
+    let text = shown(&console, Symbols::Ascii);
+    assert!(text.contains("there, not asked for 1"), "{text}");
+    assert!(!text.contains("missed"), "{text}");
+}
+
+#[test]
+fn a_long_title_takes_a_line_more_and_the_outcome_stays() {
+    let mut console = debriefed((80, 24));
+    let report = Report {
+        title: "A title that is a good deal longer than what the line has room for".into(),
+        ..fixtures::report()
+    };
+    console.hear(Event::MissionEnded(Box::new(report)));
+    let text = shown(&console, Symbols::Ascii);
+    assert!(
+        text.contains("longer than what the line") && text.contains("PASSED"),
+        "{text}"
+    );
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("| ")).collect();
+    assert_eq!(lines.len(), 3, "{text}");
+}
+
+#[test]
+fn the_text_in_both_languages() {
+    let console = debriefed((80, 50));
+    for language in Language::ALL {
+        let text = drawn(&console, Symbols::Braille, language, (80, 50));
+        insta::assert_snapshot!(format!("debrief_{}_80x50", language.code()), text);
+    }
+}
+
+#[test]
+fn who_flies_a_mission_again_is_in_the_air_at_once_and_who_comes_to_one_reads_it() {
+    let mut console = Console::new();
+    let mission = |id: &str| Activity::Mission {
+        id: id.to_owned(),
+        title: "Air sample at the yard".into(),
+    };
+    console.start(mission("m01"));
+    assert_eq!(console.state.room, Room::Mission);
+    for room in ["B", "F", "M"] {
+        console.press(room).start(mission("m01"));
+        assert_eq!(console.state.room, Room::Fly, "from {room}");
+    }
+    console.start(mission("m02"));
+    assert_eq!(console.state.room, Room::Mission);
+}
+
+#[test]
 fn a_mission_that_hid_nothing_says_so_instead_of_a_map() {
     let mut console = debriefed((80, 24));
     let report = fixtures::report();

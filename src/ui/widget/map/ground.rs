@@ -107,16 +107,16 @@ fn readable(labels: Vec<Label>) -> Vec<Label> {
     let mut kept = Vec::new();
     for mut label in labels.into_iter().rev() {
         let (column, row) = label.cell;
-        let is_free = |text: &str| {
-            let width = text.width() as u16;
-            (column..column + width).all(|at| !taken.contains(&(row, at)))
-        };
-        if !is_free(&label.text) {
+        let width = label.text.width() as u16;
+        // With a blank to both sides.
+        let mut around = column.saturating_sub(1)..=column + width;
+        if around.any(|at| taken.contains(&(row, at))) {
             let sign = label.text.chars().next().filter(|c| !c.is_alphanumeric());
-            label.text = sign.map(String::from).unwrap_or_default();
-            if label.text.is_empty() || !is_free(&label.text) {
+            let sign = sign.filter(|_| !taken.contains(&(row, column)));
+            let Some(sign) = sign else {
                 continue;
-            }
+            };
+            label.text = sign.to_string();
         }
         let width = label.text.width() as u16;
         taken.extend((column..column + width).map(|at| (row, at)));

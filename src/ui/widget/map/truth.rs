@@ -158,7 +158,7 @@ fn legend(
         let (line, count) = (GAP.sample(look.symbols), truth.gaps.len());
         words.push(format!("{line} {} {count}", look.say("truth-gaps")));
     }
-    let lines = wrap(&words.join("   "), width).into_iter();
+    let lines = wrap(&words.join(", "), width).into_iter();
     lines
         .map(|line| Line::from(Span::styled(line, look.style(Role::Muted))))
         .collect()
