@@ -66,7 +66,7 @@ debrief-sign-missed = пропущено
 debrief-sign-shades = { $shades } від слабкого до сильного
 debrief-scale = колонка - { $metres } m
 debrief-found = знайдено { $found } з { $all }, хибних повідомлень { $wrong }
-debrief-gaps = не обстежено: { $area } m2, найбільше біля n { $north } e { $east }
+debrief-gaps = не обстежено: { $area } m², найбільше біля n { $north } e { $east }
 debrief-missed = пропущено: { $kind }, n { $north } e { $east }
 
 debrief-tries = ВАШІ СПРОБИ

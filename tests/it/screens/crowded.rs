@@ -63,7 +63,7 @@ fn progress() -> Progress {
         ],
         movers: vec![
             mover("walker", MoverKind::Person, 70.0, -10.0),
-            mover("heli", MoverKind::Aircraft, 140.0, 20.0),
+            mover("heli", MoverKind::Aircraft, 140.0, 0.0),
         ],
         contacts: vec![
             contact("c1", Trust::Seen, 20.0),

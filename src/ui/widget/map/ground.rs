@@ -108,8 +108,9 @@ fn readable(labels: Vec<Label>) -> Vec<Label> {
     for mut label in labels.into_iter().rev() {
         let (column, row) = label.cell;
         let width = label.text.width() as u16;
-        // With a blank to both sides.
-        let mut around = column.saturating_sub(1)..=column + width;
+        // Words with a blank to both sides; signs may stand side by side.
+        let margin = u16::from(width > 1);
+        let mut around = column.saturating_sub(margin)..column + width + margin;
         if around.any(|at| taken.contains(&(row, at))) {
             let sign = label.text.chars().next().filter(|c| !c.is_alphanumeric());
             let sign = sign.filter(|_| !taken.contains(&(row, column)));

@@ -156,6 +156,8 @@ fn legend(
     words.extend(strongest.map(|shade| format!("{shade} {}", look.say("truth-strength"))));
     if !truth.gaps.is_empty() {
         let (line, count) = (GAP.sample(look.symbols), truth.gaps.len());
+        // A piece of it without a blank, at which the words would be broken.
+        let line = line.split(' ').next().unwrap_or_default().to_owned();
         words.push(format!("{line} {} {count}", look.say("truth-gaps")));
     }
     let lines = wrap(&words.join(", "), width).into_iter();
