@@ -226,6 +226,46 @@ fn a_folder_does_not_hide_the_mission_of_the_same_name() {
 }
 
 #[test]
+fn a_drill_and_its_pilot_go_by_their_numbers() {
+    let flown = sortie(&["run", "d03", "--pilot", "d03", "--json", "--no-timing"]);
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&flown.stdout).expect("one document");
+    assert_eq!(report["mission"], "d03-up-the-wind");
+    assert_eq!(report["passed"], true);
+}
+
+#[test]
+fn a_drill_is_flown_by_its_number() {
+    let folder = folder_with(&[]);
+    let flown = sortie_in(folder.path(), &["fly", "d03", "--plain", "--seed", "1"]);
+    let said = text(&flown.stdout);
+    assert!(said.starts_with("Drill: up the wind\n"), "{said}");
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
+}
+
+#[test]
+fn a_folder_is_checked_with_all_that_lies_below_it() {
+    let folder = folder_with(&[
+        ("good.pilot", "all arm\n"),
+        ("drills/bad.pilot", "all fly\n"),
+        ("drills/deeper/bad.toml", "schema = 1\nid = \"x\"\n"),
+        ("notes.txt", "mine"),
+    ]);
+    let path = folder.path().to_str().expect("plain");
+    let checked = sortie(&["check", path]);
+    let found = text(&checked.stdout);
+    assert_eq!(checked.status.code(), Some(1), "{found}");
+    for line in ["good.pilot: good", "bad.pilot:1:5", "bad.toml:1:1"] {
+        assert!(found.contains(line), "{line}: {found}");
+    }
+    assert!(!found.contains("notes.txt"), "{found}");
+    let good = sortie(&["check", "missions/drills"]);
+    let found = text(&good.stdout);
+    assert_eq!(good.status.code(), Some(0), "{found}");
+    assert_eq!(found.lines().count(), 15, "{found}");
+}
+
+#[test]
 fn missions_and_pilots_of_the_user_are_found_by_name_number_and_id() {
     let mission = fs::read_to_string("missions/01-air-sample.toml").expect("it is there");
     let mission = mission.replace("id = \"01-air-sample\"", "id = \"mine\"");
