@@ -138,12 +138,12 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nbudget = 942",
-        "33:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 943 credits",
+        "32:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 943 credits",
     ),
     (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nbudget = 1072\nloads = { ball = 1, kit = 1, spray = 30 }",
-        "33:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 1073 credits",
+        "32:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 1073 credits",
     ),
     (
         "pads = [[0, 0]]",
