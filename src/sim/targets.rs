@@ -185,7 +185,7 @@ impl Autopilot {
     }
 
     /// Whether it still stands where a takeoff has ended, and nothing else was asked since.
-    fn holds_takeoff(&self) -> bool {
+    pub(super) fn holds_takeoff(&self) -> bool {
         matches!(&self.task, Task::Goto { goal_m, .. } if self.takeoff_m == Some(*goal_m))
     }
 

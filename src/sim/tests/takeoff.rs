@@ -1,6 +1,6 @@
 //! What comes between arming and the climb.
 
-use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
+use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 
 use super::*;
 
@@ -106,4 +106,21 @@ fn a_speed_is_forgotten_by_the_first_target_after_a_takeoff_and_by_another_kind_
         let fastest = fastest_to(&mut ground, 0.0);
         assert!(fastest > 8.0, "{fastest}");
     }
+}
+
+#[test]
+fn a_place_to_fly_to_is_told_from_the_first_target_on_and_not_in_a_takeoff() {
+    let told = |ground: &mut Ground| {
+        let heard = ground.heard.len();
+        ground.run(2.0);
+        let messages = ground.messages_since(heard).into_iter();
+        let told = messages.filter(|it| matches!(it, MavMessage::POSITION_TARGET_GLOBAL_INT(_)));
+        told.count()
+    };
+    let mut ground = Ground::hovering(10.0);
+    let every_us = 100_000.0;
+    ground.long(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, [87.0, every_us]);
+    assert_eq!(told(&mut ground), 0);
+    ground.goto([10.0, 0.0, -10.0]);
+    assert!(told(&mut ground) > 15);
 }
