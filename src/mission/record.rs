@@ -129,6 +129,16 @@ enum Line {
     },
 }
 
+impl Line {
+    /// Its mission time in ms, where it has one.
+    fn time(&self) -> Option<u64> {
+        match self {
+            Self::Tick { t, .. } | Self::End { t, .. } => Some(*t),
+            _ => None,
+        }
+    }
+}
+
 /// What has changed.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct Change {
