@@ -10,17 +10,13 @@ use std::time::Duration;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tokio::time::{Interval, MissedTickBehavior};
 
-use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::room::{hangar, messages};
 use crate::app::state::State;
 use crate::app::update;
 use crate::fleet::Clock;
-use crate::notice::sanitised;
-use crate::session::Order;
-use crate::store;
 use crate::terminal::input::Input;
-use crate::terminal::{self, Environment, Keyboard, Screen};
+use crate::terminal::{self, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
 use crate::ui::{self, Look};
@@ -28,6 +24,7 @@ use crate::vehicle::Severity;
 
 mod begin;
 mod drive;
+mod effects;
 mod files;
 mod missions;
 mod options;
@@ -37,7 +34,7 @@ pub mod plain;
 mod session;
 mod signals;
 
-use begin::{Attempt, parse};
+use begin::Attempt;
 pub use drive::drive;
 use missions::listings;
 pub use options::{Opening, Options, Preferences};
@@ -341,93 +338,6 @@ impl Console {
             && let Some(event) = running.inspect(wanted.as_ref(), now)
         {
             self.feed(event).await;
-        }
-    }
-
-    async fn feed(&mut self, event: Event) {
-        for effect in update(&mut self.state, event) {
-            self.carry_out(effect).await;
-        }
-        self.keep_line();
-    }
-
-    async fn carry_out(&mut self, effect: Effect) {
-        let plan = match effect {
-            Effect::Quit => return self.over = true,
-            Effect::Bell => return self.bell = true,
-            Effect::Notify(text) => {
-                return self.note = Some(sanitised(&self.look.locale.text(&text)));
-            }
-            Effect::LeaveSession => return self.end_session(),
-            Effect::SetTheme(name) => return self.set_theme(&name),
-            Effect::SetFps(fps) => return self.fps = Some(fps),
-            Effect::FetchParameters(_)
-            | Effect::ReadParameters { .. }
-            | Effect::SaveParameters { .. } => return self.parameters(effect),
-            Effect::AbandonMission => return self.abandon(),
-            Effect::Inject(name) => return self.inject(&name),
-            Effect::Pause => return self.pause(),
-            Effect::GoOn => return self.go_on(),
-            Effect::Command {
-                entry,
-                targets,
-                verb,
-                command,
-            } => {
-                let order = Order::new(entry, verb, command);
-                return self.command(&targets, &order).await;
-            }
-            Effect::Deed {
-                entry,
-                targets,
-                deed,
-            } => return self.deed(entry, &targets, &deed).await,
-            Effect::Manoeuvre {
-                entry,
-                targets,
-                manoeuvre,
-            } => return self.begin_manoeuvre(entry, &manoeuvre, &targets).await,
-            Effect::StartMission(id) => store::mission(&id)
-                .map(|mission| Plan::Mission(Arc::new(mission)))
-                .map_err(|error| Text::from(&error)),
-            Effect::StartFree => Ok(Plan::Free(None)),
-            Effect::StartArduPilot => Ok(Plan::Free(self.options.ardupilot.clone())),
-            Effect::Hangar(deed, vehicle) => {
-                return self
-                    .running
-                    .iter()
-                    .for_each(|running| running.process(deed, vehicle));
-            }
-            Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect),
-            Effect::RestartMission { alike } => match &self.running {
-                Some(running) => {
-                    let plan = running.plan();
-                    return self.start_again(plan, alike).await;
-                }
-                None => return,
-            },
-        };
-        let outcome = match plan {
-            Ok(plan) => self.start_afresh(plan).await,
-            Err(error) => Err(error),
-        };
-        self.tell_failure(outcome);
-    }
-
-    fn tell_failure(&mut self, outcome: Result<(), Text>) {
-        if let Err(error) = outcome {
-            // Nothing that a failure causes is an effect.
-            update(&mut self.state, Event::Failed(error));
-        }
-    }
-
-    fn set_theme(&mut self, name: &str) {
-        match self.options.preferences.themes.named(name) {
-            Ok(theme) => {
-                self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
-            }
-            // Nothing that a failure causes is an effect.
-            Err(error) => drop(update(&mut self.state, Event::Failed(Text::from(&error)))),
         }
     }
 }

@@ -5,24 +5,25 @@
 //! runner drives them in lock step with the simulator. Both therefore behave the same, and every
 //! time-out and retry can be tested without waiting for it.
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
-use crate::ledger::{RowState, RowUpdate};
+use crate::ledger::RowUpdate;
 use crate::messages::Inbox;
 use crate::notice::Notice;
-use crate::parameters::{Fetching, Snapshot};
+use crate::parameters::Snapshot;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle};
-use crate::wire::{ComponentId, Content, Frame, LossMeter, Outgoing, SystemId};
+use crate::vehicle::Vehicle;
+use crate::wire::{ComponentId, Content, Frame, Outgoing, SystemId};
 
 mod acknowledgement;
 mod download;
 mod fit;
+mod hearing;
+mod line;
 mod naming;
 mod order;
 mod plans;
@@ -35,13 +36,14 @@ mod tests;
 mod timesync;
 mod transaction;
 
-use acknowledgement::{Acknowledgement, OwedAcks};
 use download::Download;
+use hearing::{Hearing, watch_silence};
+use line::{Line, Moment};
 use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
-use transaction::{Progress, Transaction};
 
+pub use hearing::LOST_AFTER;
 pub use naming::Renamed;
 pub use order::{Order, Report, Steering};
 pub use precedence::moves_the_vehicle;
@@ -49,15 +51,10 @@ pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
 
-/// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
-pub const LOST_AFTER: Duration = Duration::from_millis(2500);
 /// How long a session may be left alone while an answer is awaited or something is said again and again.
 const BUSY_POLL: Duration = Duration::from_millis(50);
 /// How long a session may be left alone otherwise.
 const IDLE_POLL: Duration = Duration::from_millis(500);
-
-/// Orders that may wait for one vehicle; more are refused.
-const MOST_WAITING: usize = 32;
 
 /// What a session has to send and to say.
 #[derive(Debug, Default)]
@@ -77,18 +74,11 @@ impl Output {
 pub struct Session {
     vehicle: Vehicle,
     inbox: Inbox,
-    loss: LossMeter,
+    hearing: Hearing,
     streams: Streams,
     timesync: Timesync,
     plans: PlanReader,
-    /// Orders that wait for the line to be free, with the time they were given.
-    queue: VecDeque<(Order, Duration)>,
-    search: naming::Search,
-    /// The one whose answer is awaited.
-    active: Option<Transaction>,
-    /// Those that were accepted and whose effect is awaited.
-    watched: Vec<Transaction>,
-    owed: OwedAcks,
+    line: Line,
     download: Download,
     output: Output,
     /// The radio between the vehicle and us.
@@ -107,15 +97,11 @@ impl Session {
         Self {
             vehicle: Vehicle::new(system, component),
             inbox: Inbox::new(),
-            loss: LossMeter::default(),
+            hearing: Hearing::default(),
             streams: Streams::new(WANTED_STREAMS, now),
             timesync: Timesync::default(),
             plans: PlanReader::default(),
-            queue: VecDeque::new(),
-            search: naming::Search::default(),
-            active: None,
-            watched: Vec::new(),
-            owed: OwedAcks::default(),
+            line: Line::default(),
             download: Download::new(),
             output: Output::default(),
             channel: radio::Channel::new(),
@@ -149,10 +135,7 @@ impl Session {
     /// Asks the vehicle for all its parameters, also for those that have come before; a download that is under way
     /// goes on as it is.
     pub fn fetch_parameters(&mut self, now: Duration) {
-        if !self.download.fetching().is_under_way() {
-            self.download.start();
-            self.inbox.expect_parameters_again();
-        }
+        self.download.begin(&mut self.inbox);
         self.poll(now);
     }
 
@@ -215,11 +198,7 @@ impl Session {
         let mut notices = Vec::new();
         self.inbox
             .apply(&mut self.vehicle, frame, now, &mut notices);
-        for notice in &notices {
-            if let Some(active) = &mut self.active {
-                active.hear_text(notice);
-            }
-        }
+        self.line.hear_texts(&notices);
         self.say(notices);
         if is_autopilot {
             self.answer(frame, now);
@@ -244,31 +223,18 @@ impl Session {
         self.streams.forget(now);
         self.plans.forget();
         self.settings.forget();
-        self.forget_parameters();
+        self.download.begin_anew(&mut self.inbox);
         // What was meant for the vehicle before must not reach the one that has just booted.
-        self.clear_the_line(&text!("outcome-the-reboot"), now);
-        self.supersede_movements(&text!("outcome-the-reboot"), now);
+        let newer = text!("outcome-the-reboot");
+        let (line, mut moment) = self.line(now);
+        line.clear(&newer, &mut moment);
+        line.supersede_movements(&newer, now, moment.output);
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
-    pub fn order(&mut self, mut order: Order, now: Duration) {
-        if precedence::is_urgent(&order.command, &self.vehicle) {
-            self.clear_the_line(&order.verb.into(), now);
-        }
-        if self.queue.len() >= MOST_WAITING {
-            let reason = text!("outcome-queue-full", count = MOST_WAITING);
-            self.output
-                .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
-            return;
-        }
-        naming::settle(&mut order, self.inbox.parameters());
-        if let Err(reason) = fit::check(&order.command, self.inbox.parameters()) {
-            self.output
-                .row(order.unsent(self.vehicle.id, RowState::Refused, reason, now));
-            return;
-        }
-        self.queue.push_back((order, now));
-        self.advance(now);
+    pub fn order(&mut self, order: Order, now: Duration) {
+        let (line, moment) = self.line(now);
+        line.order(order, moment);
     }
 
     /// Says where the vehicle is to be, as a part of what several do together: no command, nothing is awaited and
@@ -278,7 +244,8 @@ impl Session {
     /// In plain words when there is no such place to fly to; nothing was sent.
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
         let message = steering.setpoint.message(&self.vehicle)?;
-        self.supersede_movements(&steering.verb.into(), now);
+        self.line
+            .supersede_movements(&steering.verb.into(), now, &mut self.output);
         self.output.messages.push(message);
         Ok(())
     }
@@ -291,7 +258,8 @@ impl Session {
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
         self.say(notices);
-        self.watch_silence(now);
+        let lost = watch_silence(&mut self.vehicle, now);
+        self.say(lost);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
             let address = (self.vehicle.system, self.vehicle.component);
             self.output
@@ -299,10 +267,11 @@ impl Session {
                 .extend(self.timesync.poll(address, now));
             for (message, command) in self.streams.poll(&self.vehicle, now) {
                 self.output.messages.push(message);
-                self.owed.add(command, 1, now);
+                self.line.expect_ack(command, now);
             }
             self.read_plans(now);
-            self.download(now);
+            let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
+            self.output.messages.extend(requests);
         }
         self.advance(now);
     }
@@ -310,11 +279,8 @@ impl Session {
     /// How long the session may be left alone if nothing arrives.
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
-        let is_asked = self.active.is_some() || !self.queue.is_empty();
-        // Otherwise an effect shows in what arrives, and its deadline is seconds away.
-        let is_kept_up = |watched: &Transaction| watched.order.command.repeat().is_some();
         let is_late = !self.channel.is_clear() || !self.settings.are_settled();
-        if is_late || is_asked || self.watched.iter().any(is_kept_up) || is_fetching {
+        if is_late || self.line.is_busy() || is_fetching {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -338,49 +304,15 @@ impl Session {
     }
 
     fn hear(&mut self, frame: &Frame, now: Duration) {
-        self.loss.note(frame);
-        if !frame.is_verified() {
-            return;
+        let back = self.hearing.hear(frame, &mut self.vehicle, now);
+        if frame.is_verified() {
+            self.streams.note(frame.content.id());
         }
-        self.streams.note(frame.content.id());
-        let link = &mut self.vehicle.link;
-        link.received += 1;
-        link.missing = self.loss.lost();
-        let silent_since = link.last_heard.replace(now);
-        if std::mem::take(&mut link.lost) {
-            let gap = now.saturating_sub(silent_since.unwrap_or(now));
-            self.notice(
-                Severity::Notice,
-                text!(
-                    "heard-link-back",
-                    seconds = format!("{:.1}", gap.as_secs_f64())
-                ),
-                now,
-            );
+        if back.is_some() {
             self.streams.forget(now);
             self.download.resume(now);
         }
-    }
-
-    fn download(&mut self, now: Duration) {
-        if self.download.is_to_restart(self.inbox.parameters()) {
-            self.download.start();
-            self.inbox.expect_parameters_again();
-        }
-        let requests = self
-            .download
-            .poll(self.inbox.parameters(), &self.vehicle, now);
-        self.output.messages.extend(requests);
-    }
-
-    /// A vehicle that has booted may have other values than before, or other parameters: what was known of them says
-    /// nothing any more. If they had been asked for, they are again.
-    fn forget_parameters(&mut self) {
-        self.inbox.forget_parameters();
-        if self.download.fetching() != Fetching::NotAsked {
-            self.download = Download::new();
-            self.download.start();
-        }
+        self.say(back);
     }
 
     /// Looks for answers to what we asked, and for questions to us.
@@ -396,18 +328,12 @@ impl Session {
         self.plans
             .receive(&mut self.vehicle, frame, now, &mut messages);
         self.send(messages);
-        let ack = Acknowledgement::from_frame(frame);
-        if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
-            return;
-        }
-        if let Some(active) = &mut self.active {
-            active.receive(frame, now, &mut self.output);
-        }
+        self.line.receive(frame, now, &mut self.output);
     }
 
     /// A command that waits for its answer goes before a list that nobody waits for.
     fn read_plans(&mut self, now: Duration) {
-        if self.active.is_none() || self.plans.is_busy() {
+        if self.line.is_free() || self.plans.is_busy() {
             let mut messages = Vec::new();
             self.plans.poll(&mut self.vehicle, now, &mut messages);
             self.send(messages);
@@ -419,94 +345,24 @@ impl Session {
         self.output.messages.extend(messages);
     }
 
-    fn watch_silence(&mut self, now: Duration) {
-        let link = &mut self.vehicle.link;
-        let silent = link
-            .last_heard
-            .is_some_and(|heard| now.saturating_sub(heard) >= LOST_AFTER);
-        if silent && !link.lost {
-            link.lost = true;
-            self.notice(Severity::Critical, text!("heard-link-lost"), now);
-        }
+    fn say(&mut self, notices: impl IntoIterator<Item = Notice>) {
+        let reports = notices.into_iter().map(Report::Notice);
+        self.output.reports.extend(reports);
     }
 
-    fn say(&mut self, notices: Vec<Notice>) {
-        self.output
-            .reports
-            .extend(notices.into_iter().map(Report::Notice));
-    }
-
-    fn notice(&mut self, severity: Severity, text: impl Into<Text>, now: Duration) {
-        self.say(vec![Notice {
-            at: now,
-            vehicle: Some(self.vehicle.id),
-            severity,
-            text: text.into(),
-        }]);
-    }
-
-    /// Gives up everything that waits or has not been answered, because something urgent was ordered. What flies
-    /// goes on until the urgent command has been accepted.
-    fn clear_the_line(&mut self, newer: &Text, now: Duration) {
-        let reason = text!("outcome-superseded", by = newer);
-        for (order, _) in self.queue.drain(..) {
-            self.output.row(order.unsent(
-                self.vehicle.id,
-                RowState::Superseded,
-                reason.clone(),
-                now,
-            ));
-        }
-        if let Some((command, acks)) = self.active.as_ref().and_then(Transaction::owed_acks) {
-            self.owed.add(command, acks, now);
-        }
-        if let Some(active) = self.active.take() {
-            active.supersede(&reason, now, &mut self.output);
-        }
-    }
-
-    /// Moves everything as far as it will go.
+    /// Moves all orders as far as they will go.
     fn advance(&mut self, now: Duration) {
-        loop {
-            if self.active.is_none() {
-                let Some((order, given)) = self.next_order(now) else {
-                    break;
-                };
-                self.active =
-                    Transaction::start(order, given, &self.vehicle, now, &mut self.output);
-            }
-            let Some(mut active) = self.active.take() else {
-                continue;
-            };
-            let progress = active.poll(&self.vehicle, now, &mut self.output);
-            if progress == Progress::Waiting {
-                self.active = Some(active);
-                break;
-            }
-            if active.moves_the_vehicle() {
-                self.supersede_movements(&active.verb().into(), now);
-                // Where it was heading says nothing any more; the next message of it does.
-                self.vehicle.target = None;
-            }
-            if progress == Progress::Watching {
-                self.watched.push(active);
-            }
-        }
-        let (vehicle, output) = (&self.vehicle, &mut self.output);
-        self.watched
-            .retain_mut(|watched| watched.poll(vehicle, now, output) != Progress::Ended);
+        let (line, moment) = self.line(now);
+        line.advance(moment);
     }
 
-    /// A vehicle flies to one place at a time: what it was doing before is not awaited any longer.
-    fn supersede_movements(&mut self, newer: &Text, now: Duration) {
-        let reason = text!("outcome-superseded", by = newer);
-        let output = &mut self.output;
-        self.watched.retain(|transaction| {
-            let superseded = transaction.gives_way_to_movement();
-            if superseded {
-                transaction.supersede(&reason, now, output);
-            }
-            !superseded
-        });
+    fn line(&mut self, now: Duration) -> (&mut Line, Moment<'_>) {
+        let moment = Moment {
+            vehicle: &mut self.vehicle,
+            parameters: self.inbox.parameters(),
+            now,
+            output: &mut self.output,
+        };
+        (&mut self.line, moment)
     }
 }

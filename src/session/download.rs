@@ -8,6 +8,7 @@ use mavlink::dialects::ardupilotmega::{
     MavMessage, PARAM_REQUEST_LIST_DATA, PARAM_REQUEST_READ_DATA,
 };
 
+use crate::messages::Inbox;
 use crate::parameters::{Fetching, Parameters};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
@@ -89,13 +90,28 @@ impl Download {
         }
     }
 
-    /// Begins, or begins again.
-    pub fn start(&mut self) {
-        *self = Self {
-            phase: Phase::Asking,
-            restarts: self.restarts,
-            ..Self::new()
-        };
+    /// Asks for all parameters, also for those that have come before; one that is under way goes on as it is.
+    pub fn begin(&mut self, inbox: &mut Inbox) {
+        if !self.fetching().is_under_way() {
+            *self = Self {
+                phase: Phase::Asking,
+                restarts: self.restarts,
+                ..Self::new()
+            };
+            inbox.expect_parameters_again();
+        }
+    }
+
+    /// The vehicle has booted and may have other values than before, or other parameters: what was known of them says
+    /// nothing any more. If they had been asked for, they are again.
+    pub fn begin_anew(&mut self, inbox: &mut Inbox) {
+        inbox.forget_parameters();
+        if self.phase != Phase::Idle {
+            *self = Self {
+                phase: Phase::Asking,
+                ..Self::new()
+            };
+        }
     }
 
     /// How far it is.
@@ -120,21 +136,13 @@ impl Download {
         }
     }
 
-    /// Whether the list has to be read anew because the vehicle has another number of parameters by now.
-    pub fn is_to_restart(&mut self, parameters: &Parameters) -> bool {
-        let is_stale = parameters.is_outdated() || !parameters.is_complete();
-        let is_due = self.phase == Phase::Complete && is_stale && self.restarts < RESTARTS;
-        self.restarts += u8::from(is_due);
-        is_due
-    }
-
     /// The requests that are due.
-    pub fn poll(
-        &mut self,
-        parameters: &Parameters,
-        vehicle: &Vehicle,
-        now: Duration,
-    ) -> Vec<Outgoing> {
+    pub fn poll(&mut self, inbox: &mut Inbox, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
+        if self.is_to_restart(inbox.parameters()) {
+            self.restarts += 1;
+            self.begin(inbox);
+        }
+        let parameters = inbox.parameters();
         if !self.fetching().is_under_way() {
             return Vec::new();
         }
@@ -162,6 +170,12 @@ impl Download {
             self.phase = Phase::Filling;
             self.fill(parameters, vehicle, now)
         }
+    }
+
+    /// Whether the list has to be read anew because the vehicle has another number of parameters by now.
+    fn is_to_restart(&self, parameters: &Parameters) -> bool {
+        let is_stale = parameters.is_outdated() || !parameters.is_complete();
+        self.phase == Phase::Complete && is_stale && self.restarts < RESTARTS
     }
 
     fn take_note(&mut self, parameters: &Parameters, now: Duration) {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Order, Session, fit};
+use super::{Order, fit};
 use crate::commands::Command;
 use crate::diagnostic::nearest;
 use crate::ledger::{EntryId, RowState};
@@ -69,7 +69,7 @@ pub(super) struct Search {
 }
 
 /// What comes of a search.
-enum Searching {
+pub(super) enum Searching {
     /// These are to be sent.
     Ask(Vec<Outgoing>),
     Wait,
@@ -80,7 +80,8 @@ enum Searching {
 }
 
 impl Search {
-    fn poll(
+    /// Lets time pass while an order waits that is to be sent until `deadline`.
+    pub fn poll(
         &mut self,
         order: &Order,
         deadline: Duration,
@@ -126,60 +127,27 @@ fn names(command: &Command) -> (&str, &str) {
     }
 }
 
-impl Session {
-    /// The order whose turn has come, with the vehicle's own name for its parameter. `None` if there is none, or
-    /// while that name is not known.
-    pub(super) fn next_order(&mut self, now: Duration) -> Option<(Order, Duration)> {
-        loop {
-            let (order, given) = self.queue.front_mut()?;
-            let list = self.inbox.parameters();
-            let refused = if settle(order, list) {
-                // A name that was found only now has not been checked.
-                let is_new = order.renamed.is_some();
-                match fit::check(&order.command, list) {
-                    Err(reason) if is_new => (RowState::Refused, reason),
-                    _ => return self.queue.pop_front(),
-                }
-            } else {
-                let deadline = *given + order.retry.deadline;
-                match self.search.poll(order, deadline, &self.vehicle, now) {
-                    Searching::Ask(messages) => {
-                        self.output.messages.extend(messages);
-                        return None;
-                    }
-                    Searching::Wait => return None,
-                    // Its transaction ends it at once, and says so.
-                    Searching::TooLate => return self.queue.pop_front(),
-                    Searching::Over => self.not_found(),
-                }
-            };
-            let (order, _) = self.queue.pop_front()?;
-            let (state, reason) = refused;
-            self.output
-                .row(order.unsent(self.vehicle.id, state, reason, now));
-        }
-    }
-
-    /// How an order ends whose parameter the vehicle has under neither name.
-    fn not_found(&self) -> (RowState, Text) {
-        let command = self.queue.front().map(|(order, _)| &order.command);
-        let (name, other) = command.map_or(("", ""), names);
-        let list = self.inbox.parameters();
-        let known = list.iter().map(|(name, _)| name);
-        let reason = match nearest(name, known) {
-            Some(nearest) => text!(
-                "refused-neither-parameter-but",
-                name = name,
-                other = other,
-                nearest = nearest
-            ),
-            None => text!("refused-neither-parameter", name = name, other = other),
-        };
-        let state = if self.vehicle.link.lost {
-            RowState::TimedOut
-        } else {
-            RowState::Refused
-        };
-        (state, reason)
-    }
+/// How an order ends whose parameter the vehicle has under neither name.
+pub(super) fn not_found(
+    command: &Command,
+    list: &Parameters,
+    vehicle: &Vehicle,
+) -> (RowState, Text) {
+    let (name, other) = names(command);
+    let known = list.iter().map(|(name, _)| name);
+    let reason = match nearest(name, known) {
+        Some(nearest) => text!(
+            "refused-neither-parameter-but",
+            name = name,
+            other = other,
+            nearest = nearest
+        ),
+        None => text!("refused-neither-parameter", name = name, other = other),
+    };
+    let state = if vehicle.link.lost {
+        RowState::TimedOut
+    } else {
+        RowState::Refused
+    };
+    (state, reason)
 }

@@ -10,7 +10,7 @@ use mavlink::dialects::ardupilotmega::{
 use super::*;
 use crate::commands::{Command, Destination, Heading};
 use crate::language::Retry;
-use crate::ledger::EntryId;
+use crate::ledger::{EntryId, RowState};
 
 mod download;
 mod hearing;

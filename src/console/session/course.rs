@@ -2,13 +2,18 @@
 
 use std::time::Duration;
 
+use super::Running;
 use super::logbook::Logbook;
 use crate::app::event::Event;
 use crate::app::state::{Session as Shown, Stage};
-use crate::mission::{self, Clock, Flight};
+use crate::commands::Deed;
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::mission::{self, Clock, Demand, Flight};
 use crate::notice::Notice;
 use crate::store;
-use crate::vehicle::Severity;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
 
 /// A mission that is flown.
 pub(super) struct Course {
@@ -18,6 +23,8 @@ pub(super) struct Course {
     pub logbook: Option<Logbook>,
     pace: Pace,
     stepped: Duration,
+    /// What the mission demands of vehicles that have not been told yet.
+    wanted: Vec<Demand>,
     ended: bool,
 }
 
@@ -46,6 +53,7 @@ impl Course {
             logbook: None,
             pace,
             stepped: Duration::ZERO,
+            wanted: Vec::new(),
             ended: false,
         }
     }
@@ -112,6 +120,69 @@ impl Course {
                 let vehicles = shown.vehicles.iter().filter(|(id, _)| flies(**id));
                 clock.step(now, vehicles.map(|(&id, vehicle)| (id, vehicle.boot_ms)))
             }
+        }
+    }
+}
+
+impl Running {
+    /// Steps the mission up to now and returns what came of it.
+    pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
+        let Some(course) = &mut self.course else {
+            return Vec::new();
+        };
+        let events = course.fly(now, shown);
+        // What a vehicle cannot be told before it is heard waits until it is.
+        let heard = |demand: &mut Demand| shown.vehicles.contains_key(&demand.vehicle);
+        course.wanted.extend(course.flight.take_demands());
+        for demand in course.wanted.extract_if(.., heard) {
+            let _ = self.fleet.carry_out(demand.vehicle, demand.want);
+        }
+        events
+    }
+
+    /// Has the mission do something with vehicles; returns how it went. Without a mission it is refused.
+    pub fn act(
+        &mut self,
+        entry: EntryId,
+        deed: &Deed,
+        vehicles: &[VehicleId],
+        now: Duration,
+    ) -> Vec<RowUpdate> {
+        if let Some(course) = &mut self.course {
+            let rows = course.flight.act(entry, deed, vehicles);
+            // The mission speaks on its own clock; the ledger is on the program's.
+            return rows
+                .into_iter()
+                .map(|row| RowUpdate { at: now, ..row })
+                .collect();
+        }
+        let refused = |&vehicle: &VehicleId| RowUpdate {
+            entry,
+            vehicle,
+            state: RowState::Refused,
+            tries: 0,
+            at: now,
+            explanation: Some(text!("deed-no-mission")),
+        };
+        vehicles.iter().map(refused).collect()
+    }
+
+    /// Has something happen in the mission; `None` without one.
+    pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
+        Some(self.course.as_mut()?.flight.inject(name))
+    }
+
+    /// Takes down in the mission's record that all stood still for so long.
+    pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
+        self.inspection.rest(now);
+        let notice = self.course.as_mut()?.flight.note_pause(lasted)?;
+        Some(Notice { at: now, ..notice })
+    }
+
+    /// Ends the mission; its report comes with the next tick.
+    pub fn abandon(&mut self) {
+        if let Some(course) = &mut self.course {
+            course.flight.abandon();
         }
     }
 }

@@ -7,28 +7,30 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+use super::Running;
 use crate::app::effect::HangarDeed;
 use crate::app::event::Event;
 use crate::app::state::Instance;
 use crate::hangar::{self, Berth, Hangars, Launch, Line, Place, Seen, Source};
+use crate::link::Transport;
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
+mod usage;
+
+use usage::{Usage, shown};
+
 /// How long the processes of an earlier session may take to end before new ones are started.
 const ENDING_PATIENCE: Duration = Duration::from_secs(5);
-/// Processor time is looked at over at least this long.
-const USAGE_OVER: Duration = Duration::from_secs(2);
-/// What the hangar within this program is called.
-const OWN: &str = "here";
 /// What a process prints is looked at so often.
 const LOOK_EVERY: Duration = Duration::from_millis(500);
 /// Things that may wait to be told.
 const NEWS_KEPT: usize = 64;
 
 /// What comes of launching, and of what is asked of processes.
-pub(super) enum News {
+enum News {
     /// The hangars are open.
     Opened(Arc<Hangars>),
     /// All vehicles are launched; these are their links.
@@ -43,6 +45,8 @@ pub(super) enum News {
 
 /// The processes of a session. Dropping it ends them.
 pub(super) struct Processes {
+    /// How many there are to be.
+    pub count: usize,
     news: mpsc::Receiver<News>,
     sender: mpsc::Sender<News>,
     hangars: Option<Arc<Hangars>>,
@@ -51,14 +55,6 @@ pub(super) struct Processes {
     /// How often each was started again.
     restarts: BTreeMap<VehicleId, u32>,
     looking: Option<Looking>,
-}
-
-/// Processor time that a process has taken.
-#[derive(Debug, Clone, Copy)]
-struct Usage {
-    at: Duration,
-    cpu_ms: u64,
-    percent: Option<f32>,
 }
 
 /// The process whose output is looked at.
@@ -95,6 +91,7 @@ impl Processes {
         before: Ending,
         cancel: CancellationToken,
     ) -> Self {
+        let count = launches.len();
         let (sender, news) = mpsc::channel(NEWS_KEPT);
         let told = sender.clone();
         tokio::spawn(async move {
@@ -113,6 +110,7 @@ impl Processes {
             }
         });
         Self {
+            count,
             news,
             sender,
             hangars: None,
@@ -124,7 +122,7 @@ impl Processes {
     }
 
     /// What there is to tell.
-    pub fn hear(&mut self) -> Option<News> {
+    fn hear(&mut self) -> Option<News> {
         let news = self.news.try_recv().ok()?;
         if let News::Opened(hangars) = &news {
             self.seen = Some(hangars.instances());
@@ -134,7 +132,7 @@ impl Processes {
     }
 
     /// How the processes are doing, if that has changed.
-    pub fn changed(&mut self, now: Duration) -> Option<Vec<Instance>> {
+    fn changed(&mut self, now: Duration) -> Option<Vec<Instance>> {
         let seen = self.seen.as_mut()?;
         if !seen.has_changed().unwrap_or(false) {
             return None;
@@ -149,18 +147,13 @@ impl Processes {
         let mut shown: Vec<Instance> = all
             .iter()
             .map(|(place, instance)| {
-                let known = usage.entry(*place);
-                let used = known.or_insert(Usage {
-                    at: now,
-                    cpu_ms: instance.cpu_ms,
-                    percent: None,
-                });
-                used.note(instance.cpu_ms, now);
+                let used = usage.entry(*place);
+                let used = used.or_insert(Usage::of(instance.cpu_ms, now));
                 let host = names
                     .get(place.hangar)
                     .map(String::as_str)
                     .unwrap_or_default();
-                shown(instance, host, used.percent)
+                shown(instance, host, used.note(instance.cpu_ms, now))
             })
             .collect();
         shown.sort_by_key(|instance| instance.vehicle);
@@ -168,7 +161,7 @@ impl Processes {
     }
 
     /// Has the process of a vehicle ended or started again; what fails is told.
-    pub fn order(&self, deed: HangarDeed, vehicle: VehicleId) {
+    fn order(&self, deed: HangarDeed, vehicle: VehicleId) {
         let Some((hangars, place)) = self.place(vehicle) else {
             return;
         };
@@ -185,7 +178,7 @@ impl Processes {
     }
 
     /// The vehicles whose processes were started again since they were looked at last.
-    pub fn started_again(&mut self, instances: &[Instance]) -> Vec<VehicleId> {
+    fn started_again(&mut self, instances: &[Instance]) -> Vec<VehicleId> {
         let mut again = Vec::new();
         for instance in instances {
             let known = self.restarts.entry(instance.vehicle);
@@ -199,7 +192,7 @@ impl Processes {
     }
 
     /// Looks at what the process of a vehicle prints; it is told as [`News::Printed`].
-    pub fn look(&mut self, wanted: Option<VehicleId>, now: Duration) {
+    fn look(&mut self, wanted: Option<VehicleId>, now: Duration) {
         let Some(vehicle) = wanted else {
             self.looking = None;
             return;
@@ -228,7 +221,7 @@ impl Processes {
     }
 
     /// Takes over what a process has printed, if it is still looked at.
-    pub fn printed(&mut self, vehicle: VehicleId, from: u64, lines: &[Line]) -> Option<Event> {
+    fn printed(&mut self, vehicle: VehicleId, from: u64, lines: &[Line]) -> Option<Event> {
         let mut looking = self.looking.as_mut();
         let looking = looking.take_if(|one| (one.vehicle, one.next) == (vehicle, from))?;
         looking.is_asked = false;
@@ -256,6 +249,58 @@ impl Processes {
     }
 }
 
+impl Running {
+    /// What of the session takes a while to end, once this is dropped.
+    pub fn ending(&self) -> Ending {
+        let processes = self.processes.as_ref();
+        processes.map_or_else(Ending::default, Processes::ending)
+    }
+
+    /// Has the process of a vehicle ended or started again.
+    pub fn process(&self, deed: HangarDeed, vehicle: VehicleId) {
+        if let Some(processes) = &self.processes {
+            processes.order(deed, vehicle);
+        }
+    }
+
+    /// Looks at what the process of a vehicle prints, if one is wanted.
+    pub fn look_at_output(&mut self, wanted: Option<VehicleId>, now: Duration) {
+        if let Some(processes) = &mut self.processes {
+            processes.look(wanted, now);
+        }
+    }
+
+    /// What has become of the vehicles' processes.
+    pub(super) fn hear_processes(&mut self, now: Duration) -> Vec<Event> {
+        let Some(processes) = &mut self.processes else {
+            return Vec::new();
+        };
+        let mut events = Vec::new();
+        while let Some(news) = processes.hear() {
+            let event = match news {
+                News::Opened(_) => None,
+                News::Launched(berths) => {
+                    let mut pipes = berths.into_iter().map(|berth| Transport::Pipe(berth.pipe));
+                    let refused = pipes.find_map(|pipe| self.fleet.connect(pipe).err());
+                    refused.map(|reason| Event::Failed(reason.into()))
+                }
+                News::NotLaunched(text) => Some(Event::NotLaunched(text)),
+                News::Failed(text) => Some(Event::Failed(text)),
+                News::Printed(vehicle, from, lines) => processes.printed(vehicle, from, &lines),
+            };
+            events.extend(event);
+        }
+        if let Some(instances) = processes.changed(now) {
+            for vehicle in processes.started_again(&instances) {
+                // A fleet that cannot keep up sees it by the vehicle's clock.
+                let _ = self.fleet.restarted(vehicle);
+            }
+            events.push(Event::Hangar(instances));
+        }
+        events
+    }
+}
+
 async fn open_and_launch(
     source: &Source,
     launches: Vec<Launch>,
@@ -270,47 +315,4 @@ async fn open_and_launch(
         .map_err(|refusal| Text::from(&refusal))?;
     drop(told.send(News::Launched(berths)).await);
     Ok(())
-}
-
-impl Usage {
-    fn note(&mut self, cpu_ms: u64, now: Duration) {
-        let over = now.saturating_sub(self.at);
-        if cpu_ms < self.cpu_ms {
-            // Another process.
-            *self = Self {
-                at: now,
-                cpu_ms,
-                percent: None,
-            };
-        } else if over >= USAGE_OVER {
-            let spent_ms = (cpu_ms - self.cpu_ms) as f32;
-            let percent = Some(100.0 * spent_ms / over.as_millis() as f32);
-            *self = Self {
-                at: now,
-                cpu_ms,
-                percent,
-            };
-        }
-    }
-}
-
-fn shown(instance: &hangar::Instance, host: &str, processor_percent: Option<f32>) -> Instance {
-    Instance {
-        vehicle: instance.system.into(),
-        host: (host != OWN).then(|| sanitised(host)),
-        stage: instance.stage,
-        parameters: instance.parameters,
-        pid: instance.pid,
-        restarts: instance.restarts,
-        memory_bytes: instance.memory_bytes,
-        processor_percent,
-        fault: instance.fault.as_deref().map(sanitised),
-        hint: instance.hint.as_deref().map(sanitised),
-        output: instance
-            .last_output
-            .iter()
-            .map(|line| sanitised(line))
-            .collect(),
-        folder: sanitised(&instance.folder),
-    }
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use tokio::sync::watch;
 
+use crate::app::event::Event;
 use crate::app::state::LinkSummary;
 use crate::link::{LinkId, LinkState, LinkStatus};
 use crate::notice::Notice;
@@ -12,9 +13,65 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 
+/// The links of a session.
+#[derive(Default)]
+pub(super) struct Links {
+    all: Vec<watch::Receiver<LinkStatus>>,
+    /// What was said of each last.
+    said: Vec<LinkNews>,
+    /// How many had ended when they were shown last.
+    ended: usize,
+}
+
+impl Links {
+    /// Adds a link that was opened.
+    pub fn add(&mut self, link: watch::Receiver<LinkStatus>) {
+        self.all.push(link);
+        self.said.push(LinkNews::Silent);
+    }
+
+    /// All of them, in their order.
+    pub fn all(&self) -> &[watch::Receiver<LinkStatus>] {
+        &self.all
+    }
+
+    /// What a human should hear of them: that one is down and why, and that it is up again.
+    pub fn hear(&mut self, now: Duration) -> impl Iterator<Item = Notice> {
+        let links = self.all.iter().zip(&mut self.said);
+        links.filter_map(move |(link, said)| {
+            let status = link.borrow();
+            let news = LinkNews::of(&status);
+            if news == LinkNews::Silent || news == *said {
+                return None;
+            }
+            let before = std::mem::replace(said, news.clone());
+            let is_usual = before == LinkNews::Silent && news == LinkNews::Up;
+            (!is_usual).then(|| news.notice(&status.name, now))
+        })
+    }
+
+    /// How they are, if that has changed.
+    pub fn changed(&mut self, vehicles: &[watch::Receiver<Arc<Vehicle>>]) -> Option<Event> {
+        // A link that has ended has changed for the last time; its last state still has to be shown.
+        let ended = self.all.iter().filter(|link| link.has_changed().is_err());
+        let ended = ended.count();
+        let has_changed = |link: &watch::Receiver<LinkStatus>| link.has_changed().unwrap_or(false);
+        if ended == self.ended && !self.all.iter().any(has_changed) {
+            return None;
+        }
+        self.ended = ended;
+        let summaries = self.all.iter_mut().map(|link| {
+            let status = link.borrow_and_update();
+            let round_trip = round_trip(vehicles, status.id);
+            summary(&status, round_trip)
+        });
+        Some(Event::Links(summaries.collect()))
+    }
+}
+
 /// What is worth saying of a link.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum LinkNews {
+enum LinkNews {
     /// Nothing yet.
     Silent,
     /// It carries data.
@@ -26,7 +83,7 @@ pub(super) enum LinkNews {
 }
 
 impl LinkNews {
-    pub fn of(status: &LinkStatus) -> Self {
+    fn of(status: &LinkStatus) -> Self {
         match (status.state, &status.last_error) {
             (LinkState::Up, _) => Self::Up,
             (_, Some(error)) => Self::Down(error.clone()),
@@ -35,7 +92,7 @@ impl LinkNews {
         }
     }
 
-    pub fn notice(&self, name: &str, now: Duration) -> Notice {
+    fn notice(&self, name: &str, now: Duration) -> Notice {
         let (severity, text) = match self {
             Self::Silent | Self::Up => (Severity::Info, text!("transport-is-up", link = name)),
             Self::Ended => (Severity::Notice, text!("transport-has-ended", link = name)),
@@ -54,10 +111,7 @@ impl LinkNews {
 }
 
 /// The shortest round trip of the vehicles that are heard by a link.
-pub(super) fn round_trip(
-    vehicles: &[watch::Receiver<Arc<Vehicle>>],
-    link: LinkId,
-) -> Option<Duration> {
+fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Option<Duration> {
     let quality = |vehicle: &watch::Receiver<Arc<Vehicle>>| vehicle.borrow().link;
     vehicles
         .iter()
@@ -67,7 +121,7 @@ pub(super) fn round_trip(
         .min()
 }
 
-pub(super) fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
+fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
     let up = status.state == LinkState::Up;
     LinkSummary {
         name: status.name.clone(),

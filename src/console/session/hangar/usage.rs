@@ -1,0 +1,74 @@
+//! How a process is shown.
+
+use std::time::Duration;
+
+use crate::app::state::Instance;
+use crate::hangar;
+use crate::notice::sanitised;
+
+/// Processor time is looked at over at least this long.
+const USAGE_OVER: Duration = Duration::from_secs(2);
+/// What the hangar within this program is called.
+const OWN: &str = "here";
+
+/// Processor time that a process has taken.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Usage {
+    at: Duration,
+    cpu_ms: u64,
+    percent: Option<f32>,
+}
+
+impl Usage {
+    /// That of a process of which nothing was known before.
+    pub fn of(cpu_ms: u64, now: Duration) -> Self {
+        Self {
+            at: now,
+            cpu_ms,
+            percent: None,
+        }
+    }
+
+    /// Takes down what it has taken by now; returns the share of a processor that it takes, as far as that is known.
+    pub fn note(&mut self, cpu_ms: u64, now: Duration) -> Option<f32> {
+        let over = now.saturating_sub(self.at);
+        if cpu_ms < self.cpu_ms {
+            // Another process.
+            *self = Self::of(cpu_ms, now);
+        } else if over >= USAGE_OVER {
+            let spent_ms = (cpu_ms - self.cpu_ms) as f32;
+            let percent = Some(100.0 * spent_ms / over.as_millis() as f32);
+            *self = Self {
+                percent,
+                ..Self::of(cpu_ms, now)
+            };
+        }
+        self.percent
+    }
+}
+
+/// What is shown of a process in a hangar.
+pub(super) fn shown(
+    instance: &hangar::Instance,
+    host: &str,
+    processor_percent: Option<f32>,
+) -> Instance {
+    Instance {
+        vehicle: instance.system.into(),
+        host: (host != OWN).then(|| sanitised(host)),
+        stage: instance.stage,
+        parameters: instance.parameters,
+        pid: instance.pid,
+        restarts: instance.restarts,
+        memory_bytes: instance.memory_bytes,
+        processor_percent,
+        fault: instance.fault.as_deref().map(sanitised),
+        hint: instance.hint.as_deref().map(sanitised),
+        output: instance
+            .last_output
+            .iter()
+            .map(|line| sanitised(line))
+            .collect(),
+        folder: sanitised(&instance.folder),
+    }
+}

@@ -1,0 +1,192 @@
+//! Starts sessions.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use tokio::sync::watch;
+use tokio_util::sync::CancellationToken;
+
+use super::Running;
+use super::course::Course;
+use super::hangar::{Ending, Processes};
+use super::inspection::Inspection;
+use super::links::Links;
+use super::logbook::Logbook;
+use super::swarm::Swarm;
+use crate::app::event::Started;
+use crate::app::state::Activity;
+use crate::fleet::{Clock, Fleet};
+use crate::geo::LatLon;
+use crate::hangar::{Backend as Simulation, Source};
+use crate::link::{Address, Endpoint, Pace, Simulator, Transport};
+use crate::mission::{Flight, Mission};
+use crate::sim::{Start, World, WorldConfig};
+use crate::store::Runs;
+use crate::swarm::Rules;
+use crate::text::Text;
+
+/// Where free flight begins.
+const FREE_FLIGHT_START: Start = Start {
+    at: LatLon::new(50.4501, 30.5234),
+    altitude_amsl_m: 180.0,
+    heading_deg: 0.0,
+};
+
+/// What a session is to be.
+#[derive(Debug, Clone)]
+pub(in crate::console) enum Plan {
+    /// A mission.
+    Mission(Arc<Mission>),
+    /// Simulated vehicles without a task; by these processes, if any are named.
+    Free(Option<Source>),
+    /// Vehicles at these addresses.
+    Connect(Vec<Address>),
+}
+
+/// What sessions are started with.
+#[derive(Debug, Clone)]
+pub(in crate::console) struct Backend {
+    pub simulation: Simulation,
+    pub clock: Clock,
+    pub vehicles: u8,
+    pub seed: u64,
+    pub speedup: f64,
+    /// Where missions are recorded.
+    pub runs: Option<Runs>,
+}
+
+impl Plan {
+    /// What holds for vehicles that do something together.
+    fn swarm_rules(&self) -> Rules {
+        match self {
+            Self::Mission(mission) => mission.swarm_rules(),
+            Self::Free(_) | Self::Connect(_) => Rules::default(),
+        }
+    }
+}
+
+impl Running {
+    /// Starts a session, once the processes of the one before it are gone.
+    ///
+    /// # Errors
+    /// The fleet has ended.
+    pub async fn start(
+        plan: Plan,
+        backend: &Backend,
+        before: Ending,
+    ) -> Result<(Self, Started), Text> {
+        let cancel = CancellationToken::new();
+        let (fleet, events) = Fleet::start(backend.clock.clone(), cancel.clone());
+        let mut running = Self {
+            plan: plan.clone(),
+            fleet,
+            events,
+            vehicles: Vec::new(),
+            parameters: Vec::new(),
+            links: Links::default(),
+            inspection: Inspection::default(),
+            dropped: 0,
+            course: None,
+            held: watch::Sender::new(false),
+            swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
+            processes: None,
+            cancel,
+        };
+        let row = || WorldConfig {
+            seed: backend.seed,
+            ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
+        };
+        let mut started = match plan {
+            Plan::Mission(mission) => running.start_mission(mission, backend, before).await?,
+            Plan::Free(_) => {
+                running.simulate(row(), backend, before).await?;
+                started(Activity::Free)
+            }
+            Plan::Connect(addresses) => {
+                let names = addresses.iter().map(ToString::to_string).collect();
+                for address in addresses {
+                    running.fleet.connect(Transport::Address(address))?;
+                }
+                started(Activity::Connected { addresses: names })
+            }
+        };
+        started.processes = running.processes.as_ref().map(|processes| processes.count);
+        Ok((running, started))
+    }
+
+    async fn start_mission(
+        &mut self,
+        mission: Arc<Mission>,
+        backend: &Backend,
+        before: Ending,
+    ) -> Result<Started, Text> {
+        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
+        let config = mission.world(backend.seed);
+        self.simulate(config, backend, before).await?;
+        let name = self.processes.as_ref().map_or("embedded", |_| "ardupilot");
+        let runs = backend.runs.clone();
+        let logbook = runs.map(|runs| Logbook::begin(runs, &mut flight, name));
+        let mut course = match self.processes {
+            Some(_) => Course::of_processes(flight, backend.speedup),
+            None => Course::embedded(flight, backend.speedup, backend.clock.now()),
+        };
+        course.logbook = logbook;
+        self.course = Some(course);
+        Ok(Started {
+            mission: Some(Box::new(mission.listing())),
+            places: mission.places(),
+            areas: mission.areas(),
+            ..started(Activity::Mission {
+                id: mission.id.clone(),
+                title: mission.title.clone(),
+            })
+        })
+    }
+
+    /// Starts the vehicles of a world: in the embedded simulator at once, as processes in a while.
+    async fn simulate(
+        &mut self,
+        world: WorldConfig,
+        backend: &Backend,
+        before: Ending,
+    ) -> Result<(), Text> {
+        let simulation = &backend.simulation;
+        let source = match &self.plan {
+            Plan::Free(Some(source)) => Some(source),
+            _ => simulation.ardupilot.as_ref(),
+        };
+        if let Some(source) = source {
+            let launches = simulation.launches(&world.starts, backend.speedup);
+            let cancel = self.cancel.clone();
+            let processes = Processes::launch(source.clone(), launches, before, cancel);
+            self.processes = Some(processes);
+            return Ok(());
+        }
+        let world = World::new(&WorldConfig {
+            airframes: simulation.airframes(),
+            ..world
+        });
+        // One in-memory pipe per vehicle, no port that others could reach.
+        let endpoints = [Endpoint::Pipes];
+        let cancel = self.cancel.clone();
+        let pace = Pace {
+            speedup: backend.speedup,
+            held: self.held.subscribe(),
+        };
+        let simulator = Simulator::start(world, pace, &endpoints, cancel).await?;
+        for pipe in simulator.pipes {
+            self.fleet.connect(Transport::Pipe(pipe))?;
+        }
+        Ok(())
+    }
+}
+
+fn started(activity: Activity) -> Started {
+    Started {
+        activity,
+        mission: None,
+        places: BTreeMap::new(),
+        areas: Vec::new(),
+        processes: None,
+    }
+}

@@ -1,0 +1,61 @@
+//! Whether a vehicle is heard: how much of what it says arrives, and for how long nothing has.
+
+use std::time::Duration;
+
+use crate::notice::Notice;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, Vehicle};
+use crate::wire::{Frame, LossMeter};
+
+/// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
+pub const LOST_AFTER: Duration = Duration::from_millis(2500);
+
+/// Listens to one vehicle.
+#[derive(Debug, Default)]
+pub(super) struct Hearing {
+    loss: LossMeter,
+}
+
+impl Hearing {
+    /// Counts a frame of the vehicle's autopilot; says so if the vehicle was lost before.
+    pub fn hear(&mut self, frame: &Frame, vehicle: &mut Vehicle, now: Duration) -> Option<Notice> {
+        self.loss.note(frame);
+        if !frame.is_verified() {
+            return None;
+        }
+        let link = &mut vehicle.link;
+        link.received += 1;
+        link.missing = self.loss.lost();
+        let silent_since = link.last_heard.replace(now);
+        if !std::mem::take(&mut link.lost) {
+            return None;
+        }
+        let gap = now.saturating_sub(silent_since.unwrap_or(now));
+        let seconds = format!("{:.1}", gap.as_secs_f64());
+        let text = text!("heard-link-back", seconds = seconds);
+        Some(notice(vehicle, Severity::Notice, text, now))
+    }
+}
+
+/// Says so if the vehicle has just been silent for too long.
+pub(super) fn watch_silence(vehicle: &mut Vehicle, now: Duration) -> Option<Notice> {
+    let link = &mut vehicle.link;
+    let silent = link
+        .last_heard
+        .is_some_and(|heard| now.saturating_sub(heard) >= LOST_AFTER);
+    if !silent || std::mem::replace(&mut link.lost, true) {
+        return None;
+    }
+    let text = text!("heard-link-lost");
+    Some(notice(vehicle, Severity::Critical, text, now))
+}
+
+fn notice(vehicle: &Vehicle, severity: Severity, text: Text, now: Duration) -> Notice {
+    Notice {
+        at: now,
+        vehicle: Some(vehicle.id),
+        severity,
+        text,
+    }
+}

@@ -1,0 +1,204 @@
+//! The line to a vehicle: orders that wait for their turn, the one whose answer is awaited, and those whose effect is.
+//!
+//! One order at a time is answered, because an acknowledgement names a command and not who gave it.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use super::acknowledgement::{Acknowledgement, OwedAcks};
+use super::naming::{self, Search, Searching};
+use super::transaction::{Progress, Transaction};
+use super::{Order, Output, fit, precedence};
+use crate::ledger::RowState;
+use crate::notice::Notice;
+use crate::parameters::Parameters;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+use crate::wire::Frame;
+
+/// Orders that may wait for one vehicle; more are refused.
+const MOST_WAITING: usize = 32;
+
+/// The orders of one vehicle.
+#[derive(Debug, Default)]
+pub(super) struct Line {
+    /// Those that wait for the line to be free, with the time they were given.
+    queue: VecDeque<(Order, Duration)>,
+    /// Finds the vehicle's name for the parameter of the one that is next.
+    search: Search,
+    /// The one whose answer is awaited.
+    active: Option<Transaction>,
+    /// Those that were accepted and whose effect is awaited.
+    watched: Vec<Transaction>,
+    owed: OwedAcks,
+}
+
+/// What orders are judged by at one moment, and where what comes of them goes.
+pub(super) struct Moment<'a> {
+    pub vehicle: &'a mut Vehicle,
+    pub parameters: &'a Parameters,
+    pub now: Duration,
+    pub output: &'a mut Output,
+}
+
+impl Moment<'_> {
+    /// Ends an order that was never sent.
+    fn drop_order(&mut self, order: &Order, state: RowState, reason: Text) {
+        let row = order.unsent(self.vehicle.id, state, reason, self.now);
+        self.output.row(row);
+    }
+}
+
+impl Line {
+    /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
+    pub fn order(&mut self, mut order: Order, mut moment: Moment) {
+        if precedence::is_urgent(&order.command, moment.vehicle) {
+            self.clear(&order.verb.into(), &mut moment);
+        }
+        naming::settle(&mut order, moment.parameters);
+        let checked = if self.queue.len() >= MOST_WAITING {
+            Err(text!("outcome-queue-full", count = MOST_WAITING))
+        } else {
+            fit::check(&order.command, moment.parameters)
+        };
+        match checked {
+            Err(reason) => moment.drop_order(&order, RowState::Refused, reason),
+            Ok(()) => {
+                self.queue.push_back((order, moment.now));
+                self.advance(moment);
+            }
+        }
+    }
+
+    /// Remembers what the vehicle says meanwhile; it may be the reason of a refusal.
+    pub fn hear_texts(&mut self, notices: &[Notice]) {
+        if let Some(active) = &mut self.active {
+            notices.iter().for_each(|notice| active.hear_text(notice));
+        }
+    }
+
+    /// Looks for the answer that is awaited in a frame of the vehicle's autopilot.
+    pub fn receive(&mut self, frame: &Frame, now: Duration, output: &mut Output) {
+        let ack = Acknowledgement::from_frame(frame);
+        if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
+            return;
+        }
+        if let Some(active) = &mut self.active {
+            active.receive(frame, now, output);
+        }
+    }
+
+    /// An acknowledgement of a command may come that no order waits for.
+    pub fn expect_ack(&mut self, command: u16, now: Duration) {
+        self.owed.add(command, 1, now);
+    }
+
+    /// Gives up everything that waits or has not been answered, because of something newer. What flies goes on until
+    /// that has been accepted.
+    pub fn clear(&mut self, newer: &Text, moment: &mut Moment) {
+        let reason = text!("outcome-superseded", by = newer);
+        for (order, _) in self.queue.drain(..) {
+            moment.drop_order(&order, RowState::Superseded, reason.clone());
+        }
+        if let Some((command, acks)) = self.active.as_ref().and_then(Transaction::owed_acks) {
+            self.owed.add(command, acks, moment.now);
+        }
+        if let Some(active) = self.active.take() {
+            active.supersede(&reason, moment.now, moment.output);
+        }
+    }
+
+    /// A vehicle flies to one place at a time: what it was doing before is not awaited any longer.
+    pub fn supersede_movements(&mut self, newer: &Text, now: Duration, output: &mut Output) {
+        let reason = text!("outcome-superseded", by = newer);
+        self.watched.retain(|transaction| {
+            let superseded = transaction.gives_way_to_movement();
+            if superseded {
+                transaction.supersede(&reason, now, output);
+            }
+            !superseded
+        });
+    }
+
+    /// Moves everything as far as it will go.
+    pub fn advance(&mut self, mut moment: Moment) {
+        let now = moment.now;
+        loop {
+            if self.active.is_none() {
+                let Some((order, given)) = self.next(&mut moment) else {
+                    break;
+                };
+                self.active = Transaction::start(order, given, moment.vehicle, now, moment.output);
+            }
+            let Some(mut active) = self.active.take() else {
+                continue;
+            };
+            let progress = active.poll(moment.vehicle, now, moment.output);
+            if progress == Progress::Waiting {
+                self.active = Some(active);
+                break;
+            }
+            if active.moves_the_vehicle() {
+                self.supersede_movements(&active.verb().into(), now, moment.output);
+                // Where it was heading says nothing any more; the next message of it does.
+                moment.vehicle.target = None;
+            }
+            if progress == Progress::Watching {
+                self.watched.push(active);
+            }
+        }
+        let Moment {
+            vehicle, output, ..
+        } = moment;
+        self.watched
+            .retain_mut(|watched| watched.poll(vehicle, now, output) != Progress::Ended);
+    }
+
+    /// Whether no answer is awaited.
+    pub fn is_free(&self) -> bool {
+        self.active.is_none()
+    }
+
+    /// Whether something has to be said again and again, or is waited for.
+    pub fn is_busy(&self) -> bool {
+        // An effect shows in what arrives, and its deadline is seconds away.
+        let is_kept_up = |watched: &Transaction| watched.order.command.repeat().is_some();
+        self.active.is_some() || !self.queue.is_empty() || self.watched.iter().any(is_kept_up)
+    }
+
+    /// The order whose turn has come, with the vehicle's own name for its parameter. `None` if there is none, or
+    /// while that name is not known.
+    fn next(&mut self, moment: &mut Moment) -> Option<(Order, Duration)> {
+        loop {
+            let (order, given) = self.queue.front_mut()?;
+            let (state, reason) = if naming::settle(order, moment.parameters) {
+                // A name that was found only now has not been checked.
+                let is_new = order.renamed.is_some();
+                match fit::check(&order.command, moment.parameters) {
+                    Err(reason) if is_new => (RowState::Refused, reason),
+                    _ => return self.queue.pop_front(),
+                }
+            } else {
+                let deadline = *given + order.retry.deadline;
+                match self
+                    .search
+                    .poll(order, deadline, moment.vehicle, moment.now)
+                {
+                    Searching::Ask(messages) => {
+                        moment.output.messages.extend(messages);
+                        return None;
+                    }
+                    Searching::Wait => return None,
+                    // Its transaction ends it at once, and says so.
+                    Searching::TooLate => return self.queue.pop_front(),
+                    Searching::Over => {
+                        naming::not_found(&order.command, moment.parameters, moment.vehicle)
+                    }
+                }
+            };
+            let (order, _) = self.queue.pop_front()?;
+            moment.drop_order(&order, state, reason);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! The answer to a command: that it was heard, and whether it is done.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+
+use super::{Phase, Transaction};
+use crate::commands::{AckResult, Answer, explain};
+use crate::ledger::RowState;
+use crate::session::Output;
+use crate::session::acknowledgement::Acknowledgement;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+use crate::wire::{Content, Frame};
+
+/// Status texts that explain a refusal may come a little after it.
+const REASON_PATIENCE: Duration = Duration::from_millis(300);
+/// A vehicle that says "in progress" is given this long until it says something again.
+const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
+/// The progress that `COMMAND_ACK` carries where it says nothing about it.
+const PROGRESS_UNKNOWN: u8 = 255;
+
+impl Transaction {
+    /// Looks for the answer in a frame of the vehicle's autopilot.
+    pub fn receive(&mut self, frame: &Frame, now: Duration, output: &mut Output) {
+        if !matches!(self.phase, Phase::AwaitingAnswer { .. }) {
+            return;
+        }
+        match (&self.request.answer, &frame.content) {
+            (Answer::Ack(command), _) => {
+                if let Some(ack) = Acknowledgement::from_frame(frame)
+                    && ack.command == *command
+                {
+                    self.acknowledged(ack, now, output);
+                }
+            }
+            (Answer::Parameter(name), Content::Message(MavMessage::PARAM_VALUE(value))) => {
+                let id = value.param_id.to_str();
+                if id.is_ok_and(|id| id.eq_ignore_ascii_case(name)) {
+                    match self.order.parameter_outcome(value.param_value) {
+                        Ok(text) => self.accept(Some(text), now, output),
+                        Err(text) => self.end(RowState::Refused, Some(text), now, output),
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Lets time pass while the answer is awaited: tries again, or gives up.
+    pub(super) fn await_answer(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+        let Phase::AwaitingAnswer {
+            deadline,
+            in_progress,
+            rejected,
+        } = self.phase
+        else {
+            return;
+        };
+        if self.effect_shows(vehicle) == Some(true) {
+            let remark = text!("outcome-answer-lost");
+            return self.end(RowState::Done, Some(remark), now, output);
+        }
+        if now >= deadline {
+            if rejected {
+                return self.refuse(AckResult::TemporarilyRejected, vehicle, now, output);
+            }
+            let text = if in_progress {
+                text!("outcome-fell-silent")
+            } else {
+                self.silence(now)
+            };
+            return self.end(RowState::TimedOut, Some(text), now, output);
+        }
+        let retry = self.order.retry;
+        if !in_progress
+            && self.tries < retry.tries
+            && now >= self.last_sent + retry.every
+            && now < self.given + retry.deadline
+        {
+            self.send(now, output);
+        }
+    }
+
+    fn silence(&self, now: Duration) -> Text {
+        let seconds = now.saturating_sub(self.first_sent).as_secs_f64();
+        let seconds = format!("{seconds:.1}");
+        let silence = text!("outcome-no-answer", tries = self.tries, seconds = seconds);
+        match &self.request.answer {
+            // Vehicles say nothing at all to the name of a parameter that they lack.
+            Answer::Parameter(name) => {
+                let guess = text!("outcome-no-parameter", name = name);
+                Text::joined("; ", vec![silence, guess])
+            }
+            _ => silence,
+        }
+    }
+
+    fn acknowledged(&mut self, ack: Acknowledgement, now: Duration, output: &mut Output) {
+        match (ack.result, &mut self.phase) {
+            (AckResult::Accepted, _) => self.accept(None, now, output),
+            (AckResult::InProgress, _) => {
+                let percent = match ack.progress {
+                    PROGRESS_UNKNOWN => 0,
+                    percent => percent.min(100),
+                };
+                self.phase = Phase::AwaitingAnswer {
+                    deadline: now + PROGRESS_PATIENCE,
+                    in_progress: true,
+                    rejected: false,
+                };
+                self.report(RowState::InProgress(percent), None, now, output);
+            }
+            (AckResult::TemporarilyRejected, Phase::AwaitingAnswer { rejected, .. }) => {
+                *rejected = true;
+            }
+            (result, _) => {
+                self.phase = Phase::AwaitingReason {
+                    result,
+                    until: now + REASON_PATIENCE,
+                };
+            }
+        }
+    }
+
+    fn accept(&mut self, remark: Option<Text>, now: Duration, output: &mut Output) {
+        self.is_accepted = true;
+        self.phase = Phase::AwaitingEffect {
+            since: now,
+            repeated: 0,
+        };
+        self.report(RowState::Accepted, remark, now, output);
+    }
+
+    /// Ends it with the vehicle's reason.
+    pub(super) fn refuse(
+        &mut self,
+        result: AckResult,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) {
+        let order = &self.order;
+        let text = explain(order.verb, result, &self.texts, vehicle, &order.command);
+        self.end(RowState::Refused, Some(text), now, output);
+    }
+}

@@ -1,0 +1,103 @@
+//! The effect of a command, as it shows in telemetry.
+
+use std::time::Duration;
+
+use super::{Phase, Transaction};
+use crate::commands::{Answer, Repeat};
+use crate::ledger::RowState;
+use crate::session::Output;
+use crate::text;
+use crate::vehicle::Vehicle;
+
+/// A velocity that is held for less than this may end before the vehicle has gathered speed (0 to 5 m/s takes
+/// an ArduCopter 2.4 s), so that nothing follows from not having seen it.
+const GATHERING_SPEED: Duration = Duration::from_secs(4);
+impl Transaction {
+    /// Lets time pass while the effect is awaited.
+    pub(super) fn await_effect(
+        &mut self,
+        since: Duration,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) {
+        match self.effect_shows(vehicle) {
+            None | Some(true) => self.end(RowState::Done, None, now, output),
+            Some(false) if now >= since + self.effect.within() => {
+                let within_s = self.effect.within().as_secs_f64();
+                let text = text!(
+                    "outcome-not-seen-within",
+                    effect = self.effect.describe(),
+                    seconds = format!("{within_s:.0}")
+                );
+                self.end(RowState::NoEffect, Some(text), now, output);
+            }
+            Some(false) => self.repeat_setpoint(now, output),
+        }
+    }
+
+    /// Nothing acknowledges a setpoint, so it is said again in case it was lost. That is no new try: nobody
+    /// knows that the first one failed.
+    fn repeat_setpoint(&mut self, now: Duration, output: &mut Output) {
+        let Phase::AwaitingEffect { repeated, .. } = &mut self.phase else {
+            return;
+        };
+        let retry = self.order.retry;
+        if self.request.answer == Answer::None
+            && *repeated + 1 < retry.tries
+            && now >= self.last_sent + retry.every
+        {
+            *repeated += 1;
+            self.last_sent = now;
+            output
+                .messages
+                .extend(self.request.messages.iter().cloned());
+        }
+    }
+
+    /// A velocity is said again and again for its time, and then a stop.
+    pub(super) fn keep_up(
+        &mut self,
+        repeat: Repeat,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) {
+        self.effect_has_shown |= self.effect_shows(vehicle) == Some(true);
+        let mode = vehicle.mode();
+        if let Some(mode) = mode.filter(|mode| !mode.is("GUIDED")) {
+            let text = text!("outcome-left-guided", mode = mode.to_string());
+            return self.end(RowState::NoEffect, Some(text), now, output);
+        }
+        if now >= self.first_sent + repeat.lasting {
+            output.messages.extend(self.request.closing.take());
+            if self.effect_has_shown || repeat.lasting < GATHERING_SPEED {
+                return self.end(RowState::Done, None, now, output);
+            }
+            let text = text!("outcome-not-seen", effect = self.effect.describe());
+            return self.end(RowState::NoEffect, Some(text), now, output);
+        }
+        if now >= self.last_sent + repeat.every {
+            self.last_sent = now;
+            output
+                .messages
+                .extend(self.request.messages.iter().cloned());
+        }
+    }
+
+    /// Whether telemetry shows the effect of this very command; `None` where there is nothing to see. What was
+    /// there before has to be confirmed by a heartbeat that came after the command.
+    pub(super) fn effect_shows(&self, vehicle: &Vehicle) -> Option<bool> {
+        let seen = self.effect.seen(vehicle)?;
+        let is_news = !self.effect_was_there
+            || vehicle
+                .heartbeat
+                .is_some_and(|heartbeat| heartbeat.at > self.first_sent);
+        let is_proof = match self.phase {
+            // Without an answer, only a change proves that the command arrived.
+            Phase::AwaitingAnswer { .. } => !self.effect_was_there,
+            _ => is_news,
+        };
+        Some(seen && is_proof)
+    }
+}
