@@ -160,7 +160,7 @@ impl Engine {
             }
         }
         let mut airspace = std::mem::take(&mut self.airspace);
-        let breaches = airspace.step(&self.scope(weather, sight), mission.min_separation_m);
+        let breaches = airspace.step(&self.scope(weather, sight), mission.min_separation_m());
         self.airspace = airspace;
         news.extend(
             breaches
