@@ -161,6 +161,8 @@ impl Observed {
             vehicle.unheard = unheard.map(|(lat, lon, up)| Unheard {
                 at: LatLon::from_e7(lat, lon),
                 altitude_m: up as f64 * 1e-3,
+                // The times of ticks are on record.
+                boot_ms: 0,
             });
         }
         if let Some((mv, mah, hj, percent)) = self.battery {
