@@ -1,7 +1,7 @@
 //! What would have brought more points. Every gain is the difference to the score of the same flight with that
-//! one thing mended, so it is what the trainee would really have got. What two things would bring only once, such as
-//! points that need a share of the objectives, counts for the first of them: all gains together are no more than
-//! what was lost.
+//! one thing mended, so it is what the trainee would really have got. Two things may bring the same points, such as
+//! those that need a share of the objectives: the smaller gains are cut so that all together are no more than what
+//! everything mended would bring.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -35,11 +35,16 @@ pub fn improvements(rules: &Rules, facts: &Facts) -> Vec<Improvement> {
         .filter(|(gain, _)| *gain > 0)
         .collect();
     alone.sort_by_key(|(gain, _)| Reverse(*gain));
-    let mut mended = facts.clone();
+    let all = alone
+        .iter()
+        .fold(facts.clone(), |flight, (_, remedy)| remedy.mended(&flight));
+    let mut left = score(rules, &all)
+        .points
+        .saturating_sub(score(rules, facts).points);
     let mut found = Vec::new();
     for (gain, remedy) in alone {
-        let points = gain.min(remedy.gain(rules, &mended));
-        mended = remedy.mended(&mended);
+        let points = gain.min(left);
+        left -= points;
         found.push(Improvement {
             points,
             text: remedy.text,

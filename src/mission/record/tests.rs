@@ -109,6 +109,7 @@ fn troubled() -> (Report, String) {
     pilot.vehicle().unheard = Some(Unheard {
         at: LatLon::from_e7(490_400_000, 334_100_000),
         altitude_m: 31.5,
+        boot_ms: 0,
     });
     pilot.wait(3.0);
     pilot.vehicle().link.lost = false;
