@@ -24,6 +24,8 @@ debrief-sum = score
 debrief-gold-needs = gold needs { $gates }
 
 debrief-timeline = TIMELINE   (> command  o objective  ! alert  x rule broken  r rejected)
+# One row for a refusal by several drones.
+debrief-to-many = { $what } ({ $count } drones)
 debrief-drone = drone { $vehicle }: { $what }
 debrief-vehicle = vehicle { $vehicle }: { $what }
 

@@ -24,6 +24,8 @@ debrief-sum = разом
 debrief-gold-needs = для золота треба: { $gates }
 
 debrief-timeline = ПЕРЕБІГ   (> команда  o ціль  ! увага  x порушення  r відмова)
+# Один рядок про відмову кількох дронів.
+debrief-to-many = { $what } (дронів: { $count })
 debrief-drone = дрон { $vehicle }: { $what }
 debrief-vehicle = апарат { $vehicle }: { $what }
 

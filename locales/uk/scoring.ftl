@@ -34,8 +34,8 @@ scoring-commands-clean = { $count ->
    *[many] { $count } команд, без відмов
 }
 scoring-commands-faulty = { $count ->
-    [one] { $faults } з { $count } команди
-   *[many] { $faults } з { $count } команд
+    [one] { $faults } з { $count } команди (по дронах)
+   *[many] { $faults } з { $count } команд (по дронах)
 }
 scoring-rejected = відхилено { $count }
 scoring-unsafe = небезпечних { $count }
@@ -47,6 +47,7 @@ scoring-improve-quality-how = Підвищте якість з { $from } до { 
 scoring-be-faster = Виконайте на { $seconds } s швидше: це норма.
 scoring-use-less = Витратьте на { $energy } Wh менше: це норма.
 scoring-advice-commands = Давайте лише команди, які можна виконати, і по одному разу: спершу прочитайте причину відмови.
+scoring-advice-mandatory = Досягніть усього обов'язкового, без цього решта важить мало: { $objectives }.
 scoring-advice-geofence = Не вилітайте за геозону: перед Enter звірте числа в goto з картою.
 scoring-advice-height = Не піднімайтеся вище за найбільшу висоту завдання; її вказано в інструктажі.
 scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.

@@ -25,8 +25,7 @@ impl Page<'_> {
             rows.extend(report.ledger.iter().filter_map(command_row));
         }
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // A command to many is refused to each of them.
-        rows.dedup();
+        let rows = together(&rows);
         let end = clock(report.sim_time_s);
         let strip = strip(&rows, report.sim_time_s);
         self.line(&format!("  00:00 |{strip}| {end}"));
@@ -35,6 +34,20 @@ impl Page<'_> {
         }
         self.gap();
     }
+}
+
+/// A command to many is refused to each of them: one row that says to how many.
+fn together(rows: &[Row]) -> Vec<Row> {
+    let same = rows.chunk_by(|a, b| a == b);
+    let row = |same: &[Row]| {
+        let (at_s, mark, words) = same.first()?.clone();
+        let words = match same.len() {
+            many @ 2.. if mark == 'r' => text!("debrief-to-many", what = words, count = many),
+            _ => words,
+        };
+        Some((at_s, mark, words))
+    };
+    same.filter_map(row).collect()
 }
 
 /// Whether an event only says that the alert came, or that it was answered: its row tells both.
