@@ -67,8 +67,8 @@ pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use listing::{FitListing, Listing, ObjectiveListing};
 pub use progress::{
-    Cell, ClueProgress, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading,
-    ShownContact, ShownMark, Trust,
+    Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
+    Reading, ShownContact, ShownMark, Trust,
 };
 pub use schema::schema;
 

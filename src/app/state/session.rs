@@ -20,6 +20,8 @@ use crate::vehicle::{Vehicle, VehicleClass};
 pub struct Session {
     /// What is being done; `None` between sessions.
     pub activity: Option<Activity>,
+    /// Whether it is the same that was flown just before.
+    pub flown_before: bool,
     /// When it began, on the program's clock.
     pub began_at: Duration,
     /// The vehicles, as their telemetry said last.

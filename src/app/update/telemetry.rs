@@ -82,22 +82,19 @@ pub fn started(state: &mut State, started: Started) {
     session.hangar = started.processes.map(starting);
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
-    if session.activity == state.session.activity {
+    session.flown_before = session.activity == state.session.activity;
+    if session.flown_before {
         session.groups = std::mem::take(&mut state.session.groups);
     }
     state.session = session;
     state.rooms.forget_session();
     map::began(state);
     state.typed.clear();
-    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are. Who
-    // comes to a mission reads first what it is about; who flies it again knows.
-    let comes = matches!(state.room, Room::Home | Room::Mission);
+    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are.
     state.room = if state.session.is_starting() {
         Room::Hangar
-    } else if comes && state.flown_mission().is_some() {
-        Room::Mission
     } else {
-        Room::Fly
+        state.first_room()
     };
     state.overlay = None;
     state.hush();

@@ -28,6 +28,13 @@ const GUSTS_KEPT: usize = 3000;
 /// No cloud is denser than at this distance from its source, in metres.
 const NEAREST_M: f64 = 1.0;
 
+/// What the debrief shows of a plume: squares of this side, so many of them to each side of the source, over so many
+/// powers of ten, down to this strength.
+const SHADE_SIDE_M: f64 = 12.0;
+const SHADES_OUT: i32 = 25;
+const DECADES: f64 = 3.0;
+const FAINTEST: f64 = 0.1;
+
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PlumeFile {
@@ -154,14 +161,43 @@ impl Field for PlumeField {
     }
 
     fn truth(&self) -> Vec<Truth> {
-        vec![Truth {
+        let mut truth = self.shades();
+        truth.push(Truth {
             at: self.plume.source,
             shape: TruthShape::Object(Class::Leak, true),
-        }]
+        });
+        truth
     }
 }
 
 impl PlumeField {
+    /// The plume as it lies without its gusts, at the height that it comes out at: 1 is the strongest, and every
+    /// [`DECADES`] of thinning take that away.
+    fn shades(&self) -> Vec<Truth> {
+        let [east_m, north_m] = self.plume.source;
+        let middle = |at: i32| f64::from(at) * SHADE_SIDE_M;
+        let places = (-SHADES_OUT..=SHADES_OUT)
+            .flat_map(|row| (-SHADES_OUT..=SHADES_OUT).map(move |column| (column, row)));
+        let amounts = places.map(|(column, row)| {
+            let at = [east_m + middle(column), north_m + middle(row)];
+            let amount = self
+                .plume
+                .concentration_ug_m3(self.wind, at, self.plume.height_m);
+            (at, amount)
+        });
+        let amounts: Vec<(Point, f64)> = amounts.collect();
+        let most = amounts.iter().map(|(_, amount)| *amount);
+        let most = most.fold(f64::MIN_POSITIVE, f64::max);
+        let shade = |(at, amount): (Point, f64)| {
+            let strength = 1.0 + (amount / most).log10() / DECADES;
+            (strength >= FAINTEST).then_some(Truth {
+                at,
+                shape: TruthShape::Square(SHADE_SIDE_M, strength),
+            })
+        };
+        amounts.into_iter().filter_map(shade).collect()
+    }
+
     fn lie_in_the_wind(&mut self) {
         let mean = Wind::of_drift(self.drift_m_s);
         self.wind = Wind {

@@ -7,7 +7,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{Kind, Patch, Scene, Standing, Tracker, partial_credit};
 use crate::mission::craft::Craft;
 use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::sensor::Sensor;
@@ -17,6 +17,8 @@ use crate::mission::zone::Shape;
 use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
+
+mod gaps;
 
 const MOST_CELLS: f64 = 40_000.0;
 
@@ -207,6 +209,10 @@ impl Tracker for Sweep {
         for craft in scene.vehicles {
             self.pass(craft, scene.world.weather.light);
         }
+    }
+
+    fn gaps(&self) -> Vec<Patch> {
+        gaps::gaps(&self.grid)
     }
 
     fn standing(&self, _: &Scene<'_>) -> Standing {
