@@ -246,16 +246,6 @@ impl State {
         }
     }
 
-    /// Where a session begins once its vehicles are there: who comes to a mission reads first what it is about, who
-    /// flies it again knows.
-    pub fn first_room(&self) -> Room {
-        if self.flown_mission().is_some() && !self.session.flown_before {
-            Room::Mission
-        } else {
-            Room::Fly
-        }
-    }
-
     /// The listing of the mission that is being flown.
     pub fn flown_mission(&self) -> Option<&MissionListing> {
         self.session.listing.as_deref()

@@ -185,8 +185,7 @@ fn mode_effect(before: &Vehicle, name: &str) -> Effect {
 fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)
-        .min(CLIMB_ENDS_M)
-        .max(ARRIVED_HEIGHT_M)
+        .clamp(ARRIVED_HEIGHT_M, CLIMB_ENDS_M)
         .min(0.5 * altitude_m);
     Effect::new(
         Watched::Altitude {

@@ -70,7 +70,7 @@ fn begin(state: &mut State, count: usize) {
     );
     state.session.began_at = state.now;
     if state.room == Room::Hangar {
-        state.room = state.first_room();
+        state.room = state.session.first_room;
         state.hush();
     }
 }

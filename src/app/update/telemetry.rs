@@ -82,8 +82,14 @@ pub fn started(state: &mut State, started: Started) {
     session.hangar = started.processes.map(starting);
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
-    session.flown_before = session.activity == state.session.activity;
-    if session.flown_before {
+    let is_again = session.activity == state.session.activity;
+    // Who comes to a mission reads first what it is about; who flies it again knows.
+    session.first_room = if session.listing.is_some() && !is_again {
+        Room::Mission
+    } else {
+        Room::Fly
+    };
+    if is_again {
         session.groups = std::mem::take(&mut state.session.groups);
     }
     state.session = session;
@@ -94,7 +100,7 @@ pub fn started(state: &mut State, started: Started) {
     state.room = if state.session.is_starting() {
         Room::Hangar
     } else {
-        state.first_room()
+        state.session.first_room
     };
     state.overlay = None;
     state.hush();
