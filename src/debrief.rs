@@ -9,7 +9,7 @@ use unicode_width::UnicodeWidthStr as _;
 use crate::notice::sanitised;
 use crate::scoring::{ObjectiveReport, Report};
 use crate::text;
-use crate::text::{Locale, Text};
+use crate::text::{Locale, Text, wrap};
 
 mod layout;
 mod map;
@@ -86,8 +86,16 @@ impl Page<'_> {
         );
         self.line(&rule);
         for line in [first, second] {
-            let line = fit(&self.locale.text(&line), WIDTH - 4);
-            self.line(&format!("| {line} |"));
+            // A long title takes a line more rather than the outcome.
+            let words = sanitised(&self.locale.text(&line));
+            let lines = if words.width() > WIDTH - 4 {
+                wrap(&words, WIDTH - 4)
+            } else {
+                vec![words]
+            };
+            for line in lines {
+                self.line(&format!("| {} |", fit(&line, WIDTH - 4)));
+            }
         }
         self.line(&rule);
         self.spent(report);

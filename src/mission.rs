@@ -46,6 +46,7 @@ mod progress;
 mod radio;
 pub mod record;
 mod report;
+mod saying;
 mod schema;
 mod sensor;
 mod survey;
@@ -66,8 +67,8 @@ pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use listing::{FitListing, Listing, ObjectiveListing};
 pub use progress::{
-    Cell, ClueProgress, MovingThing, ObjectiveProgress, ObjectiveState, Progress, Reading,
-    ShownContact, ShownMark, Trust,
+    Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
+    Reading, ShownContact, ShownMark, Trust,
 };
 pub use schema::schema;
 
@@ -135,8 +136,8 @@ pub struct Mission {
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) max_height_m: f64,
     pub(crate) land_reserve_percent: f64,
-    /// Vehicles in the air have to be this far apart.
-    pub(crate) min_separation_m: f64,
+    /// Vehicles in the air have to be this far apart; `None` where the mission does not say how far.
+    pub(crate) separation_m: Option<f64>,
     pub(crate) events: Vec<event::Event>,
     /// `None` where radio does not matter.
     pub(crate) radio: Option<radio::Radio>,

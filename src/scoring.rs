@@ -111,6 +111,10 @@ pub struct ObjectiveFact {
     pub target: Text,
     /// What would have reached it, in words.
     pub advice: Text,
+    /// Quality of its product (map, detections), 0 to 1, with what it came from; `None` where it makes none.
+    pub quality: Option<(f64, Text)>,
+    /// What would make the product better, in words; may be empty.
+    pub quality_advice: Text,
 }
 
 /// Everything about a flight that the score depends on.
@@ -118,10 +122,6 @@ pub struct ObjectiveFact {
 pub struct Facts {
     /// How the objectives went, in the mission's order.
     pub objectives: Vec<ObjectiveFact>,
-    /// Quality of the product (map, detections), 0 to 1, with what it came from; `None` where a mission asks for none.
-    pub quality: Option<(f64, Text)>,
-    /// What would make the product better, in words; may be empty.
-    pub quality_advice: Text,
     /// Mission time used.
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.

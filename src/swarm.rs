@@ -11,12 +11,13 @@
 //!
 //! **Who leads.** The first of the targets leads a formation. A `goto` or an `altitude` that is given to it, alone or
 //! with others, moves the whole formation, and the rows of those that go with it end when it has arrived. Any
-//! other movement takes a vehicle out of what it was doing; the others close up, or take over its lines.
+//! other movement takes a vehicle out of what it was doing; the others close up, or take over its lines. A formation goes
+//! as fast as its leader was told to (`speed`).
 
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::commands::{Command, Destination, Manoeuvre};
+use crate::commands::{Command, Destination, Manoeuvre, SpeedAxis};
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -128,6 +129,8 @@ pub struct Path {
 pub struct Conductor {
     rules: Rules,
     acts: Vec<Act>,
+    /// How fast vehicles were told to fly.
+    told_m_s: BTreeMap<VehicleId, f64>,
     /// What is to go out with the next step.
     waiting: Turn,
 }
@@ -169,6 +172,14 @@ impl Conductor {
         now: Duration,
     ) -> (Vec<VehicleId>, Vec<RowUpdate>) {
         let mut left = ordered.targets.to_vec();
+        if let &Command::Speed {
+            axis: SpeedAxis::Ground,
+            speed_m_s,
+        } = ordered.command
+        {
+            let told = left.iter().map(|id| (*id, speed_m_s));
+            self.told_m_s.extend(told);
+        }
         if moves_the_vehicle(ordered.command) && !is_guided(ordered.command) {
             for act in &mut self.acts {
                 let claimed = match goal(ordered.command, act, vehicles) {
@@ -191,6 +202,7 @@ impl Conductor {
                 vehicles,
                 rules: self.rules,
             };
+            self.acts[index].pace(&self.told_m_s);
             self.acts[index].step(&scene, &mut turn);
         }
         self.acts.retain(|act| !act.is_over());

@@ -137,6 +137,11 @@ impl Vehicle {
         }
     }
 
+    /// What its clock says, in milliseconds since it booted: also when radio that is simulated keeps it from us.
+    pub fn clock_ms(&self) -> Option<u32> {
+        self.unheard.map(|unheard| unheard.boot_ms).or(self.boot_ms)
+    }
+
     /// The flight mode, if it has said one.
     pub fn mode(&self) -> Option<Mode> {
         self.heartbeat.map(|heartbeat| heartbeat.mode)

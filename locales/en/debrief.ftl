@@ -24,6 +24,8 @@ debrief-sum = score
 debrief-gold-needs = gold needs { $gates }
 
 debrief-timeline = TIMELINE   (> command  o objective  ! alert  x rule broken  r rejected)
+# One row for a refusal by several drones.
+debrief-to-many = { $what } ({ $count } drones)
 debrief-drone = drone { $vehicle }: { $what }
 debrief-vehicle = vehicle { $vehicle }: { $what }
 
@@ -66,6 +68,7 @@ debrief-sign-missed = missed
 debrief-sign-shades = { $shades } weak to strong
 debrief-scale = a column is { $metres } m
 debrief-found = found { $found } of { $all }, false reports { $wrong }
+debrief-gaps = not covered: { $area } m², most of it around n { $north } e { $east }
 debrief-missed = missed: { $kind } at n { $north } e { $east }
 
 debrief-tries = YOUR TRIES
@@ -82,6 +85,7 @@ truth-none = This mission has nothing to reveal.
 truth-found = found
 truth-missed = missed
 truth-over = settled
+truth-unasked = there, not asked for
 truth-decoy = harmless
 truth-false = false report
 truth-strength = strongest

@@ -15,12 +15,12 @@ file-keymap = keymap
 file-configuration = configuration
 file-any = mission, theme, keymap, configuration or script
 
-record-none = this is no recorded run
-record-version = this is a recorded run of version { $version }; this program reads version { $known }
+record-none = this is no recorded run: the console keeps one of each flight, `sortie run --record DIR` another
+record-version = this is a recorded run of version { $version }; this program reads version { $known }: take the program that recorded it
 record-head = the first line is damaged: { $error }
 record-damaged = line { $line } is damaged: the run is scored up to there
 record-no-end = the run has no end: it is scored up to where it goes
 record-mission = this program cannot read the mission of the run: { $fault }
-record-unwritable = The run is not recorded any more: { $error }
+record-unwritable = The run is not recorded from here on, the flight goes on: { $fault }
 record-differs = It was scored { $before } when it was flown; this program scores it { $now }.
-record-no-runs = no run is recorded in { $folder }
+record-no-runs = no run is recorded in { $folder }; fly a mission with `sortie fly`, or name a recorded run

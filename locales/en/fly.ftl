@@ -160,7 +160,7 @@ hint-own = vehicle
 hint-back = back
 hint-scroll = scroll
 hint-again = fly again
-hint-home = home screen
+hint-home = home
 
 commands-pane = commands
 commands-none = no command yet: press : and write one

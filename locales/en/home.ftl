@@ -27,7 +27,7 @@ home-tier-0 = first steps
 home-tier-1 = one skill each
 home-tier-2 = several skills
 home-tier-3 = everything together
-home-drill = drill, { $seconds } s: { $title }
+home-drill = { $title }, { $seconds } s
 home-no-drill = there is no drill for it
 home-best = Best of { $count ->
     [one] { $count } try

@@ -46,11 +46,13 @@ action-goto-here = write `goto` with the place under the cursor
 action-trails = show or hide the trails
 action-legend = show or hide the signs' meaning
 action-next-sensor = samples of the next sensor
-map-legend-seen = contact, seen by one sensor
+# What signs mean: at most 24 columns.
+map-legend-seen = contact, by one sensor
 map-legend-confirmed = contact, by two kinds
 map-legend-reported = reported
+map-legend-burnt = burnt, as you saw it
 map-legend-no-fly = no-fly area (x)
 map-legend-jamming = no satellites (~)
 map-legend-people = people below (&)
 map-legend-radio = weak radio (%)
-map-legend-movers = person, aircraft, other drone
+map-legend-movers = person, aircraft, drone

@@ -101,6 +101,11 @@ mission-weights = points
 mission-medals = medals
 mission-medals-are = gold from { $gold }, silver from { $silver }, bronze from { $bronze }
 mission-gold-needs = gold needs
+mission-rewards = for passing
+mission-reward-credits = { $credits } credits
+mission-reward-mission = mission "{ $title }"
+mission-reward-part = part { $part }
+mission-reward-threat = threat { $threat }
 mission-lines = lines { $first } to { $last } of { $count }   j k scroll
 mission-vehicle-gone = its simulator has ended: the vehicle is lost
 
@@ -163,8 +168,10 @@ mission-marks-count = reports { $count }
 mission-pledge-line = you said: { $words }
 mission-said-score = { $points } points
 
-# What is urgent, on the mission pane.
+# What is urgent, over the whole width of the screen; short in the header.
 mission-alert = ! { $seconds } s: { $text }
+mission-alert-short = ! { $seconds } s
+mission-urgent-more = and { $count } more that cannot wait
 mission-radio-weak = ! { $vehicle } is hardly heard: { $margin } dB
 inject-done = injected: { $what }
 

@@ -25,8 +25,11 @@ scoring-over-par = { $by } { $unit } over par
 scoring-no-rule-broken = no rule broken
 scoring-rules-broken = { $worst }; { $more } more
 scoring-no-commands = no commands
-scoring-commands-clean = { $count } commands, none rejected
-scoring-commands-faulty = { $faults } of { $count } commands
+scoring-commands-clean = { $count ->
+    [one] { $count } command, not rejected
+   *[other] { $count } commands, none rejected
+}
+scoring-commands-faulty = { $faults } of { $count } commands (per drone)
 scoring-rejected = { $count } rejected
 scoring-unsafe = { $count } unsafe
 scoring-twice = { $count } given twice
@@ -37,6 +40,7 @@ scoring-improve-quality-how = Bring the quality from { $from } to { $to } ({ $no
 scoring-be-faster = Be { $seconds } s faster: that is par.
 scoring-use-less = Use { $energy } Wh less: that is par.
 scoring-advice-commands = Give commands that can work, once: read the reason of a refusal first.
+scoring-advice-mandatory = Reach everything that must be reached, without that it counts for little: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before Enter.
 scoring-advice-height = Stay below the mission's highest height; it is in the brief.
 scoring-advice-crash = Bring the vehicle down with rtl or land and wait for the disarm.

@@ -24,6 +24,8 @@ debrief-sum = разом
 debrief-gold-needs = для золота треба: { $gates }
 
 debrief-timeline = ПЕРЕБІГ   (> команда  o ціль  ! увага  x порушення  r відмова)
+# Один рядок про відмову кількох дронів.
+debrief-to-many = { $what } (дронів: { $count })
 debrief-drone = дрон { $vehicle }: { $what }
 debrief-vehicle = апарат { $vehicle }: { $what }
 
@@ -41,15 +43,15 @@ debrief-goal-reached = Ваша мета, { $goal }: досягнуто ({ $resu
 debrief-goal-missed = Ваша мета, { $goal }: не досягнуто ({ $result }).
 debrief-times-hints = x{ $factor } за підказки
 
-debrief-alert-good = { $alert } -> відповідь за { $after } с   добре
-debrief-alert-late = { $alert } -> відповідь за { $after } с (межа { $limit } с)   запізно
-debrief-alert-none = { $alert } -> без відповіді (межа { $limit } с)   запізно
+debrief-alert-good = { $alert } -> відповідь за { $after } s   добре
+debrief-alert-late = { $alert } -> відповідь за { $after } s (межа { $limit } s)   запізно
+debrief-alert-none = { $alert } -> без відповіді (межа { $limit } s)   запізно
 
 debrief-swarm = РІЙ   (не оцінюється)
 debrief-fan-out = У такому темпі ви завантажуєте дронів: { $handled }; летіло { $flown }.
-debrief-swarm-times = без вас дрон зайнятий { $neglect } с; команда забирає { $interaction } с; дрон чекає { $wait } с
+debrief-swarm-times = без вас дрон зайнятий { $neglect } s; команда забирає { $interaction } s; дрон чекає { $wait } s
 debrief-swarm-habits = переходів до інших дронів за хвилину { $switches }; команд кільком одразу { $group } %
-debrief-use = у повітрі { $airborne } с, із завданням { $percent } %, простій { $idle } с
+debrief-use = у повітрі { $airborne } s, із завданням { $percent } %, простій { $idle } s
 debrief-use-none = не літав
 
 debrief-truth = ЩО БУЛО НАСПРАВДІ   (північ угорі)
@@ -64,8 +66,9 @@ debrief-sign-mark = повідомлення
 debrief-sign-found = знайдено
 debrief-sign-missed = пропущено
 debrief-sign-shades = { $shades } від слабкого до сильного
-debrief-scale = колонка - { $metres } м
+debrief-scale = колонка - { $metres } m
 debrief-found = знайдено { $found } з { $all }, хибних повідомлень { $wrong }
+debrief-gaps = не обстежено: { $area } m², найбільше біля n { $north } e { $east }
 debrief-missed = пропущено: { $kind }, n { $north } e { $east }
 
 debrief-tries = ВАШІ СПРОБИ
@@ -82,7 +85,8 @@ truth-none = Цьому завданню нема чого показати.
 truth-found = знайдено
 truth-missed = пропущено
 truth-over = ліквідовано
+truth-unasked = було, але не питали
 truth-decoy = безпечне
-truth-false = хибна доповідь
+truth-false = хибне повідомлення
 truth-strength = найсильніше
 truth-gaps = не обстежено

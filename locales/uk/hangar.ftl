@@ -67,6 +67,6 @@ hangar-here = тут
 
 hangar-far = ангар { $hangar }: { $error }
 hangar-far-unreachable = { $address } недосяжний ({ $error }): чи працює там `sortie hangar`? З іншої машини: `ssh -L PORT:127.0.0.1:PORT HOST`
-hangar-far-late = { $address } не відповів за { $seconds } с
+hangar-far-late = { $address } не відповів за { $seconds } s
 hangar-far-other = { $address } відповідає, але це не ангар sortie ({ $error })
 hangar-far-token = { $address } вимагає свій токен ({ $error }): скопіюйте сюди його файл токена й назвіть його через --hangar-token FILE

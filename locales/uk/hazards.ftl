@@ -11,14 +11,14 @@ load-kit = набори
 load-node = вузли
 load-dropped = { $what }; лишилося { $left }
 load-nothing = впало там, де це нічого не дає
-load-empty = { $load }: нічого не лишилося, сядьте на майданчик на 20 с
+load-empty = { $load }: нічого не лишилося, сядьте на майданчик на 20 s
 load-served = вантаж поповнено
 load-shut = його розпилювач закрито
-load-spray-left = лишилося { $left } с
+load-spray-left = лишилося { $left } s
 load-on-ground = він стоїть на землі
-load-too-high = { $height } м - це зависоко: щонайбільше { $limit } м
+load-too-high = { $height } m - це зависоко: щонайбільше { $limit } m
 load-sample = { $sensor } { $value } { $unit }
-load-sample-speed = проби беруть на швидкості щонайбільше { $limit } м/с
+load-sample-speed = проби беруть на швидкості щонайбільше { $limit } m/s
 
 # What loads do to a fire.
 fire-put-out = там вогонь погашено
@@ -28,17 +28,17 @@ fire-none-there = там нічого не горить
 
 # Finding where something is.
 locate-reports = повідомлено: { $count }
-locate-off = похибка { $distance } м
+locate-off = похибка { $distance } m
 locate-missed = не знайдено
 locate-astray = хибних: { $count }
 locate-quality = повідомляйте лише те, в чому певні, а перед тим повільно пролетіть над тим місцем
-locate-target = { $count } з точністю { $within } м
+locate-target = { $count } з точністю { $within } m
 locate-advice = Перетніть хмару з двох боків, летіть повільно там, де покази найбільші, і повідомте місце: mark peak.
 
 # The edge of a fire.
 perimeter-none = карти ще немає
-perimeter-next = карта за { $seconds } с
-perimeter-target = { $fit } на { $times } с
+perimeter-next = карта за { $seconds } s
+perimeter-target = { $fit } на { $times } s
 perimeter-advice = огляньте весь край незадовго до зняття карти, фронт за вітром - останнім
 
 # Fire and what it must not reach.

@@ -27,7 +27,7 @@ home-tier-0 = перші кроки
 home-tier-1 = по одному вмінню
 home-tier-2 = кілька вмінь
 home-tier-3 = усе разом
-home-drill = вправа, { $seconds } s: { $title }
+home-drill = { $title }, { $seconds } s
 home-no-drill = вправи до нього немає
 home-best = Найкраще з { $count ->
     [one] { $count } спроби

@@ -17,8 +17,8 @@ map-no-samples = жоден датчик ще нічого не показав
 map-shows-sensor = виміри датчика { $sensor }
 
 map-legend = позначки
-map-legend-armed = двигуни активовано, курс
-map-legend-disarmed = двигуни деактивовано
+map-legend-armed = двигуни активні, курс
+map-legend-disarmed = двигуни неактивні
 map-legend-lost = зв'язок втрачено
 map-legend-cursor = апарат під курсором
 map-legend-selected = вибрано
@@ -47,11 +47,13 @@ action-goto-here = написати `goto` з точкою під курсоро
 action-trails = показати або сховати пройдені шляхи
 action-legend = показати або сховати пояснення позначок
 action-next-sensor = виміри наступного датчика
-map-legend-seen = контакт, бачив один датчик
-map-legend-confirmed = контакт, бачили два різні
+# Пояснення позначок: щонайбільше 24 колонки.
+map-legend-seen = контакт, один датчик
+map-legend-confirmed = контакт, два датчики
 map-legend-reported = про це доповіли
+map-legend-burnt = вигоріло, як бачили
 map-legend-no-fly = заборонена зона (x)
 map-legend-jamming = немає супутників (~)
 map-legend-people = унизу люди (&)
 map-legend-radio = слабкий зв'язок (%)
-map-legend-movers = людина, літак, чужий дрон
+map-legend-movers = людина, літак, дрон

@@ -93,7 +93,7 @@ mission-rules = правила
 mission-rule-time = час
 mission-rule-time-is = щонайбільше { $limit }, норма { $par }
 mission-rule-energy = енергія
-mission-rule-energy-is = норма { $par } Вт·год
+mission-rule-energy-is = норма { $par } Wh
 mission-rule-height = висота
 mission-rule-height-is = щонайбільше { $height } m над майданчиками
 mission-rule-battery = акумулятор
@@ -108,27 +108,32 @@ mission-weights = бали
 mission-medals = медалі
 mission-medals-are = золото від { $gold }, срібло від { $silver }, бронза від { $bronze }
 mission-gold-needs = для золота
+mission-rewards = нагорода
+mission-reward-credits = кредитів { $credits }
+mission-reward-mission = завдання «{ $title }»
+mission-reward-part = деталь { $part }
+mission-reward-threat = загроза { $threat }
 mission-lines = рядки { $first }-{ $last } з { $count }   j k гортають
 mission-vehicle-gone = його симулятор завершився: апарат втрачено
 
-# Що місія відповідає на дії.
-deed-over = місію завершено
+# Що завдання відповідає на дії.
+deed-over = завдання завершено
 deed-launched = це кажуть до зльоту
 deed-no-position = його місце невідоме
 deed-no-contacts = немає такого контакту, про який ще не доповіли
-deed-no-mark = у межах 15 м звідти нічого не відмічено
+deed-no-mark = у межах 15 m звідти нічого не відмічено
 deed-marked-before = про це вже доповіли
 deed-marked = доповідей: { $count }
 deed-no-load = у нього нічого для цього немає
-deed-no-hint = у цій місії більше немає підказок
-deed-no-mission = місії немає
+deed-no-hint = у цьому завданні більше немає підказок
+deed-no-mission = завдання немає
 
 mission-hint-given = { $percent ->
     [0] підказка рівня { $level } (безкоштовно): { $hint }
    *[other] підказка рівня { $level } (-{ $percent } %): { $hint }
 }
-mission-goal-time = виконати за { $seconds } с
-mission-goal-time-result = { $seconds } с
+mission-goal-time = виконати за { $seconds } s
+mission-goal-time-result = { $seconds } s
 mission-goal-battery = сісти із зарядом { $percent } %
 mission-goal-battery-result = найменший залишок { $percent } %
 mission-goal-battery-unknown = заряд невідомий
@@ -166,13 +171,15 @@ mission-goal = ваша мета
 mission-goal-none = g - поставити її, як-от `goal time 200s`: score, time, battery, safety, commands, attention
 mission-then = початок
 mission-then-is = Enter показує дрони, `:` приймає команди, ? пояснює і те, і те
-mission-contacts-count = контактів { $count }, підтверджено { $confirmed }, доповіли про { $reported }
-mission-marks-count = доповідей { $count }
+mission-contacts-count = контакти { $count }, підтв. { $confirmed }, пов. { $reported }
+mission-marks-count = повідомлено { $count }
 mission-pledge-line = ви сказали: { $words }
 mission-said-score = бали { $points }
 
-# Що невідкладне, на панелі завдання.
+# Що невідкладне, на всю ширину екрана; коротко в заголовку.
 mission-alert = ! { $seconds } s: { $text }
+mission-alert-short = ! { $seconds } s
+mission-urgent-more = і ще невідкладного: { $count }
 mission-radio-weak = ! { $vehicle } ледь чути: { $margin } dB
 inject-done = введено: { $what }
 

@@ -22,7 +22,7 @@ scoring-all-met = { $count ->
 scoring-missed = не досягнуто: { $objectives }
 scoring-needs-objectives = цілі мають дати щонайменше { $share }
 scoring-seconds = s
-scoring-watt-hours = Вт·год
+scoring-watt-hours = Wh
 scoring-inside-par = краще за норму на { $by } { $unit }
 scoring-over-par = гірше за норму на { $by } { $unit }
 scoring-no-rule-broken = правил не порушено
@@ -34,8 +34,8 @@ scoring-commands-clean = { $count ->
    *[many] { $count } команд, без відмов
 }
 scoring-commands-faulty = { $count ->
-    [one] { $faults } з { $count } команди
-   *[many] { $faults } з { $count } команд
+    [one] { $faults } з { $count } команди (по дронах)
+   *[many] { $faults } з { $count } команд (по дронах)
 }
 scoring-rejected = відхилено { $count }
 scoring-unsafe = небезпечних { $count }
@@ -45,8 +45,9 @@ scoring-twice = повторних { $count }
 scoring-improve-quality = Підвищте якість з { $from } до { $to } ({ $now }).
 scoring-improve-quality-how = Підвищте якість з { $from } до { $to } ({ $now }): { $how }.
 scoring-be-faster = Виконайте на { $seconds } s швидше: це норма.
-scoring-use-less = Витратьте на { $energy } Вт·год менше: це норма.
+scoring-use-less = Витратьте на { $energy } Wh менше: це норма.
 scoring-advice-commands = Давайте лише команди, які можна виконати, і по одному разу: спершу прочитайте причину відмови.
+scoring-advice-mandatory = Досягніть усього обов'язкового, без цього решта важить мало: { $objectives }.
 scoring-advice-geofence = Не вилітайте за геозону: перед Enter звірте числа в goto з картою.
 scoring-advice-height = Не піднімайтеся вище за найбільшу висоту завдання; її вказано в інструктажі.
 scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.
@@ -64,8 +65,8 @@ scoring-alerts-answered = { $count ->
 }
 scoring-alerts-late = { $worst }; запізно ще { $more }
 scoring-alert-unanswered = { $alert }: без відповіді
-scoring-alert-took = { $alert }: { $seconds } с (межа { $limit } с)
-scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть, потім читайте. На «{ $alert }» було { $limit } с.
+scoring-alert-took = { $alert }: { $seconds } s (межа { $limit } s)
+scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть, потім читайте. На «{ $alert }» було { $limit } s.
 
 # Завантаження.
 scoring-none-flown = жоден дрон не літав

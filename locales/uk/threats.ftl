@@ -1,17 +1,17 @@
 # Threats: rules of the air, alerts, injects.
 
 threat-collision = зіткнення з апаратом { $other }
-threat-separation = { $distance } м до апарата { $other }
+threat-separation = { $distance } m до апарата { $other }
 threat-no-fly = у забороненій зоні { $zone }
-threat-people = нижче { $height } м над людьми в { $zone }
+threat-people = нижче { $height } m над людьми в { $zone }
 threat-injury = удар по людині
-threat-near-person = { $distance } м до людини
+threat-near-person = { $distance } m до людини
 threat-aircraft-hit = зіткнення з літаком
-threat-bubble = { $distance } м до літака
+threat-bubble = { $distance } m до літака
 threat-intruder-hit = зіткнення з чужим дроном
-threat-intruder-near = { $distance } м до чужого дрона
-threat-answered = відповідь за { $seconds } с: { $alert }
-threat-not-allowed = `{ $name }` не можна викликати в цій місії
+threat-intruder-near = { $distance } m до чужого дрона
+threat-answered = відповідь за { $seconds } s: { $alert }
+threat-not-allowed = `{ $name }` не можна викликати в цьому завданні
 
 threat-gust = сильні пориви вітру
 threat-wind-shift = вітер змінює напрямок
@@ -24,8 +24,8 @@ threat-person = на ділянку заходить людина
 threat-aircraft = ділянку перетинає літак
 
 # The objective of a link that must hold.
-link-target = { $margin } дБ протягом { $percent } %
-link-kept = { $percent } % із { $seconds } с
+link-target = { $margin } dB протягом { $percent } %
+link-kept = { $percent } % із { $seconds } s
 link-none = не були на завданні
-link-more = ще { $seconds } с
+link-more = ще { $seconds } s
 link-advice = Тримайте ретранслятор у полі зору і наземної станції, і апарата за ним: над хребтом, перш ніж апарат зайде за нього.

@@ -5,7 +5,7 @@ vehicle-place = { $row } з { $count }
 vehicle-key-next = інший апарат
 vehicle-key-window = { $seconds } s
 vehicle-key-page = сторінка { $page } з { $count }
-vehicle-last-known = зв'язок втрачено { $seconds } с тому: останні відомі значення
+vehicle-last-known = зв'язок втрачено { $seconds } s тому: останні відомі значення
 
 vehicle-attitude = просторове положення
 vehicle-angles = крен { $roll }°  тангаж { $pitch }°

@@ -53,7 +53,7 @@ pub(super) struct RunArguments {
     /// Which try at the mission it is: on the first one, hints are free.
     #[arg(long = "try", value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=9999))]
     attempt: u32,
-    /// Record the run in this folder, for `sortie debrief`.
+    /// Record the run in this folder, for `sortie debrief`; what is in it stays.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
     /// Leave out how long it took, so that equal runs print equal bytes.

@@ -7,6 +7,8 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::geo::LatLon;
+use crate::text;
+use crate::text::Text;
 
 /// Something that only means anything within a mission.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -49,6 +51,19 @@ impl Deed {
     /// What a find can be said to be.
     pub const KINDS: &'static [&'static str] =
         &["mine", "person", "source", "leak", "fire", "defect", "peak"];
+
+    /// What a kind of find is called by people; a word that names none stays as it is.
+    pub fn kind_title(kind: &str) -> Text {
+        match kind {
+            "mine" => text!("contact-mine"),
+            "person" => text!("contact-person"),
+            "fire" => text!("contact-fire"),
+            "defect" => text!("contact-defect"),
+            "leak" => text!("contact-leak"),
+            "source" => text!("contact-source"),
+            other => other.into(),
+        }
+    }
 }
 
 /// What a report is about.
@@ -111,6 +126,22 @@ fn known_kind<'de, D: Deserializer<'de>>(
     let known = Deed::KINDS.iter().find(|kind| **kind == word);
     let unknown = || D::Error::custom("no kind of find");
     known.copied().map(Some).ok_or_else(unknown)
+}
+
+impl Goal {
+    /// What it asks for, in words.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Time(most) => text!("mission-goal-time", seconds = most.as_secs()),
+            Self::Battery(least) => {
+                text!("mission-goal-battery", percent = format!("{least:.0}"))
+            }
+            Self::Safety => text!("mission-goal-safety"),
+            Self::Commands => text!("mission-goal-commands"),
+            Self::Attention => text!("mission-goal-attention"),
+            Self::Score(least) => text!("mission-goal-score", points = least),
+        }
+    }
 }
 
 impl fmt::Display for Goal {

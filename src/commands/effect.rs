@@ -14,6 +14,8 @@ use crate::vehicle::{Mode, Vehicle};
 const ARRIVED_M: f64 = 1.5;
 /// How near counts as reached, vertically.
 const ARRIVED_HEIGHT_M: f64 = 1.0;
+/// The last of a climb, which gets slower: a target that came sooner would break a takeoff off.
+const CLIMB_ENDS_M: f64 = 1.5;
 /// How near counts as turned.
 const TURNED_DEG: f64 = 5.0;
 /// How near home must be to where it was set.
@@ -183,7 +185,7 @@ fn mode_effect(before: &Vehicle, name: &str) -> Effect {
 fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)
-        .max(ARRIVED_HEIGHT_M)
+        .clamp(ARRIVED_HEIGHT_M, CLIMB_ENDS_M)
         .min(0.5 * altitude_m);
     Effect::new(
         Watched::Altitude {

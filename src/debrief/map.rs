@@ -1,7 +1,8 @@
 //! The truth on a map of letters: what was there, what was found of it, and what was never looked at.
 
 use super::Page;
-use crate::scoring::{ObjectReport, TruthReport};
+use crate::commands::Deed;
+use crate::scoring::{ObjectReport, SquareReport, TruthReport};
 use crate::text;
 use crate::text::Text;
 
@@ -59,9 +60,17 @@ impl Page<'_> {
             let text = text!("debrief-found", found = found, all = all, wrong = wrong);
             self.wrapped("  ", &text);
         }
+        let area_m2 = |gap: &SquareReport| gap.side_m * gap.side_m;
+        let largest = truth.gaps.iter().rev();
+        if let Some(largest) = largest.max_by(|a, b| a.side_m.total_cmp(&b.side_m)) {
+            let [east, north] = largest.at.map(|axis| format!("{axis:.0}"));
+            let area = format!("{:.0}", truth.gaps.iter().map(area_m2).sum::<f64>());
+            let text = text!("debrief-gaps", area = area, north = north, east = east);
+            self.wrapped("  ", &text);
+        }
         for object in missed.iter().take(NAMED) {
             let [east, north] = object.at.map(|axis| format!("{axis:.0}"));
-            let kind = object.kind.as_str();
+            let kind = Deed::kind_title(&object.kind);
             let text = text!("debrief-missed", kind = kind, north = north, east = east);
             self.wrapped("    ", &text);
         }
@@ -88,7 +97,12 @@ impl Canvas {
             .squares
             .iter()
             .filter(|square| square.strength >= FAINT);
-        let squares = strong.chain(&truth.gaps).map(|square| square.at);
+        let squares = strong.map(|square| square.at);
+        let corners = truth.gaps.iter().flat_map(|gap| {
+            let half_m = gap.side_m / 2.0;
+            [-half_m, half_m].map(|by_m| gap.at.map(|axis| axis + by_m))
+        });
+        let squares = squares.chain(corners);
         let objects = truth.objects.iter().map(|object| object.at);
         let marks = truth.marks.iter().map(|mark| mark.at);
         let tracks = truth
@@ -119,7 +133,7 @@ impl Canvas {
     fn draw(&mut self, truth: &TruthReport) {
         self.shade(truth);
         for gap in &truth.gaps {
-            self.put(gap.at, '?');
+            self.fill(gap, '?');
         }
         for at in truth.tracks.iter().flat_map(|track| &track.points) {
             self.put(*at, '~');
@@ -141,26 +155,30 @@ impl Canvas {
         }
     }
 
-    /// Every place of the canvas by the square that it lies in.
+    /// How strong the hazards were, by the squares that were strong.
     fn shade(&mut self, truth: &TruthReport) {
         let strong = truth
             .squares
             .iter()
             .filter(|square| square.strength >= FAINT);
         for square in strong {
-            let half = square.side_m / 2.0;
-            let [west, north] = [square.at[0] - half, square.at[1] + half];
-            let across = (square.side_m / self.scale_m).ceil().max(1.0) as usize;
-            let down = (square.side_m / 2.0 / self.scale_m).ceil().max(1.0) as usize;
             let step = square.strength * (SHADES.len() - 1) as f64;
             let shade = SHADES[(step.round() as usize).min(SHADES.len() - 1)];
-            for (column, row) in
-                (0..across).flat_map(|column| (0..down).map(move |row| (column, row)))
-            {
-                let east = west + (column as f64 + 0.5) / across as f64 * square.side_m;
-                let south = north - (row as f64 + 0.5) / down as f64 * square.side_m;
-                self.put([east, south], shade);
-            }
+            self.fill(square, shade);
+        }
+    }
+
+    /// Every place of the canvas that lies in a square.
+    fn fill(&mut self, square: &SquareReport, sign: char) {
+        let half = square.side_m / 2.0;
+        let [west, north] = [square.at[0] - half, square.at[1] + half];
+        let across = (square.side_m / self.scale_m).ceil().max(1.0) as usize;
+        let down = (square.side_m / 2.0 / self.scale_m).ceil().max(1.0) as usize;
+        for (column, row) in (0..across).flat_map(|column| (0..down).map(move |row| (column, row)))
+        {
+            let east = west + (column as f64 + 0.5) / across as f64 * square.side_m;
+            let south = north - (row as f64 + 0.5) / down as f64 * square.side_m;
+            self.put([east, south], sign);
         }
     }
 
@@ -192,7 +210,7 @@ impl Canvas {
         }
         let scale = format!("{:.1}", self.scale_m);
         parts.push(text!("debrief-scale", metres = scale));
-        Text::joined("   ", parts)
+        Text::joined(", ", parts)
     }
 }
 
@@ -200,7 +218,7 @@ impl Canvas {
 mod tests {
     use super::*;
     use crate::debrief::text as debrief;
-    use crate::scoring::{MarkReport, SquareReport, TrackReport};
+    use crate::scoring::{MarkReport, TrackReport};
     use crate::text::{Language, Locale};
 
     fn object(at: [f64; 2], kind: &str, found: bool) -> ObjectReport {

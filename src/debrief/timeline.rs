@@ -25,8 +25,7 @@ impl Page<'_> {
             rows.extend(report.ledger.iter().filter_map(command_row));
         }
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // A command to many is refused to each of them.
-        rows.dedup();
+        let rows = together(&rows);
         let end = clock(report.sim_time_s);
         let strip = strip(&rows, report.sim_time_s);
         self.line(&format!("  00:00 |{strip}| {end}"));
@@ -37,9 +36,26 @@ impl Page<'_> {
     }
 }
 
-/// Whether an event only says that the alert came.
+/// A command to many is refused to each of them: one row that says to how many.
+fn together(rows: &[Row]) -> Vec<Row> {
+    let same = rows.chunk_by(|a, b| a == b);
+    let row = |same: &[Row]| {
+        let (at_s, mark, words) = same.first()?.clone();
+        let words = match same.len() {
+            many @ 2.. if mark == 'r' => text!("debrief-to-many", what = words, count = many),
+            _ => words,
+        };
+        Some((at_s, mark, words))
+    };
+    same.filter_map(row).collect()
+}
+
+/// Whether an event only says that the alert came, or that it was answered: its row tells both.
 fn is_of(event: &EventReport, alert: &AlertReport) -> bool {
-    event.kind == "alert" && event.text == alert.text && (event.at_s - alert.at_s).abs() < 0.05
+    event.kind == "answer"
+        || event.kind == "alert"
+            && event.text == alert.text
+            && (event.at_s - alert.at_s).abs() < 0.05
 }
 
 /// What came and what was done about it, and only then whether that was soon enough.

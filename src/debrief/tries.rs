@@ -11,29 +11,30 @@ const SHOWN: usize = 8;
 
 impl Page<'_> {
     pub(super) fn tries(&mut self, report: &Report) {
-        if report.tries.len() < 2 {
+        // A try without a score was left before it came to anything.
+        let scored = report
+            .tries
+            .iter()
+            .filter_map(|one| Some((one, one.score?)));
+        let scored: Vec<(&TryReport, u16)> = scored.collect();
+        if scored.len() < 2 {
             return;
         }
         self.heading("debrief-tries");
-        for one in shown(&report.tries) {
+        for (one, score) in shown(&scored) {
             let number = right(&one.attempt.to_string(), 4);
-            let words = match one.score {
-                Some(score) => {
-                    let bar = "#".repeat(usize::from(score / PER_COLUMN));
-                    format!("{number}  {score:>4} {}  {bar}", grade(score))
-                }
-                None => format!("{number}     -"),
-            };
+            let bar = "#".repeat(usize::from(score / PER_COLUMN));
+            let words = format!("{number}  {score:>4} {}  {bar}", grade(score));
             self.line(&words);
         }
         self.gap();
     }
 }
 
-fn shown(tries: &[TryReport]) -> Vec<&TryReport> {
+fn shown<'a>(tries: &[(&'a TryReport, u16)]) -> Vec<(&'a TryReport, u16)> {
     let from = tries.len().saturating_sub(SHOWN);
     // Of equal ones the first was the best for longest.
-    let best = tries.iter().rev().max_by_key(|one| one.score);
+    let best = tries.iter().rev().max_by_key(|(_, score)| *score);
     let earlier = best.filter(|best| !tries[from..].contains(best));
-    earlier.into_iter().chain(&tries[from..]).collect()
+    earlier.into_iter().chain(&tries[from..]).copied().collect()
 }

@@ -96,7 +96,7 @@ impl Live {
         let mut session_now = self.advance(now, None);
         while !self.is_over() && self.crew.hear(index, session_now) {
             let vehicle = self.crew.vehicle(index);
-            let reading = (vehicle.id, vehicle.boot_ms);
+            let reading = (vehicle.id, vehicle.clock_ms());
             session_now = self.advance(now, Some(reading));
         }
         self.gather();

@@ -4,12 +4,18 @@ use super::*;
 use crate::language::Context;
 use crate::mission::record::Stored;
 use crate::sim::STEP;
+use crate::text;
 
 const MISSION: &str = include_str!("../../missions/01-air-sample.toml");
 const PILOT: &str = include_str!("../../missions/pilots/01-air-sample.pilot");
 
 fn mission() -> (Arc<Mission>, Script) {
-    let mission = Arc::new(Mission::parse(MISSION).expect("no faults"));
+    mission_with("")
+}
+
+/// The first mission, with more sections.
+fn mission_with(more: &str) -> (Arc<Mission>, Script) {
+    let mission = Arc::new(Mission::parse(&format!("{MISSION}\n{more}")).expect("no faults"));
     let places = mission.places();
     let context = Context {
         places: Some(&places),
@@ -31,7 +37,10 @@ struct Process {
 
 impl Process {
     fn new(speedup: f64) -> Self {
-        let (mission, script) = mission();
+        Self::flying(mission(), speedup)
+    }
+
+    fn flying((mission, script): (Arc<Mission>, Script), speedup: f64) -> Self {
         let mut world = World::new(&mission.world(1));
         Self {
             port: world.connect(0),
@@ -134,6 +143,21 @@ fn a_mission_ends_when_its_last_vehicle_is_no_more() {
     let said = report.events.iter().filter(|event| event.kind == "alert");
     let said: Vec<String> = said.map(|event| event.text.to_string()).collect();
     assert_eq!(said, ["its simulator has ended: the vehicle is lost"]);
+}
+
+#[test]
+fn mission_time_goes_on_with_the_vehicle_whose_radio_is_cut() {
+    let silence = "[[events]]\nid = 'silence'\nat = 60\n\
+        do = [{ fault = 'link', vehicle = 1, to = 1, for = 20 }]";
+    let mut process = Process::flying(mission_with(silence), 5.0);
+    for quarter in 1..=400_u32 {
+        process.fly(STEP * 5, STEP * 25 * quarter);
+        let behind = process.world.now().abs_diff(process.live.now());
+        assert!(behind < Duration::from_secs(2), "{behind:?} at {quarter}");
+    }
+    let notices = process.live.take_notices();
+    let lost = text!("heard-link-lost");
+    assert!(notices.iter().any(|notice| notice.text == lost));
 }
 
 #[test]

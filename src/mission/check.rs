@@ -13,6 +13,7 @@ use super::zone::ZoneKind;
 use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
+mod budget;
 mod idle;
 mod others;
 mod reach;
@@ -44,6 +45,7 @@ impl Mission {
             found: Vec::new(),
         };
         room::check(&mut examined);
+        budget::check(&mut examined);
         reach::check(&mut examined);
         idle::check(&mut examined);
         scores::check(&mut examined);

@@ -75,7 +75,7 @@ impl Clock {
         self.rate
     }
 
-    /// Takes in what the vehicles' clocks say ([`Vehicle::boot_ms`](crate::vehicle::Vehicle::boot_ms), `None` while
+    /// Takes in what the vehicles' clocks say ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms), `None` while
     /// unheard) at a time of ours, and returns mission time. The first step is its beginning.
     pub fn step(
         &mut self,

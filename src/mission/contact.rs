@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::Point;
 use super::report::distance_m;
 use super::world::ObjectId;
-use crate::text;
+use crate::commands::Deed;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -143,14 +143,7 @@ impl Contact {
 
     /// What it is taken for, in words.
     pub fn kind_text(&self) -> Text {
-        match self.kind {
-            "mine" => text!("contact-mine"),
-            "person" => text!("contact-person"),
-            "fire" => text!("contact-fire"),
-            "defect" => text!("contact-defect"),
-            "leak" => text!("contact-leak"),
-            _ => text!("contact-source"),
-        }
+        Deed::kind_title(self.kind)
     }
 }
 

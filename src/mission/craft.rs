@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
+use super::saying::Listener;
 use super::sensor::{Probe, Sensor};
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
 use crate::scoring::SafetyKind;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
-use crate::vehicle::{GlobalPosition, StatusText, Vehicle};
+use crate::vehicle::{GlobalPosition, Vehicle, VehicleId};
 
 /// Motors that stop above this height let a vehicle fall.
 const FALL_FROM_M: f64 = 2.0;
@@ -60,8 +60,7 @@ pub(crate) struct Craft {
     energy_wh: Option<(f64, f64)>,
     /// The fastest descent near the ground since it came down there.
     sink_m_s: f64,
-    last_text: Option<StatusText>,
-    begun: bool,
+    listener: Listener,
 }
 
 /// A rule that a vehicle breaks, as the step finds it.
@@ -94,8 +93,7 @@ impl Craft {
             unheard: None,
             energy_wh: None,
             sink_m_s: 0.0,
-            last_text: None,
-            begun: false,
+            listener: Listener::default(),
         }
     }
 
@@ -140,7 +138,7 @@ impl Craft {
     pub fn step(&mut self, vehicle: &Vehicle, mission: &Mission, active: &[bool]) -> Vec<Breach> {
         let (was_armed, was_airborne, old_height_m) = (self.armed, self.airborne, self.height_m);
         self.take(vehicle, mission);
-        let texts = self.new_texts(vehicle);
+        let texts = self.listener.listen(vehicle);
         if self.lost {
             return Vec::new();
         }
@@ -215,22 +213,6 @@ impl Craft {
                 self.energy_wh = Some((first, now));
             }
         }
-    }
-
-    /// The texts that came since the last step; those from before the first step do not count.
-    fn new_texts<'a>(&mut self, vehicle: &'a Vehicle) -> &'a [StatusText] {
-        let texts = &vehicle.texts;
-        let known = match &self.last_text {
-            Some(last) => texts
-                .iter()
-                .rposition(|text| text == last)
-                .map_or(0, |at| at + 1),
-            None if self.begun => 0,
-            None => texts.len(),
-        };
-        self.begun = true;
-        self.last_text = texts.last().cloned();
-        &texts[known..]
     }
 
     fn place_breaches(&self, mission: &Mission, active: &[bool]) -> Vec<Breach> {

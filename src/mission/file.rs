@@ -63,6 +63,13 @@ pub(super) use draft::Draft;
 pub(super) use events::action_keys;
 pub(super) use zones::zone_kinds;
 
+/// Which of two values is the better one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Better {
+    Higher,
+    Lower,
+}
+
 /// A table of the file with its place.
 pub(super) type Section<'i> = Spanned<DeTable<'i>>;
 /// What reads one kind of a section that has kinds.
@@ -208,6 +215,40 @@ impl Faults {
             self.add(value.span(), message);
         }
         *value.get_ref()
+    }
+
+    /// A number that may be left out.
+    pub fn optional(
+        &mut self,
+        value: Option<&Spanned<f64>>,
+        usual: f64,
+        range: RangeInclusive<f64>,
+        name: &str,
+    ) -> f64 {
+        value.map_or(usual, |value| self.number(value, range, name))
+    }
+
+    /// What is asked for, and from where on a part of it counts, which must lie on the worse side of it.
+    pub fn target(
+        &mut self,
+        (target, partial_from): (&Spanned<f64>, &Spanned<f64>),
+        range: RangeInclusive<f64>,
+        better: Better,
+    ) -> (f64, f64) {
+        let worst = 0.0..=*range.end();
+        let asked = self.number(target, range, "target");
+        let from = self.number(partial_from, worst, "partial_from");
+        let (is_worse, message) = match better {
+            Better::Higher => (from < asked, "`partial_from` must be below `target`"),
+            Better::Lower => (
+                from > asked,
+                "`partial_from` must be above `target`: less is better here",
+            ),
+        };
+        if !is_worse {
+            self.add(partial_from.span(), message);
+        }
+        (asked, from)
     }
 
     /// Heights from the lowest to the highest; any, where none are written.

@@ -363,11 +363,11 @@ impl Flight {
         {
             if standing.met != self.met[index] {
                 self.met[index] = standing.met;
-                let (id, result) = (&objective.id, &standing.result);
+                let (title, result) = (&objective.title, &standing.result);
                 let text = if standing.met {
-                    text!("mission-objective-met", objective = id, result = result)
+                    text!("mission-objective-met", objective = title, result = result)
                 } else {
-                    text!("mission-objective-open", objective = id, result = result)
+                    text!("mission-objective-open", objective = title, result = result)
                 };
                 self.say("objective", None, Severity::Notice, text, notices);
             }

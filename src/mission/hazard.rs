@@ -20,6 +20,7 @@ mod placing;
 pub(super) mod plume;
 pub(super) mod puffs;
 pub(super) mod radiation;
+mod source;
 pub(super) mod survivors;
 mod wander;
 

@@ -56,6 +56,15 @@ pub(crate) struct Sought {
     pub within_m: f64,
 }
 
+/// A square of ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Patch {
+    /// Its middle.
+    pub at: Point,
+    /// Length of its sides, in metres.
+    pub side_m: f64,
+}
+
 /// What an objective asks for.
 pub(crate) trait Kind: Debug + Send + Sync {
     /// The survey that it needs, if it needs one.
@@ -84,6 +93,16 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 
     /// How the objective stands.
     fn standing(&self, scene: &Scene<'_>) -> Standing;
+
+    /// Where it asked for a look that nobody has had.
+    fn gaps(&self) -> Vec<Patch> {
+        Vec::new()
+    }
+
+    /// What the trainee's map of the ground shows, for kinds that keep one.
+    fn mapped(&self, _world: &World) -> Vec<Patch> {
+        Vec::new()
+    }
 
     /// Places that the seed decides, by name, and what is next of them.
     fn places(&self) -> Vec<(String, Point)> {

@@ -26,6 +26,8 @@ pub struct Progress {
     pub objectives: Vec<ObjectiveProgress>,
     /// What the virtual sensors show, in order of vehicle.
     pub readings: Vec<Reading>,
+    /// What the vehicles still carry to let go of, in order of vehicle.
+    pub loads: Vec<LoadLeft>,
     /// What sensors have found, for waits.
     pub findings: Findings,
     /// What to do next, where the mission has advice.
@@ -50,6 +52,8 @@ pub struct Progress {
     pub injects: Vec<Inject>,
     /// The cells of all surveys; south-west first, then to the east.
     pub cells: Vec<Cell>,
+    /// The ground that the trainee's map has as burnt: what was seen, as it was when it was seen.
+    pub mapped: Vec<Ground>,
     /// The areas that are there now; events bring some and take others away.
     pub areas: Vec<Area>,
     /// People, aircraft and drones of others that are on the way.
@@ -167,6 +171,28 @@ pub struct Reading {
     pub value: f64,
     /// In this unit.
     pub unit: &'static str,
+}
+
+/// What is left of a load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadLeft {
+    /// Which vehicle carries it.
+    pub vehicle: VehicleId,
+    /// Its name.
+    pub load: Text,
+    /// How many are left; seconds of what is sprayed.
+    pub left: u32,
+    /// The unit: `s` for what is sprayed, else nothing.
+    pub unit: &'static str,
+}
+
+/// A square of ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ground {
+    /// Its centre.
+    pub centre: LatLon,
+    /// Length of its sides, in metres.
+    pub side_m: f64,
 }
 
 /// One cell of a survey.

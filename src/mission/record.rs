@@ -7,7 +7,8 @@
 //! cut off is scored up to where it goes.
 //!
 //! Numbers of telemetry are kept as the integers that messages carry, so that what is read back is what was heard.
-//! Explanations of refusals are kept in English.
+//! Explanations of refusals are kept in English, so a debrief from a record says them in English in any language: the
+//! ids of messages are the program's own, and a file that names one would not be readable by a program without it.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -127,6 +128,16 @@ enum Line {
         change: Change,
         end: End,
     },
+}
+
+impl Line {
+    /// Its mission time in ms, where it has one.
+    fn time(&self) -> Option<u64> {
+        match self {
+            Self::Tick { t, .. } | Self::End { t, .. } => Some(*t),
+            _ => None,
+        }
+    }
 }
 
 /// What has changed.

@@ -1,12 +1,15 @@
 //! What would have brought more points. Every gain is the difference to the score of the same flight with that
-//! one thing mended, so it is what the trainee would really have got.
+//! one thing mended, so it is what the trainee would really have got. Two things may bring the same points, such as
+//! those that need a share of the objectives: the smaller gains are cut so that all together are no more than what
+//! everything mended would bring.
 
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::{CommandTally, Facts, HintsUsed, Rules, attention, score, utilisation};
+use super::{CommandTally, Facts, HintsUsed, ObjectiveFact, Rules, attention, score, utilisation};
 use crate::text;
 use crate::text::Text;
 
@@ -26,52 +29,66 @@ pub struct Improvement {
 
 /// The improvements of a flight, biggest gain first.
 pub fn improvements(rules: &Rules, facts: &Facts) -> Vec<Improvement> {
-    let points = score(rules, facts).points;
-    let mut found: Vec<Improvement> = remedies(rules, facts)
-        .into_iter()
-        .map(|(text, mended)| Improvement {
-            points: score(rules, &mended).points.saturating_sub(points),
-            text,
-        })
-        .filter(|improvement| improvement.points > 0)
+    let remedies = remedies(rules, facts).into_iter();
+    let mut alone: Vec<(u16, Remedy)> = remedies
+        .map(|remedy| (remedy.gain(rules, facts), remedy))
+        .filter(|(gain, _)| *gain > 0)
         .collect();
-    found.sort_by_key(|improvement| std::cmp::Reverse(improvement.points));
+    alone.sort_by_key(|(gain, _)| Reverse(*gain));
+    let all = alone
+        .iter()
+        .fold(facts.clone(), |flight, (_, remedy)| remedy.mended(&flight));
+    let mut left = score(rules, &all)
+        .points
+        .saturating_sub(score(rules, facts).points);
+    let mut found = Vec::new();
+    for (gain, remedy) in alone {
+        let points = gain.min(left);
+        left -= points;
+        found.push(Improvement {
+            points,
+            text: remedy.text,
+        });
+    }
+    found.retain(|improvement| improvement.points > 0);
+    found.sort_by_key(|improvement| Reverse(improvement.points));
     found.truncate(SHOWN);
     found
 }
 
-/// The same flight with one thing mended, for each thing that could be.
-fn remedies(rules: &Rules, facts: &Facts) -> Vec<(Text, Facts)> {
+type Change<'a> = Box<dyn Fn(&mut Facts) + 'a>;
+
+/// What to do, and how the flight would have gone with it.
+struct Remedy<'a> {
+    text: Text,
+    changes: Vec<Change<'a>>,
+}
+
+impl Remedy<'_> {
+    fn mended(&self, facts: &Facts) -> Facts {
+        let mut mended = facts.clone();
+        for change in &self.changes {
+            change(&mut mended);
+        }
+        mended
+    }
+
+    /// The points that it brings to a flight.
+    fn gain(&self, rules: &Rules, facts: &Facts) -> u16 {
+        let after = score(rules, &self.mended(facts)).points;
+        after.saturating_sub(score(rules, facts).points)
+    }
+}
+
+/// Everything that could be mended, each advice once.
+fn remedies<'a>(rules: &'a Rules, facts: &'a Facts) -> Vec<Remedy<'a>> {
     let mut remedies = Remedies {
         facts,
         list: Vec::new(),
     };
-    for (index, objective) in facts.objectives.iter().enumerate() {
-        remedies.mend(objective.advice.clone(), |facts| {
-            facts.objectives[index].fraction = 1.0;
-            facts.objectives[index].met = true;
-        });
-    }
-    if let Some((quality, words)) = &facts.quality
-        && *quality < GOOD_QUALITY
-    {
-        let (from, to) = (format!("{quality:.2}"), format!("{GOOD_QUALITY:.2}"));
-        let how = &facts.quality_advice;
-        let text = if how.is_empty() {
-            text!("scoring-improve-quality", from = from, to = to, now = words)
-        } else {
-            text!(
-                "scoring-improve-quality-how",
-                from = from,
-                to = to,
-                now = words,
-                how = how
-            )
-        };
-        remedies.mend(text, |facts| {
-            facts.quality = Some((GOOD_QUALITY, Text::default()));
-        });
-    }
+    remedies.reach_objectives();
+    remedies.reach_what_must_be(rules);
+    remedies.improve_products();
     remedies.reach_par(rules);
     remedies.keep_rules();
     remedies.use_vehicles();
@@ -82,17 +99,60 @@ fn remedies(rules: &Rules, facts: &Facts) -> Vec<(Text, Facts)> {
 
 struct Remedies<'a> {
     facts: &'a Facts,
-    list: Vec<(Text, Facts)>,
+    list: Vec<Remedy<'a>>,
 }
 
-impl Remedies<'_> {
-    fn mend(&mut self, text: Text, change: impl FnOnce(&mut Facts)) {
-        let mut mended = self.facts.clone();
-        change(&mut mended);
-        self.list.push((text, mended));
+impl<'a> Remedies<'a> {
+    /// Adds a change; one with an advice that is there already belongs to that.
+    fn mend(&mut self, text: Text, change: impl Fn(&mut Facts) + 'a) {
+        let change: Change = Box::new(change);
+        match self.list.iter_mut().find(|remedy| remedy.text == text) {
+            Some(remedy) => remedy.changes.push(change),
+            None => self.list.push(Remedy {
+                text,
+                changes: vec![change],
+            }),
+        }
     }
 
-    fn reach_par(&mut self, rules: &Rules) {
+    fn reach_objectives(&mut self) {
+        for (index, objective) in self.facts.objectives.iter().enumerate() {
+            // Where the product is what is asked for, one advice is about both.
+            let text = better(objective).filter(|_| objective.advice == objective.quality_advice);
+            let text = text.unwrap_or_else(|| objective.advice.clone());
+            self.mend(text, move |facts| reach(&mut facts.objectives[index]));
+        }
+    }
+
+    /// While one that must be reached is missed, another one may bring nothing alone.
+    fn reach_what_must_be(&mut self, rules: &Rules) {
+        let objectives = self.facts.objectives.iter().enumerate();
+        let missed = objectives.filter(|(_, objective)| objective.mandatory && !objective.met);
+        let (missed, ids): (Vec<usize>, Vec<&str>) =
+            missed.map(|(index, o)| (index, o.id.as_str())).unzip();
+        let brings = self.list.iter().any(|it| it.gain(rules, self.facts) > 0);
+        if missed.len() < 2 || brings {
+            return;
+        }
+        let text = text!("scoring-advice-mandatory", objectives = ids.join(", "));
+        self.mend(text, move |facts| {
+            for &index in &missed {
+                reach(&mut facts.objectives[index]);
+            }
+        });
+    }
+
+    fn improve_products(&mut self) {
+        for (index, objective) in self.facts.objectives.iter().enumerate() {
+            if let Some(text) = better(objective) {
+                self.mend(text, move |facts| {
+                    facts.objectives[index].quality = Some((GOOD_QUALITY, Text::default()));
+                });
+            }
+        }
+    }
+
+    fn reach_par(&mut self, rules: &'a Rules) {
         let late = self.facts.elapsed.saturating_sub(rules.par_time);
         let text = text!(
             "scoring-be-faster",
@@ -104,7 +164,7 @@ impl Remedies<'_> {
         if let Some(used_wh) = self.facts.energy_wh {
             let over = used_wh - rules.par_energy_wh;
             let text = text!("scoring-use-less", energy = format!("{over:.1}"));
-            self.mend(text, |facts| {
+            self.mend(text, move |facts| {
                 facts.energy_wh = Some(used_wh.min(rules.par_energy_wh));
             });
         }
@@ -113,12 +173,13 @@ impl Remedies<'_> {
     fn keep_rules(&mut self) {
         let kinds: BTreeSet<_> = self.facts.safety.iter().map(|event| event.kind).collect();
         for kind in kinds {
-            self.mend(kind.advice(), |facts| {
+            self.mend(kind.advice(), move |facts| {
                 facts.safety.retain(|event| event.kind != kind);
             });
         }
         self.mend(text!("scoring-advice-commands"), |facts| {
             facts.commands = CommandTally {
+                given: facts.commands.given,
                 accepted: facts.commands.accepted,
                 ..CommandTally::default()
             };
@@ -154,4 +215,30 @@ impl Remedies<'_> {
             facts.hints = HintsUsed::default();
         });
     }
+}
+
+fn reach(objective: &mut ObjectiveFact) {
+    objective.fraction = 1.0;
+    objective.met = true;
+}
+
+/// What to say about a product that could be better.
+fn better(objective: &ObjectiveFact) -> Option<Text> {
+    let (quality, words) = objective.quality.as_ref()?;
+    if *quality >= GOOD_QUALITY {
+        return None;
+    }
+    let (from, to) = (format!("{quality:.2}"), format!("{GOOD_QUALITY:.2}"));
+    let how = &objective.quality_advice;
+    Some(if how.is_empty() {
+        text!("scoring-improve-quality", from = from, to = to, now = words)
+    } else {
+        text!(
+            "scoring-improve-quality-how",
+            from = from,
+            to = to,
+            now = words,
+            how = how
+        )
+    })
 }

@@ -21,9 +21,12 @@ const SETTINGS: [&str; 8] = [
     "speed", "yaw", "roi", "home", "servo", "relay", "param", "spray",
 ];
 
-/// Counts of a flight's commands, one per command and vehicle.
+/// Counts of a flight's commands, one per command and vehicle: a command to four is four, whether all take it or all
+/// refuse it, and whether it is refused here, because it makes no sense for the vehicle, or by the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CommandTally {
+    /// All that were given, whatever became of them; none of the other counts is larger.
+    pub given: u32,
     /// Accepted, and something was to change by it.
     pub accepted: u32,
     /// Accepted, but what it asked for was so already: padding, which dilutes nothing.
@@ -46,7 +49,7 @@ impl CommandTally {
     }
 
     pub(super) fn value_and_words(&self) -> (f64, Text) {
-        let all = self.accepted + self.empty + self.rejected + self.duplicates;
+        let counted = self.accepted + self.empty + self.rejected + self.duplicates;
         let mut faults = Vec::new();
         for (count, words) in [
             (
@@ -66,17 +69,17 @@ impl CommandTally {
                 faults.push(words);
             }
         }
-        let words = match (all, faults.is_empty()) {
+        let words = match (counted, faults.is_empty()) {
             (0, true) => text!("scoring-no-commands"),
-            (_, true) => text!("scoring-commands-clean", count = all),
+            (_, true) => text!("scoring-commands-clean", count = self.given),
             _ => text!(
                 "scoring-commands-faulty",
                 faults = Text::joined(", ", faults),
-                count = all
+                count = self.given
             ),
         };
         // Who gives none has not shown to give good ones.
-        let value = if all == 0 { 0.0 } else { self.value() };
+        let value = if counted == 0 { 0.0 } else { self.value() };
         (value, words)
     }
 }
@@ -187,6 +190,7 @@ impl CommandLog {
                     row.state,
                     RowState::Accepted | RowState::Done | RowState::InProgress(_)
                 );
+                tally.given += 1;
                 tally.dangerous += u32::from(entry.risk != Risk::None);
                 tally.rejected += u32::from(is_rejected(row) && !excused);
                 tally.duplicates += u32::from(accepted && duplicate);

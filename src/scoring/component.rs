@@ -133,7 +133,7 @@ pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
     let objective = objective_value(facts);
     let values: [Option<(f64, Text)>; 8] = [
         Some((objective, objective_words(facts))),
-        facts.quality.clone(),
+        quality(facts),
         Some(time(rules, facts.elapsed, objective)),
         facts.energy_wh.map(|used| energy(rules, used, objective)),
         Some((safety_value(&facts.safety), safety_words(facts))),
@@ -211,6 +211,14 @@ fn objective_words(facts: &Facts) -> Text {
     } else {
         text!("scoring-missed", objectives = missed.join(", "))
     }
+}
+
+/// The mean over all products; `None` where a mission asks for none.
+fn quality(facts: &Facts) -> Option<(f64, Text)> {
+    let all = facts.objectives.iter().filter_map(|o| o.quality.as_ref());
+    let (values, words): (Vec<f64>, Vec<Text>) = all.cloned().unzip();
+    let sum: f64 = values.iter().sum();
+    (!values.is_empty()).then(|| (sum / values.len() as f64, Text::joined(", ", words)))
 }
 
 fn time(rules: &Rules, elapsed: Duration, objective: f64) -> (f64, Text) {

@@ -62,19 +62,20 @@ impl Line {
         } else {
             fit::check(&order.command, moment.parameters)
         };
-        match checked {
-            Err(reason) => moment.drop_order(&order, RowState::Refused, reason),
-            Ok(()) => {
-                self.queue.push_back((order, moment.now));
-                self.advance(moment);
-            }
+        if let Err(reason) = checked {
+            moment.drop_order(&order, RowState::Refused, reason);
+        } else {
+            self.queue.push_back((order, moment.now));
+            self.advance(moment);
         }
     }
 
     /// Remembers what the vehicle says meanwhile; it may be the reason of a refusal.
     pub fn hear_texts(&mut self, notices: &[Notice]) {
         if let Some(active) = &mut self.active {
-            notices.iter().for_each(|notice| active.hear_text(notice));
+            for notice in notices {
+                active.hear_text(notice);
+            }
         }
     }
 

@@ -133,6 +133,7 @@ pub(super) fn position(frame: &Frame) -> Option<Unheard> {
     (data.lat != 0 || data.lon != 0).then_some(Unheard {
         at,
         altitude_m: f64::from(data.relative_alt) * 1e-3,
+        boot_ms: data.time_boot_ms,
     })
 }
 

@@ -40,7 +40,7 @@ const REBOOT_AFTER: Duration = Duration::from_millis(200);
 /// The autopilot asks for the time this often.
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
 
-/// Speeds asked by commands; they last until the mode changes.
+/// Speeds asked by commands; they last until the mode changes, in GUIDED also only as long as one kind of target.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 pub(super) struct Speeds {
@@ -90,8 +90,8 @@ pub(super) struct Autopilot {
     pub(super) board_id: u64,
     pub(super) boot: Boot,
     pub(super) estimator: Estimator,
-    /// Where the last takeoff ended.
-    takeoff_m: Option<DVec3>,
+    /// Where the last takeoff ended, until it is told where to fly.
+    pub(super) takeoff_m: Option<DVec3>,
     /// Messages for every link, in order.
     pub(super) outbox: Vec<MavMessage>,
     steps: u64,

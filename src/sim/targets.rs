@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec2, DVec3, EulerRot};
 
-use super::autopilot::Autopilot;
+use super::autopilot::{Autopilot, Speeds};
 use super::mode;
 use super::place::Place;
 use super::task::{Attitude, Lift, Task};
@@ -88,7 +88,7 @@ impl Autopilot {
             self.aim_nose(setpoint);
         } else {
             // As if the mode were entered anew.
-            self.control.take_over(self.estimator.belief(&self.body));
+            self.restart_control();
             self.task = Task::STOP;
         }
     }
@@ -115,6 +115,13 @@ impl Autopilot {
         } else {
             self.leaning_rad()
         };
+        if !matches!(self.task, Task::Attitude(_)) {
+            // Only the vertical control is started again (`angle_control_start`).
+            self.speeds = Speeds {
+                ground_m_s: self.speeds.ground_m_s,
+                ..Speeds::default()
+            };
+        }
         let yaw_rate = of(NO_YAW_RATE, rates[2]);
         if attitude {
             self.yaw.turn_to(yaw.to_degrees(), 0.0, 0.0);
@@ -162,12 +169,24 @@ impl Autopilot {
         });
     }
 
-    /// A target of another kind than the last starts the position control again.
+    /// A target of another kind than the last starts the position control again, and so does the first one after a
+    /// takeoff; speeds that were asked are forgotten then (`ModeGuided::pva_control_start`).
     fn change_task(&mut self, task: Task) {
-        if self.task.kind() != task.kind() {
-            self.control.take_over(self.estimator.belief(&self.body));
+        if self.task.kind() != task.kind() || self.holds_takeoff() {
+            self.restart_control();
         }
+        self.takeoff_m = None;
         self.task = task;
+    }
+
+    fn restart_control(&mut self) {
+        self.control.take_over(self.estimator.belief(&self.body));
+        self.speeds = Speeds::default();
+    }
+
+    /// Whether it still stands where a takeoff has ended, and nothing else was asked since.
+    pub(super) fn holds_takeoff(&self) -> bool {
+        matches!(&self.task, Task::Goto { goal_m, .. } if self.takeoff_m == Some(*goal_m))
     }
 
     fn task_for(&self, setpoint: &Setpoint) -> Option<Task> {

@@ -1,7 +1,8 @@
 //! Recorded runs: a file each, for their trainee's eyes only.
 //!
 //! A file is called after the time and the mission, so that the tries at a mission are found without opening the
-//! others. What is written comes in whole lines; a crash loses what was not yet written and nothing else.
+//! others. What is written comes in whole lines, also when the disk is full; a crash loses what was not yet written
+//! and nothing else. Only files that are called so are ever removed, and only in the program's own folder.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -10,11 +11,14 @@ use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+use super::StoreError;
 use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
 /// How a run's file ends.
 const ENDING: &str = ".run.jsonl";
+/// How its name begins, with any digits.
+const STAMP: &str = "0000-00-00T00-00-00Z_";
 /// Runs that are kept; the oldest go first.
 const RUNS_KEPT: usize = 300;
 /// Bytes that they may take together.
@@ -29,6 +33,8 @@ const TAIL_LEN: u64 = 16 * 1024;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Runs {
     folder: PathBuf,
+    /// Whether old runs make room for new ones.
+    is_bounded: bool,
 }
 
 /// A run that is being recorded.
@@ -36,18 +42,24 @@ pub struct Runs {
 pub struct RunFile {
     file: File,
     path: PathBuf,
+    /// Bytes of whole lines.
+    len: u64,
 }
 
 impl Runs {
-    /// The runs in the program's folder for data.
+    /// The runs in the program's folder for data: the newest 300, as long as they take no more than 256 MiB.
     pub fn within(data: &Path) -> Self {
-        Self::at(data.join("runs"))
+        Self {
+            folder: data.join("runs"),
+            is_bounded: true,
+        }
     }
 
-    /// The runs in a folder, which need not exist.
+    /// The runs in a folder of somebody's own, which need not exist; nothing in it is removed.
     pub fn at(folder: impl Into<PathBuf>) -> Self {
         Self {
             folder: folder.into(),
+            is_bounded: false,
         }
     }
 
@@ -60,12 +72,19 @@ impl Runs {
     ///
     /// # Errors
     /// It cannot be created.
-    pub fn begin(&self, mission: &str, when: &str) -> io::Result<RunFile> {
+    pub fn begin(&self, mission: &str, when: &str) -> Result<RunFile, StoreError> {
+        let unwritable = |path: &Path, error| StoreError::Unwritable {
+            path: path.to_owned(),
+            error,
+        };
         fs::DirBuilder::new()
             .recursive(true)
             .mode(0o700)
-            .create(&self.folder)?;
-        self.make_room();
+            .create(&self.folder)
+            .map_err(|error| unwritable(&self.folder, error))?;
+        if self.is_bounded {
+            self.make_room();
+        }
         let when = when.replace(':', "-");
         let process = std::process::id();
         // Two tries in one second, or of two consoles, get names of their own.
@@ -76,10 +95,14 @@ impl Runs {
             private.create_new(true).append(true).mode(0o600);
             match private.open(&path) {
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                opened => return opened.map(|file| RunFile { file, path }),
+                Err(error) => return Err(unwritable(&path, error)),
+                Ok(file) => return Ok(RunFile { file, path, len: 0 }),
             }
         }
-        Err(io::ErrorKind::AlreadyExists.into())
+        Err(unwritable(
+            &self.folder,
+            io::ErrorKind::AlreadyExists.into(),
+        ))
     }
 
     /// The tries at a mission, oldest first. Only the first and the last line of each file are read; one that cannot
@@ -118,19 +141,19 @@ impl Runs {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let mut files: Vec<PathBuf> = entries
             .map(|entry| entry.path())
-            .filter(|path| path.to_string_lossy().ends_with(ENDING))
+            .filter(|path| is_run(path))
             .collect();
         files.sort();
         files
     }
 
-    /// Removes the oldest runs, as far as there are too many.
+    /// Removes the oldest runs, as far as there are too many; the newest stays whatever its size.
     fn make_room(&self) {
-        let mut kept = (0, 0);
-        for path in self.files().into_iter().rev() {
-            let len = fs::metadata(&path).map_or(0, |file| file.len());
-            kept = (kept.0 + 1, kept.1 + len);
-            if kept.0 >= RUNS_KEPT || kept.1 > BYTES_KEPT {
+        let mut bytes = 0;
+        for (newer, path) in self.files().into_iter().rev().enumerate() {
+            bytes += fs::metadata(&path).map_or(0, |file| file.len());
+            let is_too_much = newer + 1 >= RUNS_KEPT || bytes > BYTES_KEPT;
+            if newer > 0 && is_too_much {
                 // What cannot be removed stays; the new run is worth more than the order.
                 drop(fs::remove_file(path));
             }
@@ -139,18 +162,37 @@ impl Runs {
 }
 
 impl RunFile {
-    /// Adds whole lines.
+    /// Adds whole lines. Where that fails, the lines before are left, and no file where there are none.
     ///
     /// # Errors
     /// The disk is full or gone.
-    pub fn append(&mut self, lines: &str) -> io::Result<()> {
-        self.file.write_all(lines.as_bytes())
+    pub fn append(&mut self, lines: &str) -> Result<(), StoreError> {
+        let Err(error) = self.file.write_all(lines.as_bytes()) else {
+            self.len += lines.len() as u64;
+            return Ok(());
+        };
+        // A disk that is gone takes no tidying up either.
+        drop(if self.len == 0 {
+            fs::remove_file(&self.path)
+        } else {
+            self.file.set_len(self.len)
+        });
+        let path = self.path.clone();
+        Err(StoreError::Unwritable { path, error })
     }
 
     /// The file.
     pub fn path(&self) -> &Path {
         &self.path
     }
+}
+
+/// Whether a file is called like a run.
+fn is_run(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut stamp = name.bytes().zip(STAMP.bytes());
+    let fits = |(found, form): (u8, u8)| found == form || (form == b'0' && found.is_ascii_digit());
+    name.len() > STAMP.len() && stamp.all(fits) && name.ends_with(ENDING)
 }
 
 /// Reads a run. What is not UTF-8 in it is damage that the record finds.
@@ -220,77 +262,4 @@ fn as_try(head: &Head, end: Option<&End>) -> TryReport {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::os::unix::fs::PermissionsExt as _;
-
-    use super::*;
-
-    const HEAD: &str = "{\"sortie_run\":1,\"mission\":\"01-a\",\"revision\":2,\"seed\":5,\"attempt\":1,\
-        \"backend\":\"embedded\",\"when\":\"2026-11-20T14:03:22Z\",\"program\":\"0\",\"source\":\"\"}\n";
-    const END: &str = "{\"end\":{\"t\":100,\"end\":{\"score\":812,\"medal\":\"silver\",\"passed\":true,\
-        \"sim_time_s\":0.1}}}\n";
-
-    #[test]
-    fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let runs = Runs::within(&folder.path().join("data"));
-        assert!(runs.tries("01-a").is_empty() && runs.newest().is_none());
-        for end in [END, "{\"tick\":{\"t\":"] {
-            let mut run = runs.begin("01-a", "2026-11-20T14:03:22Z").expect("created");
-            run.append(HEAD).expect("written");
-            run.append(end).expect("written");
-        }
-        let all = runs.all_tries();
-        assert_eq!(all.keys().collect::<Vec<_>>(), ["01-a"]);
-        assert_eq!(all["01-a"], runs.tries("01-a"));
-        let run = runs.begin("01-b", "2026-11-20T14:03:23Z").expect("created");
-        let mode = fs::metadata(run.path())
-            .expect("there")
-            .permissions()
-            .mode();
-        assert_eq!(mode & 0o777, 0o600);
-        assert_eq!(runs.newest().as_deref(), Some(run.path()));
-        let tries = runs.tries("01-a");
-        let scores: Vec<Option<u16>> = tries.iter().map(|one| one.score).collect();
-        assert_eq!(scores, [Some(812), None]);
-        assert_eq!(
-            (tries[0].seed, tries[0].revision, tries[0].passed),
-            (5, 2, true)
-        );
-    }
-
-    #[test]
-    fn the_oldest_runs_make_room() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let runs = Runs::at(folder.path());
-        for number in 0..RUNS_KEPT + 5 {
-            let when = format!("2026-11-20T14:{:02}:{:02}Z", number / 60, number % 60);
-            drop(runs.begin("01-a", &when).expect("created"));
-        }
-        assert_eq!(runs.files().len(), RUNS_KEPT);
-        assert!(runs.files()[0].to_string_lossy().contains("14-00-05Z"));
-    }
-
-    #[test]
-    fn a_time_of_day_is_written_in_utc() {
-        for (seconds, expected) in [
-            (0, "1970-01-01T00:00:00Z"),
-            (951_782_400, "2000-02-29T00:00:00Z"),
-            (1_795_183_402, "2026-11-20T14:03:22Z"),
-            (4_107_542_399, "2100-02-28T23:59:59Z"),
-            (4_107_542_400, "2100-03-01T00:00:00Z"),
-        ] {
-            let time = UNIX_EPOCH + Duration::from_secs(seconds);
-            assert_eq!(utc(time), expected);
-        }
-    }
-
-    #[test]
-    fn a_folder_that_cannot_be_made_is_an_error_and_nothing_worse() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let file = folder.path().join("file");
-        fs::write(&file, "x").expect("written");
-        assert!(Runs::at(file.join("runs")).begin("01-a", "x").is_err());
-        assert!(Runs::at(&file).tries("01-a").is_empty());
-    }
-}
+mod tests;

@@ -1,5 +1,6 @@
 //! A manoeuvre under way.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use glam::{DVec2, DVec3};
@@ -113,6 +114,14 @@ impl Act {
     pub fn leader(&self) -> Option<VehicleId> {
         let first = self.members.first()?.id;
         self.is_formation().then_some(first)
+    }
+
+    /// Takes over how fast vehicles were told to fly: a formation goes by its leader.
+    pub fn pace(&mut self, told_m_s: &BTreeMap<VehicleId, f64>) {
+        let leader = self.leader();
+        if let Work::Formation(march) = &mut self.work {
+            march.pace(leader.and_then(|leader| told_m_s.get(&leader).copied()));
+        }
     }
 
     pub fn step(&mut self, scene: &Scene<'_>, turn: &mut Turn) {

@@ -78,6 +78,29 @@ pub(super) fn lanes(
     Ok((0..count as usize).map(lane).collect())
 }
 
+/// How far lanes lie outside of the area where they go on over its gaps, in metres.
+pub(super) fn gaps_m(lanes: &[Lane], corners: &[DVec2]) -> f64 {
+    lanes.iter().map(|lane| gap_m(lane, corners)).sum()
+}
+
+fn gap_m(lane: &Lane, corners: &[DVec2]) -> f64 {
+    let Some(along) = (lane.to - lane.from).try_normalize() else {
+        return 0.0;
+    };
+    let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+    let crossings = edges.filter_map(|(a, b)| {
+        let (a, b) = (*a - lane.from, *b - lane.from);
+        let (left, right) = (a.dot(along.perp()), b.dot(along.perp()));
+        let crosses = (left > 0.0) != (right > 0.0);
+        crosses.then(|| a.lerp(b, left / (left - right)).dot(along))
+    });
+    let mut crossings: Vec<f64> = crossings.collect();
+    crossings.sort_by(f64::total_cmp);
+    // Into the area and out of it in turns: a gap lies behind every second crossing but the last.
+    let gaps = crossings.get(1..).unwrap_or_default().chunks_exact(2);
+    gaps.map(|gap| gap[1] - gap[0]).sum()
+}
+
 /// The direction of the edge across which the area is narrowest.
 fn narrowest(corners: &[DVec2]) -> Option<DVec2> {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -220,6 +243,29 @@ mod tests {
         assert_eq!(lanes(&[DVec2::ONE; 5], 10.0, None), Err(NoLanes::Empty));
         let huge = lanes(&rectangle(1e5, 1e5), 1.0, None);
         assert_eq!(huge, Err(NoLanes::TooMany(MOST_LANES)));
+    }
+
+    #[test]
+    fn gaps_of_a_concave_area_are_measured_along_its_lanes() {
+        // A horseshoe, 60 m wide and 40 m high, with a bay of 20 by 30 m.
+        let horseshoe = [
+            (0.0, 0.0),
+            (60.0, 0.0),
+            (60.0, 40.0),
+            (40.0, 40.0),
+            (40.0, 10.0),
+            (20.0, 10.0),
+            (20.0, 40.0),
+            (0.0, 40.0),
+        ];
+        let horseshoe = horseshoe.map(|(north, east)| DVec2::new(north, east));
+        let gaps = |course_deg| {
+            let lanes = lanes(&horseshoe, 10.0, Some(course_deg)).expect("lanes");
+            gaps_m(&lanes, &horseshoe)
+        };
+        // Four lines to the north, three of which cross the bay; six to the east, which all stay inside.
+        assert!((gaps(0.0) - 3.0 * 20.0).abs() < 1e-6, "{}", gaps(0.0));
+        assert!(gaps(90.0).abs() < 1e-6, "{}", gaps(90.0));
     }
 
     fn is_inside(point: DVec2, corners: &[DVec2]) -> bool {

@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3};
 use super::slots::slots;
 use crate::commands::Shape;
 
-/// Speed of the formation in m/s, within what every multirotor of the field keeps up with.
+/// Speed of a formation whose leader was told none, within what every multirotor of the field keeps up with.
 const SPEED_M_S: f64 = 5.0;
 /// Up and down, below the limits that autopilots come with (ArduCopter: 2.5 up, 1.5 down).
 const CLIMB_M_S: f64 = 1.2;
@@ -43,6 +43,7 @@ pub(super) struct March {
     pub anchor: DVec3,
     /// Where that is to go.
     pub goal: Option<DVec3>,
+    speed_m_s: f64,
     velocity: DVec3,
     turn_rad_s: f64,
     slots: Vec<DVec2>,
@@ -58,11 +59,17 @@ impl March {
             facing_rad: facing_deg.to_radians(),
             anchor,
             goal: None,
+            speed_m_s: SPEED_M_S,
             velocity: DVec3::ZERO,
             turn_rad_s: 0.0,
             slots: Vec::new(),
             stepped: None,
         }
+    }
+
+    /// Goes as fast as its leader was told to.
+    pub fn pace(&mut self, told_m_s: Option<f64>) {
+        self.speed_m_s = told_m_s.unwrap_or(SPEED_M_S);
     }
 
     /// Stands still with so many places; `order` says which of them each vehicle has.
@@ -141,7 +148,7 @@ impl March {
         let climbs = CLIMB_M_S / direction.z.abs().max(1e-6);
         let brakes = (2.0 * ACCELERATION_M_S2 * left_m).sqrt();
         let speed = self.velocity.length() + ACCELERATION_M_S2 * step_s;
-        let speed = speed.min(SPEED_M_S.min(climbs) * pace).min(brakes);
+        let speed = speed.min(self.speed_m_s.min(climbs) * pace).min(brakes);
         // Braking never ends by itself: the last centimetres are taken at once.
         if left_m <= (speed * step_s).max(0.05) {
             self.anchor = goal;

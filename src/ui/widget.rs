@@ -27,6 +27,7 @@ pub mod palette;
 pub mod prompt;
 pub mod swarm;
 pub mod telemetry;
+pub mod urgent;
 
 /// Draws a rule with a title along the top of `area` and returns what is left below it.
 pub fn titled(title: &str, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {

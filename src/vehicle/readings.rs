@@ -324,4 +324,6 @@ pub struct Unheard {
     pub at: LatLon,
     /// Height above home, in metres.
     pub altitude_m: f64,
+    /// Milliseconds since the autopilot booted, when it said so.
+    pub boot_ms: u32,
 }

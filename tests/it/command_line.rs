@@ -16,7 +16,7 @@ fn sortie(arguments: &[&str]) -> Output {
         .expect("the program runs")
 }
 
-/// The program in a folder that is its user's configuration folder as well.
+/// The program in a folder that is its user's folder for settings and records as well.
 fn sortie_in(folder: &Path, arguments: &[&str]) -> Output {
     let program = program();
     Command::new(&program[0])
@@ -24,6 +24,8 @@ fn sortie_in(folder: &Path, arguments: &[&str]) -> Output {
         .args(arguments)
         .current_dir(folder)
         .env("XDG_CONFIG_HOME", folder)
+        .env("XDG_DATA_HOME", folder)
+        .env("XDG_STATE_HOME", folder)
         .env("NO_COLOR", "1")
         .output()
         .expect("the program runs")
@@ -223,6 +225,47 @@ fn a_folder_does_not_hide_the_mission_of_the_same_name() {
     let output = sortie_in(folder.path(), &["run", "01", "--pilot", "nobody"]);
     let said = text(&output.stderr);
     assert!(said.contains("no pilot script `nobody`"), "{said}");
+}
+
+#[test]
+fn a_drill_and_its_pilot_go_by_their_numbers() {
+    let flown = sortie(&["run", "d03", "--pilot", "d03", "--json", "--no-timing"]);
+    assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&flown.stdout).expect("one document");
+    assert_eq!(report["mission"], "d03-up-the-wind");
+    assert_eq!(report["passed"], true);
+}
+
+#[test]
+fn a_drill_is_flown_by_its_number() {
+    let folder = folder_with(&[]);
+    let flown = sortie_in(folder.path(), &["fly", "d03", "--plain", "--seed", "1"]);
+    let said = text(&flown.stdout);
+    assert!(said.starts_with("Drill: up the wind\n"), "{said}");
+    // Nobody says anything to it, so that it is not passed.
+    assert_eq!(flown.status.code(), Some(1), "{}", text(&flown.stderr));
+}
+
+#[test]
+fn a_folder_is_checked_with_all_that_lies_below_it() {
+    let folder = folder_with(&[
+        ("good.pilot", "all arm\n"),
+        ("drills/bad.pilot", "all fly\n"),
+        ("drills/deeper/bad.toml", "schema = 1\nid = \"x\"\n"),
+        ("notes.txt", "mine"),
+    ]);
+    let path = folder.path().to_str().expect("plain");
+    let checked = sortie(&["check", path]);
+    let found = text(&checked.stdout);
+    assert_eq!(checked.status.code(), Some(1), "{found}");
+    for line in ["good.pilot: good", "bad.pilot:1:5", "bad.toml:1:1"] {
+        assert!(found.contains(line), "{line}: {found}");
+    }
+    assert!(!found.contains("notes.txt"), "{found}");
+    let good = sortie(&["check", "missions/drills"]);
+    let found = text(&good.stdout);
+    assert_eq!(good.status.code(), Some(0), "{found}");
+    assert_eq!(found.lines().count(), 15, "{found}");
 }
 
 #[test]

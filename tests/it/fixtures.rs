@@ -172,6 +172,8 @@ pub fn progress() -> Progress {
             ),
             objective("Land on the pad", ObjectiveState::Open, "", 0.0),
         ],
+        loads: Vec::new(),
+        mapped: Vec::new(),
         readings: vec![Reading {
             vehicle: 1,
             sensor: "co".into(),

@@ -21,6 +21,7 @@ mod missions;
 mod processes;
 mod pty;
 mod recordings;
+mod records;
 mod screens;
 mod settings;
 mod simulator;

@@ -32,7 +32,7 @@ const REFUSALS: &[&str] = &[
     "objective-kind.toml:30:8: unknown objective kind `sample_cell`; known: .. (did you mean `sample_cells`?)",
     "pads.toml:25:8: 2 vehicles need 2 pads, not 1",
     "par-above-limit.toml:50:16: the par time must be shorter than `time_limit`",
-    "partial-reversed.toml:47:16: `partial_from` must be above `target`: a smaller error is better",
+    "partial-reversed.toml:47:16: `partial_from` must be above `target`: less is better here",
     "sensor-not-fitted.toml:32:10: unknown sensor of the fleet `s_pm25`; known: ..",
     "stability.toml:22:13: unknown variant `G`, expected one of `A`, `B`, `C`, `D`, `E`, `F`",
     "syntax.toml:8:14: extra `=`, expected nothing",

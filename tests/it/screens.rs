@@ -10,6 +10,8 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod crowded;
+mod debrief;
 mod fly;
 mod hangar;
 mod inspector;

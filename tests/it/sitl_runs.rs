@@ -272,8 +272,14 @@ fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator(
     scene.assert_nothing_is_left();
 }
 
-/// Missions whose score is to be the same: the basics, three drones that fly together, and detectors over a lane.
-const SAME_ON_BOTH: [&str; 3] = ["00-first-flight", "02-formation", "06-lane-survey"];
+/// Missions whose score is to be the same: the basics, three drones that fly together, detectors over a lane, and a map
+/// that has to be there in time.
+const SAME_ON_BOTH: [&str; 4] = [
+    "00-first-flight",
+    "02-formation",
+    "06-lane-survey",
+    "08-fire-watch",
+];
 
 #[test]
 fn missions_score_on_real_arducopters_within_a_tenth_of_the_embedded_simulator() {
@@ -297,6 +303,30 @@ fn missions_score_on_real_arducopters_within_a_tenth_of_the_embedded_simulator()
         );
         scene.assert_nothing_is_left();
     }
+}
+
+#[test]
+fn a_real_arducopter_lands_in_a_strong_wind() {
+    let Some(mut scene) = Scene::on_the_real_one() else {
+        return;
+    };
+    let text = include_str!("../../missions/01-air-sample.toml");
+    let windy = text
+        .replace("wind = { speed = 3.0", "wind = { speed = 9.0")
+        .replace("time_limit = 480", "time_limit = 80")
+        .replace("time = 210", "time = 60");
+    scene.mission = scene.folder.path().join("windy.toml");
+    fs::write(&scene.mission, windy).expect("written");
+    let pilot = scene.pilot(
+        "wait all ready timeout 60s\nall guided\nall arm\nall takeoff 10\nwait all altitude > 9 timeout 40s\n\
+         all land\nwait all disarmed timeout 40s\nall param get WPNAV_SPEED\n",
+    );
+    let report = scene.report(pilot, &["--json", "--speedup", "5"]);
+    let lines = report["ledger"].as_array().expect("rows").iter();
+    let last = lines.last().expect("some");
+    assert_eq!(last["line"], "all param get WPNAV_SPEED", "{report:#}");
+    let at_s = last["at_s"].as_f64().expect("a time");
+    assert!(at_s < 55.0, "it stood there armed until {at_s} s");
 }
 
 #[test]

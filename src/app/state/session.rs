@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use super::alert::alert;
 use super::{Alarms, Alert, AlertKind, Groups, Hangar, Histories, LinkSummary, Selection};
+use crate::app::room::Room;
 use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
@@ -20,6 +21,8 @@ use crate::vehicle::{Vehicle, VehicleClass};
 pub struct Session {
     /// What is being done; `None` between sessions.
     pub activity: Option<Activity>,
+    /// The room that it begins in once its vehicles are there.
+    pub first_room: Room,
     /// When it began, on the program's clock.
     pub began_at: Duration,
     /// The vehicles, as their telemetry said last.

@@ -70,12 +70,7 @@ fn begin(state: &mut State, count: usize) {
     );
     state.session.began_at = state.now;
     if state.room == Room::Hangar {
-        let has_mission = state.flown_mission().is_some();
-        state.room = if has_mission {
-            Room::Mission
-        } else {
-            Room::Fly
-        };
+        state.room = state.session.first_room;
         state.hush();
     }
 }

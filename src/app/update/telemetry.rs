@@ -82,22 +82,25 @@ pub fn started(state: &mut State, started: Started) {
     session.hangar = started.processes.map(starting);
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
-    if session.activity == state.session.activity {
+    let is_again = session.activity == state.session.activity;
+    // Who comes to a mission reads first what it is about; who flies it again knows.
+    session.first_room = if session.listing.is_some() && !is_again {
+        Room::Mission
+    } else {
+        Room::Fly
+    };
+    if is_again {
         session.groups = std::mem::take(&mut state.session.groups);
     }
     state.session = session;
     state.rooms.forget_session();
     map::began(state);
     state.typed.clear();
-    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are. Who
-    // comes to a mission reads first what it is about; who flies it again knows.
-    let comes = matches!(state.room, Room::Home | Room::Mission);
+    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are.
     state.room = if state.session.is_starting() {
         Room::Hangar
-    } else if comes && state.flown_mission().is_some() {
-        Room::Mission
     } else {
-        Room::Fly
+        state.session.first_room
     };
     state.overlay = None;
     state.hush();

@@ -5,9 +5,9 @@ use std::time::{Duration, SystemTime};
 use super::RunArguments;
 use crate::mission::Flight;
 use crate::notice::Notice;
-use crate::store::{RunFile, Runs, utc};
+use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
-use crate::text::Locale;
+use crate::text::{Locale, Text};
 
 /// A record is written in pieces of this length, so that a fast run does not write a line at a time.
 const PIECE_LEN: usize = 16 * 1024;
@@ -71,12 +71,13 @@ impl<'a> Witness<'a> {
         }
         if let Err(error) = file.append(&std::mem::take(&mut self.piece)) {
             self.file = None;
+            flight.stop_record();
             self.complain(&error);
         }
     }
 
-    fn complain(&self, error: &std::io::Error) {
-        let text = text!("record-unwritable", error = error.to_string());
+    fn complain(&self, error: &StoreError) {
+        let text = text!("record-unwritable", fault = Text::from(error));
         eprintln!("sortie: {}", self.locale.text(&text));
     }
 }

@@ -118,7 +118,7 @@ impl Course {
                     instance.is_some_and(|instance| instance.stage == Stage::Ready)
                 };
                 let vehicles = shown.vehicles.iter().filter(|(id, _)| flies(**id));
-                clock.step(now, vehicles.map(|(&id, vehicle)| (id, vehicle.boot_ms)))
+                clock.step(now, vehicles.map(|(&id, vehicle)| (id, vehicle.clock_ms())))
             }
         }
     }

@@ -4,7 +4,7 @@ use std::time::{Duration, SystemTime};
 
 use crate::mission::Flight;
 use crate::scoring::TryReport;
-use crate::store::{RunFile, Runs, utc};
+use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
 use crate::text::Text;
 
@@ -52,6 +52,7 @@ impl Logbook {
         self.written = Some(now);
         let fault = file.append(&flight.take_record()).err()?;
         self.file = Err(None);
+        flight.stop_record();
         Some(unwritable(&fault))
     }
 
@@ -67,6 +68,6 @@ fn earlier(runs: &Runs, mission: &str, revision: u32) -> Vec<TryReport> {
     tries
 }
 
-fn unwritable(error: &std::io::Error) -> Text {
-    text!("record-unwritable", error = error.to_string())
+fn unwritable(error: &StoreError) -> Text {
+    text!("record-unwritable", fault = Text::from(error))
 }

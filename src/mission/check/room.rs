@@ -34,8 +34,8 @@ fn pads(examined: &mut Examined<'_>) {
         let before = mission.pads.iter().take(index);
         let near = before.map(|&other| distance_m(at, other));
         let near_m = near.fold(f64::INFINITY, f64::min);
-        if near_m < mission.min_separation_m {
-            let apart_m = mission.min_separation_m;
+        if near_m < mission.min_separation_m() {
+            let apart_m = mission.min_separation_m();
             let fault = format!(
                 "this pad is {near_m:.1} m from another one; vehicles must keep {apart_m} m apart"
             );

@@ -146,3 +146,6 @@ fn near(mover: &Mover, place: Place) -> Option<Breach> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests;

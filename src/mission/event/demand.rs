@@ -24,8 +24,9 @@ pub struct Demand {
 const WIND_SPEED: &str = "SIM_WIND_SPD";
 const WIND_FROM: &str = "SIM_WIND_DIR";
 const TURBULENCE: &str = "SIM_WIND_TURB";
-/// How wind changes with height; 1: not at all.
+/// How wind changes with height; 0: with the root of the height, up to a height.
 const WIND_PROFILE: &str = "SIM_WIND_T";
+const WIND_PROFILE_HEIGHT: &str = "SIM_WIND_T_ALT";
 const GPS_DISABLED: &str = "SIM_GPS_DISABLE";
 const SATELLITES: &str = "SIM_GPS_NUMSATS";
 const GLITCH_NORTH: &str = "SIM_GPS_GLITCH_X";
@@ -54,6 +55,9 @@ const USUAL_COMPASS_MGAUSS: f64 = 5.0;
 /// Standard deviation of gusts in m/s for each `SIM_WIND_TURB`; the embedded simulator has it from how a vehicle of
 /// the real one moves.
 const GUST_PER_TURBULENCE: f64 = 0.35;
+/// Below this the wind dies down towards the ground. Where it does not, an `ArduCopter` that has landed in 6 m/s goes on
+/// leaning against it, and by more than 15 degrees its landing is never noticed.
+const WIND_FULL_FROM_M: f64 = 5.0;
 /// Steps of wind that are worth being told.
 const WIND_STEP_M_S: f64 = 0.2;
 const WIND_STEP_DEG: f64 = 2.0;
@@ -71,7 +75,8 @@ impl Wishes {
             (WIND_SPEED, rounded(weather.wind.speed_m_s, WIND_STEP_M_S)),
             (WIND_FROM, rounded(weather.wind.from_deg, WIND_STEP_DEG)),
             (TURBULENCE, weather.gust_m_s / GUST_PER_TURBULENCE),
-            (WIND_PROFILE, 1.0),
+            (WIND_PROFILE, 0.0),
+            (WIND_PROFILE_HEIGHT, WIND_FULL_FROM_M),
         ];
         self.0.extend(all);
     }

@@ -11,19 +11,16 @@ use super::alert::{Alerts, OpenAlert};
 use super::demand::{Demand, Demands};
 use super::fault::{Broken, Fault, Victim};
 use super::mover::Mover;
-use super::scope::Scope;
+use super::scope::{Scope, Sight};
 use super::weather::Drift;
 use super::{Action, Trigger, expression, standard};
-use crate::mission::contact::Contact;
 use crate::mission::craft::{Breach, Craft};
-use crate::mission::objective::Standing;
-use crate::mission::report::Mark;
 use crate::mission::weather::Weather;
 use crate::mission::zone::Zone;
 use crate::mission::{Mission, TICK};
 use crate::scoring::{AlertFact, AlertLevel};
 use crate::text::Text;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::VehicleId;
 
 mod needs;
 
@@ -31,19 +28,6 @@ mod needs;
 const STREAM: u64 = 1 << 40;
 /// Random numbers of where zones lie.
 const PLACES_STREAM: u64 = STREAM - 1;
-
-/// What the engine is shown of a flight.
-pub(crate) struct Sight<'a> {
-    /// Mission time.
-    pub now: Duration,
-    pub crafts: &'a [Craft],
-    pub vehicles: &'a BTreeMap<VehicleId, Vehicle>,
-    pub standings: &'a [Standing],
-    pub contacts: &'a [Contact],
-    pub marks: &'a [Mark],
-    /// Mission time of the last command.
-    pub last_command: Option<Duration>,
-}
 
 /// What comes of a step.
 #[derive(Debug, Clone, PartialEq)]
@@ -160,7 +144,7 @@ impl Engine {
             }
         }
         let mut airspace = std::mem::take(&mut self.airspace);
-        let breaches = airspace.step(&self.scope(weather, sight), mission.min_separation_m);
+        let breaches = airspace.step(&self.scope(weather, sight), mission.min_separation_m());
         self.airspace = airspace;
         news.extend(
             breaches
@@ -312,12 +296,7 @@ impl Engine {
 
     fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
         Scope {
-            now: sight.now,
-            crafts: sight.crafts,
-            vehicles: sight.vehicles,
-            standings: sight.standings,
-            contacts: sight.contacts,
-            marks: sight.marks,
+            sight: *sight,
             zones: &self.zones,
             active: &self.active,
             movers: &self.movers,
@@ -325,7 +304,6 @@ impl Engine {
             fired: &self.fired,
             margins_db: &self.margins_db,
             wind_m_s: weather.wind.speed_m_s,
-            last_command: sight.last_command,
             chance: (self.seed, STREAM),
         }
     }

@@ -18,15 +18,24 @@ use crate::vehicle::{Vehicle, VehicleId};
 /// Slower than this, a vehicle stands in the air.
 const PAUSED_M_S: f64 = 0.7;
 
-/// A flight at one moment.
-#[derive(Debug, Clone)]
-pub(crate) struct Scope<'a> {
+/// What a flight has to show of itself.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sight<'a> {
+    /// Mission time.
     pub now: Duration,
     pub crafts: &'a [Craft],
     pub vehicles: &'a BTreeMap<VehicleId, Vehicle>,
     pub standings: &'a [Standing],
     pub contacts: &'a [Contact],
     pub marks: &'a [Mark],
+    /// Mission time of the last command.
+    pub last_command: Option<Duration>,
+}
+
+/// A flight at one moment, with what threatens it.
+#[derive(Debug, Clone)]
+pub(crate) struct Scope<'a> {
+    pub sight: Sight<'a>,
     pub zones: &'a [Zone],
     /// Which of the zones are there, in their order.
     pub active: &'a [bool],
@@ -38,8 +47,6 @@ pub(crate) struct Scope<'a> {
     /// How well vehicles are heard, in dB; none where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub wind_m_s: f64,
-    /// Mission time of the last command.
-    pub last_command: Option<Duration>,
     /// Decides on chance; the same event asks for another one at another time.
     pub chance: (u64, u64),
 }
@@ -56,18 +63,22 @@ pub(crate) enum Spot {
 impl<'a> Scope<'a> {
     /// The vehicles in the air.
     pub fn flying(&self) -> impl Iterator<Item = &'a Craft> {
-        let crafts = self.crafts.iter();
+        let crafts = self.sight.crafts.iter();
         crafts.filter(|craft| craft.airborne && !craft.lost)
     }
 
     /// How an objective stands.
     pub fn standing(&self, objective: usize) -> Option<&'a Standing> {
-        self.standings.get(objective)
+        self.sight.standings.get(objective)
     }
 
     /// How many of a hazard's objects are among the contacts.
     pub fn found(&self, hazard: usize) -> f64 {
-        let objects = self.contacts.iter().filter_map(|contact| contact.object);
+        let objects = self
+            .sight
+            .contacts
+            .iter()
+            .filter_map(|contact| contact.object);
         let objects = objects.filter(|object| object.hazard == hazard);
         objects.collect::<BTreeSet<_>>().len() as f64
     }
@@ -117,13 +128,20 @@ impl<'a> Scope<'a> {
 
     /// How long ago the last command was given.
     pub fn since_command(&self) -> Duration {
-        self.now
-            .saturating_sub(self.last_command.unwrap_or(Duration::ZERO))
+        self.sight
+            .now
+            .saturating_sub(self.sight.last_command.unwrap_or(Duration::ZERO))
     }
 
     /// A vehicle's mode by name.
     pub fn mode(&self, id: VehicleId) -> Option<&'static str> {
-        self.vehicles.get(&id)?.heartbeat.as_ref()?.mode.name()
+        self.sight
+            .vehicles
+            .get(&id)?
+            .heartbeat
+            .as_ref()?
+            .mode
+            .name()
     }
 
     /// The modes of the vehicles in the air.
@@ -156,7 +174,7 @@ impl<'a> Scope<'a> {
     /// A number from 0 to 1 by chance, the same one whenever it is asked for at this moment.
     pub fn draw(&self) -> f64 {
         let (seed, stream) = self.chance;
-        let mut random = ChaCha8Rng::seed_from_u64(seed ^ self.now.as_millis() as u64);
+        let mut random = ChaCha8Rng::seed_from_u64(seed ^ self.sight.now.as_millis() as u64);
         random.set_stream(stream);
         random.random()
     }

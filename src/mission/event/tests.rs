@@ -4,7 +4,7 @@ use crate::mission::Mission;
 use crate::mission::fake::Pilot;
 use crate::mission::flight::Outcome;
 use crate::scoring::{Report, SafetyKind};
-use crate::session::Want;
+use crate::session::{RadioFault, Want};
 
 /// The first mission with something more in it.
 fn mission(more: &str) -> Result<Mission, Vec<crate::diagnostic::Diagnostic>> {
@@ -340,4 +340,59 @@ fn faults_of_events_are_told_where_they_are() {
         assert!(words.contains(says), "{more}: {words}");
         assert!(faults[0].span.start > 1000, "{more}: {:?}", faults[0].span);
     }
+}
+
+/// What the link of the first vehicle was demanded to be, in its order.
+fn links(pilot: &mut Pilot) -> Vec<RadioFault> {
+    let demands = pilot.flight.take_demands().into_iter();
+    let links = demands.filter_map(|demand| match demand.want {
+        Want::Radio(fault) if demand.vehicle == 1 => Some(fault),
+        _ => None,
+    });
+    links.collect()
+}
+
+#[test]
+fn an_event_takes_a_share_of_a_links_frames_and_gives_it_back() {
+    let event = "[[events]]\nid = 'loss'\nat = 2\ndo = [{ fault = 'link', vehicle = 1, to = 0.4, for = 5 }]";
+    let mut pilot = pilot(event, 3);
+    pilot.wait(10.0);
+    let links = links(&mut pilot);
+    let losses: Vec<f64> = links.iter().map(|link| link.loss).collect();
+    assert_eq!(losses, [0.4, 0.0]);
+    assert!(links.iter().all(|link| !link.is_cut() && link.seed == 3));
+}
+
+#[test]
+fn a_link_gets_late_and_is_cut_with_the_distance_and_in_noise() {
+    let far = "
+        [radio]\nmodel = 'r_wifi24'\nstation = [0, 0]
+        [[zones]]\nid = 'noise'\nkind = 'radio_jam'\ncenter = [0, 60]\nradius = 10\nedge = 5\nnoise = 80\nactive = false
+        [[events]]\nid = 'on'\nat = 60\ndo = [{ zone = 'noise', active = true }]";
+    let mut pilot = pilot(far, 1);
+    pilot.take_off(20.0);
+    assert!(links(&mut pilot).iter().all(|link| link.loss == 0.0));
+    pilot.goto(4000.0, 0.0, 200.0);
+    let away = links(&mut pilot);
+    assert!(
+        away.is_sorted_by(|a, b| a.loss <= b.loss && a.delay <= b.delay),
+        "{away:?}"
+    );
+    let last = away.last().expect("it is far away");
+    assert!(last.is_cut(), "{last:?}");
+    assert!(
+        away.iter().any(|link| link.loss > 0.1 && !link.is_cut()),
+        "{away:?}"
+    );
+    pilot.goto(60.0, 0.0, 200.0);
+    assert!(
+        links(&mut pilot)
+            .last()
+            .is_some_and(|link| link.loss == 0.0)
+    );
+    pilot.wait(60.0);
+    assert!(
+        links(&mut pilot).last().is_some_and(|link| link.is_cut()),
+        "the noise is on"
+    );
 }

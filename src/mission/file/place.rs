@@ -13,7 +13,6 @@ use crate::mission::weather::{Light, Weather, Wind};
 
 const DEFAULT_MAX_HEIGHT_M: f64 = 120.0;
 const DEFAULT_RESERVE_PERCENT: f64 = 20.0;
-const DEFAULT_SEPARATION_M: f64 = 2.0;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -99,7 +98,7 @@ struct RulesFile {
 pub(super) struct RuleSet {
     pub max_height_m: f64,
     pub land_reserve_percent: f64,
-    pub min_separation_m: f64,
+    pub separation_m: Option<f64>,
     pub pausable: bool,
 }
 
@@ -121,7 +120,7 @@ pub(super) fn rules(value: Option<Spanned<DeValue<'_>>>, faults: &mut Faults) ->
     Some(RuleSet {
         max_height_m: height.unwrap_or(DEFAULT_MAX_HEIGHT_M),
         land_reserve_percent: reserve.unwrap_or(DEFAULT_RESERVE_PERCENT),
-        min_separation_m: separation.unwrap_or(DEFAULT_SEPARATION_M),
+        separation_m: separation,
         pausable: file.pause.unwrap_or(true),
     })
 }

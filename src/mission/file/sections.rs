@@ -114,7 +114,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         objectives: content.objectives,
         max_height_m: setting.rules.max_height_m,
         land_reserve_percent: setting.rules.land_reserve_percent,
-        min_separation_m: setting.rules.min_separation_m,
+        separation_m: setting.rules.separation_m,
         events: content.threats.events,
         radio: content.threats.radio,
         may_inject: content.threats.may_inject,
@@ -185,22 +185,7 @@ fn content(
     draft.hazards = named;
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
     // Hints may refer to objectives and their cells.
-    let advice = array(
-        sections.optional("hints"),
-        MOST_TABLES,
-        faults,
-        |value, faults| {
-            let hint: HintFile = faults.read_value(value)?;
-            hint.checked(&draft, faults)
-        },
-    );
-    let (mut hints, mut clues) = (Vec::new(), Vec::new());
-    for one in advice {
-        match one {
-            Advice::Shown(hint) => hints.push(hint),
-            Advice::Asked(clue) => clues.push(clue),
-        }
-    }
+    let (hints, clues) = advice(sections.optional("hints"), &draft, faults);
     let threats = threats(
         sections,
         setting,
@@ -215,6 +200,26 @@ fn content(
         clues,
         threats,
     }
+}
+
+/// The hints that are shown by themselves, and those that have to be asked for.
+fn advice(
+    written: Option<Spanned<DeValue<'_>>>,
+    draft: &Draft,
+    faults: &mut Faults,
+) -> (Vec<Hint>, Vec<Clue>) {
+    let all = array(written, MOST_TABLES, faults, |value, faults| {
+        let hint: HintFile = faults.read_value(value)?;
+        hint.checked(draft, faults)
+    });
+    let (mut hints, mut clues) = (Vec::new(), Vec::new());
+    for one in all {
+        match one {
+            Advice::Shown(hint) => hints.push(hint),
+            Advice::Asked(clue) => clues.push(clue),
+        }
+    }
+    (hints, clues)
 }
 
 /// What happens to the mission; conditions may name what the other sections have.

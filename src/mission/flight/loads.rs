@@ -9,7 +9,7 @@ use crate::mission::craft::Craft;
 use crate::mission::fit::Fit;
 use crate::mission::hazard::{Effect, Load};
 use crate::mission::sensor::Probe;
-use crate::mission::{Point, Reading, TICK};
+use crate::mission::{LoadLeft, Point, TICK};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -204,18 +204,18 @@ impl Flight {
         }
     }
 
-    /// What is left on board, as readings.
-    pub(super) fn loads_left(&self) -> Vec<Reading> {
-        let mut readings = Vec::new();
+    /// What is left on board.
+    pub(super) fn loads_left(&self) -> Vec<LoadLeft> {
+        let mut loads = Vec::new();
         for (craft, hold) in self.crafts.iter().zip(&self.holds) {
-            readings.extend(hold.left.iter().map(|(load, left)| Reading {
+            loads.extend(hold.left.iter().map(|(load, left)| LoadLeft {
                 vehicle: craft.id,
-                sensor: load.name(),
-                value: f64::from(*left),
+                load: load.name(),
+                left: *left,
                 unit: if *load == Load::Spray { "s" } else { "" },
             }));
         }
-        readings
+        loads
     }
 
     /// Where a vehicle stands among those of the mission.

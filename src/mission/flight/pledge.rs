@@ -18,22 +18,21 @@ impl Flight {
     /// How the goal went. A flight that fails reaches none: ending early is no way to be fast or safe.
     pub(super) fn goal_report(&self, facts: &Facts, score: &Score) -> Option<GoalReport> {
         let goal = self.pledge.goal?;
-        let (text, kept, result) = self.goal_result(goal, facts, score);
+        let (kept, result) = self.goal_result(goal, facts, score);
         Some(GoalReport {
-            text,
+            text: goal.title(),
             reached: kept && self.ended == Some(Outcome::Passed),
             result,
         })
     }
 
-    /// The goal in words, whether it was kept, and what came of it.
-    fn goal_result(&self, goal: Goal, facts: &Facts, score: &Score) -> (Text, bool, Text) {
+    /// Whether the goal was kept, and what came of it.
+    fn goal_result(&self, goal: Goal, facts: &Facts, score: &Score) -> (bool, Text) {
         match goal {
             Goal::Time(most) => {
                 let used_s = facts.elapsed.as_secs_f64();
                 let result = text!("mission-goal-time-result", seconds = format!("{used_s:.0}"));
-                let text = text!("mission-goal-time", seconds = most.as_secs());
-                (text, facts.elapsed <= most, result)
+                (facts.elapsed <= most, result)
             }
             Goal::Battery(least) => {
                 let flown = self.crafts.iter().filter(|craft| craft.flown);
@@ -46,29 +45,27 @@ impl Flight {
                     ),
                     None => text!("mission-goal-battery-unknown"),
                 };
-                let text = text!("mission-goal-battery", percent = format!("{least:.0}"));
-                (text, left.is_some_and(|left| left >= least), result)
+                (left.is_some_and(|left| left >= least), result)
             }
             Goal::Safety => {
                 let count = facts.safety.len();
                 let result = text!("mission-goal-safety-result", count = count);
-                (text!("mission-goal-safety"), count == 0, result)
+                (count == 0, result)
             }
             Goal::Commands => {
                 let CommandTally { rejected, .. } = facts.commands;
                 let result = text!("mission-goal-commands-result", count = rejected);
-                (text!("mission-goal-commands"), rejected == 0, result)
+                (rejected == 0, result)
             }
             Goal::Attention => {
                 let late = facts.alerts.iter().filter(|alert| !alert.is_in_time());
                 let (late, all) = (late.count(), facts.alerts.len());
                 let result = text!("mission-goal-attention-result", count = late, all = all);
-                (text!("mission-goal-attention"), late == 0, result)
+                (late == 0, result)
             }
             Goal::Score(least) => {
                 let result = text!("mission-goal-score-result", points = score.points);
-                let text = text!("mission-goal-score", points = least);
-                (text, score.points >= least, result)
+                (score.points >= least, result)
             }
         }
     }

@@ -23,6 +23,11 @@ impl Flight {
         recorder.map_or_else(String::new, |recorder| recorder.take())
     }
 
+    /// Records no more: there is nowhere to write it.
+    pub fn stop_record(&mut self) {
+        self.recorder = None;
+    }
+
     /// The report, and the end of the record.
     pub fn close(&mut self, ledger: &Ledger) -> Report {
         let report = self.report(ledger);

@@ -8,7 +8,6 @@ use crate::scoring::{
     Report, RowReport, Score, UseReport, grade, improvements, rounded, score,
 };
 use crate::text;
-use crate::text::Text;
 
 /// What the score depends on.
 pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
@@ -31,10 +30,10 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
                 result: standing.result.clone(),
                 target: standing.target.clone(),
                 advice: standing.advice.clone(),
+                quality: standing.quality.clone(),
+                quality_advice: standing.quality_advice.clone(),
             })
             .collect(),
-        quality: mean_quality(standings),
-        quality_advice: quality_advice(standings),
         elapsed: flight.elapsed,
         energy_wh: (!used.is_empty()).then(|| used.iter().sum()),
         safety: flight.safety.events().to_vec(),
@@ -44,23 +43,6 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
         usage: flight.vehicle_uses(),
         hints: flight.hints_used(),
     }
-}
-
-/// The mean over all products.
-fn mean_quality(standings: &[Standing]) -> Option<(f64, Text)> {
-    let all: Vec<&(f64, Text)> = standings
-        .iter()
-        .filter_map(|s| s.quality.as_ref())
-        .collect();
-    let words = all.iter().map(|(_, words)| words.clone()).collect();
-    let sum: f64 = all.iter().map(|(value, _)| value).sum();
-    (!all.is_empty()).then(|| (sum / all.len() as f64, Text::joined(", ", words)))
-}
-
-fn quality_advice(standings: &[Standing]) -> Text {
-    let all = standings.iter().map(|standing| &standing.quality_advice);
-    let all = all.filter(|advice| !advice.is_empty()).cloned();
-    Text::joined("; ", all.collect())
 }
 
 /// The report.

@@ -90,19 +90,26 @@ impl Flight {
         of_hazard.max_by(|a, b| a.within_m.total_cmp(&b.within_m))
     }
 
-    /// The cells that nobody has sampled.
+    /// Where nobody has looked, and the cells that nobody has sampled.
     fn gaps(&self) -> Vec<SquareReport> {
+        let gap = |at: Point, side_m: f64| SquareReport {
+            at: tenths(at),
+            side_m: rounded(side_m, 1),
+            strength: 0.0,
+        };
         let of = |survey: &super::Survey| {
             let cells = survey.plan.cells.iter().enumerate();
             let open = cells.filter(|(index, _)| !survey.is_sampled(*index));
-            let gap = |(_, cell): (usize, &crate::mission::survey::CellPlan)| SquareReport {
-                at: tenths(cell.centre),
-                side_m: rounded(survey.plan.side_m, 1),
-                strength: 0.0,
-            };
-            open.map(gap).collect::<Vec<_>>()
+            let side_m = survey.plan.side_m;
+            let open = open.map(|(_, cell)| gap(cell.centre, side_m));
+            open.collect::<Vec<_>>()
         };
-        self.surveys.iter().flat_map(of).collect()
+        let cells = self.surveys.iter().flat_map(of);
+        let trackers = self.trackers.iter();
+        let unseen = trackers.flat_map(|tracker| tracker.gaps());
+        cells
+            .chain(unseen.map(|it| gap(it.at, it.side_m)))
+            .collect()
     }
 }
 

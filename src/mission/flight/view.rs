@@ -4,7 +4,7 @@ use super::{Craft, Flight, Standing, Survey, result};
 use crate::language::Findings;
 use crate::mission::sensor::Probe;
 use crate::mission::{
-    Cell, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
+    Cell, Ground, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
 };
 use crate::scoring::score;
 use crate::text::Text;
@@ -42,6 +42,7 @@ impl Flight {
             score_so_far: self.score_so_far(&standings),
             objectives,
             readings: self.readings(),
+            loads: self.loads_left(),
             findings: self.findings(),
             hint: self.hint(&standings),
             feedback: self.feedback.line().cloned(),
@@ -54,6 +55,7 @@ impl Flight {
             injects: self.injects(),
             marks: self.shown_marks(),
             cells: self.cells(),
+            mapped: self.mapped(),
             areas: self.areas_now(),
             movers: self.moving_things(),
             alerts: self.open_alerts(),
@@ -87,9 +89,7 @@ impl Flight {
             };
             craft.probes.iter().map(reading).collect::<Vec<_>>()
         };
-        let mut readings: Vec<Reading> = self.crafts.iter().flat_map(of).collect();
-        readings.extend(self.loads_left());
-        readings
+        self.crafts.iter().flat_map(of).collect()
     }
 
     fn hint(&self, standings: &[Standing]) -> Option<Text> {
@@ -123,6 +123,16 @@ impl Flight {
         };
         let next = self.surveys.iter().find_map(next);
         text.filled(NEXT_CELL, next.as_deref().unwrap_or("pad"))
+    }
+
+    fn mapped(&self) -> Vec<Ground> {
+        let mapped = self.trackers.iter();
+        let mapped = mapped.flat_map(|tracker| tracker.mapped(&self.world));
+        let ground = mapped.map(|patch| Ground {
+            centre: self.mission.origin.place(patch.at),
+            side_m: patch.side_m,
+        });
+        ground.collect()
     }
 
     fn cells(&self) -> Vec<Cell> {

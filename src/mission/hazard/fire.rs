@@ -110,14 +110,26 @@ pub(crate) fn read(
     faults: &mut Faults,
 ) -> Option<Box<dyn Hazard>> {
     let file: FireFile = faults.read(section)?;
+    let grid = grid(&file, faults);
+    if file.ignitions.get_ref().is_empty() {
+        faults.add(file.ignitions.span(), "a fire needs an ignition");
+    }
+    let ignitions = file.ignitions.get_ref().iter();
+    let ignitions = ignitions.map(|file| ignition(file, faults)).collect();
+    let jitter_m = faults.optional(file.jitter.as_ref(), 0.0, 0.0..=POINT_RANGE, "jitter");
+    Some(Box::new(FireHazard {
+        grid: grid?,
+        ignitions,
+        jitter_m,
+    }))
+}
+
+/// The ground that can burn, before it does; `None` where it is none.
+fn grid(file: &FireFile, faults: &mut Faults) -> Option<Grid> {
     let side_m = faults.number(&file.cell, 1.0..=100.0, "cell");
-    let [west, south, east, north] = *file.area.get_ref();
+    let area @ [west, south, east, north] = *file.area.get_ref();
     let (columns, rows) = ((east - west) / side_m, (north - south) / side_m);
-    let far = file
-        .area
-        .get_ref()
-        .iter()
-        .any(|side| side.abs() > POINT_RANGE);
+    let far = area.iter().any(|side| side.abs() > POINT_RANGE);
     let fits = columns >= 1.0 && rows >= 1.0 && columns * rows <= MOST_CELLS && !far;
     if !fits {
         let message = format!(
@@ -125,20 +137,8 @@ pub(crate) fn read(
         );
         faults.add(file.area.span(), message);
     }
-    if file.ignitions.get_ref().is_empty() {
-        faults.add(file.ignitions.span(), "a fire needs an ignition");
-    }
-    let ignitions = file.ignitions.into_inner();
-    let ignitions: Vec<_> = ignitions
-        .iter()
-        .map(|file| ignition(file, faults))
-        .collect();
-    let mut or = |value: Option<&Spanned<f64>>, usual: f64, range, name: &str| {
-        value.map_or(usual, |value| faults.number(value, range, name))
-    };
-    let moisture = or(file.moisture.as_ref(), 0.05, 0.0..=1.0, "moisture");
-    let embers = or(file.embers.as_ref(), 1.0, 0.0..=1000.0, "embers");
-    let jitter_m = or(file.jitter.as_ref(), 0.0, 0.0..=POINT_RANGE, "jitter");
+    let moisture = faults.optional(file.moisture.as_ref(), 0.05, 0.0..=1.0, "moisture");
+    let embers = faults.optional(file.embers.as_ref(), 1.0, 0.0..=1000.0, "embers");
     if !fits {
         return None;
     }
@@ -158,23 +158,15 @@ pub(crate) fn read(
         cells: vec![fresh; columns * rows],
     };
     grid.cover(&file.patches);
-    Some(Box::new(FireHazard {
-        grid,
-        ignitions,
-        jitter_m,
-    }))
+    Some(grid)
 }
 
 fn ignition(file: &IgnitionFile, faults: &mut Faults) -> Ignition {
-    let mut or_none = |value: Option<&Spanned<f64>>, most: f64, name: &str| {
-        value.map_or(0.0, |value| faults.number(value, 0.0..=most, name))
-    };
-    let time_s = or_none(file.time.as_ref(), 86_400.0, "time");
-    let radius_m = or_none(file.radius.as_ref(), 1000.0, "radius");
+    let time_s = faults.optional(file.time.as_ref(), 0.0, 0.0..=86_400.0, "time");
     Ignition {
         at: faults.point(&file.at, "at"),
         time: Duration::try_from_secs_f64(time_s).unwrap_or_default(),
-        radius_m,
+        radius_m: faults.optional(file.radius.as_ref(), 0.0, 0.0..=1000.0, "radius"),
     }
 }
 

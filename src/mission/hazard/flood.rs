@@ -9,9 +9,9 @@ use rand_chacha::ChaCha8Rng;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::people::{Care, People};
-use super::placing::{revealed, spread};
-use super::{Class, Effect, Field, Hazard, Load, Object, Truth};
+use super::people::People;
+use super::placing::spread;
+use super::{Class, Field, Hazard, Object};
 use crate::mission::Point;
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::Weather;
@@ -47,9 +47,6 @@ struct Flood {
     rise_m_s: f64,
     nodes: Vec<Point>,
 }
-
-#[derive(Debug)]
-struct Flooded(People);
 
 /// Reads a `[[hazards]]` of kind `flood`; `rise` is in metres a minute.
 pub(crate) fn read(
@@ -121,29 +118,7 @@ impl Hazard for Flood {
                 people.objects.push(on_roof(Class::Animal));
             }
         }
-        Box::new(Flooded(people))
-    }
-}
-
-impl Field for Flooded {
-    fn step(&mut self, now: Duration, _: &Weather) {
-        self.0.step(now);
-    }
-
-    fn objects(&self) -> &[Object] {
-        &self.0.objects
-    }
-
-    fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
-        self.0.affect(load, at)
-    }
-
-    fn care(&self) -> Option<Care> {
-        Some(self.0.care())
-    }
-
-    fn truth(&self) -> Vec<Truth> {
-        revealed(&self.0.objects)
+        Box::new(people)
     }
 }
 
@@ -151,6 +126,7 @@ impl Field for Flooded {
 mod tests {
     use rand::SeedableRng;
 
+    use super::super::Load;
     use super::*;
 
     fn flooded() -> Box<dyn Field> {

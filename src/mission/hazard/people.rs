@@ -2,9 +2,11 @@
 
 use std::time::Duration;
 
-use super::{Class, Effect, Load, Object};
+use super::placing::revealed;
+use super::{Class, Effect, Field, Load, Object, Truth};
 use crate::mission::Point;
 use crate::mission::report::distance_m;
+use crate::mission::weather::Weather;
 use crate::text;
 
 /// A kit that comes down this near is reached.
@@ -12,7 +14,7 @@ const KIT_WITHIN_M: f64 = 8.0;
 /// A node must stand this near to its place.
 const NODE_WITHIN_M: f64 = 6.0;
 
-/// People and places for nodes of one hazard.
+/// What there is of a hazard that is people: they, the animals among them, and places for nodes.
 #[derive(Debug, Default)]
 pub(super) struct People {
     /// The people first, in the order of the fates; then whatever else there is.
@@ -59,35 +61,6 @@ impl People {
         self.fates.push(Fate { until, helped });
     }
 
-    /// Lets time pass: who was not helped in time is gone.
-    pub fn step(&mut self, now: Duration) {
-        self.now = now;
-        for (object, fate) in self.objects.iter_mut().zip(&self.fates) {
-            object.present = object.class != Class::Person || !fate.is_lost(now);
-        }
-    }
-
-    /// What a kit or a node does where it comes down.
-    pub fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
-        match load {
-            Load::Kit if !self.fates.is_empty() => Some(self.take_kit(at)),
-            Load::Node if !self.nodes.is_empty() => Some(self.place_node(at)),
-            _ => None,
-        }
-    }
-
-    /// What has been done so far.
-    pub fn care(&self) -> Care {
-        let fates = self.fates.iter();
-        Care {
-            people: self.fates.len(),
-            helped: fates.clone().filter(|fate| fate.helped).count(),
-            lost: fates.filter(|fate| fate.is_lost(self.now)).count(),
-            nodes: self.nodes.len(),
-            nodes_placed: self.nodes.iter().filter(|(_, placed)| *placed).count(),
-        }
-    }
-
     fn take_kit(&mut self, at: Point) -> Effect {
         let waiting = self.objects.iter().zip(&self.fates).enumerate();
         let waiting = waiting.filter(|(_, (_, fate))| !fate.helped && !fate.is_lost(self.now));
@@ -123,6 +96,43 @@ impl People {
                 text!("people-node-lost", distance = format!("{NODE_WITHIN_M:.0}"))
             },
         }
+    }
+}
+
+impl Field for People {
+    /// Who was not helped in time is gone.
+    fn step(&mut self, now: Duration, _: &Weather) {
+        self.now = now;
+        for (object, fate) in self.objects.iter_mut().zip(&self.fates) {
+            object.present = object.class != Class::Person || !fate.is_lost(now);
+        }
+    }
+
+    fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
+        match load {
+            Load::Kit if !self.fates.is_empty() => Some(self.take_kit(at)),
+            Load::Node if !self.nodes.is_empty() => Some(self.place_node(at)),
+            _ => None,
+        }
+    }
+
+    fn care(&self) -> Option<Care> {
+        let fates = self.fates.iter();
+        Some(Care {
+            people: self.fates.len(),
+            helped: fates.clone().filter(|fate| fate.helped).count(),
+            lost: fates.filter(|fate| fate.is_lost(self.now)).count(),
+            nodes: self.nodes.len(),
+            nodes_placed: self.nodes.iter().filter(|(_, placed)| *placed).count(),
+        })
+    }
+
+    fn truth(&self) -> Vec<Truth> {
+        revealed(&self.objects)
     }
 }
 

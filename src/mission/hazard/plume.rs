@@ -5,19 +5,18 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::time::Duration;
 
-use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use serde::Deserialize;
 use toml::Spanned;
 
 use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
+use super::source::{Jitter, JitterFile, Substance, UG_PER_G, leak};
 use super::wander::Wander;
 use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
-use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
+use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
 
-const UG_PER_G: f64 = 1e6;
 /// How long the air over the whole site takes to follow the weather, in seconds.
 const FOLLOWS_IN_S: f64 = 20.0;
 /// How long the axis remembers where it swung, in seconds.
@@ -28,6 +27,13 @@ const GUST_TAU_S: f64 = 3.0;
 const GUSTS_KEPT: usize = 3000;
 /// No cloud is denser than at this distance from its source, in metres.
 const NEAREST_M: f64 = 1.0;
+
+/// What the debrief shows of a plume: squares of this side, so many of them to each side of the source, over so many
+/// powers of ten, down to this strength.
+const SHADE_SIDE_M: f64 = 12.0;
+const SHADES_OUT: i32 = 25;
+const DECADES: f64 = 3.0;
+const FAINTEST: f64 = 0.1;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -45,40 +51,6 @@ struct PlumeFile {
     jitter: Option<JitterFile>,
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct JitterFile {
-    pub position: Spanned<f64>,
-    pub rate: Spanned<f64>,
-}
-
-/// What comes out of a source.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum Substance {
-    /// The vapour of a solvent.
-    #[default]
-    Vapour,
-    /// Carbon monoxide.
-    Monoxide,
-    /// Natural gas.
-    Methane,
-    /// Smoke.
-    Smoke,
-}
-
-impl Substance {
-    /// What it is measured in.
-    pub fn quantity(self) -> Quantity {
-        match self {
-            Self::Vapour => Quantity::Vapour,
-            Self::Monoxide => Quantity::Monoxide,
-            Self::Methane => Quantity::Methane,
-            Self::Smoke => Quantity::Particles,
-        }
-    }
-}
-
 #[derive(Debug)]
 struct PlumeHazard {
     plume: Plume,
@@ -86,8 +58,7 @@ struct PlumeHazard {
     /// Standard deviations: of the axis, and of the logarithm of the concentration.
     meander_deg: f64,
     intermittency: f64,
-    position_jitter_m: f64,
-    rate_jitter: f64,
+    jitter: Jitter,
 }
 
 /// A source in the wind.
@@ -125,37 +96,25 @@ pub(crate) fn read(
     faults: &mut Faults,
 ) -> Option<Box<dyn Hazard>> {
     let file: PlumeFile = faults.read(section)?;
-    let jitter = file.jitter.as_ref();
-    let mut or_none = |value: Option<&Spanned<f64>>, most: f64, name: &str| {
-        value.map_or(0.0, |value| faults.number(value, 0.0..=most, name))
-    };
+    let (meander, gusts) = (file.meander.as_ref(), file.intermittency.as_ref());
     Some(Box::new(PlumeHazard {
         substance: file.substance,
-        meander_deg: or_none(file.meander.as_ref(), 60.0, "meander"),
-        intermittency: or_none(file.intermittency.as_ref(), 2.0, "intermittency"),
-        position_jitter_m: or_none(
-            jitter.map(|jitter| &jitter.position),
-            POINT_RANGE,
-            "jitter.position",
+        meander_deg: faults.optional(meander, 0.0, 0.0..=60.0, "meander"),
+        intermittency: faults.optional(gusts, 0.0, 0.0..=2.0, "intermittency"),
+        plume: Plume::read(
+            &file.source,
+            &file.height,
+            &file.rate,
+            (file.stability, file.terrain),
+            faults,
         ),
-        rate_jitter: or_none(jitter.map(|jitter| &jitter.rate), 0.9, "jitter.rate"),
-        plume: Plume {
-            source: faults.point(&file.source, "source"),
-            height_m: faults.number(&file.height, 0.0..=500.0, "height"),
-            rate_g_s: faults.number(&file.rate, 1e-6..=1e6, "rate"),
-            stability: file.stability,
-            terrain: file.terrain,
-        },
+        jitter: Jitter::read(file.jitter.as_ref(), faults),
     }))
 }
 
 impl Hazard for PlumeHazard {
     fn release(&self, weather: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
-        let mut sway = |by: f64| by * (2.0 * random.random::<f64>() - 1.0);
-        let mut plume = self.plume.clone();
-        plume.source[0] += sway(self.position_jitter_m);
-        plume.source[1] += sway(self.position_jitter_m);
-        plume.rate_g_s *= 1.0 + sway(self.rate_jitter);
+        let plume = self.jitter.vary(&self.plume, &mut random);
         let axis_deg = Wander::new(self.meander_deg, MEANDER_TAU_S, &mut random);
         let mut field = PlumeField {
             leak: [leak(plume.source, plume.height_m)],
@@ -171,14 +130,6 @@ impl Hazard for PlumeHazard {
         };
         field.lie_in_the_wind();
         Box::new(field)
-    }
-}
-
-/// Where something comes out.
-pub(super) fn leak(at: Point, height_m: f64) -> Object {
-    Object {
-        height_m,
-        ..Object::new(Class::Leak, at)
     }
 }
 
@@ -210,14 +161,43 @@ impl Field for PlumeField {
     }
 
     fn truth(&self) -> Vec<Truth> {
-        vec![Truth {
+        let mut truth = self.shades();
+        truth.push(Truth {
             at: self.plume.source,
             shape: TruthShape::Object(Class::Leak, true),
-        }]
+        });
+        truth
     }
 }
 
 impl PlumeField {
+    /// The plume as it lies without its gusts, at the height that it comes out at: 1 is the strongest, and every
+    /// [`DECADES`] of thinning take that away.
+    fn shades(&self) -> Vec<Truth> {
+        let [east_m, north_m] = self.plume.source;
+        let middle = |at: i32| f64::from(at) * SHADE_SIDE_M;
+        let places = (-SHADES_OUT..=SHADES_OUT)
+            .flat_map(|row| (-SHADES_OUT..=SHADES_OUT).map(move |column| (column, row)));
+        let amounts = places.map(|(column, row)| {
+            let at = [east_m + middle(column), north_m + middle(row)];
+            let amount = self
+                .plume
+                .concentration_ug_m3(self.wind, at, self.plume.height_m);
+            (at, amount)
+        });
+        let amounts: Vec<(Point, f64)> = amounts.collect();
+        let most = amounts.iter().map(|(_, amount)| *amount);
+        let most = most.fold(f64::MIN_POSITIVE, f64::max);
+        let shade = |(at, amount): (Point, f64)| {
+            let strength = 1.0 + (amount / most).log10() / DECADES;
+            (strength >= FAINTEST).then_some(Truth {
+                at,
+                shape: TruthShape::Square(SHADE_SIDE_M, strength),
+            })
+        };
+        amounts.into_iter().filter_map(shade).collect()
+    }
+
     fn lie_in_the_wind(&mut self) {
         let mean = Wind::of_drift(self.drift_m_s);
         self.wind = Wind {
@@ -249,6 +229,23 @@ fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
 }
 
 impl Plume {
+    /// A source as a mission file has it.
+    pub fn read(
+        source: &Spanned<Point>,
+        height: &Spanned<f64>,
+        rate: &Spanned<f64>,
+        (stability, terrain): (Stability, Terrain),
+        faults: &mut Faults,
+    ) -> Self {
+        Self {
+            source: faults.point(source, "source"),
+            height_m: faults.number(height, 0.0..=500.0, "height"),
+            rate_g_s: faults.number(rate, 1e-6..=1e6, "rate"),
+            stability,
+            terrain,
+        }
+    }
+
     /// The mean concentration; between calm air and the slowest wind that the plume is good for, a mixture.
     pub fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
         let windy = (wind.speed_m_s / CALM_BELOW_M_S).clamp(0.0, 1.0);

@@ -5,19 +5,18 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::time::Duration;
 
-use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use serde::Deserialize;
 use toml::Spanned;
 
 use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
-use super::plume::{JitterFile, Substance, leak};
+use super::plume::Plume;
+use super::source::{Jitter, JitterFile, Substance, UG_PER_G, leak};
 use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
-use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
+use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::Weather;
 use crate::mission::{Point, TICK};
 
-const UG_PER_G: f64 = 1e6;
 /// So many puffs are kept: five minutes of them, one every two seconds.
 const MOST_PUFFS: usize = 150;
 /// A puff begins so wide.
@@ -42,20 +41,10 @@ struct PuffsFile {
 
 #[derive(Debug)]
 struct PuffsHazard {
-    leak: Leak,
-    position_jitter_m: f64,
-    rate_jitter: f64,
-}
-
-#[derive(Debug, Clone)]
-struct Leak {
-    source: Point,
-    height_m: f64,
-    rate_g_s: f64,
-    stability: Stability,
-    terrain: Terrain,
+    source: Plume,
     substance: Substance,
     every_s: f64,
+    jitter: Jitter,
 }
 
 /// One puff of it.
@@ -70,7 +59,9 @@ struct Puff {
 
 #[derive(Debug)]
 struct PuffsField {
-    leak: Leak,
+    source: Plume,
+    substance: Substance,
+    every_s: f64,
     objects: [Object; 1],
     /// The oldest first.
     puffs: VecDeque<Puff>,
@@ -84,40 +75,29 @@ pub(crate) fn read(
     faults: &mut Faults,
 ) -> Option<Box<dyn Hazard>> {
     let file: PuffsFile = faults.read(section)?;
-    let jitter = file.jitter.as_ref();
-    let mut or = |value: Option<&Spanned<f64>>, usual: f64, range, name: &str| {
-        value.map_or(usual, |value| faults.number(value, range, name))
-    };
-    let every_s = or(file.every.as_ref(), 2.0, 0.2..=60.0, "every");
-    let position = jitter.map(|jitter| &jitter.position);
-    let position_jitter_m = or(position, 0.0, 0.0..=POINT_RANGE, "jitter.position");
-    let rate = jitter.map(|jitter| &jitter.rate);
-    let rate_jitter = or(rate, 0.0, 0.0..=0.9, "jitter.rate");
+    let every_s = faults.optional(file.every.as_ref(), 2.0, 0.2..=60.0, "every");
     Some(Box::new(PuffsHazard {
-        leak: Leak {
-            source: faults.point(&file.source, "source"),
-            height_m: faults.number(&file.height, 0.0..=500.0, "height"),
-            rate_g_s: faults.number(&file.rate, 1e-6..=1e6, "rate"),
-            stability: file.stability,
-            terrain: file.terrain,
-            substance: file.substance,
-            every_s,
-        },
-        position_jitter_m,
-        rate_jitter,
+        source: Plume::read(
+            &file.source,
+            &file.height,
+            &file.rate,
+            (file.stability, file.terrain),
+            faults,
+        ),
+        substance: file.substance,
+        every_s,
+        jitter: Jitter::read(file.jitter.as_ref(), faults),
     }))
 }
 
 impl Hazard for PuffsHazard {
     fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
-        let mut sway = |by: f64| by * (2.0 * random.random::<f64>() - 1.0);
-        let mut from = self.leak.clone();
-        from.source[0] += sway(self.position_jitter_m);
-        from.source[1] += sway(self.position_jitter_m);
-        from.rate_g_s *= 1.0 + sway(self.rate_jitter);
+        let source = self.jitter.vary(&self.source, &mut random);
         Box::new(PuffsField {
-            objects: [leak(from.source, from.height_m)],
-            leak: from,
+            objects: [leak(source.source, source.height_m)],
+            source,
+            substance: self.substance,
+            every_s: self.every_s,
             puffs: VecDeque::new(),
             since_last_s: 0.0,
         })
@@ -129,14 +109,14 @@ impl Field for PuffsField {
         let dt_s = TICK.as_secs_f64();
         let drift = weather.wind.drift_m_s();
         for puff in &mut self.puffs {
-            puff.drift(drift, dt_s, &self.leak);
+            puff.drift(drift, dt_s, &self.source);
         }
         self.since_last_s += dt_s;
-        if self.since_last_s >= self.leak.every_s - 1e-9 {
+        if self.since_last_s >= self.every_s - 1e-9 {
             self.since_last_s = 0.0;
             self.puffs.push_back(Puff {
-                at: self.leak.source,
-                mass_g: self.leak.rate_g_s * self.leak.every_s,
+                at: self.source.source,
+                mass_g: self.source.rate_g_s * self.every_s,
                 travelled_m: 0.0,
                 spread_m: (FIRST_SPREAD_M, FIRST_SPREAD_M),
             });
@@ -147,10 +127,10 @@ impl Field for PuffsField {
     }
 
     fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
-        if quantity != self.leak.substance.quantity() {
+        if quantity != self.substance.quantity() {
             return 0.0;
         }
-        let source_m = self.leak.height_m;
+        let source_m = self.source.height_m;
         let of = |puff: &Puff| puff.concentration_ug_m3(at, height_m, source_m);
         self.puffs.iter().map(of).sum()
     }
@@ -161,7 +141,7 @@ impl Field for PuffsField {
 
     fn truth(&self) -> Vec<Truth> {
         vec![Truth {
-            at: self.leak.source,
+            at: self.source.source,
             shape: TruthShape::Object(Class::Leak, true),
         }]
     }
@@ -169,15 +149,15 @@ impl Field for PuffsField {
 
 impl Puff {
     /// Carries it on. In wind it grows as a plume does with the way it comes, in calm air with time.
-    fn drift(&mut self, drift_m_s: [f64; 2], dt_s: f64, leak: &Leak) {
+    fn drift(&mut self, drift_m_s: [f64; 2], dt_s: f64, source: &Plume) {
         let speed_m_s = drift_m_s[0].hypot(drift_m_s[1]);
         self.at[0] += drift_m_s[0] * dt_s;
         self.at[1] += drift_m_s[1] * dt_s;
-        let before = spreads_m(leak.stability, leak.terrain, self.travelled_m);
+        let before = spreads_m(source.stability, source.terrain, self.travelled_m);
         self.travelled_m += speed_m_s * dt_s;
-        let after = spreads_m(leak.stability, leak.terrain, self.travelled_m);
+        let after = spreads_m(source.stability, source.terrain, self.travelled_m);
         let growth = if speed_m_s < CALM_BELOW_M_S {
-            let (a, g) = calm_growth_m_s(leak.stability);
+            let (a, g) = calm_growth_m_s(source.stability);
             (a * dt_s, g * dt_s)
         } else {
             (after.0 - before.0, after.1 - before.1)
@@ -206,18 +186,18 @@ mod tests {
     use crate::mission::weather::Wind;
 
     fn puffs() -> PuffsField {
-        let leak = Leak {
+        let source = Plume {
             source: [0.0, 0.0],
             height_m: 5.0,
             rate_g_s: 3.0,
             stability: Stability::C,
             terrain: Terrain::Open,
-            substance: Substance::Vapour,
-            every_s: 2.0,
         };
         PuffsField {
-            objects: [super::leak(leak.source, leak.height_m)],
-            leak,
+            objects: [leak(source.source, source.height_m)],
+            source,
+            substance: Substance::Vapour,
+            every_s: 2.0,
             puffs: VecDeque::new(),
             since_last_s: 0.0,
         }

@@ -8,10 +8,9 @@ use rand_distr::{Distribution, Weibull};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::people::{Care, People};
-use super::placing::{revealed, spread};
-use super::{Class, Effect, Field, Hazard, Load, Object, Truth};
-use crate::mission::Point;
+use super::people::People;
+use super::placing::spread;
+use super::{Class, Field, Hazard, Object};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
@@ -41,9 +40,6 @@ struct Survivors {
     gap_m: f64,
     lasts: Option<Weibull<f64>>,
 }
-
-#[derive(Debug)]
-struct Scattered(People);
 
 /// Reads a `[[hazards]]` of kind `survivors`.
 pub(crate) fn read(
@@ -96,29 +92,7 @@ impl Hazard for Survivors {
                 people.objects.push(thing(Class::Animal));
             }
         }
-        Box::new(Scattered(people))
-    }
-}
-
-impl Field for Scattered {
-    fn step(&mut self, now: Duration, _: &Weather) {
-        self.0.step(now);
-    }
-
-    fn objects(&self) -> &[Object] {
-        &self.0.objects
-    }
-
-    fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
-        self.0.affect(load, at)
-    }
-
-    fn care(&self) -> Option<Care> {
-        Some(self.0.care())
-    }
-
-    fn truth(&self) -> Vec<Truth> {
-        revealed(&self.0.objects)
+        Box::new(people)
     }
 }
 
@@ -126,6 +100,7 @@ impl Field for Scattered {
 mod tests {
     use rand::SeedableRng;
 
+    use super::super::{Effect, Load};
     use super::*;
 
     fn scattered(seed: u64, lasts_s: Option<f64>) -> Box<dyn Field> {

@@ -7,9 +7,9 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{Kind, Patch, Scene, Standing, Tracker, partial_credit};
 use crate::mission::craft::Craft;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::sensor::Sensor;
 use crate::mission::weather::Light;
 use crate::mission::world::World;
@@ -17,6 +17,8 @@ use crate::mission::zone::Shape;
 use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
+
+mod gaps;
 
 const MOST_CELLS: f64 = 40_000.0;
 
@@ -67,11 +69,8 @@ pub(crate) fn read(
 ) -> Option<Box<dyn Kind>> {
     let file: CoverageFile = faults.read(section)?;
     let side_m = faults.number(&file.cell, 0.2..=1000.0, "cell");
-    let target = faults.number(&file.target, 0.01..=1.0, "target");
-    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
-    if partial_from >= target {
-        faults.add(file.target.span(), "`target` must be above `partial_from`");
-    }
+    let written = (&file.target, &file.partial_from);
+    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
     let mut sensors = Vec::new();
     for name in file.sensors.get_ref() {
         let Some(sensor) = draft.fitted_sensor(name, faults) else {
@@ -210,6 +209,10 @@ impl Tracker for Sweep {
         for craft in scene.vehicles {
             self.pass(craft, scene.world.weather.light);
         }
+    }
+
+    fn gaps(&self) -> Vec<Patch> {
+        gaps::gaps(&self.grid)
     }
 
     fn standing(&self, _: &Scene<'_>) -> Standing {

@@ -11,7 +11,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::{Kind, Scene, Sought, Standing, Tracker, partial_credit};
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::hazard::Object;
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::world::World;
@@ -60,11 +60,8 @@ pub(crate) fn read(
     faults: &mut Faults,
 ) -> Option<Box<dyn Kind>> {
     let file: DetectFile = faults.read(section)?;
-    let target = faults.number(&file.target, 0.01..=1.0, "target");
-    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
-    if partial_from >= target {
-        faults.add(file.target.span(), "`target` must be above `partial_from`");
-    }
+    let written = (&file.target, &file.partial_from);
+    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
     Some(Box::new(Detect {
         beta: faults.number(&file.beta, 0.1..=10.0, "beta"),
         radius_m: faults.number(&file.radius, 0.1..=1000.0, "radius"),

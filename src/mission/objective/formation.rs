@@ -6,7 +6,7 @@ use toml::Spanned;
 use super::route::{Route, RouteFile};
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::craft::Craft;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
@@ -65,14 +65,8 @@ pub(crate) fn read(
         let fault = "`spacing` must be [least, most], 0.5 to 1000 m";
         faults.add(file.spacing.span(), fault);
     }
-    let target = faults.number(&file.target, 0.01..=1.0, "target");
-    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
-    if partial_from >= target {
-        faults.add(
-            file.partial_from.span(),
-            "`partial_from` must be below `target`",
-        );
-    }
+    let written = (&file.target, &file.partial_from);
+    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
     let route = RouteFile {
         gates: file.gates,
         radius: file.radius,

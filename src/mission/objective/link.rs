@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::TICK;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
 use crate::text;
@@ -43,14 +43,8 @@ pub(in crate::mission) fn read(
 ) -> Option<Box<dyn Kind>> {
     let file: LinkFile = faults.read(section)?;
     let needed_s = faults.number(&file.time, 1.0..=86_400.0, "time");
-    let target = faults.number(&file.target, 0.01..=1.0, "target");
-    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
-    if partial_from >= target {
-        faults.add(
-            file.partial_from.span(),
-            "`partial_from` must lie below `target`",
-        );
-    }
+    let written = (&file.target, &file.partial_from);
+    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
     Some(Box::new(Link {
         margin_db: faults.number(&file.margin, -20.0..=60.0, "margin"),
         shape: draft.task_zone(&file.zone, faults)?.shape.clone(),

@@ -8,7 +8,7 @@ use toml::Spanned;
 
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::Point;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::survey::{Survey, SurveyPlan};
 use crate::mission::world::World;
 use crate::text;
@@ -52,14 +52,8 @@ pub(crate) fn read(
     faults: &mut Faults,
 ) -> Option<Box<dyn Kind>> {
     let file: MapErrorFile = faults.read(section)?;
-    let target = faults.number(&file.target, 0.0..=10.0, "target");
-    let partial_from = faults.number(&file.partial_from, 0.0..=10.0, "partial_from");
-    if partial_from <= target {
-        faults.add(
-            file.partial_from.span(),
-            "`partial_from` must be above `target`: a smaller error is better",
-        );
-    }
+    let written = (&file.target, &file.partial_from);
+    let (target, partial_from) = faults.target(written, 0.0..=10.0, Better::Lower);
     Some(Box::new(MapError {
         of: draft.survey(&file.of, faults)?,
         height_m: faults.number(&file.height, 0.0..=1000.0, "height"),

@@ -9,7 +9,7 @@ use std::time::Duration;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{Kind, Patch, Scene, Standing, Tracker, partial_credit};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::hazard::Grid;
 use crate::mission::report::distance_m;
@@ -170,13 +170,26 @@ impl Tracker for PerimeterTracker {
         }
     }
 
+    fn mapped(&self, world: &World) -> Vec<Patch> {
+        let Some(grid) = self.plan.grid(world) else {
+            return Vec::new();
+        };
+        let seen = self.seen.iter().enumerate().filter(|(_, burnt)| **burnt);
+        let patch = |(index, _)| Patch {
+            at: grid.centre(index),
+            side_m: grid.side_m,
+        };
+        seen.map(patch).collect()
+    }
+
     fn standing(&self, scene: &Scene<'_>) -> Standing {
         let (all, target) = (self.plan.times.len(), self.plan.target);
-        let sum: f64 = self.fits.iter().sum();
+        let sum: f64 = 0.0 + self.fits.iter().sum::<f64>();
         let mean = sum / self.fits.len().max(1) as f64;
         let settled = self.fits.len() == all;
         let credit = |fit: &f64| partial_credit(*fit, self.plan.partial_from, target);
-        let credits: f64 = self.fits.iter().map(credit).sum();
+        // No fits at all add up to a negative zero, which is written as `-0`.
+        let credits: f64 = 0.0 + self.fits.iter().map(credit).sum::<f64>();
         let times = self.plan.times.iter();
         let times: Vec<String> = times.map(|time| time.as_secs().to_string()).collect();
         Standing {

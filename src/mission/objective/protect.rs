@@ -4,7 +4,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::hazard::Fire;
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
@@ -61,14 +61,8 @@ pub(crate) fn read_contain(
     faults: &mut Faults,
 ) -> Option<Box<dyn Kind>> {
     let file: ContainFile = faults.read(section)?;
-    let target = faults.number(&file.target, 0.0..=1.0, "target");
-    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
-    if partial_from <= target {
-        faults.add(
-            file.partial_from.span(),
-            "`partial_from` must be above `target`: a smaller area is better",
-        );
-    }
+    let written = (&file.target, &file.partial_from);
+    let (target, partial_from) = faults.target(written, 0.0..=1.0, Better::Lower);
     Some(Box::new(Contain {
         hazard: draft.hazard(&file.of, faults)?,
         target,

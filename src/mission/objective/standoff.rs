@@ -10,7 +10,7 @@ use toml::Spanned;
 
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::TICK;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::file::{Better, Draft, Faults, Section};
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
@@ -47,11 +47,8 @@ pub(crate) fn read(
     faults: &mut Faults,
 ) -> Option<Box<dyn Kind>> {
     let file: StandoffFile = faults.read(section)?;
-    let target = faults.number(&file.target, 0.01..=1.0, "target");
-    let partial_from = faults.number(&file.partial_from, 0.0..=1.0, "partial_from");
-    if partial_from >= target {
-        faults.add(file.target.span(), "`target` must be above `partial_from`");
-    }
+    let written = (&file.target, &file.partial_from);
+    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
     let range_m = *file.range.get_ref();
     let near_m = faults.number(&file.near, 1.0..=1000.0, "near");
     if !(0.0 <= range_m[0] && range_m[0] < range_m[1] && range_m[1] <= near_m) {

@@ -5,6 +5,7 @@ use std::time::Duration;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::geo::LatLon;
+use crate::mission::saying::Listener;
 use crate::vehicle::{
     Battery, Ekf, EkfFlags, GlobalPosition, Health, Heartbeat, LandedState, Mode, Severity,
     StatusText, SystemStatus, TEXTS_KEPT, Unheard, Vehicle, VehicleClass, VehicleId,
@@ -65,7 +66,7 @@ type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
 pub(super) struct Watched {
     /// The newest of everything, as it was written; nothing before the first time.
     known: Option<Observed>,
-    last_text: Option<StatusText>,
+    listener: Listener,
 }
 
 impl Watched {
@@ -85,7 +86,8 @@ impl Watched {
             battery: vehicle.battery().map(battery),
             said: Vec::new(),
         };
-        let said = self.new_texts(vehicle);
+        let said = self.listener.listen(vehicle).iter();
+        let said = said.map(|text| text.text.clone()).collect();
         let known = self.known.replace(now.clone());
         let is_first = known.is_none();
         let known = known.unwrap_or_default();
@@ -109,24 +111,6 @@ impl Watched {
             ..Observed::default()
         };
         (is_first || changes != nothing).then_some(changes)
-    }
-
-    /// The texts since the last call; those from before the first one were for nobody's mission.
-    fn new_texts(&mut self, vehicle: &Vehicle) -> Vec<String> {
-        let texts = &vehicle.texts;
-        let known = match &self.last_text {
-            Some(last) => texts
-                .iter()
-                .rposition(|text| text == last)
-                .map_or(0, |at| at + 1),
-            None if self.known.is_some() => 0,
-            None => texts.len(),
-        };
-        self.last_text = texts.last().cloned();
-        texts[known..]
-            .iter()
-            .map(|text| text.text.clone())
-            .collect()
     }
 }
 
@@ -177,6 +161,8 @@ impl Observed {
             vehicle.unheard = unheard.map(|(lat, lon, up)| Unheard {
                 at: LatLon::from_e7(lat, lon),
                 altitude_m: up as f64 * 1e-3,
+                // The times of ticks are on record.
+                boot_ms: 0,
             });
         }
         if let Some((mv, mah, hj, percent)) = self.battery {

@@ -32,7 +32,7 @@ pub struct Rescored {
 }
 
 impl Stored {
-    /// Reads a record. What is damaged or was never written ends it.
+    /// Reads a record. What is damaged, goes back in time or was never written ends it.
     ///
     /// # Errors
     /// It is no record, or one of another version; in words.
@@ -53,13 +53,16 @@ impl Stored {
             damage: None,
             lines: Vec::new(),
         };
+        let mut since = 0;
         for (index, line) in all.enumerate() {
-            if let Ok(line) = serde_json::from_str(line) {
-                stored.lines.push(line);
-            } else {
+            let line = serde_json::from_str(line).ok();
+            let line = line.filter(|line: &Line| line.time().is_none_or(|t| t >= since));
+            let Some(line) = line.filter(|_| stored.end().is_none()) else {
                 stored.damage = Some(text!("record-damaged", line = index + 2));
                 return Ok(stored);
-            }
+            };
+            since = line.time().unwrap_or(since);
+            stored.lines.push(line);
         }
         if stored.end().is_none() {
             stored.damage = Some(text!("record-no-end"));
@@ -145,9 +148,12 @@ impl Replay {
         }
     }
 
-    /// The steps without a line before the one at that time.
+    /// The steps without a line before the one at that time, as far as the flight goes: a damaged time may lie years
+    /// ahead.
     fn pass(&mut self, until: Duration) {
-        while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until) {
+        while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until)
+            && self.flight.outcome().is_none()
+        {
             self.step(next);
         }
     }

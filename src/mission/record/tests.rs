@@ -1,6 +1,8 @@
 use super::*;
+use crate::geo::LatLon;
 use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
+use crate::vehicle::Unheard;
 
 /// A flight with a recorder.
 fn recorded() -> Pilot {
@@ -88,4 +90,106 @@ fn a_record_is_small() {
     let per_minute = text.len() as f64 / minutes;
     assert!(per_minute < 80_000.0, "{per_minute} bytes a minute");
     assert!(do_nothing().report().score < 300);
+}
+
+/// A relay that is left alone, hit by what an instructor has happen, out of hearing for a while, and paused.
+fn troubled() -> (Report, String) {
+    let source = include_str!("../../../missions/12-relay-chain.toml");
+    let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 7);
+    pilot
+        .flight
+        .start_record("2026-11-20T14:03:22Z", "embedded");
+    pilot.take_off(20.0);
+    let injected = pilot.flight.inject("motor_fail");
+    injected.expect("an instructor may");
+    pilot.wait(3.0);
+    let paused = pilot.flight.note_pause(Duration::from_secs(90));
+    paused.expect("it is said");
+    pilot.vehicle().link.lost = true;
+    pilot.vehicle().unheard = Some(Unheard {
+        at: LatLon::from_e7(490_400_000, 334_100_000),
+        altitude_m: 31.5,
+        boot_ms: 0,
+    });
+    pilot.wait(3.0);
+    pilot.vehicle().link.lost = false;
+    pilot.vehicle().unheard = None;
+    pilot.wait(3.0);
+    pilot.flight.abandon();
+    let report = pilot.flight.close(&pilot.ledger);
+    (report, pilot.flight.take_record())
+}
+
+fn rescored(text: &str) -> Report {
+    let again = Stored::read(text).and_then(|stored| stored.rescore());
+    again.expect("a good record").report
+}
+
+#[test]
+fn pauses_and_what_an_instructor_has_happen_are_flown_again() {
+    let (report, text) = troubled();
+    let again = rescored(&text);
+    assert_eq!(again.events, report.events);
+    assert_eq!(again.alerts, report.alerts);
+    assert_eq!(again.score, report.score);
+    for kind in ["{\"pause\"", "{\"inject\""] {
+        let without = text.split_inclusive('\n');
+        let without: String = without.filter(|line| !line.starts_with(kind)).collect();
+        assert!(without.len() < text.len(), "{kind} is not in the record");
+        assert_ne!(rescored(&without).events, report.events, "{kind}");
+    }
+}
+
+#[test]
+fn where_a_vehicle_is_while_nobody_hears_it_is_in_the_record() {
+    let (_, text) = troubled();
+    let lines = text.lines().skip(1).map(serde_json::from_str);
+    let ticks = lines.filter_map(|line| match line.expect("a good line") {
+        Line::Tick { change, .. } => change.v.into_iter().next(),
+        _ => None,
+    });
+    let mut vehicle: Option<Vehicle> = None;
+    let mut heard = Vec::new();
+    for observed in ticks {
+        let vehicle = vehicle.get_or_insert_with(|| observed.vehicle());
+        observed.apply(vehicle, Duration::ZERO);
+        let place = vehicle
+            .unheard
+            .map(|it| (it.at.to_e7(), (it.altitude_m * 10.0).round() as i64));
+        if heard.last() != Some(&place) {
+            heard.push(place);
+        }
+    }
+    let away = ((490_400_000, 334_100_000), 315);
+    assert_eq!(heard, [None, Some(away), None]);
+}
+
+#[test]
+fn a_time_years_ahead_ends_with_the_flight() {
+    let (_, text) = eventful();
+    let lines: Vec<&str> = text.lines().take(3).collect();
+    let leap = format!(
+        "{}\n{{\"tick\":{{\"t\":{}}}}}\n",
+        lines.join("\n"),
+        u64::MAX
+    );
+    let report = rescored(&leap);
+    assert!((report.sim_time_s - report.time_limit_s).abs() < 0.2);
+}
+
+#[test]
+fn what_goes_back_in_time_or_comes_after_the_end_is_damage() {
+    let (report, text) = eventful();
+    let lines: Vec<&str> = text.lines().collect();
+    let mut swapped = lines.clone();
+    swapped.swap(2, 3);
+    let after = [&lines[..], &lines[4..5]].concat();
+    for (lines, damaged, is_whole) in [(&swapped, 4, false), (&after, lines.len() + 1, true)] {
+        let stored = Stored::read(&lines.join("\n")).expect("the head is whole");
+        let damage = stored.damage.as_ref().expect("it is damaged").to_string();
+        assert!(damage.contains(&format!("line {damaged} ")), "{damage}");
+        assert_eq!(stored.end().is_some(), is_whole);
+        let again = stored.rescore().expect("a good mission").report;
+        assert_eq!(again.score == report.score, is_whole);
+    }
 }

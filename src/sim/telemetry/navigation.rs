@@ -106,9 +106,10 @@ pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMes
     ))
 }
 
-/// The point the vehicle flies to, if there is one.
+/// The point the vehicle flies to, if there is one; where a takeoff has ended it flies to none.
 pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     match &autopilot.task {
+        Task::Goto { .. } if autopilot.holds_takeoff() => None,
         Task::Goto { goal_m, .. } => Some(*goal_m),
         Task::Return(_) => Some(autopilot.home_point()),
         Task::Route(route) => Some(route.goal_m()),

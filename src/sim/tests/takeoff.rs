@@ -1,6 +1,6 @@
 //! What comes between arming and the climb.
 
-use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
+use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 
 use super::*;
 
@@ -69,4 +69,58 @@ fn what_newly_forbids_arming_is_told_without_being_asked() {
     assert!(told(&ground) > 0, "{:?}", ground.texts());
     let refused = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
     assert_eq!(refused, MavResult::MAV_RESULT_FAILED);
+}
+
+/// The highest speed over ground on the way to a point.
+fn fastest_to(ground: &mut Ground, north_m: f32) -> f64 {
+    ground.goto([north_m, 0.0, -10.0]);
+    let mut fastest = 0.0_f64;
+    for _ in 0..2500 {
+        ground.step();
+        let [north, east, _] = ground.truth().velocity_ned_m_s;
+        fastest = fastest.max(north.hypot(east));
+    }
+    fastest
+}
+
+#[test]
+fn a_speed_is_forgotten_by_the_first_target_after_a_takeoff_and_by_another_kind_of_target() {
+    let slowly = |ground: &mut Ground| {
+        let answer = ground.long(MavCmd::MAV_CMD_DO_CHANGE_SPEED, [1.0, 3.0]);
+        assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED);
+    };
+    for climbs_for_s in [5.0, 30.0] {
+        let mut ground = Ground::armed();
+        ground.takeoff(10.0);
+        ground.run(climbs_for_s);
+        slowly(&mut ground);
+        let fastest = fastest_to(&mut ground, 60.0);
+        assert!(fastest > 8.0, "{fastest} after {climbs_for_s} s");
+        slowly(&mut ground);
+        for north_m in [30.0, 60.0] {
+            let fastest = fastest_to(&mut ground, north_m);
+            assert!(fastest < 3.3, "{fastest}");
+        }
+        ground.fly([1.0, 0.0, 0.0]);
+        ground.run(5.0);
+        let fastest = fastest_to(&mut ground, 0.0);
+        assert!(fastest > 8.0, "{fastest}");
+    }
+}
+
+#[test]
+fn a_place_to_fly_to_is_told_from_the_first_target_on_and_not_in_a_takeoff() {
+    let told = |ground: &mut Ground| {
+        let heard = ground.heard.len();
+        ground.run(2.0);
+        let messages = ground.messages_since(heard).into_iter();
+        let told = messages.filter(|it| matches!(it, MavMessage::POSITION_TARGET_GLOBAL_INT(_)));
+        told.count()
+    };
+    let mut ground = Ground::hovering(10.0);
+    let every_us = 100_000.0;
+    ground.long(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, [87.0, every_us]);
+    assert_eq!(told(&mut ground), 0);
+    ground.goto([10.0, 0.0, -10.0]);
+    assert!(told(&mut ground) > 15);
 }

@@ -16,6 +16,9 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
 
+/// Less than this outside of an area is not worth a word.
+const LEAST_GAP_M: f64 = 1.0;
+
 impl Cast<'_> {
     pub(super) fn survey(
         &mut self,
@@ -27,6 +30,11 @@ impl Cast<'_> {
         let spacing_m = self.line_spacing(spacing_m, up_m);
         let corners = self.corners(ground)?;
         let lanes = self.cover(&corners, spacing_m, course_deg)?;
+        let gaps_m = lanes::gaps_m(&lanes, &corners);
+        if gaps_m >= LEAST_GAP_M {
+            let metres = format!("{gaps_m:.0}");
+            self.remarks.push(text!("swarm-gaps", metres = metres));
+        }
         let mut act = self.act(Work::Courses { lanes: true });
         act.members = members(&self.team, up_m);
         if !share_lanes(&mut act, &lanes, &self.scene()) {

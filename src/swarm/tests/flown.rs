@@ -71,6 +71,57 @@ fn a_wedge_keeps_its_shape_while_its_leader_goes_somewhere() {
 }
 
 #[test]
+fn a_formation_goes_as_fast_as_its_leader_was_told_to() {
+    for (told, fastest_m_s) in [("", 5.0), ("all speed 3", 3.0), ("1 speed 8", 8.0)] {
+        let mut stage = Stage::flying(3, 8.0);
+        if !told.is_empty() {
+            stage.say(told);
+        }
+        stage.say("all formation column spacing 10");
+        assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
+        stage.say("1 goto n 200 e 0 up 25");
+        let mut fastest: f64 = 0.0;
+        let arrived = stage.watch(150.0, |stage| {
+            let speed_m_s = stage.vehicles[&1]
+                .global
+                .map_or(0.0, |global| global.north_m_s.hypot(global.east_m_s));
+            fastest = fastest.max(f64::from(speed_m_s));
+            stage.is_done("goto")
+        });
+        assert!(arrived, "{told}: {:?}", stage.rows("goto"));
+        assert!((fastest - fastest_m_s).abs() < 0.6, "{told}: {fastest}");
+        assert!(stage.nearest_m >= 6.0, "{told}: {}", stage.nearest_m);
+    }
+}
+
+#[test]
+fn a_survey_of_a_concave_area_says_how_much_of_it_lies_outside() {
+    let mut stage = Stage::flying(2, 8.0);
+    let horseshoe = [
+        (20.0, 0.0),
+        (80.0, 0.0),
+        (80.0, 40.0),
+        (60.0, 40.0),
+        (60.0, 10.0),
+        (40.0, 10.0),
+        (40.0, 40.0),
+        (20.0, 40.0),
+    ];
+    let corners = horseshoe.map(|(north_m, east_m)| HOME.moved(north_m, east_m));
+    let outline = Outline::Polygon(corners.to_vec());
+    stage.areas.insert("bay".to_owned(), outline);
+    stage.say("all survey bay spacing 10");
+    for (_, state, why) in stage.rows("survey") {
+        assert_eq!(state, RowState::InProgress(0));
+        assert!(why.contains("60 m of the lines lie outside"), "{why}");
+    }
+    stage.say("all survey bay spacing 10 course 90");
+    for (_, _, why) in stage.rows("survey") {
+        assert!(!why.contains("outside"), "{why}");
+    }
+}
+
+#[test]
 fn lines_nearer_than_the_separation_are_flown_at_two_heights() {
     let mut stage = Stage::flying(3, 10.0);
     stage.say("all survey n 20 e 0 to n 60 e 24 spacing 4 up 15");

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use crate::app::state::State;
 use crate::ui::look::Look;
 use crate::ui::widget::{
-    alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper,
+    alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
 };
 
 /// From this width on, telemetry and mission have a column each.
@@ -31,6 +31,8 @@ const LEDGER_LEAST: u16 = 6;
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     alerts::draw(state, look, upper(area, alerts::height(state)), buffer);
     let area = below(area, alerts::height(state));
+    urgent::draw(state, look, upper(area, urgent::height(state)), buffer);
+    let area = below(area, urgent::height(state));
     // Never more than half of the screen.
     let wanted = swarm::height(state, look, area.width);
     let rows = wanted.min(usize::from(area.height / 2)) as u16;

@@ -133,7 +133,7 @@ fn list(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
             }
             lines.push((None, look.say(heading)));
         }
-        lines.push((Some(at), name(state, item, look)));
+        lines.push((Some(at), listed(state, item, look)));
         before = tier(&item);
     }
     lines
@@ -205,6 +205,19 @@ fn best_words(state: &State, item: HomeItem) -> Option<Text> {
         medal = medal,
         count = count
     ))
+}
+
+/// An item as the list has it: missions with the number that `fly` takes.
+fn listed(state: &State, item: HomeItem, look: &Look) -> String {
+    let name = name(state, item, look);
+    let HomeItem::Mission(at) = item else {
+        return name;
+    };
+    let number = state.missions[at].id.split('-').next().unwrap_or_default();
+    if number.is_empty() || !number.chars().all(|c| c.is_ascii_digit()) {
+        return name;
+    }
+    format!("{number} {name}")
 }
 
 fn name(state: &State, item: HomeItem, look: &Look) -> String {

@@ -11,7 +11,7 @@ use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
-use crate::ui::widget::{below, columns, put, row_of, upper};
+use crate::ui::widget::{below, columns, put, row_of, upper, urgent};
 
 /// Draws it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -31,6 +31,8 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         draw_legend(state, look, legend, buffer);
     }
     let canvas = below(pane, 1);
+    // Over the land in the north: a map that moved with every alert could not be read.
+    urgent::draw(state, look, upper(canvas, urgent::height(state)), buffer);
     if let Some(view) = map.view((canvas.width, canvas.height)) {
         let cursor = map.pointed(&view);
         draw_cursor(&view, cursor, look, canvas, buffer);

@@ -105,9 +105,9 @@ const DEBRIEF: &[(&str, &str)] = &[
     ("m", "hint-truth"),
     ("r", "hint-again"),
     ("s", "hint-alike"),
-    ("t", "hint-drill"),
     ("n", "hint-next"),
     ("h", "hint-home"),
+    ("t", "hint-drill"),
     (":", "hint-command"),
     ("?", "hint-help"),
 ];

@@ -75,6 +75,15 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
         let count = pressing.vehicles.len() + pressing.others;
         parts.push(text!("alert-header", count = count));
     }
+    if let Some(progress) = &state.session.mission
+        && let Some(alert) = progress.alerts.first()
+        && !matches!(state.room, Room::Fly | Room::Map)
+        && !state.session.over
+    {
+        // These two rooms tell what it is about.
+        let seconds = alert.remaining.as_secs();
+        parts.push(text!("mission-alert-short", seconds = seconds));
+    }
     if state.room != Room::Home || state.session.activity.is_some() {
         let (armed, all) = (state.session.armed(), state.session.vehicles.len());
         parts.push(if short {

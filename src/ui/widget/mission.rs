@@ -7,8 +7,8 @@ use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::state::State;
-use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Reading, Trust};
-use crate::scoring::AlertLevel;
+use crate::commands::Goal;
+use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Trust};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -16,10 +16,10 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, clock, columns, put, titled, wrap};
 use crate::vehicle::Vehicle;
 
+/// Columns between two readings.
+const GAP: usize = 3;
 /// Columns of one cell in the grid.
 const CELL_WIDTH: u16 = 7;
-/// A vehicle that is heard with a smaller margin may soon not be heard at all.
-const WEAK_DB: f64 = 6.0;
 /// A grid is not drawn for cells that lie farther apart than this many cells.
 const GRID_LIMIT: usize = 64;
 
@@ -27,9 +27,8 @@ const GRID_LIMIT: usize = 64;
 pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();
-    let counts = counts(progress).len() + urgent(progress).len();
-    (1 + progress.objectives.len() + progress.readings.chunks(2).len() + counts + grid + hint)
-        as u16
+    let readings = readings(progress, usize::from(width), look).len();
+    (1 + progress.objectives.len() + readings + counts(progress).len() + grid + hint) as u16
 }
 
 /// Draws the pane.
@@ -50,19 +49,11 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         .objectives
         .iter()
         .map(|objective| objective_line(objective, width, look));
-    let readings = progress
-        .readings
-        .chunks(2)
-        .map(|pair| reading_line(pair, look));
+    let readings = readings(progress, width, look);
     let counts = counts(progress).into_iter().map(|text| {
         let words = clip(&look.text(&text), width);
         Line::styled(words, look.style(Role::Muted))
     });
-    for (text, role) in urgent(progress) {
-        let words = clip(&look.text(&text), width);
-        put(buffer, rest, 0, &Line::styled(words, look.style(role)));
-        rest = below(rest, 1);
-    }
     for line in objectives.chain(readings).chain(counts) {
         put(buffer, rest, 0, &line);
         rest = below(rest, 1);
@@ -93,28 +84,6 @@ fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
         .collect()
 }
 
-/// Alerts that wait for an answer, and vehicles that are hardly heard any more.
-fn urgent(progress: &Progress) -> Vec<(Text, Role)> {
-    let alerts = progress.alerts.iter().map(|alert| {
-        let role = match alert.level {
-            AlertLevel::Critical => Role::Danger,
-            AlertLevel::Warning => Role::Warning,
-            AlertLevel::Caution => Role::Accent,
-        };
-        let seconds = alert.remaining.as_secs();
-        let text = &alert.text;
-        (text!("mission-alert", seconds = seconds, text = text), role)
-    });
-    let margins = progress.margins_db.iter();
-    let weak = margins.filter(|(_, margin_db)| **margin_db < WEAK_DB);
-    let weak = weak.map(|(vehicle, margin_db)| {
-        let margin = format!("{margin_db:.0}");
-        let text = text!("mission-radio-weak", vehicle = *vehicle, margin = margin);
-        (text, Role::Warning)
-    });
-    alerts.chain(weak).collect()
-}
-
 /// What has been found and reported, and what the trainee has said: a line for each where there is anything.
 fn counts(progress: &Progress) -> Vec<Text> {
     let trusted = |trust| {
@@ -136,7 +105,7 @@ fn counts(progress: &Progress) -> Vec<Text> {
     let said: Vec<Text> = score
         .map(|points| text!("mission-said-score", points = points))
         .into_iter()
-        .chain(pledge.goal.map(|goal| goal.to_string().into()))
+        .chain(pledge.goal.map(Goal::title))
         .collect();
     let said =
         (!said.is_empty()).then(|| text!("mission-pledge-line", words = Text::joined(", ", said)));
@@ -159,18 +128,33 @@ fn objective_line(objective: &ObjectiveProgress, width: usize, look: &Look) -> L
     ])
 }
 
-fn reading_line(readings: &[Reading], look: &Look) -> Line<'static> {
-    let mut spans = Vec::new();
-    for reading in readings {
-        let label = format!("{} {} ", reading.vehicle, look.text(&reading.sensor));
-        spans.push(Span::styled(label, look.style(Role::Muted)));
-        spans.push(Span::raw(format!(
-            "{} {}   ",
-            amount(reading.value),
-            reading.unit
-        )));
+/// What the sensors show and what is left of the loads, as many to a line as fit.
+fn readings(progress: &Progress, width: usize, look: &Look) -> Vec<Line<'static>> {
+    let shown = progress.readings.iter().map(|it| {
+        let value = format!("{} {}", amount(it.value), it.unit);
+        (it.vehicle, &it.sensor, value)
+    });
+    let left = progress.loads.iter().map(|it| {
+        let value = format!("{} {}", it.left, it.unit);
+        (it.vehicle, &it.load, value)
+    });
+    let mut lines: Vec<Line<'static>> = Vec::new();
+    for (vehicle, name, value) in shown.chain(left) {
+        let label = format!("{vehicle} {} ", look.text(name));
+        let value = value.trim_end().to_owned();
+        let wide = label.width() + value.width();
+        match lines.last_mut() {
+            Some(line) if line.width() + GAP + wide <= width => {
+                line.push_span(" ".repeat(GAP));
+            }
+            _ => lines.push(Line::default()),
+        }
+        if let Some(line) = lines.last_mut() {
+            line.push_span(Span::styled(label, look.style(Role::Muted)));
+            line.push_span(value);
+        }
     }
-    Line::from(spans)
+    lines
 }
 
 /// A value with as many decimals as its size deserves.

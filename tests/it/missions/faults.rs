@@ -136,6 +136,16 @@ const REFUSALS: &[(&str, &str, &str)] = &[
 /// The same for what only the whole file shows.
 const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
+        "sensors = [\"s_voc\"]",
+        "sensors = [\"s_voc\"]\nbudget = 942",
+        "32:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 943 credits",
+    ),
+    (
+        "sensors = [\"s_voc\"]",
+        "sensors = [\"s_voc\"]\nbudget = 1072\nloads = { ball = 1, kit = 1, spray = 30 }",
+        "32:10: `budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs 1073 credits",
+    ),
+    (
         "pads = [[0, 0]]",
         "pads = [[0, 500]]",
         "30:9: pad 1 lies beyond the fence `fence`",
@@ -230,7 +240,16 @@ fn what_cannot_be_flown_as_it_is_meant_is_named_at_its_place() {
             .map(|line| line.trim_start_matches(':').to_owned())
             .collect()
     };
-    assert_eq!(found(&fenced), Vec::<String>::new());
+    let affordable = [
+        "",
+        "\nbudget = 943",
+        "\nbudget = 1\nloaner = [\"scout-450\"]",
+    ];
+    for fleet in affordable {
+        let sensors = "sensors = [\"s_voc\"]";
+        let source = fenced.replace(sensors, &format!("{sensors}{fleet}"));
+        assert_eq!(found(&source), Vec::<String>::new(), "{fleet}");
+    }
     for &(old, new, expected) in FAULTS_OF_SENSE {
         assert_eq!(fenced.matches(old).count(), 1, "{old}");
         assert_eq!(found(&fenced.replace(old, new)), [expected], "{new}");

@@ -66,9 +66,9 @@ fn mutated(source: &str, random: &mut ChaCha8Rng) -> String {
     lines.join("\n")
 }
 
-/// What was read can be listed, and flown.
+/// What was read can be listed, examined, and flown.
 fn fly_a_little(mission: Mission) {
-    drop((mission.listing(), mission.places_to_name()));
+    drop((mission.listing(), mission.places_to_name(), mission.check()));
     let nothing = Script::parse("", &Context::default()).expect("an empty script");
     let mut exercise = Exercise::new(Arc::new(mission), 1, nothing, Vec::new());
     for _ in 0..5 {
@@ -78,8 +78,9 @@ fn fly_a_little(mission: Mission) {
 
 #[test]
 fn two_hundred_damaged_missions_are_read_or_refused_with_a_place() {
-    let mut sources: Vec<String> = toml_files(&folder("missions"))
-        .iter()
+    let missions = toml_files(&folder("missions")).into_iter();
+    let mut sources: Vec<String> = missions
+        .chain(toml_files(&folder("missions/drills")))
         .map(|path| std::fs::read_to_string(path).expect("it is there"))
         .collect();
     let basics = folder("tests/data/basics_mission.toml");

@@ -77,7 +77,7 @@ pub fn surveyed() -> Console {
     console
 }
 
-fn drawn(console: &Console, symbols: Symbols, language: Language, size: (u16, u16)) -> String {
+pub fn drawn(console: &Console, symbols: Symbols, language: Language, size: (u16, u16)) -> String {
     let look = Look {
         symbols,
         locale: Arc::new(Locale::new(language)),
@@ -97,7 +97,7 @@ fn drawn(console: &Console, symbols: Symbols, language: Language, size: (u16, u1
     lines.collect::<Vec<_>>().join("\n")
 }
 
-fn resized(mut console: Console, (columns, rows): (u16, u16)) -> Console {
+pub fn resized(mut console: Console, (columns, rows): (u16, u16)) -> Console {
     console.hear(Event::Resize { columns, rows });
     console
 }

@@ -125,3 +125,24 @@ fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
     console.start(Activity::Free);
     assert!(!console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
 }
+
+#[test]
+fn missions_are_listed_with_the_number_that_fly_takes() {
+    let mut console = Console::new();
+    let mut listing = crate::fixtures::listing();
+    listing.id = "07-clearance".to_owned();
+    listing.title = "Clearance team".into();
+    console.state.missions.push(listing);
+    let home = console.screen(80, 24);
+    assert!(home.contains("07 Clearance team"), "{home}");
+    // An id that begins with no number is no name for people.
+    assert!(home.contains("> Air sample at the yard"), "{home}");
+}
+
+#[test]
+fn what_passing_brings_is_told_before() {
+    let mut console = shipped(Language::English);
+    let brief = console.press("B").screen(80, 60);
+    assert!(brief.contains("for passing"), "{brief}");
+    assert!(brief.contains("300 credits, part s_pm25"), "{brief}");
+}

@@ -12,6 +12,7 @@ use crate::text::{Locale, Text, reflow, wrap};
 
 mod fits;
 mod launch;
+mod rewards;
 mod tries;
 
 /// From this width on there are two columns.
@@ -302,6 +303,7 @@ impl Page<'_> {
             let gates = Text::joined(", ", mission.gold_requires.clone());
             rows.push((text!("mission-gold-needs"), gates));
         }
+        rows.extend(self.rewards());
         self.rows(&rows);
     }
 

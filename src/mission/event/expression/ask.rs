@@ -366,7 +366,7 @@ fn read_modes(reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
 impl Question {
     pub(super) fn answer(&self, scope: &Scope<'_>) -> Value {
         match self {
-            Self::Time => Value::Number(scope.now.as_secs_f64()),
+            Self::Time => Value::Number(scope.sight.now.as_secs_f64()),
             Self::Measure(objective) => {
                 Value::Number(scope.standing(*objective).map_or(0.0, |s| s.measure))
             }
@@ -375,14 +375,14 @@ impl Question {
             }
             Self::Met(objective) => Value::Bool(scope.standing(*objective).is_some_and(|s| s.met)),
             Self::Found(hazard) => Value::Number(scope.found(*hazard)),
-            Self::Contacts => Value::Number(scope.contacts.len() as f64),
-            Self::Marks => Value::Number(scope.marks.len() as f64),
+            Self::Contacts => Value::Number(scope.sight.contacts.len() as f64),
+            Self::Marks => Value::Number(scope.sight.marks.len() as f64),
             Self::LowestHeight => Value::Number(scope.lowest_height_m()),
             Self::Speed(sensor) => Value::Number(scope.speed_m_s(sensor)),
             Self::Vehicle(vehicle, field) => field.answer(*vehicle, scope),
             Self::Airborne => Value::Number(scope.flying().count() as f64),
             Self::Lost => {
-                let lost = scope.crafts.iter().filter(|craft| craft.lost);
+                let lost = scope.sight.crafts.iter().filter(|craft| craft.lost);
                 Value::Number(lost.count() as f64)
             }
             Self::LowestBattery => Value::Number(scope.lowest_battery_percent()),
@@ -410,7 +410,7 @@ fn is_among(mode: &str, modes: &[String]) -> bool {
 
 impl Field {
     fn answer(self, vehicle: usize, scope: &Scope<'_>) -> Value {
-        let craft = scope.crafts.get(vehicle);
+        let craft = scope.sight.crafts.get(vehicle);
         let is = |of: fn(&crate::mission::craft::Craft) -> bool| Value::Bool(craft.is_some_and(of));
         let number = |value: Option<f64>| Value::Number(value.unwrap_or(f64::NAN));
         match self {

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::{Expression, Names};
 use crate::mission::craft::Craft;
-use crate::mission::event::scope::Scope;
+use crate::mission::event::scope::{Scope, Sight};
 use crate::mission::zone::{Shape, Zone, ZoneKind};
 use crate::scoring::AlertLevel;
 
@@ -62,12 +62,15 @@ fn holds(source: &str) -> bool {
     let expression = Expression::parse(source, &names(&zones)).expect(source);
     let (vehicles, margins_db) = (BTreeMap::new(), BTreeMap::from([(1, 4.5)]));
     expression.holds(&Scope {
-        now: Duration::from_secs(100),
-        crafts: &crafts,
-        vehicles: &vehicles,
-        standings: &[],
-        contacts: &[],
-        marks: &[],
+        sight: Sight {
+            now: Duration::from_secs(100),
+            crafts: &crafts,
+            vehicles: &vehicles,
+            standings: &[],
+            contacts: &[],
+            marks: &[],
+            last_command: Some(Duration::from_secs(70)),
+        },
         zones: &zones,
         active: &[true, false],
         movers: &[],
@@ -75,7 +78,6 @@ fn holds(source: &str) -> bool {
         fired: &[true, false],
         margins_db: &margins_db,
         wind_m_s: 7.5,
-        last_command: Some(Duration::from_secs(70)),
         chance: (1, 2),
     })
 }

@@ -26,9 +26,9 @@ fn act(pilot: &mut Pilot, deed: &Deed) -> (RowState, String) {
 }
 
 fn left(pilot: &Pilot, load: &str) -> Option<f64> {
-    let readings = pilot.flight.progress().readings;
-    let found = readings.iter().find(|reading| reading.sensor == *load);
-    found.map(|reading| reading.value)
+    let loads = pilot.flight.progress().loads;
+    let found = loads.iter().find(|known| known.load == *load);
+    found.map(|known| f64::from(known.left))
 }
 
 #[test]

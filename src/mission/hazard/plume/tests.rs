@@ -24,8 +24,7 @@ fn field(meander_deg: f64, intermittency: f64, wind: Wind, seed: u64) -> Box<dyn
         substance: Substance::Vapour,
         meander_deg,
         intermittency,
-        position_jitter_m: 0.0,
-        rate_jitter: 0.0,
+        jitter: Jitter::default(),
     };
     let weather = Weather {
         wind,

@@ -3,8 +3,10 @@
 
 use super::ground::Label;
 use crate::app::state::State;
+use crate::commands::Deed;
 use crate::geo::Viewport;
 use crate::mission::Trust;
+use crate::ui::look::Look;
 use crate::ui::theme::Role;
 
 /// How much a contact is trusted, by sign, in the order of the legend.
@@ -15,13 +17,14 @@ pub const SIGNS: [(Trust, char, Role, &str); 3] = [
 ];
 
 /// The words for what has been found and reported. A report that is a contact's has that one's name.
-pub fn labels(state: &State, view: &Viewport) -> Vec<Label> {
+pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     let Some(progress) = &state.session.mission else {
         return Vec::new();
     };
     let mut labels = Vec::new();
     for mark in &progress.marks {
-        let text = format!("#{}", mark.kind.unwrap_or_default());
+        let kind = mark.kind.map(|kind| look.text(&Deed::kind_title(kind)));
+        let text = format!("#{}", kind.unwrap_or_default());
         let cell = view.cell(mark.at);
         labels.extend(cell.map(|cell| Label {
             cell,

@@ -4,13 +4,14 @@ use std::collections::BTreeSet;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use unicode_width::UnicodeWidthStr as _;
 
 use super::canvas::{Canvas, Stroke};
 use super::finds;
 use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
 use crate::app::state::State;
 use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
-use crate::mission::MoverKind;
+use crate::mission::{Ground, MoverKind};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::vehicle::VehicleId;
@@ -54,6 +55,9 @@ pub const fn sign(kind: SketchKind) -> &'static str {
     }
 }
 
+/// The edge of ground that the trainee's map has as burnt.
+pub const BURNT: Stroke = Stroke::solid(Role::Danger);
+
 /// A text at a cell.
 pub struct Label {
     /// Where it begins.
@@ -69,19 +73,20 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     let mut canvas = Canvas::new((view.columns, view.rows), look.symbols);
     let mut labels = Vec::new();
     draw_cells(state, view, &mut canvas, &mut labels);
+    draw_mapped(state, view, &mut canvas);
     for sketch in sketches(state) {
         draw_sketch(&sketch, view, &mut canvas, &mut labels);
     }
     draw_ways(state, view, &mut canvas, &mut labels);
     draw_homes(state, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
-    labels.extend(finds::labels(state, view));
+    labels.extend(finds::labels(state, look, view));
     let map = &state.rooms.map;
     if let Some(mark) = map.mark {
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
     }
     canvas.draw(look, area, buffer);
-    for label in labels {
+    for label in readable(labels) {
         let (column, row) = label.cell;
         let width = area.width.saturating_sub(column);
         let at = (area.x + column, area.y + row);
@@ -93,6 +98,32 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
             look.style(label.role),
         );
     }
+}
+
+/// The labels without those that would be read as one word with another: the later ones are worth more. Where only the
+/// name of something has no room, the sign that it begins with stays.
+fn readable(labels: Vec<Label>) -> Vec<Label> {
+    let mut taken: BTreeSet<(u16, u16)> = BTreeSet::new();
+    let mut kept = Vec::new();
+    for mut label in labels.into_iter().rev() {
+        let (column, row) = label.cell;
+        let width = label.text.width() as u16;
+        // Words with a blank to both sides; signs may stand side by side.
+        let margin = u16::from(width > 1);
+        let mut around = column.saturating_sub(margin)..column + width + margin;
+        if around.any(|at| taken.contains(&(row, at))) {
+            let sign = label.text.chars().next().filter(|c| !c.is_alphanumeric());
+            let sign = sign.filter(|_| !taken.contains(&(row, column)));
+            let Some(sign) = sign else {
+                continue;
+            };
+            label.text = sign.to_string();
+        }
+        let width = label.text.width() as u16;
+        taken.extend((column..column + width).map(|at| (row, at)));
+        kept.push(label);
+    }
+    kept
 }
 
 /// The cells of surveys: their names until they are sampled, then what was found.
@@ -117,6 +148,35 @@ fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut 
         {
             let cell = (column.saturating_sub(width / 2), row);
             labels.push(Label { cell, text, role });
+        }
+    }
+}
+
+/// The ground that has burnt as far as it was seen: the edges that its squares do not share.
+fn draw_mapped(state: &State, view: &Viewport, canvas: &mut Canvas) {
+    let Some(progress) = &state.session.mission else {
+        return;
+    };
+    let Some(first) = progress.mapped.first() else {
+        return;
+    };
+    let key = |ground: &Ground| {
+        let (north_m, east_m) = first.centre.offset_to(ground.centre);
+        let side = |metres: f64| (metres / first.side_m).round() as i32;
+        (side(north_m), side(east_m))
+    };
+    let known: BTreeSet<(i32, i32)> = progress.mapped.iter().map(key).collect();
+    for ground in &progress.mapped {
+        let ((north, east), half_m) = (key(ground), ground.side_m / 2.0);
+        for (to_north, to_east) in [(1, 0), (0, 1), (-1, 0), (0, -1)] {
+            if known.contains(&(north + to_north, east + to_east)) {
+                continue;
+            }
+            let (north_m, east_m) = (f64::from(to_north) * half_m, f64::from(to_east) * half_m);
+            // The ends of an edge lie to both sides of its middle.
+            let from = ground.centre.moved(north_m + east_m, east_m + north_m);
+            let to = ground.centre.moved(north_m - east_m, east_m - north_m);
+            canvas.line(view.dot(from), view.dot(to), BURNT);
         }
     }
 }

@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
 use super::finds;
-use super::ground::{RULER, TARGET, TRAIL, stroke};
+use super::ground::{BURNT, RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
 use crate::app::room::map::SketchKind::{
     Course, Fence, Jamming, KeepOut, NoFly, People, Plan, Radio, Rally, Task,
@@ -109,14 +109,17 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 13] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 14] {
     let map = &state.rooms.map;
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
     let trails = !map.trails_hidden && !map.trails.is_empty();
     let mut vehicles = state.session.vehicles.values();
     let targets = vehicles.any(|vehicle| leg(vehicle).is_some());
+    let mission = state.session.mission.as_ref();
+    let burnt = mission.is_some_and(|it| !it.mapped.is_empty());
     [
+        (burnt, BURNT, "map-legend-burnt"),
         (trails, TRAIL, "map-legend-trail"),
         (targets, TARGET, "map-legend-target"),
         (has(Task), stroke(Task), "map-legend-task"),

@@ -26,10 +26,11 @@ type Sign = (char, Role, &'static str);
 const FOUND: Sign = ('#', Role::Ok, "truth-found");
 const MISSED: Sign = ('X', Role::Danger, "truth-missed");
 const OVER: Sign = ('+', Role::Info, "truth-over");
+const UNASKED: Sign = ('*', Role::Info, "truth-unasked");
 const DECOY: Sign = ('o', Role::Muted, "truth-decoy");
 const FALSE: Sign = ('?', Role::Warning, "truth-false");
 const PAD: Sign = ('H', Role::Title, "map-legend-home");
-const SIGNS: [Sign; 6] = [FOUND, MISSED, OVER, DECOY, FALSE, PAD];
+const SIGNS: [Sign; 7] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, PAD];
 
 /// Draws the map as a pane with a title; the signs that are on it are explained below it.
 pub fn draw(truth: &TruthReport, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -95,6 +96,7 @@ fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
         ("decoy", _) => DECOY,
         (_, true) => FOUND,
         _ if !object.present => OVER,
+        _ if !object.sought => UNASKED,
         _ => MISSED,
     };
     let objects = truth.objects.iter().map(|object| (sign(object), object.at));
@@ -154,9 +156,11 @@ fn legend(
     words.extend(strongest.map(|shade| format!("{shade} {}", look.say("truth-strength"))));
     if !truth.gaps.is_empty() {
         let (line, count) = (GAP.sample(look.symbols), truth.gaps.len());
+        // A piece of it without a blank, at which the words would be broken.
+        let line = line.split(' ').next().unwrap_or_default().to_owned();
         words.push(format!("{line} {} {count}", look.say("truth-gaps")));
     }
-    let lines = wrap(&words.join("   "), width).into_iter();
+    let lines = wrap(&words.join(", "), width).into_iter();
     lines
         .map(|line| Line::from(Span::styled(line, look.style(Role::Muted))))
         .collect()

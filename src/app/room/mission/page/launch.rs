@@ -27,7 +27,7 @@ impl Page<'_> {
             None => open(text!("mission-prediction-none")),
         };
         let goal = match pledge.goal {
-            Some(goal) => Some(goal.to_string().into()),
+            Some(goal) => Some(goal.title()),
             None => open(text!("mission-goal-none")),
         };
         let named = [

@@ -1,0 +1,147 @@
+//! Where nobody has looked, in as few squares as show it.
+
+use super::Grid;
+use crate::mission::Point;
+use crate::mission::objective::Patch;
+
+/// A debrief has no use for more squares than this.
+const MOST: usize = 400;
+
+/// The cells that are not swept, gathered into squares; into coarser ones if there would be too many.
+pub(super) fn gaps(grid: &Grid) -> Vec<Patch> {
+    let coarsest = grid.columns.max(grid.cells.len() / grid.columns.max(1));
+    let tries = (1..=coarsest.max(1)).map(|step| squares(&Blocks::of(grid, step)));
+    tries
+        .into_iter()
+        .find(|squares| squares.len() <= MOST)
+        .unwrap_or_default()
+}
+
+/// Cells by blocks of some size: whether at least half of those in a block are open.
+struct Blocks {
+    corner: Point,
+    side_m: f64,
+    columns: usize,
+    open: Vec<bool>,
+}
+
+impl Blocks {
+    fn of(grid: &Grid, step: usize) -> Self {
+        let rows = grid.cells.len() / grid.columns;
+        let (across, down) = (grid.columns.div_ceil(step), rows.div_ceil(step));
+        let is_open = |block: usize| {
+            let (left, low) = (block % across * step, block / across * step);
+            let (mut open, mut all) = (0, 0);
+            for row in low..(low + step).min(rows) {
+                for column in left..(left + step).min(grid.columns) {
+                    if let Some(swept) = grid.cells[row * grid.columns + column] {
+                        all += 1;
+                        open += usize::from(!swept);
+                    }
+                }
+            }
+            open > 0 && open * 2 >= all
+        };
+        Self {
+            corner: grid.corner,
+            side_m: grid.side_m * step as f64,
+            columns: across,
+            open: (0..across * down).map(is_open).collect(),
+        }
+    }
+
+    /// Whether all of a square of blocks is open.
+    fn is_open(&self, (column, row): (usize, usize), size: usize) -> bool {
+        let rows = self.open.len() / self.columns;
+        column + size <= self.columns
+            && row + size <= rows
+            && (row..row + size).all(|row| {
+                let first = row * self.columns + column;
+                self.open[first..first + size].iter().all(|open| *open)
+            })
+    }
+}
+
+/// Squares that cover the open blocks, each the largest that begins where the one before left off.
+fn squares(blocks: &Blocks) -> Vec<Patch> {
+    let mut left = Blocks {
+        open: blocks.open.clone(),
+        ..*blocks
+    };
+    let mut squares = Vec::new();
+    for at in 0..left.open.len() {
+        let place = (at % left.columns, at / left.columns);
+        let size = (1..=left.columns)
+            .take_while(|size| left.is_open(place, *size))
+            .last();
+        let Some(size) = size else {
+            continue;
+        };
+        for row in place.1..place.1 + size {
+            let first = row * left.columns + place.0;
+            left.open[first..first + size].fill(false);
+        }
+        let middle = |axis: usize, first: usize| {
+            left.corner[axis] + (first as f64 + size as f64 / 2.0) * left.side_m
+        };
+        squares.push(Patch {
+            at: [middle(0, place.0), middle(1, place.1)],
+            side_m: left.side_m * size as f64,
+        });
+    }
+    squares
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mission::zone::Shape;
+
+    fn grid(east_m: f64, north_m: f64, side_m: f64) -> Grid {
+        let corners = vec![[0.0, 0.0], [east_m, 0.0], [east_m, north_m], [0.0, north_m]];
+        Grid::new(&Shape::Polygon(corners), side_m)
+    }
+
+    fn area_m2(patches: &[Patch]) -> f64 {
+        patches
+            .iter()
+            .map(|patch| patch.side_m * patch.side_m)
+            .sum()
+    }
+
+    #[test]
+    fn what_nobody_has_seen_is_a_few_large_squares() {
+        let patches = gaps(&grid(10.0, 40.0, 0.5));
+        assert_eq!(patches.len(), 4);
+        assert!((area_m2(&patches) - 400.0).abs() < 1e-9);
+        let [east_m, north_m] = patches[0].at;
+        assert!((east_m - 5.0).abs() + (north_m - 5.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_has_been_swept_is_no_gap_and_a_strip_between_two_lines_is_one() {
+        let mut grid = grid(5.0, 4.0, 1.0);
+        for (index, cell) in grid.cells.iter_mut().enumerate() {
+            *cell = Some(index % 5 != 2);
+        }
+        let patches = gaps(&grid);
+        let places: Vec<Point> = patches.iter().map(|patch| patch.at).collect();
+        assert_eq!(places, [[2.5, 0.5], [2.5, 1.5], [2.5, 2.5], [2.5, 3.5]]);
+        grid.cells.fill(Some(true));
+        assert_eq!(gaps(&grid), []);
+    }
+
+    #[test]
+    fn a_pattern_of_thousands_of_holes_is_told_in_fewer_squares() {
+        let mut grid = grid(100.0, 100.0, 1.0);
+        for (index, cell) in grid.cells.iter_mut().enumerate() {
+            *cell = Some((index + index / 100) % 2 == 0);
+        }
+        let patches = gaps(&grid);
+        assert!(
+            !patches.is_empty() && patches.len() <= MOST,
+            "{}",
+            patches.len()
+        );
+    }
+}

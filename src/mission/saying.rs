@@ -1,0 +1,28 @@
+//! What a vehicle says.
+
+use crate::vehicle::{StatusText, Vehicle};
+
+/// Listens to the texts of one vehicle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Listener {
+    last: Option<StatusText>,
+    begun: bool,
+}
+
+impl Listener {
+    /// The texts that came since the last call; those from before the first call were for nobody here.
+    pub fn listen<'a>(&mut self, vehicle: &'a Vehicle) -> &'a [StatusText] {
+        let texts = &vehicle.texts;
+        let known = match &self.last {
+            Some(last) => texts
+                .iter()
+                .rposition(|text| text == last)
+                .map_or(0, |at| at + 1),
+            None if self.begun => 0,
+            None => texts.len(),
+        };
+        self.begun = true;
+        self.last = texts.last().cloned();
+        &texts[known..]
+    }
+}

@@ -1,0 +1,77 @@
+//! What cannot wait: alerts of the mission with the time that is left for them, and vehicles that are hardly heard.
+//! It has the whole width, so that no word of it is cut off.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+
+use crate::app::state::State;
+use crate::mission::Progress;
+use crate::scoring::AlertLevel;
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{clip, put, row_of};
+
+/// A vehicle that is heard with a smaller margin may soon not be heard at all.
+const WEAK_DB: f64 = 6.0;
+/// Rows that it takes at most.
+const MOST: usize = 4;
+
+/// Rows that it takes: none while nothing presses.
+pub fn height(state: &State) -> u16 {
+    lines(state).len() as u16
+}
+
+/// Draws it, the most urgent first.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    for (row, (text, role)) in lines(state).into_iter().enumerate() {
+        let here = row_of(area, row as u16);
+        let words = clip(&look.text(&text), usize::from(area.width));
+        // Where it lies over something else, nothing of that is to be read between its words.
+        buffer.set_stringn(
+            here.x,
+            here.y,
+            " ".repeat(usize::from(here.width)),
+            usize::from(here.width),
+            look.style(role),
+        );
+        put(buffer, here, 0, &Line::styled(words, look.style(role)));
+    }
+}
+
+fn lines(state: &State) -> Vec<(Text, Role)> {
+    let progress = state.session.mission.as_ref();
+    let mut lines = match progress {
+        Some(progress) if !state.session.over => all(progress),
+        _ => return Vec::new(),
+    };
+    if lines.len() > MOST {
+        let count = lines.len() + 1 - MOST;
+        lines.truncate(MOST - 1);
+        lines.push((text!("mission-urgent-more", count = count), Role::Warning));
+    }
+    lines
+}
+
+fn all(progress: &Progress) -> Vec<(Text, Role)> {
+    let alerts = progress.alerts.iter().map(|alert| {
+        let role = match alert.level {
+            AlertLevel::Critical => Role::Danger,
+            AlertLevel::Warning => Role::Warning,
+            AlertLevel::Caution => Role::Accent,
+        };
+        let seconds = alert.remaining.as_secs();
+        let text = &alert.text;
+        (text!("mission-alert", seconds = seconds, text = text), role)
+    });
+    let margins = progress.margins_db.iter();
+    let weak = margins.filter(|(_, margin_db)| **margin_db < WEAK_DB);
+    let weak = weak.map(|(vehicle, margin_db)| {
+        let margin = format!("{margin_db:.0}");
+        let text = text!("mission-radio-weak", vehicle = *vehicle, margin = margin);
+        (text, Role::Warning)
+    });
+    alerts.chain(weak).collect()
+}

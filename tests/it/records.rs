@@ -1,0 +1,155 @@
+//! Recorded runs as files: foreign, damaged, on a full disk, of a console that was killed.
+
+use std::fs::{self, File};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::terminal::program;
+
+/// How long the console may take to record something.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The program, with its data in a folder; under a shell's words before it, if there are any.
+fn sortie(data: &Path, before: &str, arguments: &[&str]) -> Command {
+    let mut command = Command::new("bash");
+    let program = program();
+    let line = format!("{before} exec \"$@\"");
+    command.args(["-c", line.as_str(), "bash"]);
+    command.args(&program).args(arguments);
+    command
+        .env("XDG_DATA_HOME", data)
+        .env("XDG_CONFIG_HOME", data)
+        .env("LC_ALL", "C.UTF-8");
+    command
+}
+
+fn run(data: &Path, before: &str, arguments: &[&str]) -> Output {
+    let mut command = sortie(data, before, arguments);
+    command.output().expect("it runs")
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn runs(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.path()).collect()
+}
+
+const FLIGHT: [&str; 6] = [
+    "run",
+    "01",
+    "--pilot",
+    "01-air-sample",
+    "--json",
+    "--no-timing",
+];
+
+#[test]
+fn a_disk_that_fills_up_costs_the_rest_of_the_record_and_nothing_else() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let whole = run(folder.path(), "", &FLIGHT);
+    // Each row: how many kB there is room for, and how many files are left.
+    for (room_kb, left) in [(40, 1), (0, 0)] {
+        let into = folder.path().join(format!("room-{room_kb}"));
+        let name = into.to_string_lossy().into_owned();
+        let limit = format!("trap '' XFSZ; ulimit -f {room_kb};");
+        let output = run(
+            folder.path(),
+            &limit,
+            &[&FLIGHT[..], &["--record", &name]].concat(),
+        );
+        // Its document goes to a pipe, which has no limit.
+        assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+        assert_eq!(output.stdout, whole.stdout);
+        assert_eq!(said(&output).lines().count(), 1, "{}", said(&output));
+        assert!(said(&output).contains(&name), "{}", said(&output));
+        let files = runs(&into);
+        assert_eq!(files.len(), left);
+        for file in files {
+            let record = fs::read_to_string(&file).expect("there");
+            assert!(record.ends_with('\n') && record.len() > 10_000);
+            let name = file.to_string_lossy();
+            let again = run(folder.path(), "", &["debrief", &name]);
+            assert_eq!(again.status.code(), Some(1));
+            assert!(said(&again).contains("has no end"), "{}", said(&again));
+        }
+    }
+}
+
+#[test]
+fn what_is_no_run_is_refused_with_its_name_and_the_reason() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = |name: &str, content: &[u8]| {
+        let path = folder.path().join(name);
+        fs::write(&path, content).expect("written");
+        path.to_string_lossy().into_owned()
+    };
+    let huge = file("huge", b"{\"sortie_run\":1}\n");
+    let hole = File::options().write(true).open(&huge).expect("there");
+    hole.set_len(65 * 1024 * 1024).expect("a hole");
+    for (path, reason) in [
+        (file("empty", b""), "no recorded run"),
+        (file("zeros", &[0; 4096]), "no recorded run"),
+        (file("text", b"schema = 1\nid = \"x\"\n"), "no recorded run"),
+        (file("newer", b"{\"sortie_run\":2}\n"), "version 2"),
+        (
+            file("head", b"{\"sortie_run\":1}\n"),
+            "first line is damaged",
+        ),
+        (huge, "too long"),
+        (folder.path().to_string_lossy().into_owned(), "directory"),
+        (file("gone", b"") + "-not", "No such file"),
+        ("/dev/zero".to_owned(), "too long"),
+    ] {
+        let output = run(folder.path(), "", &["debrief", &path]);
+        let said = said(&output);
+        assert_eq!(output.status.code(), Some(2), "{path}: {said}");
+        assert!(said.contains(reason) && said.contains(&path), "{said}");
+        assert!(output.stdout.is_empty() && !said.contains("panicked"));
+    }
+    let none = run(folder.path(), "", &["debrief"]);
+    assert!(
+        said(&none).contains("no run is recorded in"),
+        "{}",
+        said(&none)
+    );
+}
+
+#[test]
+fn a_console_that_is_killed_leaves_a_record_to_be_read() {
+    let data = tempfile::tempdir().expect("a temporary folder");
+    let arguments = ["fly", "01", "--plain", "--speedup", "20"];
+    let mut console = sortie(data.path(), "", &arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it runs");
+    let mut input = console.stdin.take().expect("a pipe");
+    input
+        .write_all(b"wait all ready\nall guided\nall arm\nall takeoff 20\n")
+        .expect("it reads");
+    let folder = data.path().join("sortie/runs");
+    let deadline = Instant::now() + PATIENCE;
+    let is_flying = |path: &PathBuf| fs::metadata(path).is_ok_and(|file| file.len() > 20_000);
+    while !runs(&folder).iter().any(is_flying) {
+        assert!(Instant::now() < deadline, "nothing is recorded");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    console.kill().expect("it lives");
+    console.wait().expect("it is gone");
+    let record = fs::read_to_string(&runs(&folder)[0]).expect("there");
+    assert!(record.ends_with('\n'), "only whole lines");
+    let again = run(data.path(), "", &["debrief"]);
+    assert_eq!(again.status.code(), Some(1), "{}", said(&again));
+    assert!(said(&again).contains("has no end"), "{}", said(&again));
+    let page = String::from_utf8_lossy(&again.stdout).into_owned();
+    assert!(
+        page.contains("01-air-sample") && page.contains("FLYING"),
+        "{page}"
+    );
+}

@@ -1,0 +1,246 @@
+//! The room of the debrief: the truth on a map, earlier tries, and where its keys lead.
+
+use sortie::app::effect::Effect;
+use sortie::app::event::Event;
+use sortie::app::state::{Activity, Room};
+use sortie::config::Symbols;
+use sortie::scoring::{
+    MarkReport, Medal, ObjectReport, Report, SquareReport, TrackReport, TruthReport, TryReport,
+};
+use sortie::text::Language;
+
+use super::map::{drawn, resized};
+use crate::fixtures;
+use crate::harness::Console;
+
+fn truth() -> TruthReport {
+    let object = |at, kind: &str, found| ObjectReport {
+        at,
+        kind: kind.to_owned(),
+        present: true,
+        found,
+        sought: kind != "decoy",
+    };
+    let square = |at, strength| SquareReport {
+        at,
+        side_m: 20.0,
+        strength,
+    };
+    TruthReport {
+        squares: vec![square([10.0, 90.0], 1.0), square([30.0, 90.0], 0.4)],
+        objects: vec![
+            object([50.0, 40.0], "mine", true),
+            object([70.0, 20.0], "mine", false),
+            object([20.0, 20.0], "decoy", false),
+        ],
+        marks: vec![MarkReport {
+            at: [90.0, 60.0],
+            kind: Some("mine".to_owned()),
+            right: false,
+        }],
+        gaps: vec![square([90.0, 90.0], 0.0)],
+        pads: vec![[0.0, 0.0]],
+        tracks: vec![TrackReport {
+            vehicle: 1,
+            points: vec![[0.0, 0.0], [50.0, 40.0], [50.0, 95.0]],
+        }],
+    }
+}
+
+fn one_try(attempt: u32, score: Option<u16>, medal: Option<Medal>) -> TryReport {
+    TryReport {
+        attempt,
+        when: format!("2026-11-2{attempt}T14:03:22Z"),
+        score,
+        medal,
+        passed: medal.is_some(),
+        seed: 1,
+        revision: 1,
+    }
+}
+
+fn tries() -> Vec<TryReport> {
+    vec![
+        one_try(1, Some(905), Some(Medal::Gold)),
+        one_try(2, None, None),
+        one_try(2, Some(310), None),
+        one_try(3, Some(655), Some(Medal::Bronze)),
+        one_try(4, Some(655), Some(Medal::Bronze)),
+        one_try(5, Some(820), Some(Medal::Silver)),
+        one_try(6, Some(837), Some(Medal::Silver)),
+    ]
+}
+
+/// A mission whose debrief has been open for long enough to take keys.
+fn debriefed(size: (u16, u16)) -> Console {
+    let mut console = Console::new();
+    console.start(Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+    });
+    let report = Report {
+        truth: truth(),
+        tries: tries(),
+        ..fixtures::report()
+    };
+    console.hear(Event::MissionEnded(Box::new(report)));
+    console.at(5);
+    resized(console, size)
+}
+
+fn shown(console: &Console, symbols: Symbols) -> String {
+    drawn(console, symbols, Language::English, console.state.size)
+}
+
+#[test]
+fn the_truth_is_beside_the_text_where_there_is_room_and_behind_a_key_elsewhere() {
+    let console = debriefed((200, 50));
+    insta::assert_snapshot!("debrief_truth_200x50", shown(&console, Symbols::Braille));
+    let mut console = debriefed((80, 24));
+    console.press("m");
+    insta::assert_snapshot!("debrief_truth_80x24", shown(&console, Symbols::Braille));
+    insta::assert_snapshot!("debrief_truth_ascii_80x24", shown(&console, Symbols::Ascii));
+    let ukrainian = drawn(&console, Symbols::Braille, Language::Ukrainian, (80, 24));
+    insta::assert_snapshot!("debrief_truth_uk_80x24", ukrainian);
+    console.press("m");
+    assert!(shown(&console, Symbols::Braille).contains("Score 837"));
+}
+
+#[test]
+fn what_nobody_asked_for_is_not_missed() {
+    let mut truth = truth();
+    for object in &mut truth.objects {
+        object.sought = false;
+    }
+    let mut console = debriefed((80, 24));
+    let report = Report {
+        truth,
+        ..fixtures::report()
+    };
+    console.hear(Event::MissionEnded(Box::new(report)));
+    console.at(10).press("m");
+    let text = shown(&console, Symbols::Ascii);
+    assert!(text.contains("there, not asked for 1"), "{text}");
+    assert!(!text.contains("missed"), "{text}");
+}
+
+#[test]
+fn a_long_title_takes_a_line_more_and_the_outcome_stays() {
+    let mut console = debriefed((80, 24));
+    let report = Report {
+        title: "A title that is a good deal longer than what the line has room for".into(),
+        ..fixtures::report()
+    };
+    console.hear(Event::MissionEnded(Box::new(report)));
+    let text = shown(&console, Symbols::Ascii);
+    assert!(
+        text.contains("longer than what the line") && text.contains("PASSED"),
+        "{text}"
+    );
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("| ")).collect();
+    assert_eq!(lines.len(), 3, "{text}");
+}
+
+#[test]
+fn the_text_in_both_languages() {
+    let console = debriefed((80, 50));
+    for language in Language::ALL {
+        let text = drawn(&console, Symbols::Braille, language, (80, 50));
+        insta::assert_snapshot!(format!("debrief_{}_80x50", language.code()), text);
+    }
+}
+
+#[test]
+fn who_flies_a_mission_again_is_in_the_air_at_once_and_who_comes_to_one_reads_it() {
+    let mut console = Console::new();
+    let mission = |id: &str| Activity::Mission {
+        id: id.to_owned(),
+        title: "Air sample at the yard".into(),
+    };
+    console.start(mission("m01"));
+    assert_eq!(console.state.room, Room::Mission);
+    for room in ["B", "F", "M"] {
+        console.press(room).start(mission("m01"));
+        assert_eq!(console.state.room, Room::Fly, "from {room}");
+    }
+    console.start(mission("m02"));
+    assert_eq!(console.state.room, Room::Mission);
+}
+
+#[test]
+fn a_mission_that_hid_nothing_says_so_instead_of_a_map() {
+    let mut console = debriefed((80, 24));
+    let report = fixtures::report();
+    console.hear(Event::MissionEnded(Box::new(report)));
+    console.at(10).press("m");
+    let text = shown(&console, Symbols::Ascii);
+    assert!(text.contains("nothing to reveal"), "{text}");
+}
+
+#[test]
+fn its_keys_fly_again_alike_the_next_and_lead_home() {
+    for (key, expected) in [
+        ("r", Effect::RestartMission { alike: false }),
+        ("s", Effect::RestartMission { alike: true }),
+    ] {
+        let mut console = debriefed((80, 24));
+        console.press(key);
+        assert_eq!(console.effects, [expected], "{key}");
+    }
+    let mut console = debriefed((80, 24));
+    let mut next = fixtures::listing();
+    next.id = "m02".to_owned();
+    let mut drill = fixtures::listing();
+    drill.id = "d01".to_owned();
+    drill.drill_of = Some("m01".to_owned());
+    console.state.missions.extend([drill, next]);
+    console.press("n");
+    assert_eq!(console.effects, [Effect::StartMission("m02".to_owned())]);
+    console.press("t");
+    assert_eq!(console.effects, [Effect::StartMission("d01".to_owned())]);
+    let mut console = debriefed((80, 24));
+    console.press("n");
+    assert!(console.effects.is_empty());
+    assert!(console.screen(80, 24).contains("no mission after this one"));
+    console.press("h");
+    assert_eq!(console.effects, [Effect::LeaveSession]);
+}
+
+#[test]
+fn keys_that_were_meant_for_the_flight_do_nothing_for_a_second() {
+    let mut console = debriefed((80, 24));
+    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.press("r").press("h");
+    assert!(console.effects.is_empty(), "{:?}", console.effects);
+    assert_eq!(console.state.room, Room::Debrief);
+}
+
+#[test]
+fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
+    let mut console = debriefed((80, 24));
+    assert!(shown(&console, Symbols::Ascii).contains("Score 837"));
+    console.press("h");
+    let mut console = {
+        let tries = console.state.tries.clone();
+        let mut home = Console::new();
+        home.state.tries = tries;
+        home
+    };
+    let home = console.screen(80, 24);
+    assert!(home.contains(" 905 ***"), "{home}");
+    assert!(
+        home.contains("Best of 7 tries: 905 points, gold."),
+        "{home}"
+    );
+    let brief = console.press("B").screen(80, 50);
+    for line in [
+        "your tries, 7 so far",
+        "2026-11-21 14:03  905 points, gold, the best",
+        "2026-11-22 14:03  310 points, no medal",
+        "2026-11-26 14:03  837 points, silver",
+    ] {
+        assert!(brief.contains(line), "{line}: {brief}");
+    }
+    // The five newest and the best: not the one that has no end.
+    assert!(!brief.contains("not finished"), "{brief}");
+}
