@@ -1,4 +1,4 @@
-//! Lists the missions and pilot scripts that the program embeds, and puts the commit that it is made from beside its
+//! Lists the missions, pilot scripts and designs that the program embeds, and puts the commit that it is made from beside its
 //! version, for `--version`.
 //!
 //! Without git, or outside a checkout (a source archive, a package of a registry), the version stands alone.
@@ -33,7 +33,7 @@ type Kind = (
     &'static str,
 );
 
-const KINDS: [Kind; 2] = [
+const KINDS: [Kind; 3] = [
     (
         "MISSIONS",
         "Missions",
@@ -41,6 +41,7 @@ const KINDS: [Kind; 2] = [
         "toml",
     ),
     ("PILOTS", "Pilot scripts", &["missions/pilots"], "pilot"),
+    ("DESIGNS", "Designs of drones", &["designs"], "toml"),
 ];
 
 /// Writes a list per kind of file, by file name without its ending.

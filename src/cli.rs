@@ -32,6 +32,7 @@ mod programs;
 mod run;
 mod settings;
 mod sim;
+mod workshop;
 
 /// What the exit codes mean.
 const EXIT_CODES: &str = "\
@@ -95,6 +96,8 @@ enum Command {
                             sortie check ~/.config/sortie/*.toml\n  \
                             sortie check --fly 01 --seeds 20")]
     Check(check::CheckArguments),
+    /// Parts and designs of drones: what a design can do before it flies.
+    Workshop(workshop::WorkshopArguments),
     /// Prints what is set and who has set it: flag, environment, file or nobody.
     Config(config::ConfigArguments),
     /// Measurements.
@@ -184,6 +187,10 @@ fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Fa
             hangar::hangar(&options, &settings)
         }
         Some(Command::Check(options)) => check::check(&options),
+        Some(Command::Workshop(options)) => {
+            settings.complain();
+            workshop::workshop(&options, &settings)
+        }
         Some(Command::Config(options)) => config::config(&options, &settings),
         Some(Command::Bench(bench)) => bench::bench(&bench, &settings),
         Some(Command::Completions { shell }) => manual::completions(shell),

@@ -13,6 +13,7 @@ use crate::diagnostic::Diagnostic;
 use crate::mission::{Mission, meant};
 use crate::text;
 use crate::text::Text;
+use crate::workshop::Design;
 
 mod folders;
 mod history;
@@ -30,7 +31,7 @@ mod shipped {
     include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 }
 
-use shipped::{MISSIONS, PILOTS};
+use shipped::{DESIGNS, MISSIONS, PILOTS};
 
 /// Files larger than this are refused: no mission, script or theme comes near it.
 const LARGEST_FILE: u64 = 1024 * 1024;
@@ -256,6 +257,24 @@ pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
         let all = merged("file-pilot", PILOTS, "missions/pilots", "pilot");
         named("file-pilot", path_or_name, &all)
     })
+}
+
+/// The design of a path, else of a name.
+///
+/// # Errors
+/// There is no such file or name, the file cannot be read, or what it says is faulty.
+pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
+    let source = at_path("file-design", path_or_name)
+        .unwrap_or_else(|| named("file-design", path_or_name, &designs()))?;
+    Design::from_toml(&source.text).map_err(|faults| StoreError::Faulty {
+        file: source,
+        faults,
+    })
+}
+
+/// All designs of files: the embedded ones, with those of the user's folder added or in their place, by name.
+pub fn designs() -> Vec<Source> {
+    merged("file-design", DESIGNS, "designs", "toml")
 }
 
 /// All missions: the embedded ones, with those of the user's folder added or in their place, by name.

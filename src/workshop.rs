@@ -16,6 +16,7 @@ mod design;
 mod drive;
 mod figures;
 mod forward;
+mod measure;
 mod pack;
 mod part;
 #[cfg(test)]
@@ -26,4 +27,5 @@ pub use catalogue::{part, parts, parts_for};
 pub use check::{Finding, Severity};
 pub use design::{Design, DesignError};
 pub use figures::{Air, Figures, Link};
+pub use measure::{Better, Measure, Sheet};
 pub use part::{Part, Slot};

@@ -8,6 +8,7 @@ file-unknown = there is no { $kind } `{ $name }`: give a path, or one of { $know
 
 file-mission = mission
 file-pilot = pilot script
+file-design = design
 file-parameters = parameter file
 file-frame = airframe
 file-theme = theme

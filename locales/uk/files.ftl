@@ -8,6 +8,7 @@ file-unknown = не знайдено: { $kind } `{ $name }`. Вкажіть шл
 
 file-mission = завдання
 file-pilot = скрипт пілота
+file-design = проєкт
 file-parameters = файл параметрів
 file-frame = файл рами
 file-theme = тема

@@ -1,5 +1,7 @@
 //! What follows from a design.
 
+use serde::Serialize;
+
 use super::design::{Design, Drive};
 use super::drive::VOLTAGE_SHARE;
 use super::forward::Forward;
@@ -51,7 +53,7 @@ impl Air {
 }
 
 /// What a complete design can do.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Figures {
     /// Ready to fly, in kilograms.
     pub mass_kg: f64,

@@ -1,10 +1,13 @@
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
+use std::sync::Arc;
 
 use super::{Profile, ProfileError, ProfileFile, Profiles, RunEntry};
 use crate::campaign::{Course, Entry, Flight, Offer, Refusal, Stake, Standing};
-use crate::mission::Requires;
+use crate::headless::Exercise;
+use crate::language::{Context, Script};
+use crate::mission::{Mission, Requires};
 use crate::scoring::{Medal, Report};
 use crate::text::Text;
 use crate::workshop::{Design, part};
@@ -17,11 +20,19 @@ fn open(data: &Path) -> Profiles {
     profiles
 }
 
+/// That of a flight that has not begun.
+fn report() -> Report {
+    let mission = include_str!("../../../missions/00-first-flight.toml");
+    let mission = Mission::parse(mission).expect("no faults");
+    let script = Script::parse("", &Context::default()).expect("nothing to do");
+    Exercise::new(Arc::new(mission), 1, script, Vec::new()).report()
+}
+
 fn run(id: &str, mission: &str, score: u16) -> RunEntry {
     let report = Report {
         mission: mission.to_owned(),
         score,
-        ..crate::scoring::Report::example()
+        ..report()
     };
     RunEntry {
         id: id.to_owned(),
@@ -70,14 +81,23 @@ fn a_profile_is_found_by_its_name_in_any_case_and_made_once() {
     let profiles = open(data.path());
     let anna = anna(&profiles);
     assert_eq!(profiles.find("ANNA").expect("there"), anna);
-    assert!(matches!(profiles.create("anna", WHEN), Err(ProfileError::Exists { .. })));
+    assert!(matches!(
+        profiles.create("anna", WHEN),
+        Err(ProfileError::Exists { .. })
+    ));
     let unknown = profiles.find("Borys").expect_err("nobody");
     assert!(unknown.to_string().contains("Anna"), "{unknown}");
     for name in ["", "  ", "two\nlines", &"x".repeat(41)] {
-        assert!(matches!(profiles.create(name, WHEN), Err(ProfileError::Name)), "{name:?}");
+        assert!(
+            matches!(profiles.create(name, WHEN), Err(ProfileError::Name)),
+            "{name:?}"
+        );
     }
     profiles.set_lang(&anna, Some("uk")).expect("stored");
-    assert_eq!(profiles.find("Anna").expect("there").lang.as_deref(), Some("uk"));
+    assert_eq!(
+        profiles.find("Anna").expect("there").lang.as_deref(),
+        Some("uk")
+    );
     profiles.delete(&anna).expect("gone");
     assert_eq!(profiles.list().expect("readable"), []);
 }
@@ -101,14 +121,33 @@ fn a_run_counts_once_however_often_it_is_handed_in() {
     let data = tempfile::tempdir().expect("a folder");
     let mut profiles = open(data.path());
     let anna = anna(&profiles);
-    assert!(profiles.store(&anna, &run("a", "one", 800)).expect("stored"));
-    assert!(!profiles.store(&anna, &run("a", "one", 1000)).expect("known"));
-    assert!(profiles.store(&anna, &run("b", "two", 600)).expect("stored"));
+    assert!(
+        profiles
+            .store(&anna, &run("a", "one", 800))
+            .expect("stored")
+    );
+    assert!(
+        !profiles
+            .store(&anna, &run("a", "one", 1000))
+            .expect("known")
+    );
+    assert!(
+        profiles
+            .store(&anna, &run("b", "two", 600))
+            .expect("stored")
+    );
     let history = profiles.history(&anna).expect("readable");
-    assert_eq!(history, ["a", "b"].map(|id| {
-        let (mission, score) = if id == "a" { ("one", 800) } else { ("two", 600) };
-        Entry::Flight(run(id, mission, score).flight)
-    }));
+    assert_eq!(
+        history,
+        ["a", "b"].map(|id| {
+            let (mission, score) = if id == "a" {
+                ("one", 800)
+            } else {
+                ("two", 600)
+            };
+            Entry::Flight(run(id, mission, score).flight)
+        })
+    );
     let reports = profiles.reports(&anna, Some("one")).expect("readable");
     assert_eq!(reports, [(WHEN.to_owned(), run("a", "one", 800).report)]);
     assert_eq!(profiles.reports(&anna, None).expect("readable").len(), 2);
@@ -143,20 +182,37 @@ fn a_profile_that_is_exported_and_imported_is_the_same() {
     let data = tempfile::tempdir().expect("a folder");
     let mut profiles = open(data.path());
     let anna = anna(&profiles);
-    profiles.store(&anna, &run("a", "one", 800)).expect("stored");
-    profiles.buy(&anna, "r_rfd900", &course(), WHEN).expect("paid");
+    profiles
+        .store(&anna, &run("a", "one", 800))
+        .expect("stored");
+    profiles
+        .buy(&anna, "r_rfd900", &course(), WHEN)
+        .expect("paid");
     let design = Design::new("Scout").with(part("fr_5q_226").expect("known"));
     profiles.keep_design(&anna, &design).expect("kept");
     let exported = profiles.export(&anna).expect("readable");
     let read = ProfileFile::read(&exported.write()).expect("just written");
     assert_eq!(read, exported);
-    assert!(matches!(profiles.import(&read, "anna"), Err(ProfileError::Exists { .. })));
+    assert!(matches!(
+        profiles.import(&read, "anna"),
+        Err(ProfileError::Exists { .. })
+    ));
     let copy = profiles.import(&read, "Copy").expect("free");
     let again = profiles.export(&copy).expect("readable");
     assert_eq!(again.write(), exported.write().replacen("Anna", "Copy", 1));
     assert_eq!(profiles.designs(&copy).expect("readable"), [design]);
-    for broken in ["", "{}", "[1]", &exported.write().replacen("\"sortie_profile\": 1", "\"sortie_profile\": 9", 1)] {
-        assert!(matches!(ProfileFile::read(broken), Err(ProfileError::NoProfile { .. })));
+    for broken in [
+        "",
+        "{}",
+        "[1]",
+        &exported
+            .write()
+            .replacen("\"sortie_profile\": 1", "\"sortie_profile\": 9", 1),
+    ] {
+        assert!(matches!(
+            ProfileFile::read(broken),
+            Err(ProfileError::NoProfile { .. })
+        ));
     }
 }
 
@@ -167,13 +223,18 @@ fn a_damaged_file_is_set_aside_and_the_last_copy_takes_its_place() {
     {
         let mut profiles = open(data.path());
         let anna = anna(&profiles);
-        profiles.store(&anna, &run("a", "one", 800)).expect("stored");
+        profiles
+            .store(&anna, &run("a", "one", 800))
+            .expect("stored");
         profiles.back_up().expect("copied");
     }
     fs::write(&file, "this was a database").expect("writable");
     let (profiles, rescue) = Profiles::open(data.path()).expect("restored");
     let rescue = rescue.expect("it was damaged");
-    assert_eq!(fs::read(&rescue.damaged).expect("kept"), b"this was a database");
+    assert_eq!(
+        fs::read(&rescue.damaged).expect("kept"),
+        b"this was a database"
+    );
     assert!(rescue.copy.is_some());
     let anna = profiles.find("Anna").expect("restored");
     assert_eq!(profiles.history(&anna).expect("readable").len(), 1);
@@ -187,7 +248,9 @@ fn damage_in_the_middle_is_found_and_without_a_copy_it_begins_anew() {
         let mut profiles = open(data.path());
         let anna = anna(&profiles);
         for number in 0..40 {
-            profiles.store(&anna, &run(&format!("{number}"), "one", 800)).expect("stored");
+            profiles
+                .store(&anna, &run(&format!("{number}"), "one", 800))
+                .expect("stored");
         }
     }
     let mut bytes = fs::read(&file).expect("readable");
@@ -208,7 +271,9 @@ fn a_database_of_a_newer_version_is_left_as_it_is() {
     {
         let profiles = open(data.path());
         anna(&profiles);
-        let newer = profiles.connection.execute_batch("PRAGMA user_version = 99");
+        let newer = profiles
+            .connection
+            .execute_batch("PRAGMA user_version = 99");
         newer.expect("writable");
     }
     let before = fs::read(&file).expect("readable");

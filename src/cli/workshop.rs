@@ -1,0 +1,301 @@
+//! `sortie workshop`: parts, designs, and what designs can do.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Subcommand};
+use unicode_width::UnicodeWidthStr as _;
+
+use super::Failure;
+use super::settings::Settings;
+use crate::store;
+use crate::text;
+use crate::text::{Locale, Text};
+use crate::workshop::{Air, Design, Measure, Severity, Sheet, Slot, parts_for};
+
+/// Options of `sortie workshop`.
+#[derive(Debug, Args)]
+pub(super) struct WorkshopArguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// The parts that there are, of all slots or of one.
+    Parts {
+        /// frame, motor, propeller, esc, battery, autopilot, navigation, power, radio or payload.
+        slot: Option<String>,
+    },
+    /// What a design consists of, what it can do, and what speaks against it.
+    #[command(after_help = "Examples:\n  \
+                            sortie workshop show starter\n  \
+                            sortie workshop show my-drone.toml --altitude 1500 --battery-temperature -5")]
+    Show {
+        /// A design file, or the name of a design.
+        design: String,
+        #[command(flatten)]
+        air: AirArguments,
+        /// One JSON document instead of a sheet.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Two designs side by side: before, after, and what changes.
+    Compare {
+        /// A design file, or the name of a design.
+        before: String,
+        /// Another one.
+        after: String,
+        #[command(flatten)]
+        air: AirArguments,
+    },
+    /// Writes the airframe of a design for ArduPilot's SITL: NAME.json for `--model`, NAME.parm for `--defaults`.
+    Export {
+        /// A design file, or the name of a design.
+        design: String,
+        /// The folder to write to.
+        #[arg(long, default_value = ".", value_name = "FOLDER")]
+        to: PathBuf,
+    },
+}
+
+/// The air that is flown in.
+#[derive(Debug, Args)]
+struct AirArguments {
+    /// Metres above sea level.
+    #[arg(long, default_value_t = 0.0, value_parser = within::<-400, 6000>, allow_negative_numbers = true, value_name = "M")]
+    altitude: f64,
+    /// Of the air, in degrees Celsius.
+    #[arg(long, default_value_t = 15.0, value_parser = within::<-40, 50>, allow_negative_numbers = true, value_name = "C")]
+    temperature: f64,
+    /// Of the battery, in degrees Celsius.
+    #[arg(long, default_value_t = 25.0, value_parser = within::<-40, 60>, allow_negative_numbers = true, value_name = "C")]
+    battery_temperature: f64,
+}
+
+impl AirArguments {
+    fn air(&self) -> Air {
+        Air {
+            altitude_m: self.altitude,
+            temperature_c: self.temperature,
+            battery_c: self.battery_temperature,
+        }
+    }
+}
+
+fn within<const LEAST: i32, const MOST: i32>(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|value: &f64| (f64::from(LEAST)..=f64::from(MOST)).contains(value))
+        .ok_or_else(|| format!("expected a number from {LEAST} to {MOST}"))
+}
+
+/// Does what was asked for.
+pub(super) fn workshop(
+    options: &WorkshopArguments,
+    settings: &Settings,
+) -> Result<ExitCode, Failure> {
+    let locale = Locale::new(settings.config.lang.unwrap_or_default());
+    match &options.command {
+        Command::Parts { slot } => list_parts(slot.as_deref(), &locale),
+        Command::Show { design, air, json } => {
+            let design = find(design, &locale)?;
+            if *json {
+                show_json(&design, air.air(), &locale)
+            } else {
+                show(&design, air.air(), &locale)
+            }
+        }
+        Command::Compare { before, after, air } => {
+            let (before, after) = (find(before, &locale)?, find(after, &locale)?);
+            compare(&before, &after, air.air(), &locale)
+        }
+        Command::Export { design, to } => export(&find(design, &locale)?, to, &locale),
+    }
+}
+
+fn find(name: &str, locale: &Locale) -> Result<Design, Failure> {
+    store::design(name).map_err(|error| match &error {
+        store::StoreError::Faulty { file, faults } => {
+            let lines = faults
+                .iter()
+                .map(|fault| fault.one_line(&file.name, &file.text));
+            Failure::Invalid(lines.collect::<Vec<_>>().join("\n"))
+        }
+        _ => Failure::Invalid(format!("sortie: {}", locale.text(&Text::from(&error)))),
+    })
+}
+
+fn list_parts(slot: Option<&str>, locale: &Locale) -> Result<ExitCode, Failure> {
+    let known = || Slot::ALL.map(Slot::key).join(", ");
+    let slots: Vec<Slot> = match slot {
+        None => Slot::ALL.to_vec(),
+        Some(key) => Slot::ALL
+            .into_iter()
+            .filter(|slot| slot.key() == key)
+            .collect(),
+    };
+    if slots.is_empty() {
+        let text = text!(
+            "workshop-slot",
+            slot = slot.unwrap_or_default(),
+            known = known()
+        );
+        return Err(Failure::Invalid(format!("sortie: {}", locale.text(&text))));
+    }
+    for slot in slots {
+        say!("{}", locale.text(&slot.name()))?;
+        for part in parts_for(slot) {
+            let name = locale.text(&part.name());
+            say!(
+                "  {:<13} {} {:>7.1} g {:>5} cr",
+                part.id,
+                padded(&name, 40),
+                part.mass_g,
+                part.credits
+            )?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn show(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure> {
+    let heading = |id: &'static str| locale.text(&Text::new(id, Vec::new()));
+    say!("{}", design.name)?;
+    say!("\n{}", heading("workshop-parts"))?;
+    for (part, pieces) in design.pieces() {
+        let slot = locale.text(&part.slot().name());
+        let name = locale.text(&part.name());
+        let mass_g = part.mass_g * f64::from(pieces);
+        let credits = part.credits * pieces;
+        say!(
+            "  {} {pieces:>2} x {} {mass_g:>7.1} g {credits:>5} cr",
+            padded(&slot, 18),
+            padded(&name, 32)
+        )?;
+    }
+    say!("\n{}", heading("workshop-figures"))?;
+    let sheet = Sheet::of(design, air);
+    for measure in Measure::ALL {
+        let value = measure
+            .of(&sheet)
+            .map_or_else(|| "-".to_owned(), |it| measure.shown(it));
+        say!(
+            "  {} {value:>10}",
+            padded(&locale.text(&measure.name()), 22)
+        )?;
+    }
+    say!("\n{}", heading("workshop-findings"))?;
+    let findings = design.findings(air);
+    if findings.is_empty() {
+        say!("  {}", heading("workshop-none"))?;
+    }
+    for finding in &findings {
+        let mark = match finding.severity {
+            Severity::Fault => "x",
+            Severity::Warning => "!",
+        };
+        say!("  {mark} {}", locale.text(&finding.text))?;
+    }
+    Ok(ExitCode::from(u8::from(!design.is_airworthy(air))))
+}
+
+fn show_json(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure> {
+    let sheet = Sheet::of(design, air);
+    let parts: Vec<_> = design
+        .pieces()
+        .map(|(part, pieces)| serde_json::json!({ "slot": part.slot().key(), "part": part.id, "pieces": pieces }))
+        .collect();
+    let findings: Vec<_> = design
+        .findings(air)
+        .iter()
+        .map(|it| {
+            let is_fault = it.severity == Severity::Fault;
+            serde_json::json!({ "slot": it.slot.key(), "fault": is_fault, "text": locale.text(&it.text) })
+        })
+        .collect();
+    let document = serde_json::json!({
+        "name": design.name,
+        "parts": parts,
+        "mass_kg": design.mass_kg(),
+        "credits": design.credits(),
+        "figures": sheet.figures,
+        "findings": findings,
+    });
+    say!("{}", serde_json::to_string_pretty(&document)?)?;
+    Ok(ExitCode::from(u8::from(!design.is_airworthy(air))))
+}
+
+fn compare(
+    before: &Design,
+    after: &Design,
+    air: Air,
+    locale: &Locale,
+) -> Result<ExitCode, Failure> {
+    let (one, two) = (Sheet::of(before, air), Sheet::of(after, air));
+    say!(
+        "{} {:>14} {:>14}",
+        padded("", 22),
+        short(&before.name),
+        short(&after.name)
+    )?;
+    for measure in Measure::ALL {
+        let (from, to) = (measure.of(&one), measure.of(&two));
+        let shown =
+            |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |it| measure.shown(it));
+        let change = from.zip(to).and_then(|(from, to)| measure.change(from, to));
+        let name = padded(&locale.text(&measure.name()), 22);
+        say!(
+            "{name} {:>14} {:>14} {:>14}",
+            shown(from),
+            shown(to),
+            change.unwrap_or_default()
+        )?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<ExitCode, Failure> {
+    let Some(airframe) = design.airframe() else {
+        let text = text!("workshop-incomplete", name = design.name.as_str());
+        return Err(Failure::Invalid(format!("sortie: {}", locale.text(&text))));
+    };
+    let stem: String = design
+        .name
+        .chars()
+        .map(|c| {
+            if c.is_ascii_alphanumeric() {
+                c.to_ascii_lowercase()
+            } else {
+                '-'
+            }
+        })
+        .collect();
+    let frame = folder.join(format!("{stem}.json"));
+    let parameters = folder.join(format!("{stem}.parm"));
+    let lines: String = airframe
+        .parameters
+        .iter()
+        .map(|(name, value)| format!("{name} {value}\n"))
+        .collect();
+    let frame_text = serde_json::to_string_pretty(&airframe.frame)? + "\n";
+    store::write(&frame, &frame_text, true)?;
+    store::write(&parameters, &lines, true)?;
+    let files = format!("{}, {}", frame.display(), parameters.display());
+    say!(
+        "{}",
+        locale.text(&text!("workshop-exported", files = files))
+    )?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A word with spaces after it, so that it is so many columns wide.
+fn padded(word: &str, columns: usize) -> String {
+    let width = word.width();
+    format!("{word}{}", " ".repeat(columns.saturating_sub(width)))
+}
+
+/// A name's beginning, for the head of a column.
+fn short(name: &str) -> String {
+    name.chars().take(14).collect()
+}
