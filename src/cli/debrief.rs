@@ -63,11 +63,9 @@ pub(super) fn debrief(
         let text = text!("record-differs", before = before, now = now);
         eprintln!("sortie: {name}: {}", locale.text(&text));
     }
-    let tries = runs.map_or_else(Vec::new, |runs| runs.tries(&report.mission));
-    report.tries = tries
-        .into_iter()
-        .filter(|one| one.revision == report.revision)
-        .collect();
+    if let Some(runs) = &runs {
+        report.tries = runs.tries_at(&report.mission, report.revision);
+    }
     report.drill = store::drill_of(&report.mission);
     if options.json {
         say!("{}", serde_json::to_string_pretty(&report)?)?;

@@ -51,9 +51,32 @@ pub(super) struct FlyArguments {
     backend: BackendArguments,
 }
 
-/// The home screen.
-pub(super) fn home(settings: Settings) -> Result<ExitCode, Failure> {
-    open(options(Opening::Home, settings)?, false)
+/// Options of `sortie` without a command.
+#[derive(Debug, Args)]
+pub(super) struct HomeArguments {
+    /// What varies the worlds of missions; without it every new try is another one.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Simulated seconds per second.
+    #[arg(long, value_parser = parse_speedup)]
+    speedup: Option<f64>,
+}
+
+impl HomeArguments {
+    /// Whether nothing is set.
+    pub fn is_default(&self) -> bool {
+        self.seed.is_none() && self.speedup.is_none()
+    }
+}
+
+/// The home screen. What is set holds for every mission that is chosen there.
+pub(super) fn home(arguments: &HomeArguments, settings: Settings) -> Result<ExitCode, Failure> {
+    let options = Options {
+        seed: arguments.seed,
+        speedup: arguments.speedup.unwrap_or(1.0),
+        ..options(Opening::Home, settings)?
+    };
+    open(options, false)
 }
 
 /// A mission or free flight.

@@ -163,7 +163,7 @@ impl Plain {
         }
         let state = &self.console.state;
         let heard = state.session.vehicles.len() >= self.expected
-            || state.session.time(state.now) >= HEARD_PATIENCE;
+            || state.now.saturating_sub(state.session.began_at) >= HEARD_PATIENCE;
         self.is_person || (heard && !state.session.is_starting() && self.is_idle())
     }
 

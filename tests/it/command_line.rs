@@ -435,3 +435,18 @@ fn a_full_disk_is_an_error_and_no_panic() {
         text(&output.stderr)
     );
 }
+
+#[test]
+fn what_holds_for_missions_of_the_home_screen_goes_with_no_command() {
+    for arguments in [["--speedup", "4", "doctor"], ["--seed", "7", "man"]] {
+        let output = sortie(&arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&output.stderr).contains("after the command"));
+    }
+    assert_eq!(sortie(&["--speedup", "0"]).status.code(), Some(2));
+    // There is no terminal here, and that is all that is wrong.
+    assert_eq!(
+        sortie(&["--speedup", "4", "--seed", "7"]).status.code(),
+        Some(1)
+    );
+}

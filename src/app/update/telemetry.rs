@@ -124,6 +124,8 @@ pub fn notice(state: &mut State, notice: &Notice) {
 
 pub fn progress(state: &mut State, progress: Progress) {
     if state.session.activity.is_some() {
+        let mission_time = &mut state.session.mission_time;
+        mission_time.note(state.now, progress.elapsed);
         state.rooms.mission.hear(&progress);
         map::measured(state, &progress);
         // What has come up goes by its name from now on.

@@ -11,7 +11,6 @@ use super::course::Course;
 use super::hangar::{Ending, Processes};
 use super::inspection::Inspection;
 use super::links::Links;
-use super::logbook::Logbook;
 use super::swarm::Swarm;
 use crate::app::event::Started;
 use crate::app::state::Activity;
@@ -120,17 +119,16 @@ impl Running {
         backend: &Backend,
         before: Ending,
     ) -> Result<Started, Text> {
-        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
+        let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
         self.simulate(config, backend, before).await?;
-        let name = self.processes.as_ref().map_or("embedded", |_| "ardupilot");
-        let runs = backend.runs.clone();
-        let logbook = runs.map(|runs| Logbook::begin(runs, &mut flight, name));
         let mut course = match self.processes {
             Some(_) => Course::of_processes(flight, backend.speedup),
-            None => Course::embedded(flight, backend.speedup, backend.clock.now()),
+            None => Course::embedded(flight, backend.speedup),
         };
-        course.logbook = logbook;
+        if let Some(runs) = backend.runs.clone() {
+            course.record(runs);
+        }
         self.course = Some(course);
         Ok(Started {
             mission: Some(Box::new(mission.listing())),

@@ -61,6 +61,20 @@ impl Flight {
         self.pledge
     }
 
+    /// The same, as long as it can be changed: until something flies.
+    pub fn open_pledge(&self) -> Option<Pledge> {
+        self.before_launch().is_ok().then_some(self.pledge)
+    }
+
+    /// Takes over what was said before a try in which nothing has flown. It goes on record as if it were said again.
+    pub fn renew(&mut self, pledge: Pledge) {
+        let prediction = pledge.prediction.map(|points| Deed::Predict { points });
+        for deed in prediction.into_iter().chain(pledge.goal.map(Deed::Goal)) {
+            // No command of this try's ledger says it, and one vehicle is enough for a word.
+            self.act(EntryId(0), &deed, &[1]);
+        }
+    }
+
     fn act_with(&mut self, vehicle: VehicleId, deed: &Deed) -> Done {
         match deed {
             Deed::Mark { subject, kind } => match *subject {

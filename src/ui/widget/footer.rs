@@ -111,6 +111,13 @@ const DEBRIEF: &[(&str, &str)] = &[
     (":", "hint-command"),
     ("?", "hint-help"),
 ];
+const NO_DEBRIEF: &[(&str, &str)] = &[
+    ("h", "hint-home"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+];
+/// What can be said before launch only.
+const PLEDGES: [&str; 2] = ["hint-predict", "hint-goal"];
 
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -136,7 +143,9 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     }
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    for (key, what) in hints(state) {
+    let can_pledge = state.can_pledge();
+    let offered = hints(state).iter();
+    for (key, what) in offered.filter(|(_, what)| can_pledge || !PLEDGES.contains(what)) {
         let what = look.say(what);
         used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
@@ -153,6 +162,7 @@ fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
     match state.room {
         Room::Home => HOME,
         Room::Ledger => LEDGER,
+        Room::Debrief if state.rooms.debrief.is_none() => NO_DEBRIEF,
         Room::Debrief => DEBRIEF,
         Room::Vehicle => VEHICLE,
         Room::Map => MAP,
