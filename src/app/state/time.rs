@@ -38,7 +38,8 @@ impl MissionTime {
                 let passed = share / (to - from).as_nanos().max(1);
                 Some(begun + Duration::from_nanos(passed as u64))
             }
-            (Some(mark), None) | (None, Some(mark)) => Some(mark.1),
+            (Some(&(_, elapsed)), None) => Some(elapsed),
+            (None, Some(&(first, elapsed))) => Some(elapsed.saturating_sub(first - then)),
             (None, None) => None,
         }
     }
