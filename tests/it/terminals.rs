@@ -219,7 +219,7 @@ fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
         &["fly", "--plain", "--vehicles", "2", "--speedup", "5"],
         lines,
     );
-    assert_eq!(code, Some(0), "{said}");
+    assert_eq!(code, Some(1), "one line was misspelt:\n{said}");
     for expected in [
         "all arm: 1-2 effect seen",
         "all takeoff 10: 1-2 effect seen",
@@ -245,6 +245,49 @@ fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
         places.is_sorted(),
         "a line waits for those before it:\n{said}"
     );
+}
+
+/// The lines of the readme's example of a pipe, and the arguments of its program.
+fn readme_example() -> (Vec<String>, String) {
+    let readme = include_str!("../../README.md");
+    let example = readme.split("<<'END'\n").nth(1).expect("an example");
+    let (lines, _) = example.split_once("\nEND\n").expect("its end");
+    let (before, _) = readme.split_once(" <<'END'").expect("an example");
+    let command = before.lines().next_back().expect("a command");
+    let words = command.split(' ').skip(1).map(str::to_owned);
+    (words.collect(), format!("{lines}\n"))
+}
+
+#[test]
+fn the_example_of_the_readme_flies_and_comes_back() {
+    let (arguments, lines) = readme_example();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let (said, code) = plain(&arguments, &lines);
+    assert_eq!(code, Some(0), "{said}");
+    for expected in [
+        "all arm: 1-4 effect seen",
+        "all takeoff 20: 1-4 effect seen",
+        "vehicle 4: GUIDED, armed",
+        "all rtl: 1-4 effect seen",
+    ] {
+        assert!(said.contains(expected), "{expected:?} in:\n{said}");
+    }
+    assert!(!said.contains("waited in vain"), "{said}");
+}
+
+#[test]
+fn what_is_refused_in_a_pipe_makes_its_exit_code_1() {
+    let vehicles = ["fly", "--plain", "--vehicles", "1", "--speedup", "10"];
+    let cases = [
+        ("1 guided\n1 goto pad up 10\n", "refused", 1),
+        ("1 guided\n", "1 guided: 1 effect seen", 0),
+        ("wait 1 armed timeout 1s\n", "waited in vain", 1),
+    ];
+    for (lines, expected, exit) in cases {
+        let (said, code) = plain(&vehicles, lines);
+        assert_eq!(code, Some(exit), "{lines}: {said}");
+        assert!(said.contains(expected), "{expected:?} in:\n{said}");
+    }
 }
 
 #[test]

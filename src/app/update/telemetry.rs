@@ -110,6 +110,10 @@ pub fn started(state: &mut State, started: Started) {
 
 pub fn notice(state: &mut State, notice: &Notice) {
     state.notices.push(notice.clone());
+    // What warns of no vehicle shows in no other place of the rooms that list no notices.
+    if notice.vehicle.is_none() && notice.severity <= Severity::Warning && state.room != Room::Fly {
+        state.say(notice.severity, notice.text.clone());
+    }
     if notice.severity <= Severity::Critical {
         let call = Call {
             kind: AlertKind::of_text(&notice.text.to_string()),
