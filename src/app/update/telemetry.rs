@@ -171,3 +171,38 @@ pub fn failed(state: &mut State, text: Text) {
         text,
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vehicle::VehicleId;
+
+    fn said_in(room: Room, vehicle: Option<VehicleId>, severity: Severity) -> Option<String> {
+        let mut state = State::new(Vec::new(), Vec::new(), String::new());
+        state.room = room;
+        let text = Text::from("not recorded");
+        let at = Duration::ZERO;
+        notice(
+            &mut state,
+            &Notice {
+                at,
+                vehicle,
+                severity,
+                text,
+            },
+        );
+        assert_eq!(state.notices.lines().count(), 1);
+        state.message().map(|message| message.text.to_string())
+    }
+
+    #[test]
+    fn what_warns_of_no_vehicle_is_said_in_rooms_without_notices() {
+        let said = Some("not recorded".to_owned());
+        let one = 1;
+        assert_eq!(said_in(Room::Mission, None, Severity::Warning), said);
+        assert_eq!(said_in(Room::Map, None, Severity::Error), said);
+        assert_eq!(said_in(Room::Fly, None, Severity::Warning), None);
+        assert_eq!(said_in(Room::Mission, None, Severity::Info), None);
+        assert_eq!(said_in(Room::Mission, Some(one), Severity::Warning), None);
+    }
+}

@@ -168,11 +168,7 @@ mod tests {
     fn states(deed: &Deed) -> Vec<RowState> {
         let mission = Mission::parse(AIR_SAMPLE).expect("the shipped mission is good");
         let mut flight = Flight::new(Arc::new(mission), 1);
-        let rows = flight.act(
-            EntryId(0),
-            deed,
-            &[VehicleId(3), VehicleId(4), VehicleId(5)],
-        );
+        let rows = flight.act(EntryId(0), deed, &[3, 4, 5]);
         rows.iter().map(|row| row.state).collect()
     }
 
