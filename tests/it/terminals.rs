@@ -315,3 +315,24 @@ fn a_person_is_prompted_and_sees_no_escape_sequence() {
     assert_eq!(terminal.end(), 0);
     assert!(!terminal.raw().contains('\u{1b}'), "{:?}", terminal.raw());
 }
+
+#[test]
+fn without_utf_8_in_the_locale_a_debrief_is_english_too() {
+    let printed = |locale: &str| {
+        let program = program();
+        let output = Command::new(&program[0])
+            .args(&program[1..])
+            .args(["run", "d03", "--seed", "1", "--lang", "uk"])
+            .env("LC_ALL", locale)
+            .output()
+            .expect("the program runs");
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let is_cyrillic = |c: char| ('а'..='я').contains(&c);
+    let plain = printed("C");
+    assert!(
+        plain.contains("DEBRIEF") && !plain.contains(is_cyrillic),
+        "{plain}"
+    );
+    assert!(printed("C.UTF-8").contains(is_cyrillic));
+}
