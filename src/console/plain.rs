@@ -57,8 +57,7 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
         ended: false,
         said_at: Duration::ZERO,
         start: Patience::new(START_PATIENCE),
-        ready: Patience::new(START_PATIENCE),
-        has_begun: is_person,
+        ready: (!is_person).then(|| Patience::new(START_PATIENCE)),
         landing: Patience::new(LANDING_PATIENCE),
         failed: false,
     };
@@ -116,10 +115,8 @@ struct Plain {
     said_at: Duration,
     /// Vehicles that do not start are waited for so long.
     start: Patience,
-    /// Vehicles that are heard but not ready to arm are waited for so long.
-    ready: Patience,
-    /// Whether lines are taken: the vehicles were ready, or that was waited for long enough.
-    has_begun: bool,
+    /// Vehicles that are heard but not ready to arm are waited for so long; `None` once lines are taken.
+    ready: Option<Patience>,
     /// A mission that is as good as passed is waited for so long.
     landing: Patience,
     /// Whether the vehicles did not start, or a line from a pipe could not be carried out.
@@ -149,17 +146,22 @@ impl Plain {
 
     /// Whether the next line can be carried out.
     fn takes_lines(&self) -> bool {
-        !self.ended && (self.is_person || (self.has_begun && self.is_idle()))
+        !self.ended && (self.is_person || (self.ready.is_none() && self.is_idle()))
     }
 
-    /// Whether lines from a pipe can begin, now that it was looked for once more.
-    fn begins(&mut self) -> bool {
+    /// Lets lines from a pipe begin once the vehicles are ready, or that was waited for long enough.
+    fn look_for_ready(&mut self) {
+        let Some(patience) = &mut self.ready else {
+            return;
+        };
         let (session, now) = (&self.console.state.session, self.console.state.now);
         let heard = session.vehicles.len() >= self.expected;
         let heard = heard || session.time(now) >= HEARD_PATIENCE;
         let is_there = heard && !session.is_starting();
-        let waited = self.ready.is_over(is_there, now);
-        is_there && (waited || end::is_ready(session))
+        let waited = patience.is_over(is_there, now);
+        if is_there && (waited || end::is_ready(session)) {
+            self.ready = None;
+        }
     }
 
     /// The stages and the brief are told in lines; there is no room to be in.
@@ -183,7 +185,7 @@ impl Plain {
             tracing::debug!("the plain console has no bell");
         }
         self.hold();
-        self.has_begun = self.has_begun || self.begins();
+        self.look_for_ready();
         let now = self.console.state.now;
         if now.saturating_sub(self.said_at) >= NEWS_EVERY {
             self.said_at = now;
