@@ -116,8 +116,6 @@ const NO_DEBRIEF: &[(&str, &str)] = &[
     (":", "hint-command"),
     ("?", "hint-help"),
 ];
-/// What can be said before launch only.
-const PLEDGES: [&str; 2] = ["hint-predict", "hint-goal"];
 
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -143,9 +141,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     }
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    let can_pledge = state.can_pledge();
-    let offered = hints(state).iter();
-    for (key, what) in offered.filter(|(_, what)| can_pledge || !PLEDGES.contains(what)) {
+    for (key, what) in hints(state).iter().filter(|it| is_of_use(state, it)) {
         let what = look.say(what);
         used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
@@ -155,6 +151,17 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
         spans.push(muted(format!(" {what}  ")));
     }
     Line::from(spans)
+}
+
+/// Whether there is anything that the key could bring now: a further hint of the mission, where it asks for one; the
+/// trainee's word, before launch.
+fn is_of_use(state: &State, (_, what): &(&str, &str)) -> bool {
+    let mission = state.session.mission.as_ref();
+    match *what {
+        "hint-hint" => mission.is_some_and(|mission| mission.clues.next.is_some()),
+        "hint-predict" | "hint-goal" => state.can_pledge(),
+        _ => true,
+    }
 }
 
 /// What the keys of a room do.

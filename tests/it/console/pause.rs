@@ -239,7 +239,7 @@ fn before_launch_the_score_can_be_predicted_and_a_goal_set_while_the_brief_is_re
     console.hear(Event::Mission(Box::new(fixtures::progress())));
     let screen = console.screen(80, 24);
     assert!(!screen.contains("s predict"), "{screen}");
-    assert!(screen.contains("w hint"), "{screen}");
+    assert!(screen.contains("p pause"), "{screen}");
 }
 
 #[test]
