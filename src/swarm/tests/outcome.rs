@@ -140,7 +140,7 @@ fn who_falls_out_where_the_others_find_no_safe_way_ends_it_for_all() {
         let row = turn.rows.iter().find(|row| row.vehicle == id);
         row.and_then(|row| row.explanation.as_ref().map(ToString::to_string))
     };
-    assert!(why(3).is_some_and(|why| why.contains("GUIDED")));
+    assert!(why(3).is_some_and(|why| why.contains("LOITER")));
     for id in 1..=2 {
         assert_eq!(why(id), Some(text!("swarm-no-way").to_string()));
         assert!(!stage.conductor.has(id));
