@@ -231,7 +231,7 @@ impl State {
                 .session
                 .mission
                 .as_ref()
-                .map_or(&[], |mission| mission.injects.as_slice()),
+                .map(|mission| mission.injects.as_slice()),
             macros: &self.config.macros,
             groups: &self.session.groups,
         }

@@ -203,6 +203,35 @@ fn a_script_may_name_places_that_only_its_mission_knows() {
 }
 
 #[test]
+fn a_script_that_belongs_to_a_mission_is_checked_with_its_places_and_vehicles() {
+    let mission = include_str!("../../missions/01-air-sample.toml");
+    let wrong = "all goto mastt\n9 arm\n";
+    let folder = folder_with(&[
+        ("missions/01-air-sample.toml", mission),
+        ("missions/pilots/01-mine.pilot", wrong),
+        ("elsewhere/any.pilot", wrong),
+    ]);
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let any = path("elsewhere/any.pilot");
+    let whole = path("missions");
+    for arguments in [
+        vec![whole.as_str()],
+        vec![&path("missions/pilots/01-mine.pilot")],
+        vec![&path("missions/01-air-sample.toml"), &any],
+    ] {
+        let arguments = [vec!["check"], arguments].concat();
+        let checked = sortie(&arguments);
+        let said = text(&checked.stdout);
+        assert_eq!(checked.status.code(), Some(1), "{said}");
+        assert!(
+            said.contains("pilot:1:10: ") && said.contains("mastt"),
+            "{said}"
+        );
+        assert!(said.contains("pilot:2:1: "), "{said}");
+    }
+}
+
+#[test]
 fn one_unreadable_file_does_not_hide_the_others() {
     let folder = folder_with(&[("bad.pilot", "all fly\n"), ("good.pilot", "all arm\n")]);
     let path = |name| folder.path().join(name).display().to_string();

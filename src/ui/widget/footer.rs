@@ -136,7 +136,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     }
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    for (key, what) in hints(state) {
+    for (key, what) in hints(state).iter().filter(|it| is_of_use(state, it)) {
         let what = look.say(what);
         used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
@@ -146,6 +146,12 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
         spans.push(muted(format!(" {what}  ")));
     }
     Line::from(spans)
+}
+
+/// Whether there is anything that the key could bring now: a further hint of the mission, where it asks for one.
+fn is_of_use(state: &State, (_, what): &(&str, &str)) -> bool {
+    let mission = state.session.mission.as_ref();
+    *what != "hint-hint" || mission.is_some_and(|mission| mission.clues.next.is_some())
 }
 
 /// What the keys of a room do.
