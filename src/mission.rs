@@ -75,6 +75,11 @@ pub use schema::schema;
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
 
+/// Whether something that happens so often happens now, both in whole steps.
+pub(crate) fn is_due(now: Duration, every: Duration) -> bool {
+    now.as_millis().is_multiple_of(every.as_millis())
+}
+
 /// How far apart the pads of an enlarged mission lie.
 const ROW_SPACING_M: f64 = 6.0;
 

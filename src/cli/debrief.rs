@@ -34,7 +34,7 @@ pub(super) fn debrief(
     options: &DebriefArguments,
     settings: &Settings,
 ) -> Result<ExitCode, Failure> {
-    let locale = Locale::new(settings.config.lang.unwrap_or_default());
+    let locale = Locale::new(settings.language());
     let folders = settings.folders.as_ref();
     let runs = folders.map(|folders| Runs::within(&folders.data));
     let path = match (options.run.as_str(), &runs) {

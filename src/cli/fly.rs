@@ -9,14 +9,13 @@ use clap::Args;
 use super::backend::{self, BackendArguments};
 use super::settings::Settings;
 use super::{Failure, parse_speedup, runtime};
-use crate::config::Symbols;
 use crate::console::{self, Opening, Options, Preferences};
 use crate::hangar::Backend;
 use crate::link::Address;
 use crate::store::{History, Runs};
 use crate::terminal::Environment;
 use crate::text;
-use crate::text::{Language, Locale, Text};
+use crate::text::{Locale, Text};
 use crate::ui::Look;
 
 /// Simulated vehicles in free flight, unless told otherwise.
@@ -102,17 +101,10 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
 /// How things are shown: as set, else as the terminal can.
 fn look(settings: &Settings) -> Look {
     let environment = Environment::of_process();
-    let config = &settings.config;
-    let symbols = config.symbols.unwrap_or_else(|| environment.symbols());
-    // Words of other scripts would be nothing but question marks.
-    let language = match symbols {
-        Symbols::Ascii => Language::English,
-        _ => config.lang.unwrap_or_default(),
-    };
     Look {
         theme: settings.theme.for_colours(environment.colour_depth()),
-        locale: Arc::new(Locale::new(language)),
-        symbols,
+        locale: Arc::new(Locale::new(settings.language())),
+        symbols: settings.symbols(),
     }
 }
 

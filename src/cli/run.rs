@@ -102,7 +102,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let mission = Arc::new(load_mission(&options.mission)?);
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
-    let locale = Locale::new(settings.config.lang.unwrap_or_default());
+    let locale = Locale::new(settings.language());
     let started = Instant::now();
     let mut witness = Witness::new(options, &locale, &mission.id);
     let mut report = match &backend.ardupilot {

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Crew, HEARTBEAT_EVERY, SESSION_POLL, is_due};
+use super::{Crew, HEARTBEAT_EVERY, SESSION_POLL};
 use crate::language::Script;
-use crate::mission::{Clock, Flight, Mission, Report as MissionReport, TICK};
+use crate::mission::{Clock, Flight, Mission, Report as MissionReport, TICK, is_due};
 use crate::notice::Notice;
 use crate::vehicle::VehicleId;
 

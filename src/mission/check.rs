@@ -144,7 +144,3 @@ impl<'m> Entry<'m> {
         Duration::try_from_secs_f64(seconds).ok()
     }
 }
-
-fn distance_m(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
-}

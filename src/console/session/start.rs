@@ -100,7 +100,10 @@ impl Running {
             Plan::Mission(mission) => running.start_mission(mission, backend, before).await?,
             Plan::Free(_) => {
                 running.simulate(row(), backend, before).await?;
-                started(Activity::Free)
+                Started {
+                    places: free_flight_places(),
+                    ..started(Activity::Free)
+                }
             }
             Plan::Connect(addresses) => {
                 let names = addresses.iter().map(ToString::to_string).collect();
@@ -179,6 +182,13 @@ impl Running {
         }
         Ok(())
     }
+}
+
+/// The places of free flight: where it begins, as a mission's pad is called and as the vehicles call it.
+fn free_flight_places() -> BTreeMap<String, LatLon> {
+    ["home", "pad"]
+        .map(|name| (name.to_owned(), FREE_FLIGHT_START.at))
+        .into()
 }
 
 fn started(activity: Activity) -> Started {

@@ -9,7 +9,7 @@ use toml::de::DeValue;
 use super::Faults;
 use super::head::is_mission_id;
 use crate::mission::campaign::{Requires, Rewards, Unlock};
-use crate::mission::event::standard;
+use crate::mission::event::standard::Standard;
 use crate::mission::radio::MODELS;
 use crate::mission::sensor::SENSORS;
 use crate::scoring::Medal;
@@ -154,9 +154,9 @@ fn unlocked(written: &Spanned<String>, faults: &mut Faults) -> Option<Unlock> {
             Some(Unlock::Mission(name))
         }
         "threat" => {
-            if !standard::NAMES.contains(&name.as_str()) {
+            if Standard::named(&name).is_none() {
                 let name = Spanned::new(written.span(), name.clone());
-                faults.unknown("threat", &name, &standard::NAMES);
+                faults.unknown("threat", &name, &Standard::names());
             }
             Some(Unlock::Threat(name))
         }

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::commands::{Deed, Goal};
-use crate::ledger::RowState;
+use crate::commands::{Deed, Goal, Manoeuvre};
+use crate::ledger::{Given, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
+use crate::vehicle::Unheard;
 
 /// The second mission with two hints of ours to be asked for instead of its own.
 fn with_clues() -> Arc<Mission> {
@@ -79,6 +80,58 @@ fn a_goal_is_reached_by_a_flight_that_passes_only() {
         idle.flight.abandon();
         assert!(!idle.report().goal.expect("it was set").reached);
     }
+}
+
+#[test]
+fn who_holds_a_place_is_at_work_and_who_was_dismissed_is_idle() {
+    for (verb, is_at_work) in [
+        ("relay to", true),
+        ("formation", true),
+        ("orbit", true),
+        ("survey", false),
+        ("relay", false),
+        (Manoeuvre::Disband.name(), false),
+    ] {
+        let mut pilot = Pilot::new(1);
+        pilot.take_off(20.0);
+        let given = Given {
+            verb,
+            ..Given::default()
+        };
+        pilot.ledger.open(pilot.now, given, &[1]);
+        pilot.wait(60.0);
+        let idle = pilot.flight.vehicle_uses()[0].idle;
+        assert_eq!(idle.is_zero(), is_at_work, "{verb}: {idle:?}");
+    }
+}
+
+#[test]
+fn who_flies_on_unheard_is_not_idle() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    let start = pilot.flight.mission().starts()[0].at;
+    pilot.vehicle().link.lost = true;
+    for second in 0..60 {
+        pilot.vehicle().unheard = Some(Unheard {
+            at: start.moved(3.0 * f64::from(second), 0.0),
+            altitude_m: 20.0,
+            boot_ms: 0,
+        });
+        pilot.wait(1.0);
+    }
+    assert_eq!(pilot.flight.vehicle_uses()[0].idle, Duration::ZERO);
+}
+
+#[test]
+fn vehicles_that_nobody_has_heard_have_numbers_of_their_own() {
+    let source = include_str!("../../../missions/12-relay-chain.toml");
+    let mission = Arc::new(Mission::parse(source).expect("it is good"));
+    let count = mission.vehicles;
+    let mut flight = Flight::new(mission, 1);
+    let heard = BTreeMap::from([(2, Vehicle::new(2, 1))]);
+    drop(flight.step(Duration::ZERO, &heard, &Ledger::new()));
+    let ids: Vec<VehicleId> = flight.vehicle_uses().iter().map(|it| it.vehicle).collect();
+    assert_eq!((ids.len(), &ids[..3]), (count, &[2, 1, 3][..]));
 }
 
 #[test]
