@@ -169,7 +169,7 @@ fn open(options: Options, plain: bool) -> Result<ExitCode, Failure> {
     let runtime = runtime()?;
     let outcome = runtime.block_on(async {
         if plain {
-            console::plain::run(options, std::io::stdin().is_terminal()).await
+            Box::pin(console::plain::run(options, std::io::stdin().is_terminal())).await
         } else {
             console::run(options).await.map(|()| true)
         }

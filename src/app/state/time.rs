@@ -34,12 +34,15 @@ impl MissionTime {
         let before = next.checked_sub(1).and_then(|last| self.marks.get(last));
         match (before, self.marks.get(next)) {
             (Some(&(from, begun)), Some(&(to, until))) => {
-                let share = (then - from).as_nanos() * (until.saturating_sub(begun)).as_nanos();
-                let passed = share / (to - from).as_nanos().max(1);
-                Some(begun + Duration::from_nanos(passed as u64))
+                let share = then
+                    .saturating_sub(from)
+                    .div_duration_f64(to.saturating_sub(from));
+                Some(begun + until.saturating_sub(begun).mul_f64(share))
             }
             (Some(&(_, elapsed)), None) => Some(elapsed),
-            (None, Some(&(first, elapsed))) => Some(elapsed.saturating_sub(first - then)),
+            (None, Some(&(first, elapsed))) => {
+                Some(elapsed.saturating_sub(first.saturating_sub(then)))
+            }
             (None, None) => None,
         }
     }

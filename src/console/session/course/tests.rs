@@ -121,7 +121,7 @@ fn a_demand_that_cannot_be_told_stays_before_the_newer_ones() {
     });
     assert_eq!(
         (told.as_slice(), wanted.make_contiguous()),
-        (&all[..1], &mut all.clone()[1..])
+        (&all[..1], &mut { all }[1..])
     );
     tell_demands(&mut wanted, is_heard, |demand| {
         told.push(demand);
