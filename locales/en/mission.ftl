@@ -163,6 +163,7 @@ mission-goal = your goal
 mission-goal-none = g sets one, such as `goal time 200s`: score, time, battery, safety, commands, attention
 mission-reading = the clock
 mission-reading-is = it runs; p stops it while you read
+mission-reading-paused = it stands still; p lets it go on
 mission-then = to begin
 mission-then-is = Enter shows the drones, `:` takes commands, ? explains both
 mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported { $reported }

@@ -171,6 +171,7 @@ mission-goal = ваша мета
 mission-goal-none = g - поставити її, як-от `goal time 200s`: score, time, battery, safety, commands, attention
 mission-reading = годинник
 mission-reading-is = іде; p зупиняє його, поки ви читаєте
+mission-reading-paused = стоїть; p пускає його далі
 mission-then = початок
 mission-then-is = Enter показує дрони, `:` приймає команди, ? пояснює і те, і те
 mission-contacts-count = контакти { $count }, підтв. { $confirmed }, пов. { $reported }

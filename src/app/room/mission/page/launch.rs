@@ -46,7 +46,13 @@ impl Page<'_> {
             ),
             (
                 text!("mission-reading"),
-                self.can_pause().then(|| text!("mission-reading-is")),
+                self.can_pause().then(|| {
+                    if self.state.session.paused {
+                        text!("mission-reading-paused")
+                    } else {
+                        text!("mission-reading-is")
+                    }
+                }),
             ),
             (text!("mission-then"), open(text!("mission-then-is"))),
         ];
