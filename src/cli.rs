@@ -50,6 +50,7 @@ const EXIT_CODES: &str = "\
                   Without a command: the console's home screen, on the embedded simulator.",
     after_help = "Examples:\n  \
                   sortie                                     the home screen\n  \
+                  sortie --speedup 4                         the same; missions pass four times as fast\n  \
                   sortie fly 01                              the first mission\n  \
                   sortie connect tcp:127.0.0.1:5760          vehicles that are there\n  \
                   sortie run 01 --pilot 01-air-sample --json without a console"
@@ -57,6 +58,8 @@ const EXIT_CODES: &str = "\
 pub struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
+    #[command(flatten)]
+    home: fly::HomeArguments,
     #[command(flatten)]
     common: Common,
 }
@@ -138,7 +141,7 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 pub fn main(arguments: Arguments) -> ExitCode {
     let outcome = settings::gather(&arguments.common).and_then(|settings| {
         start_log(&settings)?;
-        dispatch(arguments.command, settings)
+        dispatch(arguments.command, &arguments.home, settings)
     });
     match outcome {
         Ok(code) => code,
@@ -161,9 +164,16 @@ fn is_closed_pipe(error: &anyhow::Error) -> bool {
         .is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
-fn dispatch(command: Option<Command>, settings: Settings) -> Result<ExitCode, Failure> {
+fn dispatch(
+    command: Option<Command>,
+    home: &fly::HomeArguments,
+    settings: Settings,
+) -> Result<ExitCode, Failure> {
     match command {
-        None => fly::home(settings),
+        None => fly::home(home, settings),
+        Some(_) if !home.is_default() => Err(Failure::Invalid(
+            "sortie: --seed and --speedup go after the command".to_owned(),
+        )),
         Some(Command::Fly(options)) => fly::fly(&options, settings),
         Some(Command::Connect { addresses, plain }) => fly::connect(addresses, plain, settings),
         Some(Command::Run(options)) => {

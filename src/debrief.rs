@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::notice::sanitised;
-use crate::scoring::{ObjectiveReport, Report};
+use crate::scoring::{EMBEDDED, ObjectiveReport, Report};
 use crate::text;
 use crate::text::{Locale, Text, wrap};
 
@@ -66,7 +66,7 @@ impl Page<'_> {
             None => self.locale.say("debrief-no-medal"),
         };
         let backend = match report.backend.as_str() {
-            "embedded" => text!("debrief-embedded"),
+            EMBEDDED => text!("debrief-embedded"),
             name => name.into(),
         };
         let first = text!(

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::language::Script;
-use crate::mission::{Flight, Mission, Report as MissionReport, TICK};
+use crate::mission::{Flight, Mission, Report as MissionReport, TICK, is_due};
 use crate::notice::Notice;
 use crate::sim::{Airframe, PortId, World, WorldConfig};
 
@@ -122,8 +122,4 @@ impl Exercise {
         }
         self.crew.note(index);
     }
-}
-
-fn is_due(now: Duration, every: Duration) -> bool {
-    now.as_millis().is_multiple_of(every.as_millis())
 }

@@ -25,8 +25,9 @@ pub use component::{Component, ComponentScore, Weights};
 pub use gate::Gate;
 pub use hints::HintsUsed;
 pub use report::{
-    AlertReport, ComponentReport, EventReport, GoalReport, HintReport, LedgerReport,
-    ObjectiveReport, PredictionReport, Report, RowReport, TryReport, UseReport, rounded,
+    ARDUPILOT, AlertReport, ComponentReport, EMBEDDED, EventReport, GoalReport, HintReport,
+    LedgerReport, ObjectiveReport, PredictionReport, Report, RowReport, TryReport, UseReport,
+    rounded,
 };
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};

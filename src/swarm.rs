@@ -253,7 +253,7 @@ impl Conductor {
             .iter()
             .flat_map(|act| act.stops(&free, vehicles))
             .collect();
-        self.release(&free, &"formation off".into(), vehicles, now);
+        self.release(&free, &call.manoeuvre.name().into(), vehicles, now);
         self.waiting.steering.extend(stops);
         let row = |state, explanation: Option<Text>| {
             move |vehicle: VehicleId| RowUpdate {

@@ -83,6 +83,8 @@ console-usage = usage: { $usage }
 console-unknown = `{ $word }` is not known here
 console-known = there are: { $names }
 console-none = there are none
+console-no-injects = this mission allows no injects
+console-no-mission = injects need a mission under way
 console-kind-theme = theme
 
 console-show = go to a room

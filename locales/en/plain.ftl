@@ -30,3 +30,4 @@ plain-asked-required = objective, required: { $title }, { $target }, { $points }
 plain-limits = { $seconds } s at most, par { $par } s; gold from { $gold }, silver from { $silver }, bronze from { $bronze }
 plain-contact = contact { $name }, { $kind }, at { $place }: { $trust }
 plain-help-contacts = contacts: what detectors have found, and how many reports you have made
+plain-garbled = this line is not UTF-8 and was left out: { $line }

@@ -84,6 +84,8 @@ console-usage = як писати: { $usage }
 console-unknown = `{ $word }` тут невідоме
 console-known = є такі: { $names }
 console-none = таких немає
+console-no-injects = у цьому завданні вводити події не дозволено
+console-no-mission = вводити події можна лише під час завдання
 console-kind-theme = тема
 
 console-show = перейти на екран

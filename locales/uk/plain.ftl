@@ -34,3 +34,4 @@ plain-asked-required = обов'язкова ціль: { $title }, { $target }, 
 plain-limits = щонайбільше { $seconds } s, норма { $par } s; золото від { $gold }, срібло від { $silver }, бронза від { $bronze }
 plain-contact = контакт { $name }, { $kind }, місце { $place }: { $trust }
 plain-help-contacts = contacts: що знайшли датчики і скільки доповідей ви зробили
+plain-garbled = цей рядок не є UTF-8, його пропущено: { $line }

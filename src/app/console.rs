@@ -307,6 +307,15 @@ fn read(
             let addresses = given.iter().map(|word| (*word).to_owned()).collect();
             Ok(ConsoleLine::Connect(addresses))
         }
+        Kind::Inject if names.injects.is_none_or(<[_]>::is_empty) => {
+            let why = match names.injects {
+                Some(_) => text!("console-no-injects"),
+                None => text!("console-no-mission"),
+            };
+            // The verb itself is what is wrong here, whatever may follow.
+            let start = line.len() - line.trim_start().len();
+            Err(Diagnostic::new(start..start + verb.name.len(), why))
+        }
         Kind::Inject => known(0).map(|name| ConsoleLine::Inject(name.to_owned())),
         Kind::Macro => known(0).map(|name| ConsoleLine::Macro(name.to_owned())),
         Kind::Theme => known(0).map(|name| ConsoleLine::Set(Setting::Theme(name.to_owned()))),

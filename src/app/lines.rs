@@ -25,7 +25,7 @@ pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
     let names = Names {
         themes,
         missions: &[],
-        injects: &[],
+        injects: None,
         macros: &BTreeMap::new(),
         groups: &BTreeMap::new(),
     };

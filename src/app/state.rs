@@ -25,6 +25,7 @@ mod links;
 mod notices;
 mod overlay;
 mod session;
+mod time;
 
 pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
@@ -42,6 +43,7 @@ pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Asked, Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
 pub use session::{Activity, Session};
+pub use time::MissionTime;
 
 /// The smallest terminal that the console fits into: columns and rows.
 pub const SMALLEST: (u16, u16) = (80, 24);
@@ -231,7 +233,7 @@ impl State {
                 .session
                 .mission
                 .as_ref()
-                .map_or(&[], |mission| mission.injects.as_slice()),
+                .map(|mission| mission.injects.as_slice()),
             macros: &self.config.macros,
             groups: &self.session.groups,
         }
@@ -249,6 +251,12 @@ impl State {
     /// The listing of the mission that is being flown.
     pub fn flown_mission(&self) -> Option<&MissionListing> {
         self.session.listing.as_deref()
+    }
+
+    /// Whether the trainee can still say what is to come of the flight.
+    pub fn can_pledge(&self) -> bool {
+        let progress = self.session.mission.as_ref();
+        !self.session.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
     /// The trainee's best try at a mission; of equal ones the first.

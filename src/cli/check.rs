@@ -12,11 +12,11 @@ use super::{Failure, settings};
 use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store::{self, Source};
 
 mod fly;
+mod script;
 
 /// Options of `sortie check`.
 #[derive(Debug, Args)]
@@ -78,7 +78,9 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     for path in files {
         match store::read(path, "file-any") {
             Ok(source) => {
-                let (faults, notes) = examined(kind(path, &source.text), path, &source, &known);
+                let others = (&known, options.files.as_slice());
+                let kind = kind(path, &source.text);
+                let (faults, notes) = examined(kind, path, &source, others);
                 for fault in &faults {
                     say!("{}", fault.one_line(&source.name, &source.text))?;
                 }
@@ -185,12 +187,12 @@ fn kind(path: &Path, text: &str) -> Kind {
     best.map_or(Kind::Mission, |&(kind, ..)| kind)
 }
 
-/// Faults, and what is only worth a word.
+/// Faults, and what is only worth a word. The others are the missions that there are, and all files that were named.
 fn examined(
     kind: Kind,
     path: &Path,
     source: &Source,
-    missions: &BTreeSet<String>,
+    (missions, named): (&BTreeSet<String>, &[PathBuf]),
 ) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
     let text = &source.text;
     let faults = match kind {
@@ -220,15 +222,7 @@ fn examined(
             }
             Err(faults) => Some(faults),
         },
-        Kind::Script => {
-            // Which mission it will fly, nobody has said: its places may have any name.
-            let context = Context {
-                places: None,
-                areas: None,
-                ..Context::default()
-            };
-            Script::parse(text, &context).err()
-        }
+        Kind::Script => script::faults(path, text, named),
     };
     (faults.unwrap_or_default(), Vec::new())
 }

@@ -36,7 +36,7 @@ pub(super) fn config(options: &ConfigArguments, settings: &Settings) -> Result<E
             say!("{name} = {value}")?;
         }
     } else if options.keys {
-        let locale = Locale::new(settings.config.lang.unwrap_or_default());
+        let locale = Locale::new(settings.language());
         say!("{}", settings.keymap.show(&locale).trim_end())?;
     } else {
         say!("# A value comes from the first that has it: flag, environment, file, default.")?;

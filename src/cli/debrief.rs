@@ -34,7 +34,7 @@ pub(super) fn debrief(
     options: &DebriefArguments,
     settings: &Settings,
 ) -> Result<ExitCode, Failure> {
-    let locale = Locale::new(settings.config.lang.unwrap_or_default());
+    let locale = Locale::new(settings.language());
     let folders = settings.folders.as_ref();
     let runs = folders.map(|folders| Runs::within(&folders.data));
     let path = match (options.run.as_str(), &runs) {
@@ -63,11 +63,9 @@ pub(super) fn debrief(
         let text = text!("record-differs", before = before, now = now);
         eprintln!("sortie: {name}: {}", locale.text(&text));
     }
-    let tries = runs.map_or_else(Vec::new, |runs| runs.tries(&report.mission));
-    report.tries = tries
-        .into_iter()
-        .filter(|one| one.revision == report.revision)
-        .collect();
+    if let Some(runs) = &runs {
+        report.tries = runs.tries_at(&report.mission, report.revision);
+    }
     report.drill = store::drill_of(&report.mission);
     if options.json {
         say!("{}", serde_json::to_string_pretty(&report)?)?;

@@ -9,14 +9,13 @@ use clap::Args;
 use super::backend::{self, BackendArguments};
 use super::settings::Settings;
 use super::{Failure, parse_speedup, runtime};
-use crate::config::Symbols;
 use crate::console::{self, Opening, Options, Preferences};
 use crate::hangar::Backend;
 use crate::link::Address;
 use crate::store::{History, Runs};
 use crate::terminal::Environment;
 use crate::text;
-use crate::text::{Language, Locale, Text};
+use crate::text::{Locale, Text};
 use crate::ui::Look;
 
 /// Simulated vehicles in free flight, unless told otherwise.
@@ -51,9 +50,32 @@ pub(super) struct FlyArguments {
     backend: BackendArguments,
 }
 
-/// The home screen.
-pub(super) fn home(settings: Settings) -> Result<ExitCode, Failure> {
-    open(options(Opening::Home, settings)?, false)
+/// Options of `sortie` without a command.
+#[derive(Debug, Args)]
+pub(super) struct HomeArguments {
+    /// What varies the worlds of missions; without it every new try is another one.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Simulated seconds per second.
+    #[arg(long, value_parser = parse_speedup)]
+    speedup: Option<f64>,
+}
+
+impl HomeArguments {
+    /// Whether nothing is set.
+    pub fn is_default(&self) -> bool {
+        self.seed.is_none() && self.speedup.is_none()
+    }
+}
+
+/// The home screen. What is set holds for every mission that is chosen there.
+pub(super) fn home(arguments: &HomeArguments, settings: Settings) -> Result<ExitCode, Failure> {
+    let options = Options {
+        seed: arguments.seed,
+        speedup: arguments.speedup.unwrap_or(1.0),
+        ..options(Opening::Home, settings)?
+    };
+    open(options, false)
 }
 
 /// A mission or free flight.
@@ -102,17 +124,10 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
 /// How things are shown: as set, else as the terminal can.
 fn look(settings: &Settings) -> Look {
     let environment = Environment::of_process();
-    let config = &settings.config;
-    let symbols = config.symbols.unwrap_or_else(|| environment.symbols());
-    // Words of other scripts would be nothing but question marks.
-    let language = match symbols {
-        Symbols::Ascii => Language::English,
-        _ => config.lang.unwrap_or_default(),
-    };
     Look {
         theme: settings.theme.for_colours(environment.colour_depth()),
-        locale: Arc::new(Locale::new(language)),
-        symbols,
+        locale: Arc::new(Locale::new(settings.language())),
+        symbols: settings.symbols(),
     }
 }
 
@@ -154,7 +169,7 @@ fn open(options: Options, plain: bool) -> Result<ExitCode, Failure> {
     let runtime = runtime()?;
     let outcome = runtime.block_on(async {
         if plain {
-            console::plain::run(options, std::io::stdin().is_terminal()).await
+            Box::pin(console::plain::run(options, std::io::stdin().is_terminal())).await
         } else {
             console::run(options).await.map(|()| true)
         }

@@ -11,6 +11,7 @@ use super::backend::BackendArguments;
 use super::settings::Settings;
 use super::{Failure, parse_speedup};
 use crate::debrief;
+use crate::diagnostic::Diagnostic;
 use crate::hangar::Backend;
 use crate::headless::{Exercise, Live};
 use crate::language::{Context, Script};
@@ -101,7 +102,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let mission = Arc::new(load_mission(&options.mission)?);
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
-    let locale = Locale::new(settings.config.lang.unwrap_or_default());
+    let locale = Locale::new(settings.language());
     let started = Instant::now();
     let mut witness = Witness::new(options, &locale, &mission.id);
     let mut report = match &backend.ardupilot {
@@ -181,6 +182,17 @@ pub(in crate::cli) fn load_script(
     mission: &Mission,
 ) -> Result<Script, Failure> {
     let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
+    read_script(&source.text, mission).map_err(|faults| explain(&source, &faults))
+}
+
+/// A pilot script for a mission: only its vehicles and its places are known.
+///
+/// # Errors
+/// What is wrong with it.
+pub(in crate::cli) fn read_script(
+    text: &str,
+    mission: &Mission,
+) -> Result<Script, Vec<Diagnostic>> {
     let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
     let (places, areas) = (mission.places_to_name(), mission.named_areas());
     let context = Context {
@@ -189,14 +201,14 @@ pub(in crate::cli) fn load_script(
         vehicles: &vehicles,
         ..Context::default()
     };
-    Script::parse(&source.text, &context).map_err(|faults| explain(&source, &faults))
+    Script::parse(text, &context)
 }
 
 fn invalid(error: &StoreError) -> Failure {
     Failure::Invalid(format!("sortie: {error}"))
 }
 
-fn explain(source: &Source, faults: &[crate::diagnostic::Diagnostic]) -> Failure {
+fn explain(source: &Source, faults: &[Diagnostic]) -> Failure {
     use std::io::IsTerminal as _;
     let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let lines: Vec<String> = faults

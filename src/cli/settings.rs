@@ -22,6 +22,8 @@ use crate::text;
 use crate::text::{Language, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
+mod shown;
+
 /// The variable that names the configuration file.
 const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
 

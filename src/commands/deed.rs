@@ -52,6 +52,12 @@ impl Deed {
     pub const KINDS: &'static [&'static str] =
         &["mine", "person", "source", "leak", "fire", "defect", "peak"];
 
+    /// Whether it concerns the mission as a whole: done with one vehicle, it is done with all.
+    pub fn is_of_all(&self) -> bool {
+        let contacts = |subject: &Subject| matches!(subject, Subject::Contacts { .. });
+        matches!(self, Self::Mark { subject, .. } if contacts(subject))
+    }
+
     /// What a kind of find is called by people; a word that names none stays as it is.
     pub fn kind_title(kind: &str) -> Text {
         match kind {

@@ -36,12 +36,17 @@ impl Console {
         self.start(plan).await
     }
 
-    /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same.
+    /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same. What was said
+    /// before a launch that did not come holds for the next one.
     pub(super) async fn start_again(&mut self, plan: Plan, alike: bool) {
         if !alike && self.options.seed.is_none() {
             self.attempt.seed = self.attempt.seed.wrapping_add(1);
         }
+        let pledge = self.running.as_ref().and_then(Running::open_pledge);
         let outcome = self.start(plan).await;
+        if let (Some(running), Some(pledge)) = (&mut self.running, pledge) {
+            running.renew(pledge);
+        }
         self.tell_failure(outcome);
     }
 

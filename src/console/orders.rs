@@ -5,10 +5,11 @@ use crate::app::event::Event;
 use crate::commands::{Deed, Manoeuvre};
 use crate::fleet::Unreachable;
 use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::notice::Notice;
 use crate::session::Order;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 
 impl Console {
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
@@ -45,7 +46,20 @@ impl Console {
             Some(running) => running.act(entry, deed, targets, now),
             None => Vec::new(),
         };
+        let refused = rows.iter().find(|row| row.state == RowState::Refused);
+        let refused = refused.and_then(|row| row.explanation.clone());
         self.feed_rows(rows).await;
+        // No vehicle says why, and not every room shows the commands.
+        let given = self.state.session.ledger.entry(entry);
+        if let (Some(reason), Some(given)) = (refused, given) {
+            let notice = Notice {
+                at: now,
+                vehicle: None,
+                severity: Severity::Warning,
+                text: Text::joined(": ", vec![given.line.as_str().into(), reason]),
+            };
+            Box::pin(self.feed(Event::Notice(notice))).await;
+        }
     }
 
     /// Has the targets do something together.

@@ -4,13 +4,11 @@
 //! each once: what was noticed, what became of commands, how objectives stand, the debrief. Nothing but text is
 //! written.
 //!
-//! From a person every line is taken as it comes. From a pipe the next line waits until the commands before it have
-//! come to their end, and `wait` holds it longer; the end of the pipe is the end of the flight.
+//! From a person every line is taken as it comes. From a pipe the first line waits until the vehicles are ready, the
+//! next one until the commands before it have come to their end, and `wait` holds it longer; the end of the pipe is the
+//! end of the flight, and outside of missions a line that failed makes the flight one that failed.
 
-use std::io::BufRead as _;
 use std::time::Duration;
-
-use tokio::sync::mpsc;
 
 use super::{Console, Happened, Opening, Options, Signals, key, ticks};
 use crate::app::event::Event;
@@ -18,14 +16,17 @@ use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Findings, Pilot, PilotEvent, Script, Seen};
 use crate::text::{Text, text};
+use crate::vehicle::Severity;
 use crossterm::event::KeyCode;
 
 mod brief;
 mod end;
+mod input;
 mod output;
 mod report;
 
 use end::Patience;
+use input::Line;
 use output::Output;
 use report::Report;
 
@@ -34,15 +35,13 @@ const NEWS_EVERY: Duration = Duration::from_millis(500);
 /// How long lines from a pipe wait for the vehicles to be heard.
 const HEARD_PATIENCE: Duration = Duration::from_secs(30);
 /// How long lines from a pipe wait for a process that has crashed, and for one that cannot be had at all: longer than
-/// any pause before it is started again.
+/// any pause before it is started again. Vehicles that are there but not ready to arm are waited for as long.
 const START_PATIENCE: Duration = Duration::from_secs(12);
 /// How long the end of the input waits for a mission to end by itself.
 const LANDING_PATIENCE: Duration = Duration::from_secs(10);
-/// Lines that may be given ahead.
-const LINES_AHEAD: usize = 16;
 
 /// Runs the plain console until its user leaves it or its input ends; whether the mission, if one was flown, was
-/// passed.
+/// passed, or else whether all lines from a pipe were carried out.
 ///
 /// # Errors
 /// The session could not be started, or nobody reads what is written.
@@ -58,15 +57,16 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
         ended: false,
         said_at: Duration::ZERO,
         start: Patience::new(START_PATIENCE),
+        ready: (!is_person).then(|| Patience::new(START_PATIENCE)),
         landing: Patience::new(LANDING_PATIENCE),
-        given_up: false,
+        failed: false,
     };
     // Nothing is drawn: no size is too small.
     let (columns, rows) = (u16::MAX, u16::MAX);
     plain.console.feed(Event::Resize { columns, rows }).await;
     plain.console.begin().await;
     plain.greet();
-    let mut lines = read_lines();
+    let mut lines = input::read();
     let mut ticks = ticks(plain.console.options.speedup);
     let mut told_to_end = false;
     while !plain.is_over() {
@@ -101,20 +101,6 @@ fn expected(options: &Options) -> usize {
     }
 }
 
-/// The lines of standard input.
-fn read_lines() -> mpsc::Receiver<String> {
-    let (sender, lines) = mpsc::channel(LINES_AHEAD);
-    std::thread::spawn(move || {
-        for line in std::io::stdin().lock().lines() {
-            let Ok(line) = line else { break };
-            if sender.blocking_send(line).is_err() {
-                break;
-            }
-        }
-    });
-    lines
-}
-
 struct Plain {
     console: Console,
     report: Report,
@@ -129,10 +115,12 @@ struct Plain {
     said_at: Duration,
     /// Vehicles that do not start are waited for so long.
     start: Patience,
+    /// Vehicles that are heard but not ready to arm are waited for so long; `None` once lines are taken.
+    ready: Option<Patience>,
     /// A mission that is as good as passed is waited for so long.
     landing: Patience,
-    /// Whether the vehicles did not start.
-    given_up: bool,
+    /// Whether the vehicles did not start, or a line from a pipe could not be carried out.
+    failed: bool,
 }
 
 impl Plain {
@@ -158,13 +146,22 @@ impl Plain {
 
     /// Whether the next line can be carried out.
     fn takes_lines(&self) -> bool {
-        if self.ended {
-            return false;
+        !self.ended && (self.is_person || (self.ready.is_none() && self.is_idle()))
+    }
+
+    /// Lets lines from a pipe begin once the vehicles are ready, or that was waited for long enough.
+    fn look_for_ready(&mut self) {
+        let Some(patience) = &mut self.ready else {
+            return;
+        };
+        let (session, now) = (&self.console.state.session, self.console.state.now);
+        let heard = session.vehicles.len() >= self.expected;
+        let heard = heard || now.saturating_sub(session.began_at) >= HEARD_PATIENCE;
+        let is_there = heard && !session.is_starting();
+        let waited = patience.is_over(is_there, now);
+        if is_there && (waited || end::is_ready(session)) {
+            self.ready = None;
         }
-        let state = &self.console.state;
-        let heard = state.session.vehicles.len() >= self.expected
-            || state.session.time(state.now) >= HEARD_PATIENCE;
-        self.is_person || (heard && !state.session.is_starting() && self.is_idle())
     }
 
     /// The stages and the brief are told in lines; there is no room to be in.
@@ -182,11 +179,13 @@ impl Plain {
     }
 
     async fn tick(&mut self) -> anyhow::Result<()> {
+        self.leave_rooms();
         self.console.tick().await;
         if std::mem::take(&mut self.console.bell) {
             tracing::debug!("the plain console has no bell");
         }
         self.hold();
+        self.look_for_ready();
         let now = self.console.state.now;
         if now.saturating_sub(self.said_at) >= NEWS_EVERY {
             self.said_at = now;
@@ -233,13 +232,27 @@ impl Plain {
         for event in events {
             if let PilotEvent::WaitTimedOut { text: line, .. } = event {
                 self.say(&text!("plain-wait-in-vain", line = line));
+                self.failed = true;
             }
         }
     }
 
-    async fn take(&mut self, line: &str) -> anyhow::Result<()> {
+    async fn take(&mut self, line: &Line) -> anyhow::Result<()> {
         self.output.line_ended();
-        let line = line.trim();
+        match line {
+            Line::Read(line) => self.take_text(line.trim()).await,
+            Line::Garbled(line) => {
+                self.tell_news();
+                self.say(&text!("plain-garbled", line = line.trim()));
+                self.failed = true;
+            }
+        }
+        self.tell_outcome();
+        self.output.prompt();
+        self.output.check()
+    }
+
+    async fn take_text(&mut self, line: &str) {
         if let Some(Overlay::Confirm(question)) = &self.console.state.overlay {
             let answer = question.answer.clone();
             self.answer(&answer, line).await;
@@ -253,9 +266,6 @@ impl Plain {
                 self.console.feed(Event::Line(line.to_owned())).await;
             }
         }
-        self.tell_outcome();
-        self.output.prompt();
-        self.output.check()
     }
 
     /// Only the exact answer confirms.
@@ -275,6 +285,7 @@ impl Plain {
         let state = &mut self.console.state;
         let mut texts = Vec::new();
         if let Some(message) = state.message() {
+            self.failed |= message.severity <= Severity::Error;
             texts.push(message.text.clone());
             state.hush();
         }
@@ -286,6 +297,7 @@ impl Plain {
                 answer = question.wanted()
             )),
             Some(Overlay::Palette(palette)) => {
+                self.failed |= palette.fault.is_some();
                 texts.extend(palette.fault.iter().map(explained));
                 state.overlay = None;
             }
@@ -352,6 +364,7 @@ impl Plain {
         match script {
             Ok(script) => self.pilot = Some(Pilot::new(script)),
             Err(faults) => {
+                self.failed = true;
                 for fault in faults {
                     self.say(&explained(&fault));
                 }
@@ -381,7 +394,7 @@ impl Plain {
     fn give_up(&mut self) {
         self.tell_news();
         self.say(&text!("hangar-plain-given-up"));
-        (self.console.over, self.given_up) = (true, true);
+        (self.console.over, self.failed) = (true, true);
     }
 
     fn finish(mut self, told_to_end: bool) -> anyhow::Result<bool> {
@@ -390,7 +403,8 @@ impl Plain {
         }
         let debrief = self.console.state.rooms.debrief.take();
         let is_mission = matches!(self.console.options.opening, Opening::Mission(_));
-        let mut passed = !is_mission && !self.given_up;
+        let failed = self.failed || end::has_failures(&self.console.state.session.ledger);
+        let mut passed = !is_mission && (self.is_person || !failed);
         if let Some(debrief) = debrief {
             passed = debrief.report.passed;
             for line in &debrief.lines(&self.console.state.locale) {

@@ -14,7 +14,7 @@ use crate::ledger::RowState;
 use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
-use crate::session::{LOST_AFTER, Order, Report, Session, Stream};
+use crate::session::{LOST_AFTER, Order, Report, Session, Stream, Want};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -24,6 +24,8 @@ use crate::wire::{ComponentId, Content, Frame, SystemId};
 const INBOUND_KEPT: usize = 256;
 /// Batches of frames that may wait for one vehicle's task.
 const BATCHES_KEPT: usize = 256;
+/// How soon what found no room in a vehicle's inbox is tried again.
+const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
 /// How often a shared system id is complained about.
 const CONFLICT_EVERY: Duration = Duration::from_secs(30);
 /// `MAV_TYPE_GCS`.
@@ -40,6 +42,8 @@ struct Route {
     heard_at: Duration,
     conflict_said_at: Option<Duration>,
     inbox: mpsc::Sender<ToVehicle>,
+    /// What is to be done to its simulator or its link and has found no room yet, oldest first.
+    wants: VecDeque<Want>,
 }
 
 impl Route {
@@ -56,6 +60,18 @@ impl Route {
             heard_at,
             conflict_said_at: None,
             inbox,
+            wants: VecDeque::new(),
+        }
+    }
+
+    /// Hands over what is to be done to its simulator or its link, as far as there is room. Each is said only once,
+    /// so that none may be lost, nor an older one come after a newer.
+    fn hand_over_wants(&mut self) {
+        while !self.wants.is_empty()
+            && let Ok(room) = self.inbox.try_reserve()
+            && let Some(want) = self.wants.pop_front()
+        {
+            room.send(ToVehicle::Want(want));
         }
     }
 }
@@ -111,11 +127,13 @@ pub(super) async fn run(surroundings: Surroundings, mut requests: mpsc::Receiver
                     hub.pass_on(vehicle, ToVehicle::FetchParameters);
                 }
                 Some(Request::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
-                Some(Request::Want(vehicle, want)) => hub.pass_on(vehicle, ToVehicle::Want(want)),
+                Some(Request::Want(vehicle, want)) => hub.want(vehicle, want),
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
+            () = tokio::time::sleep(TRIED_AGAIN_AFTER), if hub.has_wants() => {}
         }
+        hub.routes.values_mut().for_each(Route::hand_over_wants);
     }
 }
 
@@ -150,6 +168,19 @@ impl Hub {
         if let Some(route) = system.and_then(|system| self.routes.get(&system)) {
             drop(route.inbox.try_send(news));
         }
+    }
+
+    /// Has something done to a vehicle's simulator or its link, after what was wanted of it before.
+    fn want(&mut self, vehicle: VehicleId, want: Want) {
+        let system = SystemId::try_from(vehicle).ok();
+        if let Some(route) = system.and_then(|system| self.routes.get_mut(&system)) {
+            route.wants.push_back(want);
+        }
+    }
+
+    /// Whether anything has found no room yet.
+    fn has_wants(&self) -> bool {
+        self.routes.values().any(|route| !route.wants.is_empty())
     }
 
     /// Gives each vehicle its frames, those of one vehicle together.
@@ -325,3 +356,6 @@ fn autopilot_component(frame: &Frame) -> Option<u8> {
     (mav_type != TYPE_GROUND_STATION && autopilot != AUTOPILOT_NONE && frame.system != 0)
         .then_some(frame.component)
 }
+
+#[cfg(test)]
+mod tests;

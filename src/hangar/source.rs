@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::client::Remote;
 use super::{Config, Hangars, Launch};
+use crate::scoring::{ARDUPILOT, EMBEDDED};
 use crate::sim::{Airframe, Start};
 use crate::text;
 use crate::text::Text;
@@ -62,8 +63,8 @@ impl Backend {
     /// What the debrief and `--json` call it.
     pub fn name(&self) -> &'static str {
         match self.ardupilot {
-            Some(_) => "ardupilot",
-            None => "embedded",
+            Some(_) => ARDUPILOT,
+            None => EMBEDDED,
         }
     }
 

@@ -3,14 +3,11 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Crew, HEARTBEAT_EVERY, SESSION_POLL, is_due};
+use super::{Crew, HEARTBEAT_EVERY, SESSION_POLL};
 use crate::language::Script;
-use crate::mission::{Clock, Flight, Mission, Report as MissionReport, TICK};
+use crate::mission::{Clock, Flight, HEARD_WITHIN, Mission, Report as MissionReport, TICK, is_due};
 use crate::notice::Notice;
 use crate::vehicle::VehicleId;
-
-/// A mission does not wait longer than this for vehicles to be heard and to tell their time.
-const HEARD_WITHIN: Duration = Duration::from_secs(10);
 
 /// A flight on vehicles behind byte streams: SITL processes.
 ///

@@ -14,11 +14,13 @@ use super::{Mission, Point};
 use crate::diagnostic::Diagnostic;
 
 mod budget;
+mod events;
 mod idle;
 mod others;
 mod reach;
 mod room;
 mod scores;
+mod zones;
 
 /// A mission under examination.
 struct Examined<'m> {
@@ -44,10 +46,12 @@ impl Mission {
             root: root.get_ref(),
             found: Vec::new(),
         };
+        zones::check(&mut examined);
         room::check(&mut examined);
         budget::check(&mut examined);
         reach::check(&mut examined);
         idle::check(&mut examined);
+        events::check(&mut examined);
         scores::check(&mut examined);
         let mut found = examined.found;
         found.sort_by_key(|fault| fault.span.start);
@@ -139,8 +143,4 @@ impl<'m> Entry<'m> {
         let seconds = self.get(key)?.number()?;
         Duration::try_from_secs_f64(seconds).ok()
     }
-}
-
-fn distance_m(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }

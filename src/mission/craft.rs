@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::report::distance_m;
 use super::saying::Listener;
 use super::sensor::{Probe, Sensor};
 use super::zone::ZoneKind;
@@ -185,8 +186,8 @@ impl Craft {
             |global: &GlobalPosition| global.at_point.is_valid() && global.altitude_m.is_finite();
         if let Some(global) = vehicle.global.filter(sound) {
             let at = mission.origin.point(global.at_point);
-            let distance = |pad: &Point| (at[0] - pad[0]).hypot(at[1] - pad[1]);
-            self.pad_distance_m = mission.pads.iter().map(distance).min_by(f64::total_cmp);
+            let distances = mission.pads.iter().map(|&pad| distance_m(at, pad));
+            self.pad_distance_m = distances.min_by(f64::total_cmp);
             self.at = Some(at);
             self.course.turn(&global);
             self.height_m = global.altitude_m;

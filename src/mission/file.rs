@@ -158,7 +158,7 @@ impl Faults {
         match result {
             Ok(value) => Some(value),
             Err(error) => {
-                let message = error.message().replace("expected f64", "expected a number");
+                let message = in_plain_words(error.message());
                 let fault = Diagnostic::new(error.span().unwrap_or(span), message.as_str());
                 // "unknown field `x`, expected one of `a`, `b`": the names stand in backquotes.
                 let mut quoted = message.split('`').skip(1).step_by(2);
@@ -273,6 +273,25 @@ impl Faults {
         }
         *value.get_ref()
     }
+}
+
+/// A message of the TOML reader with the field's words in the place of the program's types.
+fn in_plain_words(message: &str) -> String {
+    const TYPES: [(&str, &str); 7] = [
+        ("f64", "a number"),
+        ("u8", "a whole number, 0 to 255"),
+        ("u16", "a whole number, 0 to 65535"),
+        ("u32", "a whole number, 0 or more"),
+        ("u64", "a whole number, 0 or more"),
+        ("usize", "a whole number, 0 or more"),
+        ("i64", "a whole number"),
+    ];
+    let named = TYPES.iter().find_map(|(name, words)| {
+        let before = message.strip_suffix(name)?;
+        let before = before.strip_suffix("expected ")?;
+        Some(format!("{before}expected {words}"))
+    });
+    named.unwrap_or_else(|| message.to_owned())
 }
 
 /// A length of time; `None` for what is none, of which the range check has told already.

@@ -220,7 +220,8 @@ impl Flight {
         result::report(self, ledger)
     }
 
-    /// The first vehicles by system id take part, as many as the mission wants.
+    /// The vehicles that are heard take part, as many as the mission wants, in the order of their system ids. A seat
+    /// is for ever: whoever steps the mission waits until all are heard, or a late one with a low id sits last.
     fn enlist(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>) {
         for &id in vehicles.keys() {
             if self.crafts.len() >= self.mission.vehicles {

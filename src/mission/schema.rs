@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use super::event::expression;
 use super::event::fault::FaultKind;
-use super::event::standard;
+use super::event::standard::Standard;
 use super::event::weather::Element;
 use super::file::{POINT_RANGE, action_keys, zone_kinds};
 use super::hazard;
@@ -139,7 +139,7 @@ impl Is {
             Self::Word(words) => json!({ "enum": words }),
             Self::Sensor => one_of(SENSORS.iter().map(|sensor| sensor.id)),
             Self::Radio => one_of(MODELS.iter().map(|model| model.id)),
-            Self::Threat => one_of(standard::NAMES.into_iter()),
+            Self::Threat => one_of(Standard::names().into_iter()),
             Self::Fault => one_of(FaultKind::ALL.iter().map(|(name, ..)| *name)),
             Self::Weather => one_of(Element::ALL.iter().map(|(name, ..)| *name)),
             Self::Vehicle => json!({ "type": ["integer", "string"] }),

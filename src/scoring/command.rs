@@ -133,6 +133,10 @@ impl CommandLog {
                     events.extend(entry.rows.iter().map(forced));
                 }
             }
+            // That there is no further hint is an answer, and no fault of piloting.
+            if is_asked(entry) {
+                continue;
+            }
             for row in &entry.rows {
                 events.extend(self.look_at_row(entry, row, vehicles));
             }
@@ -178,7 +182,7 @@ impl CommandLog {
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
         let mut standing: BTreeMap<(VehicleId, &str), &str> = BTreeMap::new();
         let orders = self.entries(ledger);
-        for (given_at, entry) in orders.filter(|(_, entry)| !ASKS.contains(&&*entry.verb)) {
+        for (given_at, entry) in orders.filter(|(_, entry)| !is_asked(entry)) {
             for row in &entry.rows {
                 let before = last.insert((row.vehicle, &entry.line), (given_at, is_rejected(row)));
                 // The first try after a refusal is no duplicate.
@@ -214,6 +218,11 @@ fn slot(verb: &str) -> &str {
     } else {
         "task"
     }
+}
+
+/// Whether it is a word to the mission and no command.
+fn is_asked(entry: &Entry) -> bool {
+    ASKS.contains(&&*entry.verb)
 }
 
 fn is_rejected(row: &Row) -> bool {

@@ -8,6 +8,11 @@ use serde::{Deserialize, Serialize};
 use super::{AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse};
 use crate::text::Text;
 
+/// What a report calls the embedded simulator.
+pub const EMBEDDED: &str = "embedded";
+/// What a report calls ArduPilot's SITL.
+pub const ARDUPILOT: &str = "ardupilot";
+
 /// A flight's result with every point explained. The order of the fields is the order in the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
@@ -17,7 +22,7 @@ pub struct Report {
     pub revision: u32,
     /// Seed of the hazards and sensors.
     pub seed: u64,
-    /// What flew: `embedded`, `ardupilot` or `live`. The shell corrects it; `embedded` to begin with.
+    /// What flew: [`EMBEDDED`] or [`ARDUPILOT`]. The shell corrects it; the first one to begin with.
     pub backend: String,
     /// Whether all mandatory objectives were met.
     pub passed: bool,

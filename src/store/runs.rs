@@ -105,6 +105,13 @@ impl Runs {
         ))
     }
 
+    /// The tries at a revision of a mission, oldest first: those that compare with each other.
+    pub fn tries_at(&self, mission: &str, revision: u32) -> Vec<TryReport> {
+        let mut tries = self.tries(mission);
+        tries.retain(|one| one.revision == revision);
+        tries
+    }
+
     /// The tries at a mission, oldest first. Only the first and the last line of each file are read; one that cannot
     /// be read is left out.
     pub fn tries(&self, mission: &str) -> Vec<TryReport> {

@@ -1,5 +1,7 @@
 //! The program without a terminal: `run`, `check` and wrong usage.
 
+mod check;
+
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -33,6 +35,18 @@ fn sortie_in(folder: &Path, arguments: &[&str]) -> Output {
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Files in a folder of their own.
+fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, content) in files {
+        let path = folder.path().join(name);
+        let parent = path.parent().expect("it is in the folder");
+        fs::create_dir_all(parent).expect("created");
+        fs::write(path, content).expect("written");
+    }
+    folder
 }
 
 #[test]
@@ -146,88 +160,6 @@ fn a_pilot_that_only_arms_fails_with_a_low_score() {
 }
 
 #[test]
-fn a_wrong_field_is_pointed_at_with_exit_code_2() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("wrong.toml");
-    let mission = fs::read_to_string("missions/01-air-sample.toml").expect("it is there");
-    fs::write(&path, mission.replace("time_limit", "time_limt")).expect("written");
-    let path = path.to_str().expect("a plain path");
-    let output = sortie(&["run", path, "--pilot", "01-air-sample"]);
-    assert_eq!(output.status.code(), Some(2));
-    let said = text(&output.stderr);
-    assert!(
-        said.contains("time_limt") && said.contains("time_limit"),
-        "{said}"
-    );
-    assert!(said.contains("wrong.toml:"), "{said}");
-    let checked = sortie(&["check", path]);
-    assert_eq!(checked.status.code(), Some(1));
-    assert!(
-        text(&checked.stdout).contains("wrong.toml:"),
-        "{}",
-        text(&checked.stdout)
-    );
-}
-
-/// Files in a folder of their own.
-fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    for (name, content) in files {
-        let path = folder.path().join(name);
-        let parent = path.parent().expect("it is in the folder");
-        fs::create_dir_all(parent).expect("created");
-        fs::write(path, content).expect("written");
-    }
-    folder
-}
-
-#[test]
-fn a_script_may_name_places_that_only_its_mission_knows() {
-    let folder = folder_with(&[
-        (
-            "good.pilot",
-            "all goto pad\nall goto A1 up 20\nall home B2 180\n",
-        ),
-        ("bad.pilot", "all goto A1 sideways 20\n"),
-    ]);
-    let check = |name| sortie(&["check", folder.path().join(name).to_str().expect("plain")]);
-    let good = check("good.pilot");
-    assert_eq!(good.status.code(), Some(0), "{}", text(&good.stdout));
-    let bad = check("bad.pilot");
-    assert_eq!(bad.status.code(), Some(1), "{}", text(&bad.stdout));
-    assert!(
-        text(&bad.stdout).contains("sideways"),
-        "{}",
-        text(&bad.stdout)
-    );
-}
-
-#[test]
-fn one_unreadable_file_does_not_hide_the_others() {
-    let folder = folder_with(&[("bad.pilot", "all fly\n"), ("good.pilot", "all arm\n")]);
-    let path = |name| folder.path().join(name).display().to_string();
-    let output = sortie(&[
-        "check",
-        &path("nowhere.toml"),
-        &path("bad.pilot"),
-        &path("good.pilot"),
-    ]);
-    let (said, found) = (text(&output.stderr), text(&output.stdout));
-    assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("nowhere.toml"), "{said}");
-    assert!(found.contains("bad.pilot:1:5"), "{found}");
-    assert!(found.contains("good.pilot: good"), "{found}");
-}
-
-#[test]
-fn a_folder_does_not_hide_the_mission_of_the_same_name() {
-    let folder = folder_with(&[("01/notes.txt", "mine")]);
-    let output = sortie_in(folder.path(), &["run", "01", "--pilot", "nobody"]);
-    let said = text(&output.stderr);
-    assert!(said.contains("no pilot script `nobody`"), "{said}");
-}
-
-#[test]
 fn a_drill_and_its_pilot_go_by_their_numbers() {
     let flown = sortie(&["run", "d03", "--pilot", "d03", "--json", "--no-timing"]);
     assert_eq!(flown.status.code(), Some(0), "{}", text(&flown.stderr));
@@ -244,28 +176,6 @@ fn a_drill_is_flown_by_its_number() {
     assert!(said.starts_with("Drill: up the wind\n"), "{said}");
     // Nobody says anything to it, so that it is not passed.
     assert_eq!(flown.status.code(), Some(1), "{}", text(&flown.stderr));
-}
-
-#[test]
-fn a_folder_is_checked_with_all_that_lies_below_it() {
-    let folder = folder_with(&[
-        ("good.pilot", "all arm\n"),
-        ("drills/bad.pilot", "all fly\n"),
-        ("drills/deeper/bad.toml", "schema = 1\nid = \"x\"\n"),
-        ("notes.txt", "mine"),
-    ]);
-    let path = folder.path().to_str().expect("plain");
-    let checked = sortie(&["check", path]);
-    let found = text(&checked.stdout);
-    assert_eq!(checked.status.code(), Some(1), "{found}");
-    for line in ["good.pilot: good", "bad.pilot:1:5", "bad.toml:1:1"] {
-        assert!(found.contains(line), "{line}: {found}");
-    }
-    assert!(!found.contains("notes.txt"), "{found}");
-    let good = sortie(&["check", "missions/drills"]);
-    let found = text(&good.stdout);
-    assert_eq!(good.status.code(), Some(0), "{found}");
-    assert_eq!(found.lines().count(), 15, "{found}");
 }
 
 #[test]
@@ -386,35 +296,6 @@ fn a_port_in_use_is_named() {
 }
 
 #[test]
-fn everything_that_ships_is_good() {
-    let mut files: Vec<String> = Vec::new();
-    for folder in ["missions", "missions/pilots", "themes"] {
-        let entries = fs::read_dir(folder).expect("the folder is there").flatten();
-        files.extend(
-            entries
-                // The schema beside the missions is no file to check.
-                .filter(|entry| {
-                    entry
-                        .path()
-                        .extension()
-                        .is_some_and(|ending| ending != "json")
-                })
-                .map(|entry| entry.path().display().to_string()),
-        );
-    }
-    let mut arguments = vec!["check"];
-    arguments.extend(files.iter().map(String::as_str));
-    let output = sortie(&arguments);
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{}{}",
-        text(&output.stdout),
-        text(&output.stderr)
-    );
-}
-
-#[test]
 fn a_full_disk_is_an_error_and_no_panic() {
     let full = fs::OpenOptions::new().write(true).open("/dev/full");
     let Ok(full) = full else {
@@ -433,5 +314,20 @@ fn a_full_disk_is_an_error_and_no_panic() {
         !text(&output.stderr).contains("panicked"),
         "{}",
         text(&output.stderr)
+    );
+}
+
+#[test]
+fn what_holds_for_missions_of_the_home_screen_goes_with_no_command() {
+    for arguments in [["--speedup", "4", "doctor"], ["--seed", "7", "man"]] {
+        let output = sortie(&arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&output.stderr).contains("after the command"));
+    }
+    assert_eq!(sortie(&["--speedup", "0"]).status.code(), Some(2));
+    // There is no terminal here, and that is all that is wrong.
+    assert_eq!(
+        sortie(&["--speedup", "4", "--seed", "7"]).status.code(),
+        Some(1)
     );
 }

@@ -219,7 +219,7 @@ fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
         &["fly", "--plain", "--vehicles", "2", "--speedup", "5"],
         lines,
     );
-    assert_eq!(code, Some(0), "{said}");
+    assert_eq!(code, Some(1), "one line was misspelt:\n{said}");
     for expected in [
         "all arm: 1-2 effect seen",
         "all takeoff 10: 1-2 effect seen",
@@ -247,6 +247,49 @@ fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
     );
 }
 
+/// The lines of the readme's example of a pipe, and the arguments of its program.
+fn readme_example() -> (Vec<String>, String) {
+    let readme = include_str!("../../README.md");
+    let example = readme.split("<<'END'\n").nth(1).expect("an example");
+    let (lines, _) = example.split_once("\nEND\n").expect("its end");
+    let (before, _) = readme.split_once(" <<'END'").expect("an example");
+    let command = before.lines().next_back().expect("a command");
+    let words = command.split(' ').skip(1).map(str::to_owned);
+    (words.collect(), format!("{lines}\n"))
+}
+
+#[test]
+fn the_example_of_the_readme_flies_and_comes_back() {
+    let (arguments, lines) = readme_example();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let (said, code) = plain(&arguments, &lines);
+    assert_eq!(code, Some(0), "{said}");
+    for expected in [
+        "all arm: 1-4 effect seen",
+        "all takeoff 20: 1-4 effect seen",
+        "vehicle 4: GUIDED, armed",
+        "all rtl: 1-4 effect seen",
+    ] {
+        assert!(said.contains(expected), "{expected:?} in:\n{said}");
+    }
+    assert!(!said.contains("waited in vain"), "{said}");
+}
+
+#[test]
+fn what_is_refused_in_a_pipe_makes_its_exit_code_1() {
+    let vehicles = ["fly", "--plain", "--vehicles", "1", "--speedup", "10"];
+    let cases = [
+        ("1 guided\n1 goto pad up 10\n", "refused", 1),
+        ("1 guided\n", "1 guided: 1 effect seen", 0),
+        ("wait 1 armed timeout 1s\n", "waited in vain", 1),
+    ];
+    for (lines, expected, exit) in cases {
+        let (said, code) = plain(&vehicles, lines);
+        assert_eq!(code, Some(exit), "{lines}: {said}");
+        assert!(said.contains(expected), "{expected:?} in:\n{said}");
+    }
+}
+
 #[test]
 fn a_mission_whose_input_ends_early_has_its_debrief_and_is_not_passed() {
     let (said, code) = plain(&["fly", "01", "--plain", "--speedup", "5"], "objectives\n");
@@ -271,4 +314,26 @@ fn a_person_is_prompted_and_sees_no_escape_sequence() {
     terminal.press("quit\r");
     assert_eq!(terminal.end(), 0);
     assert!(!terminal.raw().contains('\u{1b}'), "{:?}", terminal.raw());
+}
+
+#[test]
+fn without_utf_8_in_the_locale_a_debrief_is_english_too() {
+    let printed = |locale: &str| {
+        let program = program();
+        let output = Command::new(&program[0])
+            .args(&program[1..])
+            .args(["run", "missions/01-air-sample.toml", "--lang", "uk"])
+            .args(["--pilot", "missions/pilots/01-air-sample.pilot"])
+            .env("LC_ALL", locale)
+            .output()
+            .expect("the program runs");
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let is_cyrillic = |c: char| ('а'..='я').contains(&c);
+    let plain = printed("C");
+    assert!(
+        plain.contains("DEBRIEF") && !plain.contains(is_cyrillic),
+        "{plain}"
+    );
+    assert!(printed("C.UTF-8").contains(is_cyrillic));
 }

@@ -19,8 +19,8 @@ pub struct Names<'a> {
     pub themes: &'a [String],
     /// The missions: id and title.
     pub missions: &'a [MissionListing],
-    /// What an instructor may have happen in the mission.
-    pub injects: &'a [Inject],
+    /// What an instructor may have happen in the mission; `None` without one under way.
+    pub injects: Option<&'a [Inject]>,
     /// The macros.
     pub macros: &'a BTreeMap<String, Vec<String>>,
     /// The groups.
@@ -41,7 +41,11 @@ impl<'a> Names<'a> {
             }
             (Kind::Inject, []) => {
                 let inject = |it: &'a Inject| (it.name.as_str(), it.title.clone());
-                self.injects.iter().map(inject).collect()
+                self.injects
+                    .unwrap_or_default()
+                    .iter()
+                    .map(inject)
+                    .collect()
             }
             (Kind::Macro, []) => {
                 let lines = |(name, lines): (&'a String, &'a Vec<String>)| {

@@ -16,7 +16,7 @@ fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
     let macros = BTreeMap::from([("up".to_owned(), vec!["all arm".to_owned()])]);
     let groups = BTreeMap::from([("red".to_owned(), vec![1, 2])]);
     work(&Names {
-        injects: &[],
+        injects: Some(&[]),
         themes: &themes,
         missions: &missions,
         macros: &macros,

@@ -9,17 +9,22 @@ use crate::app::effect::Effect;
 use crate::app::keymap::{ESCAPE, Press, Row, does, key};
 use crate::app::room::home::fly_drill;
 use crate::app::state::State;
-use crate::app::update::act::guarded;
+use crate::app::update::act::{guarded, leave};
 use crate::debrief;
 use crate::mission::Listing;
 use crate::notice::sanitised;
-use crate::scoring::Report;
+use crate::scoring::{Report, TruthReport};
 use crate::text;
 use crate::text::Locale;
 use crate::vehicle::Severity;
 
 /// Keys pressed so soon after the debrief has opened were meant for the flight.
 const DEAF: Duration = Duration::from_secs(1);
+
+/// Columns that the text is made for.
+pub const TEXT_WIDTH: u16 = 80;
+/// Columns from which on the truth is shown beside it.
+const TRUTH_LEAST: u16 = 60;
 
 /// A debrief.
 #[derive(Debug, Clone)]
@@ -41,6 +46,16 @@ impl Debrief {
         text.lines().map(sanitised).collect()
     }
 
+    /// Whether a screen of this width shows the truth beside the text.
+    pub fn is_beside(&self, width: u16) -> bool {
+        width >= TEXT_WIDTH + TRUTH_LEAST && self.report.truth != TruthReport::default()
+    }
+
+    /// Whether a screen of this width shows the truth instead of the text.
+    pub fn is_map(&self, width: u16) -> bool {
+        self.map && !self.is_beside(width)
+    }
+
     /// Whether it has opened so recently that keys were meant for the flight.
     pub fn is_deaf(&self, now: Duration) -> bool {
         now.saturating_sub(self.since) < DEAF
@@ -55,7 +70,7 @@ pub const KEYS: &[Row] = &[
     does(key('t'), Action::Drill),
     does(key('m'), Action::TruthMap),
     does(key('h'), Action::Leave),
-    does(ESCAPE, Action::Leave),
+    does(ESCAPE, Action::Escape),
     does(Press::Plain(KeyCode::Tab), Action::NextSection),
     does(Press::Plain(KeyCode::BackTab), Action::PreviousSection),
 ];
@@ -75,6 +90,14 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Action::TruthMap => {
             let debrief = state.rooms.debrief.as_mut()?;
             debrief.map = !debrief.map;
+        }
+        Action::Escape => {
+            let width = state.size.0;
+            let debrief = state.rooms.debrief.as_mut();
+            match debrief.filter(|debrief| debrief.is_map(width)) {
+                Some(debrief) => debrief.map = false,
+                None => return Some(leave(state)),
+            }
         }
         Action::NextMission => return Some(next_mission(state)),
         Action::Drill => {

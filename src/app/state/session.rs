@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::alert::alert;
-use super::{Alarms, Alert, AlertKind, Groups, Hangar, Histories, LinkSummary, Selection};
+use super::{
+    Alarms, Alert, AlertKind, Groups, Hangar, Histories, LinkSummary, MissionTime, Selection,
+};
 use crate::app::room::Room;
 use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
@@ -49,6 +51,8 @@ pub struct Session {
     pub told: BTreeSet<(usize, &'static str)>,
     /// The mission's progress, if one is flown.
     pub mission: Option<Progress>,
+    /// How late it was in the mission.
+    pub mission_time: MissionTime,
     /// Whether the mission is over: its debrief is there.
     pub over: bool,
     /// Whether it stands still.
@@ -107,9 +111,10 @@ impl Session {
         }
     }
 
-    /// A time of the program's clock on the session's, which begins at zero.
+    /// A time of the program's clock on the session's, which begins at zero: in a mission it is the mission's.
     pub fn time(&self, at: Duration) -> Duration {
-        at.saturating_sub(self.began_at)
+        let mission_time = self.mission_time.at(at);
+        mission_time.unwrap_or_else(|| at.saturating_sub(self.began_at))
     }
 
     /// Opens a ledger entry.

@@ -5,6 +5,7 @@ use crate::app::effect::Effect;
 use crate::app::lines;
 use crate::app::room::parameters;
 use crate::app::state::{Asked, Confirm, Consequence, Order, Overlay, State, ranges};
+use crate::commands::Deed;
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
 use crate::ledger::Given;
@@ -22,7 +23,7 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
         if state.session.is_starting() && state.flown_mission().is_some() {
             return Err(Diagnostic::new(first_word(line), text!("hangar-not-begun")));
         }
-        if state.session.paused {
+        if state.session.paused && !is_word(state, &statement) {
             return Err(Diagnostic::new(first_word(line), text!("pause-refuses"))
                 .with_help(text!("pause-refuses-help")));
         }
@@ -38,6 +39,17 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
         }
         order(line, statement, targets)
     })
+}
+
+/// Whether it is nothing but the trainee's word before launch, which moves nothing.
+fn is_word(state: &State, statement: &Statement) -> bool {
+    if !state.can_pledge() {
+        return false;
+    }
+    let Action::Deed { deed, .. } = &statement.action else {
+        return false;
+    };
+    matches!(deed, Deed::Predict { .. } | Deed::Goal(_))
 }
 
 /// What Enter does with an order.

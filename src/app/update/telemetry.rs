@@ -110,6 +110,10 @@ pub fn started(state: &mut State, started: Started) {
 
 pub fn notice(state: &mut State, notice: &Notice) {
     state.notices.push(notice.clone());
+    // What warns of no vehicle shows in no other place of the rooms that list no notices.
+    if notice.vehicle.is_none() && notice.severity <= Severity::Warning && state.room != Room::Fly {
+        state.say(notice.severity, notice.text.clone());
+    }
     if notice.severity <= Severity::Critical {
         let call = Call {
             kind: AlertKind::of_text(&notice.text.to_string()),
@@ -124,6 +128,8 @@ pub fn notice(state: &mut State, notice: &Notice) {
 
 pub fn progress(state: &mut State, progress: Progress) {
     if state.session.activity.is_some() {
+        let mission_time = &mut state.session.mission_time;
+        mission_time.note(state.now, progress.elapsed);
         state.rooms.mission.hear(&progress);
         map::measured(state, &progress);
         // What has come up goes by its name from now on.
@@ -166,4 +172,39 @@ pub fn failed(state: &mut State, text: Text) {
         severity: Severity::Error,
         text,
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vehicle::VehicleId;
+
+    fn said_in(room: Room, vehicle: Option<VehicleId>, severity: Severity) -> Option<String> {
+        let mut state = State::new(Vec::new(), Vec::new(), String::new());
+        state.room = room;
+        let text = Text::from("not recorded");
+        let at = Duration::ZERO;
+        notice(
+            &mut state,
+            &Notice {
+                at,
+                vehicle,
+                severity,
+                text,
+            },
+        );
+        assert_eq!(state.notices.lines().count(), 1);
+        state.message().map(|message| message.text.to_string())
+    }
+
+    #[test]
+    fn what_warns_of_no_vehicle_is_said_in_rooms_without_notices() {
+        let said = Some("not recorded".to_owned());
+        let one = 1;
+        assert_eq!(said_in(Room::Mission, None, Severity::Warning), said);
+        assert_eq!(said_in(Room::Map, None, Severity::Error), said);
+        assert_eq!(said_in(Room::Fly, None, Severity::Warning), None);
+        assert_eq!(said_in(Room::Mission, None, Severity::Info), None);
+        assert_eq!(said_in(Room::Mission, Some(one), Severity::Warning), None);
+    }
 }

@@ -161,6 +161,33 @@ fn flown(mission: &Arc<Mission>, pilot: Who, script: &Script, seed: u64) -> Flow
     }
 }
 
+impl Flown {
+    /// What is wrong with it, and which way to mend it.
+    fn wrong(&self) -> String {
+        let score = self.score;
+        match self.pilot {
+            Who::Reference if !self.passed => {
+                format!("the reference did not pass and earned {score}: it has to pass with silver")
+            }
+            Who::Reference => {
+                format!(
+                    "the reference earned {score} and less than silver: `medals` or `par` ask too much"
+                )
+            }
+            Who::Naive => {
+                format!("the naive pilot earned {score} and a medal: it has to stay below bronze")
+            }
+            Who::DoNothing if self.passed => {
+                format!("nobody passed, with {score}: a `mandatory` objective has to be worked for")
+            }
+            Who::DoNothing => format!(
+                "nobody earned {score}, at most {IDLE_AT_MOST} is allowed: give `objective` more of the `weights`, \
+                 and `safety`, `attention` and `utilisation` less"
+            ),
+        }
+    }
+}
+
 /// A line for each pilot of a mission, and one for each flight that went wrong.
 fn print(all: &[Flown]) -> Result<(), Failure> {
     for who in [Who::Reference, Who::Naive, Who::DoNothing] {
@@ -182,12 +209,7 @@ fn print(all: &[Flown]) -> Result<(), Failure> {
             speed / count as f64
         )?;
         for flown in flights.iter().filter(|flown| !flown.good) {
-            let passed = if flown.passed { "passed" } else { "not passed" };
-            say!(
-                "  wrong: seed {}: {passed}, score {}",
-                flown.seed,
-                flown.score
-            )?;
+            say!("  wrong: seed {}: {}", flown.seed, flown.wrong())?;
         }
     }
     Ok(())

@@ -1,8 +1,9 @@
-//! When a flight is not waited for any longer.
+//! When a flight begins, when it is not waited for any longer, and whether it went well.
 
 use std::time::Duration;
 
-use crate::app::state::{Instance, State};
+use crate::app::state::{Instance, Session, State};
+use crate::ledger::Ledger;
 use crate::mission::ObjectiveState;
 
 /// Waits for something to change that has been so for a while.
@@ -33,6 +34,18 @@ pub(super) fn cannot_start(state: &State) -> bool {
     hangar.filter(|hangar| !hangar.begun).is_some_and(|hangar| {
         hangar.fault.is_some() || hangar.instances.iter().any(Instance::has_crashed)
     })
+}
+
+/// Whether every vehicle can be armed, or is already.
+pub(super) fn is_ready(session: &Session) -> bool {
+    let mut vehicles = session.vehicles.values();
+    vehicles.all(|vehicle| vehicle.ready_to_arm() || vehicle.armed())
+}
+
+/// Whether a command ended otherwise than was wanted.
+pub(super) fn has_failures(ledger: &Ledger) -> bool {
+    let mut rows = ledger.entries().flat_map(|entry| &entry.rows);
+    rows.any(|row| row.state.is_failure())
 }
 
 /// Whether a mission is about to end by itself: all of it is reached, and everybody is down.

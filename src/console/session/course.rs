@@ -1,5 +1,6 @@
 //! The course of a mission: how far it has been stepped, and by whose clock.
 
+use std::collections::{BTreeSet, VecDeque};
 use std::time::Duration;
 
 use super::Running;
@@ -8,9 +9,10 @@ use crate::app::event::Event;
 use crate::app::state::{Session as Shown, Stage};
 use crate::commands::Deed;
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::mission::{self, Clock, Demand, Flight};
+use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Pledge};
 use crate::notice::Notice;
-use crate::store;
+use crate::scoring::{ARDUPILOT, EMBEDDED};
+use crate::store::{self, Runs};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -20,42 +22,63 @@ pub(super) struct Course {
     /// The try at it.
     pub flight: Flight,
     /// What records it.
-    pub logbook: Option<Logbook>,
+    logbook: Option<Logbook>,
     pace: Pace,
+    /// Simulated seconds per second.
+    speedup: f64,
+    /// What its vehicles are, in the words of the report.
+    backend: &'static str,
+    /// Since when its vehicles are there to be heard.
+    awaited: Option<Duration>,
+    /// When it began.
+    begun: Option<Duration>,
     stepped: Duration,
-    /// What the mission demands of vehicles that have not been told yet.
-    wanted: Vec<Demand>,
+    /// What the mission demands of vehicles that have not been told yet, oldest first.
+    wanted: VecDeque<Demand>,
+    /// The vehicles whose processes have ended.
+    lost: BTreeSet<VehicleId>,
     ended: bool,
 }
 
 /// By whose clock mission time passes.
 enum Pace {
-    /// By ours, from this time on: the embedded simulator keeps up with it.
-    Ours { since: Duration, speedup: f64 },
+    /// By ours: the embedded simulator keeps up with it.
+    Ours,
     /// By the vehicles': a slow machine slows the mission down with them.
     Vehicles(Clock),
 }
 
 impl Course {
-    /// A mission with the embedded simulator, which begins now.
-    pub fn embedded(flight: Flight, speedup: f64, since: Duration) -> Self {
-        Self::new(flight, Pace::Ours { since, speedup })
+    /// A mission with the embedded simulator.
+    pub fn embedded(flight: Flight, speedup: f64) -> Self {
+        Self::new(flight, Pace::Ours, (EMBEDDED, speedup))
     }
 
     /// A mission with vehicles that have to be started first.
     pub fn of_processes(flight: Flight, speedup: f64) -> Self {
-        Self::new(flight, Pace::Vehicles(Clock::new(speedup)))
+        let pace = Pace::Vehicles(Clock::new(speedup));
+        Self::new(flight, pace, (ARDUPILOT, speedup))
     }
 
-    fn new(flight: Flight, pace: Pace) -> Self {
+    fn new(flight: Flight, pace: Pace, (backend, speedup): (&'static str, f64)) -> Self {
         Self {
             flight,
             logbook: None,
             pace,
+            speedup,
+            backend,
+            awaited: None,
+            begun: None,
             stepped: Duration::ZERO,
-            wanted: Vec::new(),
+            wanted: VecDeque::new(),
+            lost: BTreeSet::new(),
             ended: false,
         }
+    }
+
+    /// Begins its record, and tells it which try it is.
+    pub fn record(&mut self, runs: Runs) {
+        self.logbook = Some(Logbook::begin(runs, &mut self.flight, self.backend));
     }
 
     /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.
@@ -64,17 +87,13 @@ impl Course {
             return Vec::new();
         }
         let until = self.time(now, shown);
-        let mut events = Vec::new();
+        let mut events = self.note_losses(now, shown);
         while self.stepped + mission::TICK <= until && self.flight.outcome().is_none() {
             self.stepped += mission::TICK;
             let said = self
                 .flight
                 .step(self.stepped, &shown.vehicles, &shown.ledger);
-            // The mission speaks on its own clock; the console's notices are on the program's.
-            events.extend(
-                said.into_iter()
-                    .map(|notice| Event::Notice(Notice { at: now, ..notice })),
-            );
+            events.extend(heard(said, now));
         }
         events.extend(self.keep_record(now));
         events.push(Event::Mission(Box::new(self.flight.progress())));
@@ -82,9 +101,7 @@ impl Course {
             self.ended = true;
             let mut report = self.flight.close(&shown.ledger);
             report.drill = store::drill_of(&report.mission);
-            if let Pace::Vehicles(_) = self.pace {
-                "ardupilot".clone_into(&mut report.backend);
-            }
+            self.backend.clone_into(&mut report.backend);
             events.extend(self.keep_record(now));
             if let Some(logbook) = &self.logbook {
                 report.tries = logbook.tries(&report.mission, report.revision);
@@ -105,11 +122,42 @@ impl Course {
         }))
     }
 
+    /// Vehicles whose processes have ended by themselves do not come back.
+    fn note_losses(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
+        if self.begun.is_none() {
+            return Vec::new();
+        }
+        let instances = shown.hangar.iter().flat_map(|hangar| &hangar.instances);
+        let ended = instances.filter(|instance| instance.stage == Stage::Ended);
+        let mut events = Vec::new();
+        for instance in ended {
+            if self.lost.insert(instance.vehicle) {
+                let said = self.flight.lose(instance.vehicle, &shown.vehicles);
+                events.extend(heard(said, now));
+            }
+        }
+        events
+    }
+
+    /// When the mission began: once its vehicles are there and heard, because what each has on board goes by their
+    /// order. One that stays silent does not hold it up for ever.
+    fn beginning(&mut self, now: Duration, shown: &Shown) -> Option<Duration> {
+        if self.begun.is_none() && !shown.is_starting() {
+            let awaited = *self.awaited.get_or_insert(now);
+            let are_all_heard = shown.vehicles.len() >= self.flight.mission().vehicles;
+            let is_time = are_all_heard || now.saturating_sub(awaited) >= HEARD_WITHIN;
+            self.begun = is_time.then_some(now);
+        }
+        self.begun
+    }
+
     /// Mission time.
     fn time(&mut self, now: Duration, shown: &Shown) -> Duration {
+        let Some(begun) = self.beginning(now, shown) else {
+            return Duration::ZERO;
+        };
         match &mut self.pace {
-            Pace::Ours { since, speedup } => now.saturating_sub(*since).mul_f64(*speedup),
-            Pace::Vehicles(_) if shown.is_starting() => Duration::ZERO,
+            Pace::Ours => now.saturating_sub(begun).mul_f64(self.speedup),
             // One that boots runs at another speed.
             Pace::Vehicles(clock) => {
                 let flies = |id| {
@@ -124,6 +172,28 @@ impl Course {
     }
 }
 
+/// What the mission says is on its own clock; the console's notices are on the program's.
+fn heard(said: Vec<Notice>, now: Duration) -> impl Iterator<Item = Event> {
+    said.into_iter()
+        .map(move |notice| Event::Notice(Notice { at: now, ..notice }))
+}
+
+/// Tells the demands on vehicles that are heard, oldest first, until one cannot be told: it and what follows stay.
+fn tell_demands(
+    wanted: &mut VecDeque<Demand>,
+    is_heard: impl Fn(VehicleId) -> bool,
+    mut tell: impl FnMut(Demand) -> bool,
+) {
+    let mut is_stuck = false;
+    wanted.retain(|&demand| {
+        if is_stuck || !is_heard(demand.vehicle) {
+            return true;
+        }
+        is_stuck = !tell(demand);
+        is_stuck
+    });
+}
+
 impl Running {
     /// Steps the mission up to now and returns what came of it.
     pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
@@ -131,13 +201,26 @@ impl Running {
             return Vec::new();
         };
         let events = course.fly(now, shown);
-        // What a vehicle cannot be told before it is heard waits until it is.
-        let heard = |demand: &mut Demand| shown.vehicles.contains_key(&demand.vehicle);
         course.wanted.extend(course.flight.take_demands());
-        for demand in course.wanted.extract_if(.., heard) {
-            let _ = self.fleet.carry_out(demand.vehicle, demand.want);
-        }
+        // What a vehicle cannot be told before it is heard waits until it is.
+        tell_demands(
+            &mut course.wanted,
+            |vehicle| shown.vehicles.contains_key(&vehicle),
+            |demand| self.fleet.carry_out(demand.vehicle, demand.want).is_ok(),
+        );
         events
+    }
+
+    /// What the trainee has said before launch, as long as nothing has flown.
+    pub fn open_pledge(&self) -> Option<Pledge> {
+        self.course.as_ref()?.flight.open_pledge()
+    }
+
+    /// Takes over what the trainee has said before the try before this one, in which nothing has flown.
+    pub fn renew(&mut self, pledge: Pledge) {
+        if let Some(course) = &mut self.course {
+            course.flight.renew(pledge);
+        }
     }
 
     /// Has the mission do something with vehicles; returns how it went. Without a mission it is refused.
@@ -186,3 +269,6 @@ impl Running {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -23,7 +23,7 @@ impl Logbook {
     /// Begins the record of a flight, which is told which try it is.
     pub fn begin(runs: Runs, flight: &mut Flight, backend: &str) -> Self {
         let mission = flight.mission().clone();
-        let finished = earlier(&runs, &mission.id, mission.rev);
+        let finished = runs.tries_at(&mission.id, mission.rev);
         let finished = finished.iter().filter(|one| one.score.is_some()).count();
         flight.set_attempt(u32::try_from(finished + 1).unwrap_or(u32::MAX));
         let when = utc(SystemTime::now());
@@ -58,14 +58,8 @@ impl Logbook {
 
     /// The tries at a revision of a mission, oldest first.
     pub fn tries(&self, mission: &str, revision: u32) -> Vec<TryReport> {
-        earlier(&self.runs, mission, revision)
+        self.runs.tries_at(mission, revision)
     }
-}
-
-fn earlier(runs: &Runs, mission: &str, revision: u32) -> Vec<TryReport> {
-    let mut tries = runs.tries(mission);
-    tries.retain(|one| one.revision == revision);
-    tries
 }
 
 fn unwritable(error: &StoreError) -> Text {

@@ -11,7 +11,6 @@ use super::course::Course;
 use super::hangar::{Ending, Processes};
 use super::inspection::Inspection;
 use super::links::Links;
-use super::logbook::Logbook;
 use super::swarm::Swarm;
 use crate::app::event::Started;
 use crate::app::state::Activity;
@@ -100,7 +99,10 @@ impl Running {
             Plan::Mission(mission) => running.start_mission(mission, backend, before).await?,
             Plan::Free(_) => {
                 running.simulate(row(), backend, before).await?;
-                started(Activity::Free)
+                Started {
+                    places: free_flight_places(),
+                    ..started(Activity::Free)
+                }
             }
             Plan::Connect(addresses) => {
                 let names = addresses.iter().map(ToString::to_string).collect();
@@ -120,17 +122,16 @@ impl Running {
         backend: &Backend,
         before: Ending,
     ) -> Result<Started, Text> {
-        let mut flight = Flight::new(Arc::clone(&mission), backend.seed);
+        let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
         self.simulate(config, backend, before).await?;
-        let name = self.processes.as_ref().map_or("embedded", |_| "ardupilot");
-        let runs = backend.runs.clone();
-        let logbook = runs.map(|runs| Logbook::begin(runs, &mut flight, name));
         let mut course = match self.processes {
             Some(_) => Course::of_processes(flight, backend.speedup),
-            None => Course::embedded(flight, backend.speedup, backend.clock.now()),
+            None => Course::embedded(flight, backend.speedup),
         };
-        course.logbook = logbook;
+        if let Some(runs) = backend.runs.clone() {
+            course.record(runs);
+        }
         self.course = Some(course);
         Ok(Started {
             mission: Some(Box::new(mission.listing())),
@@ -179,6 +180,13 @@ impl Running {
         }
         Ok(())
     }
+}
+
+/// The places of free flight: where it begins, as a mission's pad is called and as the vehicles call it.
+fn free_flight_places() -> BTreeMap<String, LatLon> {
+    ["home", "pad"]
+        .map(|name| (name.to_owned(), FREE_FLIGHT_START.at))
+        .into()
 }
 
 fn started(activity: Activity) -> Started {

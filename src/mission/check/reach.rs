@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
-use super::{Entry, Examined, distance_m};
+use super::{Entry, Examined};
 use crate::mission::Point;
 use crate::mission::hazard::Load;
+use crate::mission::report::distance_m;
 use crate::mission::sensor::Sensor;
 
 /// Nobody flies faster from one place to the next.

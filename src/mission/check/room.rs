@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::{Entry, Examined, distance_m};
+use super::{Entry, Examined};
 use crate::mission::Point;
+use crate::mission::report::distance_m;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
 
 /// Points on the edge of a fence are within it.

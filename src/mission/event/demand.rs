@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::fault::{Broken, FaultKind};
-use crate::geo::LatLon;
+use crate::geo::{LatLon, METRES_PER_DEGREE};
 use crate::mission::weather::Weather;
 use crate::session::{RadioFault, Want};
 use crate::vehicle::VehicleId;
@@ -61,7 +61,6 @@ const WIND_FULL_FROM_M: f64 = 5.0;
 /// Steps of wind that are worth being told.
 const WIND_STEP_M_S: f64 = 0.2;
 const WIND_STEP_DEG: f64 = 2.0;
-const METRES_PER_DEGREE: f64 = 111_319.49;
 
 /// What the parameters of one vehicle should be.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -12,12 +12,13 @@ use super::demand::{Demand, Demands};
 use super::fault::{Broken, Fault, Victim};
 use super::mover::Mover;
 use super::scope::{Scope, Sight};
+use super::standard::Standard;
 use super::weather::Drift;
-use super::{Action, Trigger, expression, standard};
+use super::{Action, Trigger, expression};
 use crate::mission::craft::{Breach, Craft};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Zone;
-use crate::mission::{Mission, TICK};
+use crate::mission::{Mission, TICK, is_due};
 use crate::scoring::{AlertFact, AlertLevel};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -47,6 +48,8 @@ struct Watch {
     /// Whether its condition held when it was looked at last.
     held: bool,
     over: bool,
+    /// Whether an instructor wants it, so that chance has no say.
+    wanted: bool,
 }
 
 /// The threats of one flight.
@@ -68,8 +71,7 @@ pub(crate) struct Engine {
     gnss: needs::Gnss,
     demands: Demands,
     /// Standard injects that are to happen.
-    injected: Vec<&'static str>,
-    /// Failures told by events.
+    injected: Vec<Standard>,
     seed: u64,
     random: ChaCha8Rng,
 }
@@ -138,8 +140,8 @@ impl Engine {
                 self.fire(index, mission, weather, sight, &mut news);
             }
         }
-        for name in std::mem::take(&mut self.injected) {
-            for action in standard::actions(name, mission) {
+        for standard in std::mem::take(&mut self.injected) {
+            for action in standard.actions(mission) {
                 self.act(&action, weather, sight, &mut news);
             }
         }
@@ -201,11 +203,14 @@ impl Engine {
         news: &mut Vec<News>,
     ) {
         let event = &mission.events[index];
-        if self.watches[index].over {
+        let watch = &mut self.watches[index];
+        let wanted = std::mem::take(&mut watch.wanted);
+        if watch.over {
             return;
         }
-        self.watches[index].over = event.once;
-        if self.random.random::<f64>() >= event.chance {
+        watch.over = event.once;
+        let happens = self.random.random::<f64>() < event.chance;
+        if !happens && !wanted {
             return;
         }
         self.fired[index] = true;
@@ -245,9 +250,11 @@ impl Engine {
             }
             Action::Weather(change) => {
                 // A newer change takes over where the older one has come to.
-                self.drifts
-                    .retain(|drift| drift.element() != change.element);
-                self.drifts.push(Drift::new(*change, weather, sight.now));
+                let same = |drift: &Drift| drift.element() == change.element;
+                let replaced = self.drifts.iter().position(same);
+                let replaced = replaced.map(|index| self.drifts.remove(index));
+                let drift = Drift::new(*change, weather, sight.now, replaced.as_ref());
+                self.drifts.push(drift);
             }
             Action::Zone(zone, on) => self.active[*zone] = *on,
             Action::Spawn(spawn) => {
@@ -313,12 +320,13 @@ impl Engine {
         if let Some(watch) = self.watches.get_mut(index) {
             watch.due = Some(now);
             watch.over = false;
+            watch.wanted = true;
         }
     }
 
-    /// An instructor wants one of the [`standard`] threats.
-    pub fn inject_standard(&mut self, name: &'static str) {
-        self.injected.push(name);
+    /// An instructor wants one of the [`Standard`] threats.
+    pub fn inject_standard(&mut self, standard: Standard) {
+        self.injected.push(standard);
     }
 
     /// What sensors of a vehicle show instead of the truth.
@@ -370,8 +378,4 @@ fn jittered(at: Duration, jitter: Duration, random: &mut ChaCha8Rng) -> Duration
     let by_s = random.random_range(-1.0..=1.0) * jitter.as_secs_f64();
     let at_s = (at.as_secs_f64() + by_s).max(0.0);
     Duration::try_from_secs_f64(at_s).unwrap_or(at)
-}
-
-fn is_due(now: Duration, every: Duration) -> bool {
-    now.as_millis().is_multiple_of(every.as_millis())
 }

@@ -11,19 +11,6 @@ use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
 
-/// The names of all of them.
-pub(in crate::mission) const NAMES: [&str; 9] = [
-    "gust",
-    "wind_shift",
-    "gnss_jam",
-    "link_loss",
-    "motor_fail",
-    "battery_cold",
-    "battery_cell",
-    "person",
-    "aircraft",
-];
-
 /// How long what passes by itself lasts.
 const WHILE: Duration = Duration::from_secs(20);
 /// How far on either side of the place of work an aircraft comes and goes.
@@ -31,72 +18,117 @@ const APPROACH_M: f64 = 600.0;
 /// The same for people.
 const WALK_M: f64 = 40.0;
 
-/// What it is called, for people.
-pub(in crate::mission) fn title(name: &str) -> Option<Text> {
-    Some(match name {
-        "gust" => text!("threat-gust"),
-        "wind_shift" => text!("threat-wind-shift"),
-        "gnss_jam" => text!("threat-gnss-jam"),
-        "link_loss" => text!("threat-link-loss"),
-        "motor_fail" => text!("threat-motor-fail"),
-        "battery_cold" => text!("threat-battery-cold"),
-        "battery_cell" => text!("threat-battery-cell"),
-        "person" => text!("threat-person"),
-        "aircraft" => text!("threat-aircraft"),
-        _ => return None,
-    })
+/// One of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::mission) enum Standard {
+    /// More wind for a while.
+    Gust,
+    /// Wind from somewhere else, for good.
+    WindShift,
+    /// No satellite navigation for a while.
+    GnssJam,
+    /// No radio for a while.
+    LinkLoss,
+    /// A weak motor.
+    MotorFail,
+    /// A battery that the cold has weakened.
+    BatteryCold,
+    /// A battery with a dead cell.
+    BatteryCell,
+    /// Somebody walks over the place of work.
+    Person,
+    /// An aircraft flies over it.
+    Aircraft,
 }
 
-/// What it does.
-pub(super) fn actions(name: &str, mission: &Mission) -> Vec<Action> {
-    let Some(text) = title(name) else {
-        return Vec::new();
-    };
-    let level = match name {
-        "person" | "aircraft" | "motor_fail" => AlertLevel::Critical,
-        _ => AlertLevel::Warning,
-    };
-    let told = Action::Alert {
-        level,
-        text,
-        ok: None,
-        within: level.usual_limit(),
-    };
-    let mut actions = vec![deed(name, mission)];
-    // Of what breaks on board, the telemetry tells.
-    if !matches!(actions[0], Action::Fault(_)) {
-        actions.push(told);
+impl Standard {
+    /// All of them by the names that they have in files.
+    pub const ALL: [(&str, Self); 9] = [
+        ("gust", Self::Gust),
+        ("wind_shift", Self::WindShift),
+        ("gnss_jam", Self::GnssJam),
+        ("link_loss", Self::LinkLoss),
+        ("motor_fail", Self::MotorFail),
+        ("battery_cold", Self::BatteryCold),
+        ("battery_cell", Self::BatteryCell),
+        ("person", Self::Person),
+        ("aircraft", Self::Aircraft),
+    ];
+
+    /// Their names.
+    pub fn names() -> [&'static str; Self::ALL.len()] {
+        Self::ALL.map(|(name, _)| name)
     }
-    actions
-}
 
-fn deed(name: &str, mission: &Mission) -> Action {
-    let more_wind = |element, more, lasts| {
-        Action::Weather(Change {
-            element,
-            to: Target::More(more),
-            ramp: Duration::from_secs(4),
-            lasts,
-        })
-    };
-    let fault = |kind, to, lasts| {
-        Action::Fault(Fault {
-            kind,
-            victim: Victim::Chance,
-            to,
-            lasts,
-        })
-    };
-    match name {
-        "gust" => more_wind(Element::WindSpeed, 7.0, Some(WHILE)),
-        "wind_shift" => more_wind(Element::WindDirection, 60.0, None),
-        "gnss_jam" => fault(FaultKind::Gps, 1.0, Some(WHILE)),
-        "link_loss" => fault(FaultKind::Link, 1.0, Some(WHILE)),
-        "motor_fail" => fault(FaultKind::Motor, 0.75, None),
-        "battery_cold" => fault(FaultKind::Battery, 0.9, None),
-        "battery_cell" => fault(FaultKind::Battery, 0.8, None),
-        "person" => Action::Spawn(passer_by(mission)),
-        _ => Action::Spawn(overflight(mission)),
+    /// The one that is called so.
+    pub fn named(name: &str) -> Option<Self> {
+        let found = Self::ALL.iter().find(|(known, _)| *known == name);
+        found.map(|(_, standard)| *standard)
+    }
+
+    /// What it is called, for people.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Gust => text!("threat-gust"),
+            Self::WindShift => text!("threat-wind-shift"),
+            Self::GnssJam => text!("threat-gnss-jam"),
+            Self::LinkLoss => text!("threat-link-loss"),
+            Self::MotorFail => text!("threat-motor-fail"),
+            Self::BatteryCold => text!("threat-battery-cold"),
+            Self::BatteryCell => text!("threat-battery-cell"),
+            Self::Person => text!("threat-person"),
+            Self::Aircraft => text!("threat-aircraft"),
+        }
+    }
+
+    /// What it does.
+    pub(super) fn actions(self, mission: &Mission) -> Vec<Action> {
+        let deed = self.deed(mission);
+        // Of what breaks on board, the telemetry tells.
+        if matches!(deed, Action::Fault(_)) {
+            return vec![deed];
+        }
+        let level = match self {
+            Self::Person | Self::Aircraft => AlertLevel::Critical,
+            _ => AlertLevel::Warning,
+        };
+        let told = Action::Alert {
+            level,
+            text: self.title(),
+            ok: None,
+            within: level.usual_limit(),
+        };
+        vec![deed, told]
+    }
+
+    fn deed(self, mission: &Mission) -> Action {
+        let more_wind = |element, more, lasts| {
+            Action::Weather(Change {
+                element,
+                to: Target::More(more),
+                ramp: Duration::from_secs(4),
+                lasts,
+            })
+        };
+        let fault = |kind, to, lasts| {
+            Action::Fault(Fault {
+                kind,
+                victim: Victim::Chance,
+                to,
+                lasts,
+            })
+        };
+        match self {
+            Self::Gust => more_wind(Element::WindSpeed, 7.0, Some(WHILE)),
+            Self::WindShift => more_wind(Element::WindDirection, 60.0, None),
+            Self::GnssJam => fault(FaultKind::Gps, 1.0, Some(WHILE)),
+            Self::LinkLoss => fault(FaultKind::Link, 1.0, Some(WHILE)),
+            Self::MotorFail => fault(FaultKind::Motor, 0.75, None),
+            Self::BatteryCold => fault(FaultKind::Battery, 0.9, None),
+            Self::BatteryCell => fault(FaultKind::Battery, 0.8, None),
+            Self::Person => Action::Spawn(passer_by(mission)),
+            Self::Aircraft => Action::Spawn(overflight(mission)),
+        }
     }
 }
 

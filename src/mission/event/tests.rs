@@ -273,6 +273,34 @@ fn instructors_may_do_what_the_mission_allows() {
 }
 
 #[test]
+fn a_second_gust_within_the_first_leaves_no_wind_behind() {
+    let mut pilot = pilot("[instructor]\nmay_inject = ['gust']", 1);
+    for _ in 0..2 {
+        pilot.flight.inject("gust").expect("it is allowed");
+        pilot.wait(10.0);
+    }
+    pilot.wait(60.0);
+    let speeds = demanded(&mut pilot, "SIM_WIND_SPD");
+    let most = speeds.iter().copied().fold(0.0, f64::max);
+    let last = speeds.last().expect("it blows");
+    assert!(
+        (most - 17.0).abs() < 0.11 && (last - 3.0).abs() < 0.11,
+        "{speeds:?}"
+    );
+}
+
+#[test]
+fn what_an_instructor_injects_is_not_left_to_chance() {
+    let event = "[[events]]\nid = 'own'\nby = 'instructor'\np = 0.001\ndo = [{ say = 'now' }]";
+    for seed in 0..5 {
+        let mut pilot = pilot(event, seed);
+        pilot.flight.inject("own").expect("it is the mission's own");
+        pilot.wait(1.0);
+        assert_eq!(said(&pilot.report(), "now").len(), 1, "seed {seed}");
+    }
+}
+
+#[test]
 fn faults_of_events_are_told_where_they_are() {
     for (more, says) in [
         (

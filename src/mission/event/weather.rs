@@ -76,20 +76,34 @@ pub(super) struct Drift {
     change: Change,
     from: f64,
     to: f64,
+    /// What it goes back to, if it goes back.
+    back_to: f64,
     since: Duration,
 }
 
 impl Drift {
-    pub fn new(change: Change, weather: &Weather, now: Duration) -> Self {
+    /// A change that begins now. It takes over from the one that is under way: where that has come to, and the value
+    /// that was to be in the end.
+    pub fn new(change: Change, weather: &Weather, now: Duration, replaced: Option<&Self>) -> Self {
         let from = change.element.get(weather);
         Self {
             change,
             from,
+            back_to: replaced.map_or(from, Self::in_the_end),
             to: match change.to {
                 Target::Value(value) => value,
                 Target::More(more) => from + more,
             },
             since: now,
+        }
+    }
+
+    /// What remains when it is over.
+    fn in_the_end(&self) -> f64 {
+        if self.change.lasts.is_some() {
+            self.back_to
+        } else {
+            self.to
         }
     }
 
@@ -115,8 +129,9 @@ impl Drift {
                     ..self.change
                 },
                 from: self.to,
-                to: self.from,
+                to: self.back_to,
                 since: now,
+                ..self
             }),
             None if share >= 1.0 => None,
             _ => Some(self),

@@ -25,12 +25,34 @@ pub(super) fn reader<'i>()
             let fault = "a place's id begins with a letter: 2 to 32 letters, digits, `-` and `_`";
             faults.add(file.id.span(), fault);
         } else if is_taken(name) {
-            let fault = "`pad`, `pad1`, `c1`, `gate1`, `peak` and `next` are names of the flight's own places";
+            let fault = "`pad`, `pad1`, `c1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places";
             faults.add(file.id.span(), fault);
         }
         check_unique(&mut seen, &file.id, faults);
         let at = faults.point(&file.at, "at");
         Some((file.id.into_inner(), at))
+    }
+}
+
+/// The ids of all places, as they are written.
+pub(super) fn written(places: Option<&Spanned<DeValue<'_>>>) -> Vec<Spanned<String>> {
+    let tables = places.and_then(|value| value.get_ref().as_array());
+    let ids = tables.into_iter().flatten();
+    let ids = ids.filter_map(|table| table.get_ref().get("id"));
+    let text = |id: &Spanned<DeValue<'_>>| {
+        Some(Spanned::new(id.span(), id.get_ref().as_str()?.to_owned()))
+    };
+    ids.filter_map(text).collect()
+}
+
+/// Cells have names of their own; the objectives bring them.
+pub(super) fn check_no_cells(ids: &[Spanned<String>], draft: &Draft, faults: &mut Faults) {
+    for survey in &draft.surveys {
+        let is_cell = |name: &str| survey.cells.iter().any(|cell| cell.name == name);
+        for id in ids.iter().filter(|id| is_cell(id.get_ref())) {
+            let (name, survey) = (id.get_ref(), &survey.id);
+            faults.add(id.span(), format!("`{name}` is a cell of `{survey}`"));
+        }
     }
 }
 
@@ -47,7 +69,7 @@ fn is_taken(name: &str) -> bool {
         let rest = name.strip_prefix(prefix);
         rest.is_some_and(|rest: &str| rest.chars().all(|c| c.is_ascii_digit()))
     };
-    ["pad", "c", "gate"].into_iter().any(numbered) || ["peak", "next"].contains(&name)
+    ["pad", "c", "gate", "peak"].into_iter().any(numbered) || name == "next"
 }
 
 impl Draft {

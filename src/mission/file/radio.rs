@@ -6,7 +6,7 @@ use toml::de::DeValue;
 
 use super::Faults;
 use crate::mission::Point;
-use crate::mission::event::standard;
+use crate::mission::event::standard::Standard;
 use crate::mission::radio::{MODELS, Radio};
 
 #[derive(Deserialize)]
@@ -59,8 +59,8 @@ struct InstructorFile {
 pub(super) fn may_inject(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Vec<String>> {
     let file: InstructorFile = faults.read_value(value)?;
     for name in &file.may_inject {
-        if !standard::NAMES.contains(&name.get_ref().as_str()) {
-            faults.unknown("threat", name, &standard::NAMES);
+        if Standard::named(name.get_ref()).is_none() {
+            faults.unknown("threat", name, &Standard::names());
         }
     }
     let names = file.may_inject.into_iter();

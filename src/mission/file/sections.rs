@@ -163,6 +163,7 @@ fn content(
     faults: &mut Faults,
 ) -> Content {
     let hazard_ids = events::declared(sections.0.get("hazards")).0;
+    let place_ids = names::written(sections.0.get("places"));
     let mut draft = Draft {
         zones: array(
             sections.optional("zones"),
@@ -184,6 +185,7 @@ fn content(
     let (hazards, named) = hazards(sections.optional("hazards"), &draft, faults);
     draft.hazards = named;
     let objectives = objectives(sections.needed("objectives", faults), &mut draft, faults);
+    names::check_no_cells(&place_ids, &draft, faults);
     // Hints may refer to objectives and their cells.
     let (hints, clues) = advice(sections.optional("hints"), &draft, faults);
     let threats = threats(

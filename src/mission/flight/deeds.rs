@@ -34,10 +34,12 @@ impl Flight {
             Deed::Hint if self.ended.is_none() => Some(self.give_clue().map(Some)),
             _ => None,
         };
-        for &vehicle in vehicles {
+        for (at, &vehicle) in vehicles.iter().enumerate() {
             let outcome = match (self.ended, &hint) {
                 (Some(_), _) => Err(text!("deed-over")),
                 (None, Some(hint)) => hint.clone(),
+                // The first one has reported for all: nothing is left to do.
+                (None, None) if at > 0 && deed.is_of_all() => Ok(None),
                 (None, None) => self.act_with(vehicle, deed),
             };
             let (state, explanation) = match outcome {
@@ -59,6 +61,20 @@ impl Flight {
     /// What the trainee has said before launch.
     pub fn pledge(&self) -> Pledge {
         self.pledge
+    }
+
+    /// The same, as long as it can be changed: until something flies.
+    pub fn open_pledge(&self) -> Option<Pledge> {
+        self.before_launch().is_ok().then_some(self.pledge)
+    }
+
+    /// Takes over what was said before a try in which nothing has flown. It goes on record as if it were said again.
+    pub fn renew(&mut self, pledge: Pledge) {
+        let prediction = pledge.prediction.map(|points| Deed::Predict { points });
+        for deed in prediction.into_iter().chain(pledge.goal.map(Deed::Goal)) {
+            // No command of this try's ledger says it, and one vehicle is enough for a word.
+            self.act(EntryId(0), &deed, &[1]);
+        }
     }
 
     fn act_with(&mut self, vehicle: VehicleId, deed: &Deed) -> Done {
@@ -151,5 +167,41 @@ impl Flight {
                 at.ok_or_else(|| text!("deed-no-position"))
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::mission::Mission;
+
+    const AIR_SAMPLE: &str = include_str!("../../../missions/01-air-sample.toml");
+
+    fn states(deed: &Deed) -> Vec<RowState> {
+        let mission = Mission::parse(AIR_SAMPLE).expect("the shipped mission is good");
+        let mut flight = Flight::new(Arc::new(mission), 1);
+        let rows = flight.act(EntryId(0), deed, &[3, 4, 5]);
+        rows.iter().map(|row| row.state).collect()
+    }
+
+    #[test]
+    fn contacts_are_reported_by_the_first_vehicle_and_refused_to_no_other() {
+        use RowState::{Done, Refused};
+        let contacts = |confirmed| Deed::Mark {
+            subject: Subject::Contacts { confirmed },
+            kind: None,
+        };
+        let spot = Deed::Mark {
+            subject: Subject::Spot(Spot::Offset {
+                north_m: 5.0,
+                east_m: 0.0,
+            }),
+            kind: Some("mine"),
+        };
+        assert_eq!(states(&contacts(true)), [Refused, Done, Done]);
+        assert_eq!(states(&contacts(false)), [Refused, Done, Done]);
+        assert_eq!(states(&spot), [Done, Refused, Refused]);
     }
 }

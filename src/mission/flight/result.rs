@@ -4,8 +4,8 @@ use super::{Flight, Standing};
 use crate::ledger::{Entry, Ledger};
 use crate::mission::Clue;
 use crate::scoring::{
-    AlertReport, ComponentReport, Facts, HintReport, LedgerReport, ObjectiveFact, ObjectiveReport,
-    Report, RowReport, Score, UseReport, grade, improvements, rounded, score,
+    AlertReport, ComponentReport, EMBEDDED, Facts, HintReport, LedgerReport, ObjectiveFact,
+    ObjectiveReport, Report, RowReport, Score, UseReport, grade, improvements, rounded, score,
 };
 use crate::text;
 
@@ -57,7 +57,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         mission: mission.id.clone(),
         revision: mission.rev,
         seed: flight.seed,
-        backend: "embedded".to_owned(),
+        backend: EMBEDDED.to_owned(),
         passed: flight.ended == Some(super::Outcome::Passed),
         score: score.points,
         medal: score

@@ -1,13 +1,14 @@
 //! How the vehicles are put to use, and how their operator handles them.
 
 use super::Flight;
+use crate::commands::Manoeuvre;
 use crate::ledger::{Entry, Ledger};
 use crate::mission::usage::{Look, Usage};
 use crate::scoring::{SwarmFigures, VehicleUse};
 use crate::vehicle::VehicleId;
 
-/// Commands under which a vehicle that stands still does what it was told to.
-const STATIONS: [&str; 5] = ["relay", "formation", "follow", "orbit", "search"];
+/// The command to one vehicle under which it stays somewhere to do something, as in some [manoeuvres](Manoeuvre).
+const ORBIT: &str = "orbit";
 /// Words to the mission, which no vehicle hears.
 const DEEDS: [&str; 5] = ["mark", "unmark", "predict", "goal", "hint"];
 
@@ -17,19 +18,19 @@ impl Flight {
         let commanded = self.note_orders(ledger);
         for (craft, usage) in self.crafts.iter().zip(&mut self.usage) {
             let flies = craft.airborne && !craft.lost;
-            let at = craft.at.filter(|_| flies);
-            let samples = at.is_some_and(|at| {
-                self.surveys
-                    .iter()
-                    .any(|survey| survey.wants(at, craft.height_m, craft.speed_m_s))
+            // Nobody hears of samples that are taken while the radio is cut.
+            let samples = craft.at.is_some_and(|at| {
+                let mut surveys = self.surveys.iter();
+                let wants = surveys.any(|it| it.wants(at, craft.height_m, craft.speed_m_s));
+                wants && flies && craft.heard
             });
             let latest = ledger
                 .entries()
                 .rev()
                 .find(|entry| is_order_to(entry, craft.id));
-            let on_station = latest.is_some_and(|entry| STATIONS.contains(&&*entry.verb));
+            let on_station = latest.is_some_and(|entry| is_station(&entry.verb));
             let look = Look {
-                airborne_at: at.map(|[east, north]| [east, north, craft.height_m]),
+                airborne_at: craft.place_m().filter(|_| flies),
                 busy: samples || on_station,
                 commanded: commanded.contains(&craft.id),
             };
@@ -45,9 +46,15 @@ impl Flight {
 
     /// How each vehicle that the mission wants was used; those that nobody has heard were not.
     pub(super) fn vehicle_uses(&self) -> Vec<VehicleUse> {
-        let mut uses: Vec<VehicleUse> = self.usage.iter().map(Usage::totals).collect();
-        uses.resize(self.mission.vehicles.max(uses.len()), VehicleUse::default());
-        uses
+        let heard = self.usage.iter().map(Usage::totals);
+        let used = |id: &VehicleId| self.crafts.iter().any(|craft| craft.id == *id);
+        let unheard = (1..=VehicleId::MAX).filter(|id| !used(id));
+        let unheard = unheard.map(|vehicle| VehicleUse {
+            vehicle,
+            ..VehicleUse::default()
+        });
+        let wanted = self.mission.vehicles;
+        heard.chain(unheard).take(wanted).collect()
     }
 
     /// Takes down the commands that are new; returns the vehicles that they were for.
@@ -68,6 +75,10 @@ impl Flight {
         }
         commanded
     }
+}
+
+fn is_station(verb: &str) -> bool {
+    verb == ORBIT || Manoeuvre::is_station(verb)
 }
 
 fn is_deed(entry: &Entry) -> bool {

@@ -3,16 +3,21 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::commands::{Deed, Goal};
-use crate::ledger::RowState;
+use crate::commands::{Deed, Goal, Manoeuvre};
+use crate::ledger::{Given, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
+use crate::vehicle::Unheard;
 
-/// The first mission with two hints that can be asked for.
+/// The second mission with two hints of ours to be asked for instead of its own.
 fn with_clues() -> Arc<Mission> {
     let clues = "[[hints]]\nlevel = 2\nobjective = \"cells\"\ntext = \"Fly {next_cell} next.\"\n\
                  [[hints]]\nlevel = 1\nphase = \"ground\"\ntext = \"Look at the wind.\"\n";
     let source = include_str!("../../../missions/01-air-sample.toml");
-    let source = source.replace("[scoring]", &format!("{clues}[scoring]"));
+    let (before, own) = source
+        .split_once("[[hints]]\nlevel")
+        .expect("it has hints to be asked for");
+    let (_, scoring) = own.split_once("[scoring]").expect("it is scored");
+    let source = format!("{before}{clues}[scoring]{scoring}");
     Arc::new(Mission::parse(&source).expect("it is good"))
 }
 
@@ -30,6 +35,7 @@ fn hints_come_one_by_one_and_cost_from_the_second_try_on() {
         assert!(ask(&mut flight).1.contains("Look at the wind."));
         assert!(ask(&mut flight).1.contains("Fly A1 next."));
         assert_eq!(ask(&mut flight).0, RowState::Refused);
+        assert_eq!(flight.progress().clues.next, None);
         let report = flight.report(&Ledger::new());
         assert_eq!(
             report.hints.len(),
@@ -73,5 +79,70 @@ fn a_goal_is_reached_by_a_flight_that_passes_only() {
         idle.flight.pledge.goal = Some(goal);
         idle.flight.abandon();
         assert!(!idle.report().goal.expect("it was set").reached);
+    }
+}
+
+#[test]
+fn who_holds_a_place_is_at_work_and_who_was_dismissed_is_idle() {
+    for (verb, is_at_work) in [
+        ("relay to", true),
+        ("formation", true),
+        ("orbit", true),
+        ("survey", false),
+        ("relay", false),
+        (Manoeuvre::Disband.name(), false),
+    ] {
+        let mut pilot = Pilot::new(1);
+        pilot.take_off(20.0);
+        let given = Given {
+            verb,
+            ..Given::default()
+        };
+        pilot.ledger.open(pilot.now, given, &[1]);
+        pilot.wait(60.0);
+        let idle = pilot.flight.vehicle_uses()[0].idle;
+        assert_eq!(idle.is_zero(), is_at_work, "{verb}: {idle:?}");
+    }
+}
+
+#[test]
+fn who_flies_on_unheard_is_not_idle() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    let start = pilot.flight.mission().starts()[0].at;
+    pilot.vehicle().link.lost = true;
+    for second in 0..60 {
+        pilot.vehicle().unheard = Some(Unheard {
+            at: start.moved(3.0 * f64::from(second), 0.0),
+            altitude_m: 20.0,
+            boot_ms: 0,
+        });
+        pilot.wait(1.0);
+    }
+    assert_eq!(pilot.flight.vehicle_uses()[0].idle, Duration::ZERO);
+}
+
+#[test]
+fn vehicles_that_nobody_has_heard_have_numbers_of_their_own() {
+    let source = include_str!("../../../missions/12-relay-chain.toml");
+    let mission = Arc::new(Mission::parse(source).expect("it is good"));
+    let count = mission.vehicles;
+    let mut flight = Flight::new(mission, 1);
+    let heard = BTreeMap::from([(2, Vehicle::new(2, 1))]);
+    drop(flight.step(Duration::ZERO, &heard, &Ledger::new()));
+    let ids: Vec<VehicleId> = flight.vehicle_uses().iter().map(|it| it.vehicle).collect();
+    assert_eq!((ids.len(), &ids[..3]), (count, &[2, 1, 3][..]));
+}
+
+#[test]
+fn a_hint_that_is_not_there_is_no_refused_command() {
+    let mut pilot = Pilot::new(1);
+    for (line, rejected) in [("1 hint", (0, 0)), ("1 arm", (1, 1))] {
+        pilot.command(line, RowState::Refused);
+        pilot.tick();
+        let events = pilot.report().events;
+        let told = events.iter().filter(|event| event.kind == "rejected");
+        let found = (pilot.flight.tally.rejected, told.count());
+        assert_eq!(found, rejected, "{line}");
     }
 }

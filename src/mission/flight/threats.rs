@@ -7,7 +7,7 @@ use crate::mission::event::Trigger;
 use crate::mission::event::demand::Demand;
 use crate::mission::event::engine::News;
 use crate::mission::event::scope::Sight;
-use crate::mission::event::standard;
+use crate::mission::event::standard::Standard;
 use crate::notice::Notice;
 use crate::scoring::AlertLevel;
 use crate::text;
@@ -66,7 +66,6 @@ impl Flight {
             }
             News::Broken(vehicle, (kind, text)) => {
                 self.break_rule(kind, vehicle, &text, notices);
-                self.failed |= kind.is_harm();
             }
             News::Failed(text) => {
                 self.say("alert", None, Severity::Critical, text, notices);
@@ -88,8 +87,9 @@ impl Flight {
             name: event.id.clone(),
             title: event.title.clone(),
         });
-        let standard = self.mission.may_inject.iter().filter_map(|name| {
-            let title = standard::title(name)?;
+        let may_inject = self.mission.may_inject.iter();
+        let standard = may_inject.filter_map(|name| {
+            let title = Standard::named(name)?.title();
             let name = name.clone();
             Some(Inject { name, title })
         });
@@ -118,11 +118,8 @@ impl Flight {
         };
         if let Some(index) = events.position(own) {
             self.engine.inject_event(index, self.elapsed);
-        } else {
-            let known = standard::NAMES.iter().find(|known| **known == name);
-            if let Some(known) = known {
-                self.engine.inject_standard(known);
-            }
+        } else if let Some(standard) = Standard::named(name) {
+            self.engine.inject_standard(standard);
         }
         self.record("inject", None, inject.title.clone());
         Ok(inject.title)

@@ -1,4 +1,5 @@
 use super::*;
+use crate::commands::Goal;
 use crate::geo::LatLon;
 use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
@@ -192,4 +193,27 @@ fn what_goes_back_in_time_or_comes_after_the_end_is_damage() {
         let again = stored.rescore().expect("a good mission").report;
         assert_eq!(again.score == report.score, is_whole);
     }
+}
+
+#[test]
+fn what_was_said_before_a_launch_that_did_not_come_holds_for_the_next_try_and_is_on_its_record() {
+    let mut first = recorded();
+    for deed in [Deed::Predict { points: 640 }, Deed::Goal(Goal::Safety)] {
+        first.flight.act(EntryId(0), &deed, &[1]);
+    }
+    let said = first.flight.open_pledge().expect("nothing has flown");
+    let mut second = recorded();
+    second.flight.renew(said);
+    assert_eq!(second.flight.pledge(), said);
+    second.take_off(20.0);
+    assert_eq!(second.flight.open_pledge(), None);
+    second.flight.abandon();
+    second.flight.close(&second.ledger);
+    let stored = Stored::read(&second.flight.take_record()).expect("a good record");
+    let report = stored.rescore().expect("a good mission").report;
+    let predicted = report.prediction.map(|prediction| prediction.predicted);
+    assert_eq!(
+        (predicted, report.goal.map(|goal| goal.text)),
+        (Some(640), Some(Goal::Safety.title()))
+    );
 }

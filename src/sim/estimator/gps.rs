@@ -5,9 +5,8 @@ use std::time::Duration;
 use glam::DVec3;
 
 use super::faults::GpsFault;
+use crate::geo::METRES_PER_DEGREE;
 
-/// Metres per degree of latitude.
-const M_PER_DEGREE: f64 = 111_319.5;
 /// A receiver without a position still sees this many satellites.
 const SATELLITES_WITHOUT_FIX: u8 = 3;
 /// RTK fixed; no fix.
@@ -91,14 +90,14 @@ impl Receiver {
     }
 
     fn sample(&mut self, now: Duration, latitude_deg: f64, fault: &GpsFault) -> Fix {
-        let east_m = M_PER_DEGREE * latitude_deg.to_radians().cos();
+        let east_m = METRES_PER_DEGREE * latitude_deg.to_radians().cos();
         let noise_m = fault.altitude_noise_m * self.random();
         let up_m = fault.glitch.z + fault.altitude_offset_m + noise_m;
         let mut fix = Fix {
             kind: FIXED,
             satellites: fault.satellites,
             offset_m: DVec3::new(
-                fault.glitch.x * M_PER_DEGREE,
+                fault.glitch.x * METRES_PER_DEGREE,
                 fault.glitch.y * east_m,
                 -up_m,
             ),

@@ -16,9 +16,12 @@ const LOST_FOR: Duration = Duration::from_secs(10);
 impl Act {
     /// Lets those fall out that do not take part any more.
     pub(super) fn drop_unfit(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
-        for index in (0..self.members.len()).rev() {
-            let member = &mut self.members[index];
-            let id = member.id;
+        let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
+        for id in ids.into_iter().rev() {
+            // When one falls out, the others may get new places, or all give up.
+            let Some(member) = self.members.iter_mut().find(|member| member.id == id) else {
+                continue;
+            };
             let vehicle = scene.vehicles.get(&id);
             let lost_since = &mut member.standing.lost_since;
             if vehicle.is_some_and(|vehicle| !vehicle.link.lost) {

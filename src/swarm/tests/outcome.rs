@@ -1,6 +1,7 @@
 //! What the ledger says.
 
 use super::*;
+use crate::vehicle::GlobalPosition;
 
 #[test]
 fn who_does_not_fly_is_refused_with_the_reason() {
@@ -41,7 +42,7 @@ fn another_movement_takes_a_vehicle_out_and_the_others_close_up() {
     assert!((tail - 24.0).abs() < 2.5, "{tail}");
     assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
     stage.say("all formation off");
-    let rows = stage.rows("formation");
+    let rows = stage.rows("formation off");
     assert_eq!(rows[0].1, RowState::Done);
     assert_eq!(rows[1].1, RowState::Refused, "2 is in none: {rows:?}");
     assert!(!stage.conductor.has(1));
@@ -117,4 +118,31 @@ fn a_wait_for_arrival_waits_for_the_survey() {
         "{:?}",
         stage.rows("survey")
     );
+}
+
+#[test]
+fn who_falls_out_where_the_others_find_no_safe_way_ends_it_for_all() {
+    let mut stage = Stage::flying(3, 10.0);
+    stage.say("all formation column spacing 12");
+    assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
+    let mut vehicles = stage.vehicles.clone();
+    let above = vehicles[&1].global.expect("it flies");
+    // Under its leader, it can neither rise past it nor stay.
+    let below = GlobalPosition {
+        altitude_m: above.altitude_m - 8.0,
+        ..above
+    };
+    vehicles.get_mut(&2).expect("it flies").global = Some(below);
+    let heartbeat = &mut vehicles.get_mut(&3).expect("it flies").heartbeat;
+    heartbeat.as_mut().expect("it is heard").mode.number = 5;
+    let turn = stage.conductor.step(stage.now(), &vehicles);
+    let why = |id: VehicleId| {
+        let row = turn.rows.iter().find(|row| row.vehicle == id);
+        row.and_then(|row| row.explanation.as_ref().map(ToString::to_string))
+    };
+    assert!(why(3).is_some_and(|why| why.contains("LOITER")));
+    for id in 1..=2 {
+        assert_eq!(why(id), Some(text!("swarm-no-way").to_string()));
+        assert!(!stage.conductor.has(id));
+    }
 }

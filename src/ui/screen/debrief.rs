@@ -4,18 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use crate::app::room::debrief::is_section;
+use crate::app::room::debrief::{TEXT_WIDTH, is_section};
 use crate::app::state::State;
-use crate::scoring::TruthReport;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_truth;
 use crate::ui::widget::{below, centred, columns, put};
-
-/// Columns that the text is made for.
-const TEXT_WIDTH: u16 = 80;
-/// Columns from which on the truth is shown beside it.
-const TRUTH_LEAST: u16 = 60;
 
 /// Draws the text from the first line shown on; the last page stays full.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -24,8 +18,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         put(buffer, below(area, 1), 0, &line);
         return;
     };
-    let has_room = area.width >= TEXT_WIDTH + TRUTH_LEAST;
-    let beside = has_room && debrief.report.truth != TruthReport::default();
+    let beside = debrief.is_beside(area.width);
     if beside {
         let truth = columns(area, TEXT_WIDTH + 1, area.width);
         draw_truth(&debrief.report.truth, look, truth, buffer);

@@ -111,6 +111,11 @@ const DEBRIEF: &[(&str, &str)] = &[
     (":", "hint-command"),
     ("?", "hint-help"),
 ];
+const NO_DEBRIEF: &[(&str, &str)] = &[
+    ("h", "hint-home"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
+];
 
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -136,7 +141,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     }
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
-    for (key, what) in hints(state) {
+    for (key, what) in hints(state).iter().filter(|it| is_of_use(state, it)) {
         let what = look.say(what);
         used += Span::raw(*key).width() + Span::raw(&what).width() + 3;
         if used > width {
@@ -148,11 +153,23 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     Line::from(spans)
 }
 
+/// Whether there is anything that the key could bring now: a further hint of the mission, where it asks for one; the
+/// trainee's word, before launch.
+fn is_of_use(state: &State, (_, what): &(&str, &str)) -> bool {
+    let mission = state.session.mission.as_ref();
+    match *what {
+        "hint-hint" => mission.is_some_and(|mission| mission.clues.next.is_some()),
+        "hint-predict" | "hint-goal" => state.can_pledge(),
+        _ => true,
+    }
+}
+
 /// What the keys of a room do.
 fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
     match state.room {
         Room::Home => HOME,
         Room::Ledger => LEDGER,
+        Room::Debrief if state.rooms.debrief.is_none() => NO_DEBRIEF,
         Room::Debrief => DEBRIEF,
         Room::Vehicle => VEHICLE,
         Room::Map => MAP,

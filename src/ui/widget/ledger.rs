@@ -31,7 +31,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             break;
         }
         let mut block = entry_lines(entry, &state.session, width, look);
-        block.truncate(rows - used);
+        cut(&mut block, rows - used, width);
         used += block.len();
         blocks.push(block);
     }
@@ -46,6 +46,21 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     }
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
         put(buffer, inner, row as u16, line);
+    }
+}
+
+/// Leaves out the lines that do not fit; the last one that stays says so.
+fn cut(lines: &mut Vec<Line<'_>>, rows: usize, width: usize) {
+    if lines.len() <= rows {
+        return;
+    }
+    lines.truncate(rows);
+    let Some(line) = lines.last_mut() else { return };
+    let before: usize = line.spans.iter().rev().skip(1).map(Span::width).sum();
+    if let Some(last) = line.spans.last_mut() {
+        // One more letter than there is room for is what `clip` marks.
+        let room = (width.saturating_sub(before)).min(last.width() + 1);
+        last.content = clip(&format!("{}  ", last.content), room).into();
     }
 }
 
@@ -204,4 +219,35 @@ fn explanations(entry: &Entry) -> Vec<(Text, Vec<VehicleId>)> {
         *text = text.regarding(&ranges(vehicles.iter().copied()));
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(lines: &[Line<'_>]) -> Vec<String> {
+        lines.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn what_is_left_out_of_a_command_is_marked_in_the_last_line() {
+        let all = || {
+            vec![
+                Line::raw("00:01 2 mark"),
+                Line::raw("  refused, for it"),
+                Line::raw("  is late"),
+            ]
+        };
+        for (rows, width, last) in [
+            (3, 20, "  is late"),
+            (2, 20, "  refused, for it…"),
+            (2, 17, "  refused, for i…"),
+            (1, 20, "00:01 2 mark…"),
+        ] {
+            let mut lines = all();
+            cut(&mut lines, rows, width);
+            assert_eq!(lines.len(), rows);
+            assert_eq!(texts(&lines).pop().as_deref(), Some(last), "{rows} {width}");
+        }
+    }
 }

@@ -65,9 +65,9 @@ fn draw_view(
     ground::draw(state, look, view, area, buffer);
     let outside = markers::draw(state, look, view, area, buffer);
     legend::draw_scale(look, view, area, buffer);
-    if let Some((name, field)) = field {
+    if let Some((_, field)) = field {
         let last = row_of(area, area.height.saturating_sub(1));
-        heat::draw_scale(name, field, look, last, buffer);
+        heat::draw_scale(field, look, last, buffer);
     }
     outside
 }

@@ -216,3 +216,58 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
     let back = console.state.rooms.debrief.as_ref().map(|it| it.scroll);
     assert_eq!(there, back);
 }
+
+#[test]
+fn before_launch_the_score_can_be_predicted_and_a_goal_set_while_the_brief_is_read_in_a_pause() {
+    let mut console = flying();
+    let progress = sortie::mission::Progress {
+        can_pledge: true,
+        score_so_far: None,
+        ..fixtures::progress()
+    };
+    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(Event::Paused(true));
+    for line in ["1 predict 800", "1 goal time 200s"] {
+        console.give(line);
+        let given = matches!(console.effects.as_slice(), [Effect::Deed { .. }]);
+        assert!(given, "{line}: {:?}", console.effects);
+    }
+    assert!(console.give("1 arm").effects.is_empty());
+    // The keys that say so are offered until something flies.
+    console.press("esc").press("B").at(60);
+    assert!(console.screen(80, 24).contains("s predict  g goal"));
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    let screen = console.screen(80, 24);
+    assert!(!screen.contains("s predict"), "{screen}");
+    assert!(screen.contains("p pause"), "{screen}");
+}
+
+#[test]
+fn times_in_a_mission_are_those_of_the_mission() {
+    let mut console = Console::new();
+    console.at(100).start(mission());
+    let hear = |console: &mut Console, at_s: u64, elapsed_s: u64| {
+        let progress = sortie::mission::Progress {
+            elapsed: std::time::Duration::from_secs(elapsed_s),
+            ..fixtures::progress()
+        };
+        console.at(at_s);
+        console.hear(Event::Mission(Box::new(progress)));
+    };
+    hear(&mut console, 103, 0);
+    hear(&mut console, 145, 420);
+    let header = |console: &Console| console.screen(80, 24).lines().next().map(str::to_owned);
+    assert!(header(&console).is_some_and(|line| line.contains("07:00")));
+    let at = |s| {
+        console
+            .state
+            .session
+            .time(std::time::Duration::from_secs(s))
+            .as_secs()
+    };
+    assert_eq!([100, 103, 124, 145].map(at), [0, 0, 210, 420]);
+    // Without a mission they are the session's own.
+    console.start(Activity::Free);
+    console.at(150);
+    assert!(header(&console).is_some_and(|line| line.contains("00:05")));
+}

@@ -22,6 +22,16 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "27:12: `vehicles` has 2 for 1 pads: one each",
     ),
     (
+        "max_vehicles = 1",
+        "max_vehicles = 1.5",
+        "24:16: invalid type: floating point `1.5`, expected a whole number, 0 or more",
+    ),
+    (
+        "[scoring]",
+        "[rewards]\nunlock = [\"part:s_pm25\", \"part:s_ball\", \"part:r_mesh24\", \"part:fr_x500\"]\ncredits = -1\n[scoring]",
+        "51:11: invalid value: integer `-1`, expected a whole number, 0 or more",
+    ),
+    (
         "brief = \"Bad.\"",
         "brief = \"Bad.\"\ndrill_of = \"bad\"",
         "6:12: a mission is no drill of itself",
@@ -39,7 +49,17 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[[places]]\nid = \"pad2\"\nat = [0, 0]\n[fleet]",
-        "24:6: `pad`, `pad1`, `c1`, `gate1`, `peak` and `next` are names of the flight's own places",
+        "24:6: `pad`, `pad1`, `c1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places",
+    ),
+    (
+        "[fleet]",
+        "[[places]]\nid = \"peak1\"\nat = [0, 0]\n[fleet]",
+        "24:6: `pad`, `pad1`, `c1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places",
+    ),
+    (
+        "[fleet]",
+        "[[places]]\nid = \"A1\"\nat = [0, 0]\n[fleet]",
+        "24:6: `A1` is a cell of `cells`",
     ),
     (
         "[fleet]",
@@ -200,6 +220,31 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
         "dwell = 70",
         "36:8: at 10 m/s in straight lines this takes 563 s, and there are 480 s",
     ),
+    (
+        "[scoring]",
+        "[[events]]\nid = \"x\"\nafter = \"x\"\ndo = [{ say = \"X.\" }]\n[scoring]",
+        "56:9: `x` waits for itself and never happens",
+    ),
+    (
+        "[scoring]",
+        "[[events]]\nid = \"x\"\nafter = \"y\"\ndo = [{ say = \"X.\" }]\n[[events]]\nid = \"y\"\nafter = \"x\"\ndo = [{ say = \"Y.\" }]\n[[events]]\nid = \"z\"\nafter = \"y\"\ndo = [{ say = \"Z.\" }]\n[scoring]",
+        "56:9: these events wait for one another and never happen: `x` after `y`",
+    ),
+    (
+        "[[hazards]]",
+        "[[zones]]\nid = \"noise\"\nkind = \"radio_jam\"\ncenter = [0, 0]\nradius = 9\nnoise = 20\n[[hazards]]",
+        "23:8: a `radio_jam` needs the section `radio`: without it nothing is jammed",
+    ),
+    (
+        "[[hazards]]",
+        "[[zones]]\nid = \"bow\"\nkind = \"task\"\npolygon = [[0, 0], [9, 0], [0, 9], [9, 9]]\n[[hazards]]",
+        "24:11: the polygon crosses itself: its side between corners 2 and 3 and that between corners 4 and 1",
+    ),
+    (
+        "[[hazards]]",
+        "[[zones]]\nid = \"school\"\nkind = \"no_fly\"\npolygon = [[-40, 20], [28, 20], [28, 99], [-40, 99]]\n[[hazards]]",
+        "40:8: nobody may fly over more than nine tenths of the zone `yard`: `school`",
+    ),
 ];
 
 fn good() -> String {
@@ -240,6 +285,19 @@ fn what_cannot_be_flown_as_it_is_meant_is_named_at_its_place() {
             .map(|line| line.trim_start_matches(':').to_owned())
             .collect()
     };
+    let before = "[[hazards]]";
+    let fine = [
+        // Somebody sets the circle going.
+        "[[events]]\nid = \"x\"\nafter = \"y\"\ndo = [{ say = \"X.\" }]\n[[events]]\nid = \"y\"\nafter = \"x\"\ndo = [{ say = \"Y.\" }]\n[[events]]\nid = \"z\"\nat = 9\ndo = [{ event = \"x\" }]\n",
+        // Flown over, switched off, or over a part only.
+        "[[zones]]\nid = \"low\"\nkind = \"no_fly\"\npolygon = [[-40, 20], [28, 20], [28, 99], [-40, 99]]\nceiling = 30\n",
+        "[[zones]]\nid = \"late\"\nkind = \"no_fly\"\nactive = false\npolygon = [[-40, 20], [28, 20], [28, 99], [-40, 99]]\n",
+        "[[zones]]\nid = \"part\"\nkind = \"no_fly\"\npolygon = [[-40, 20], [20, 20], [20, 99], [-40, 99]]\n",
+    ];
+    for extra in fine {
+        let source = fenced.replace(before, &format!("{extra}{before}"));
+        assert_eq!(found(&source), Vec::<String>::new(), "{extra}");
+    }
     let affordable = [
         "",
         "\nbudget = 943",
@@ -286,4 +344,24 @@ fn texts_and_conditions_have_a_greatest_length() {
         faults[0].one_line("m", &source),
         "m:51:8: a condition may have 1000 characters"
     );
+}
+
+#[test]
+fn sensors_loads_and_radios_are_unlocked_that_the_catalogue_has() {
+    let faults = |part: &str| {
+        let source = format!("{}\n[rewards]\nunlock = [\"part:{part}\"]\n", good());
+        let faults = Mission::parse(&source).err().unwrap_or_default();
+        let lines = faults.iter().map(|fault| fault.one_line("", &source));
+        lines.collect::<String>()
+    };
+    for part in [
+        "s_pm25", "s_ball", "s_lidar", "r_mesh24", "fr_x500", "gps_crpa",
+    ] {
+        assert_eq!(faults(part), "", "{part}");
+    }
+    for (part, meant) in [("s_pm24", "s_pm25"), ("r_mesh25", "r_mesh24")] {
+        let said = faults(part);
+        assert!(said.contains(&format!("unknown part `{part}`")), "{said}");
+        assert!(said.contains(&format!("did you mean `{meant}`?")), "{said}");
+    }
 }

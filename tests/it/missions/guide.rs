@@ -93,11 +93,19 @@ fn the_first_pilot_of_the_guide_passes_its_first_mission_and_the_others_are_read
         ..Context::default()
     };
     let script = Script::parse(&pilots[0], &context).expect("a good script");
-    let mut exercise = Exercise::new(Arc::new(mission), 1, script, Vec::new());
-    while !exercise.is_over() {
-        exercise.step();
-    }
-    assert!(exercise.report().passed);
+    let idle = Script::parse("", &context).expect("nothing is wrong with nothing");
+    let mission = Arc::new(mission);
+    let flown = |script| {
+        let mut exercise = Exercise::new(Arc::clone(&mission), 1, script, Vec::new());
+        while !exercise.is_over() {
+            exercise.step();
+        }
+        exercise.report()
+    };
+    // What `check --fly` asks for.
+    let (shown, nothing) = (flown(script), flown(idle));
+    assert!(shown.passed && shown.score >= 700, "{}", shown.score);
+    assert!(!nothing.passed && nothing.score <= 250, "{}", nothing.score);
 }
 
 #[test]

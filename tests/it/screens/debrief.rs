@@ -102,8 +102,24 @@ fn the_truth_is_beside_the_text_where_there_is_room_and_behind_a_key_elsewhere()
     insta::assert_snapshot!("debrief_truth_ascii_80x24", shown(&console, Symbols::Ascii));
     let ukrainian = drawn(&console, Symbols::Braille, Language::Ukrainian, (80, 24));
     insta::assert_snapshot!("debrief_truth_uk_80x24", ukrainian);
-    console.press("m");
+    // Out of the map the way leads back to the text, and only from there home.
+    console.press("esc");
     assert!(shown(&console, Symbols::Braille).contains("Score 837"));
+    assert!(console.effects.is_empty(), "{:?}", console.effects);
+    console.press("m").press("m");
+    assert!(shown(&console, Symbols::Braille).contains("Score 837"));
+    assert_eq!(console.press("esc").effects, [Effect::LeaveSession]);
+}
+
+#[test]
+fn nothing_is_offered_to_fly_again_where_nothing_was_flown() {
+    let mut console = Console::new();
+    console.press("D");
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("h home") && !screen.contains("r fly again"),
+        "{screen}"
+    );
 }
 
 #[test]

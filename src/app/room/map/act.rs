@@ -177,7 +177,7 @@ fn next_sensor(state: &mut State) {
     let map = &mut state.rooms.map;
     map.sensor = (map.sensor + 1) % map.samples.fields().len().max(1);
     let said = match map.field() {
-        Some((name, _)) => text!("map-shows-sensor", sensor = name),
+        Some((_, field)) => text!("map-shows-sensor", sensor = &field.name),
         None => text!("map-no-samples"),
     };
     state.say(Severity::Info, said);

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::geo::LatLon;
+use crate::text::Text;
 
 /// Sides of the squares at first, in metres.
 const SIDE_M: f64 = 10.0;
@@ -18,6 +19,8 @@ pub struct Samples {
 /// What one kind of sensor has shown.
 #[derive(Debug, Clone)]
 pub struct SampleField {
+    /// What the sensor is called.
+    pub name: Text,
     /// Its unit.
     pub unit: &'static str,
     origin: LatLon,
@@ -33,21 +36,24 @@ struct Square {
 
 impl Samples {
     /// Takes in what a sensor shows at a place.
-    pub fn add(&mut self, sensor: &str, unit: &'static str, place: LatLon, value: f64) {
+    pub fn add(&mut self, sensor: impl Into<Text>, unit: &'static str, place: LatLon, value: f64) {
         if !value.is_finite() {
             return;
         }
-        if let Some(field) = self.fields.get_mut(sensor) {
+        let name = sensor.into();
+        let sensor = name.to_string();
+        if let Some(field) = self.fields.get_mut(&sensor) {
             return field.add(place, value);
         }
         let mut field = SampleField {
+            name,
             unit,
             origin: place,
             side_m: SIDE_M,
             squares: BTreeMap::new(),
         };
         field.add(place, value);
-        self.fields.insert(sensor.to_owned(), field);
+        self.fields.insert(sensor, field);
     }
 
     /// The sensors that have shown something, and what.

@@ -57,7 +57,7 @@ pub fn measured(state: &mut State, progress: &Progress) {
         {
             let samples = &mut state.rooms.map.samples;
             samples.add(
-                &reading.sensor.to_string(),
+                reading.sensor.clone(),
                 reading.unit,
                 global.at_point,
                 reading.value,

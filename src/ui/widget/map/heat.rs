@@ -39,10 +39,11 @@ pub fn draw(field: &SampleField, look: &Look, view: &Viewport, area: Rect, buffe
 }
 
 /// Explains the shades: each with the largest value that it stands for.
-pub fn draw_scale(name: &str, field: &SampleField, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw_scale(field: &SampleField, look: &Look, area: Rect, buffer: &mut Buffer) {
     let shades = shades(look.symbols);
     let top = field.top();
-    let mut spans = vec![Span::styled(format!("{name} "), look.style(Role::Muted))];
+    let name = format!("{} ", look.text(&field.name));
+    let mut spans = vec![Span::styled(name, look.style(Role::Muted))];
     for (at, shade) in shades.iter().enumerate() {
         // Nine digits need no nine numbers.
         if shades.len() > SHADES.len() && at % 4 != 0 {

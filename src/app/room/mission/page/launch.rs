@@ -13,6 +13,13 @@ impl Page<'_> {
         session.activity.is_some() && !session.over && !session.mission.as_ref().is_some_and(flown)
     }
 
+    /// Whether the clock can be stopped while the brief is read.
+    fn can_pause(&self) -> bool {
+        let session = &self.state.session;
+        let allows = session.listing.as_ref().is_some_and(|it| it.pausable);
+        self.awaits_launch() && allows && session.hangar.is_none()
+    }
+
     /// Before launch, the questions and how to begin; afterwards what was answered, if anything was.
     pub(super) fn launch(&mut self) {
         if self.state.session.activity.is_none() {
@@ -36,6 +43,16 @@ impl Page<'_> {
             (
                 text!("mission-next-hint"),
                 progress.and_then(|it| it.clues.price()).filter(|_| waits),
+            ),
+            (
+                text!("mission-reading"),
+                self.can_pause().then(|| {
+                    if self.state.session.paused {
+                        text!("mission-reading-paused")
+                    } else {
+                        text!("mission-reading-is")
+                    }
+                }),
             ),
             (text!("mission-then"), open(text!("mission-then-is"))),
         ];

@@ -1,0 +1,88 @@
+//! How late it was in a mission, by the program's clock.
+
+use std::time::Duration;
+
+/// A second of a mission hardly changes its pace.
+const MARK_EVERY: Duration = Duration::from_secs(1);
+
+/// Mission time at every time of the program's clock so far: it may run faster or slower than that, and where the
+/// vehicles keep it, at an uneven pace.
+#[derive(Debug, Clone, Default)]
+pub struct MissionTime {
+    /// Times of the program's clock and of the mission, from its last moment at zero on. Between two, time goes evenly.
+    marks: Vec<(Duration, Duration)>,
+}
+
+impl MissionTime {
+    /// Takes down how late it is now.
+    pub fn note(&mut self, now: Duration, elapsed: Duration) {
+        if elapsed.is_zero() {
+            self.marks.clear();
+        }
+        if let [.., (_, before), newest] = self.marks.as_mut_slice()
+            && newest.1 < *before + MARK_EVERY
+        {
+            *newest = (now, elapsed);
+        } else {
+            self.marks.push((now, elapsed));
+        }
+    }
+
+    /// How late it was then: zero before the beginning, and nothing later than what is known. `None` without a mission.
+    pub fn at(&self, then: Duration) -> Option<Duration> {
+        let next = self.marks.partition_point(|(now, _)| *now < then);
+        let before = next.checked_sub(1).and_then(|last| self.marks.get(last));
+        match (before, self.marks.get(next)) {
+            (Some(&(from, begun)), Some(&(to, until))) => {
+                let share = then
+                    .saturating_sub(from)
+                    .div_duration_f64(to.saturating_sub(from));
+                Some(begun + until.saturating_sub(begun).mul_f64(share))
+            }
+            (Some(&(_, elapsed)), None) => Some(elapsed),
+            (None, Some(&(first, elapsed))) => {
+                Some(elapsed.saturating_sub(first.saturating_sub(then)))
+            }
+            (None, None) => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const fn ms(ms: u64) -> Duration {
+        Duration::from_millis(ms)
+    }
+
+    #[test]
+    fn mission_time_is_known_for_every_time_of_the_program_however_the_pace_changes() {
+        let mut time = MissionTime::default();
+        assert_eq!(time.at(ms(500)), None);
+        // It waits for its vehicles up to 8 s, then goes at ten times the pace, then stands still.
+        for tick in 50..=80 {
+            time.note(ms(100 * tick), Duration::ZERO);
+        }
+        for tick in 1..=200 {
+            time.note(ms(8_000 + 10 * tick), ms(100 * tick));
+        }
+        time.note(ms(15_000), ms(20_000));
+        let known = [
+            (0, 0),
+            (7_000, 0),
+            (8_000, 0),
+            (8_005, 50),
+            (8_010, 100),
+            (9_000, 10_000),
+            (9_999, 19_990),
+            (10_000, 20_000),
+            (12_000, 20_000),
+            (99_000, 20_000),
+        ];
+        for (then, elapsed) in known {
+            assert_eq!(time.at(ms(then)), Some(ms(elapsed)), "{then}");
+        }
+        assert!(time.marks.len() < 30, "{}", time.marks.len());
+    }
+}

@@ -1,0 +1,52 @@
+//! Which mission a pilot's script is checked for: its places and its vehicles can be known then.
+
+use std::path::{Path, PathBuf};
+
+use crate::diagnostic::Diagnostic;
+use crate::language::{Context, Script};
+use crate::mission::Mission;
+use crate::store;
+
+/// What is wrong with a script, among the files that were named.
+pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec<Diagnostic>> {
+    if let Some(mission) = mission_of(script, named) {
+        return crate::cli::run::read_script(text, &mission).err();
+    }
+    // Which mission it will fly, nobody has said: its places may have any name.
+    let context = Context {
+        places: None,
+        areas: None,
+        ..Context::default()
+    };
+    Script::parse(text, &context).err()
+}
+
+/// The mission that it is called after and that lies beside it, by its id or its number; or else the only one that was
+/// named with it.
+fn mission_of(script: &Path, named: &[PathBuf]) -> Option<Mission> {
+    let stem = script.file_stem()?.to_str()?;
+    let number = stem.split('-').next()?;
+    let folder = script.parent().unwrap_or(Path::new(""));
+    let folders = [".", "..", "../drills"].map(|within| folder.join(within));
+    let beside = folders
+        .iter()
+        .flat_map(|folder| store::files(folder, "file-mission", "toml"));
+    let beside: Vec<(String, String)> = beside
+        .filter_map(|source| Some((Mission::id_of(&source.text)?, source.text)))
+        .collect();
+    let has_number = |id: &str| id.split('-').next() == Some(number);
+    let exact = beside.iter().find(|(id, _)| id == stem);
+    let mut numbered = beside.iter().filter(|(id, _)| has_number(id));
+    let numbered = numbered.next().filter(|_| numbered.next().is_none());
+    let text = exact.or(numbered).map(|(_, text)| text.clone());
+    Mission::parse(&text.or_else(|| only_mission(named))?).ok()
+}
+
+/// The text of the only mission among the files, where these are one mission and scripts.
+fn only_mission(named: &[PathBuf]) -> Option<String> {
+    let is_script = |path: &&PathBuf| path.extension().is_some_and(|ending| ending == "pilot");
+    let mut others = named.iter().filter(|path| !is_script(path));
+    let mission = others.next().filter(|_| others.next().is_none())?;
+    let source = store::read(mission, "file-any").ok()?;
+    Mission::id_of(&source.text).map(|_| source.text)
+}

@@ -1,0 +1,132 @@
+//! Missions that begin late, lose vehicles, and have a fleet that does not keep up.
+
+use super::*;
+use crate::app::state::{Activity, Hangar, Instance};
+use crate::mission::Mission;
+use crate::session::Want;
+use crate::vehicle::Vehicle;
+
+const FORMATION: &str = include_str!("../../../../missions/02-formation.toml");
+
+const fn s(s: u64) -> Duration {
+    Duration::from_secs(s)
+}
+
+/// Three vehicles are to fly.
+fn flight() -> Flight {
+    Flight::new(Mission::parse(FORMATION).expect("it is good").into(), 1)
+}
+
+fn shown(heard: &[u8]) -> Shown {
+    let mut shown = Shown::new(Activity::Free, [].into());
+    for &id in heard {
+        shown.insert(Vehicle::new(id, 1));
+    }
+    shown
+}
+
+fn instance(vehicle: VehicleId, stage: Stage) -> Instance {
+    Instance {
+        vehicle,
+        host: None,
+        stage,
+        parameters: [0, 0],
+        pid: None,
+        restarts: 0,
+        memory_bytes: 0,
+        processor_percent: None,
+        fault: None,
+        hint: None,
+        output: Vec::new(),
+        folder: String::new(),
+    }
+}
+
+/// The vehicles that were told to be lost.
+fn lost(events: &[Event]) -> Vec<VehicleId> {
+    let gone = |event: &Event| match event {
+        Event::Notice(notice) if notice.text == text!("mission-vehicle-gone") => notice.vehicle,
+        _ => None,
+    };
+    events.iter().filter_map(gone).collect()
+}
+
+#[test]
+fn a_mission_begins_when_its_vehicles_are_heard_so_that_each_has_its_own_seat() {
+    let mut course = Course::embedded(flight(), 2.0);
+    course.fly(s(5), &shown(&[2]));
+    course.fly(s(7), &shown(&[2, 3]));
+    assert_eq!(course.stepped, Duration::ZERO);
+    course.fly(s(8), &shown(&[1, 2, 3]));
+    course.fly(s(9), &shown(&[1, 2, 3]));
+    assert_eq!(course.stepped, s(2));
+    let progress = course.flight.progress();
+    let seats: Vec<VehicleId> = progress.readings.iter().map(|it| it.vehicle).collect();
+    assert!(seats.is_sorted(), "{seats:?}");
+}
+
+#[test]
+fn a_vehicle_that_is_never_heard_does_not_hold_a_mission_up_for_ever() {
+    let mut course = Course::embedded(flight(), 1.0);
+    course.fly(s(5), &shown(&[1, 2]));
+    course.fly(s(14), &shown(&[1, 2]));
+    assert_eq!(course.stepped, Duration::ZERO);
+    course.fly(s(15), &shown(&[1, 2]));
+    course.fly(s(16), &shown(&[1, 2]));
+    assert_eq!(course.stepped, s(1));
+}
+
+#[test]
+fn a_vehicle_whose_process_has_ended_is_lost_to_the_mission_once() {
+    let mut course = Course::of_processes(flight(), 1.0);
+    let mut shown = shown(&[1, 2, 3]);
+    shown.hangar = Some(Hangar {
+        instances: (1..=3).map(|id| instance(id, Stage::Ready)).collect(),
+        expected: 3,
+        begun: true,
+        ..Hangar::default()
+    });
+    assert!(lost(&course.fly(s(1), &shown)).is_empty());
+    if let Some(hangar) = &mut shown.hangar {
+        hangar.instances[1] = instance(2, Stage::Ended);
+    }
+    assert_eq!(lost(&course.fly(s(2), &shown)), [2]);
+    assert!(lost(&course.fly(s(3), &shown)).is_empty());
+}
+
+fn demand(vehicle: VehicleId, value: f64) -> Demand {
+    let want = Want::Parameter {
+        name: "SIM_WIND_SPD",
+        value,
+    };
+    Demand { vehicle, want }
+}
+
+#[test]
+fn a_demand_that_cannot_be_told_stays_before_the_newer_ones() {
+    let all = [
+        demand(1, 1.0),
+        demand(9, 2.0),
+        demand(1, 3.0),
+        demand(2, 4.0),
+    ];
+    let mut wanted = VecDeque::from(all);
+    let mut told = Vec::new();
+    let is_heard = |vehicle| vehicle != 9;
+    // The fleet takes one more, then none.
+    tell_demands(&mut wanted, is_heard, |demand| {
+        let has_room = told.is_empty();
+        told.extend(has_room.then_some(demand));
+        has_room
+    });
+    assert_eq!(
+        (told.as_slice(), wanted.make_contiguous()),
+        (&all[..1], &mut { all }[1..])
+    );
+    tell_demands(&mut wanted, is_heard, |demand| {
+        told.push(demand);
+        true
+    });
+    assert_eq!(told, [all[0], all[2], all[3]]);
+    assert_eq!(wanted, [all[1]]);
+}
