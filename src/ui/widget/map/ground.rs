@@ -322,7 +322,7 @@ mod tests {
         };
         let kept = |vehicle: u16| -> Vec<String> {
             let labels = vec![label(10, "peak4"), label(20, "!c2"), label(30, "H")];
-            let covered = (vehicle..vehicle + 3).map(|column| (column, 0)).collect();
+            let covered = (vehicle..vehicle + 3).map(|column| (0, column)).collect();
             let kept = readable(labels, &covered);
             kept.into_iter().rev().map(|label| label.text).collect()
         };
