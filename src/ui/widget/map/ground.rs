@@ -86,7 +86,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
     }
     canvas.draw(look, area, buffer);
-    for label in readable(labels) {
+    for label in readable(labels, &vehicle_cells(state, view)) {
         let (column, row) = label.cell;
         let width = area.width.saturating_sub(column);
         let at = (area.x + column, area.y + row);
@@ -100,9 +100,19 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     }
 }
 
+/// What vehicles will cover: their signs, and brackets or numbers beside them.
+fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<(u16, u16)> {
+    let vehicles = state.session.vehicles.values();
+    let places = vehicles.filter_map(|vehicle| view.cell(vehicle.global?.at_point));
+    places
+        .flat_map(|(column, row)| (column.saturating_sub(1)..=column + 2).map(move |at| (row, at)))
+        .collect()
+}
+
 /// The labels without those that would be read as one word with another: the later ones are worth more. Where only the
-/// name of something has no room, the sign that it begins with stays.
-fn readable(labels: Vec<Label>) -> Vec<Label> {
+/// name of something has no room, the sign that it begins with stays. Vehicles are drawn over everything: what they
+/// would leave a piece of goes as well.
+fn readable(labels: Vec<Label>, vehicles: &BTreeSet<(u16, u16)>) -> Vec<Label> {
     let mut taken: BTreeSet<(u16, u16)> = BTreeSet::new();
     let mut kept = Vec::new();
     for mut label in labels.into_iter().rev() {
@@ -111,7 +121,8 @@ fn readable(labels: Vec<Label>) -> Vec<Label> {
         // Words with a blank to both sides; signs may stand side by side.
         let margin = u16::from(width > 1);
         let mut around = column.saturating_sub(margin)..column + width + margin;
-        if around.any(|at| taken.contains(&(row, at))) {
+        let is_cut = width > 1 && (column..column + width).any(|at| vehicles.contains(&(row, at)));
+        if is_cut || around.any(|at| taken.contains(&(row, at))) {
             let sign = label.text.chars().next().filter(|c| !c.is_alphanumeric());
             let sign = sign.filter(|_| !taken.contains(&(row, column)));
             let Some(sign) = sign else {
@@ -295,5 +306,29 @@ fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut
             text: format!("{letter}:{}", mover.name),
             role,
         }));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_vehicle_leaves_no_piece_of_a_word() {
+        let label = |column, text: &str| Label {
+            cell: (column, 0),
+            text: text.to_owned(),
+            role: Role::Danger,
+        };
+        let kept = |vehicle: u16| -> Vec<String> {
+            let labels = vec![label(10, "peak4"), label(20, "!c2"), label(30, "H")];
+            let covered = (vehicle..vehicle + 3).map(|column| (0, column)).collect();
+            let kept = readable(labels, &covered);
+            kept.into_iter().rev().map(|label| label.text).collect()
+        };
+        assert_eq!(kept(40), ["peak4", "!c2", "H"]);
+        assert_eq!(kept(8), ["!c2", "H"]);
+        assert_eq!(kept(22), ["peak4", "!", "H"], "a sign says what is there");
+        assert_eq!(kept(29), ["peak4", "!c2", "H"], "a sign is never in pieces");
     }
 }
