@@ -256,8 +256,8 @@ fn any_entry() -> impl Strategy<Value = Entry> {
                 Stake::Practice
             };
             Entry::Flight(Flight {
-                wear,
                 stake,
+                wear,
                 ..flight(&course(), mission, score, day)
             })
         },

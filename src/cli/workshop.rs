@@ -23,6 +23,7 @@ pub(super) struct WorkshopArguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// The parts that there are, of all slots or of one.
+    #[command(after_help = "Examples:\n  sortie workshop parts\n  sortie workshop parts motor")]
     Parts {
         /// frame, motor, propeller, esc, battery, autopilot, navigation, power, radio or payload.
         slot: Option<String>,
@@ -41,6 +42,9 @@ enum Command {
         json: bool,
     },
     /// Two designs side by side: before, after, and what changes.
+    #[command(after_help = "Examples:\n  \
+                            sortie workshop compare starter scout\n  \
+                            sortie workshop compare mine.toml theirs.toml --temperature 35")]
     Compare {
         /// A design file, or the name of a design.
         before: String,
@@ -50,6 +54,9 @@ enum Command {
         air: AirArguments,
     },
     /// Writes the airframe of a design for ArduPilot's SITL: NAME.json for `--model`, NAME.parm for `--defaults`.
+    #[command(after_help = "Examples:\n  \
+                            sortie workshop export scout\n  \
+                            sortie workshop export my-drone.toml --to airframes")]
     Export {
         /// A design file, or the name of a design.
         design: String,
@@ -273,14 +280,13 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
         .collect();
     let frame = folder.join(format!("{stem}.json"));
     let parameters = folder.join(format!("{stem}.parm"));
-    let lines: String = airframe
-        .parameters
-        .iter()
+    let lines = airframe.parameters.iter();
+    let lines: Vec<String> = lines
         .map(|(name, value)| format!("{name} {value}\n"))
         .collect();
     let frame_text = serde_json::to_string_pretty(&airframe.frame)? + "\n";
     store::write(&frame, &frame_text, true)?;
-    store::write(&parameters, &lines, true)?;
+    store::write(&parameters, &lines.concat(), true)?;
     let files = format!("{}, {}", frame.display(), parameters.display());
     say!(
         "{}",

@@ -19,7 +19,7 @@ fn design(name: &str, ids: &str) -> Design {
         })
 }
 
-/// Mass, credits, thrust over weight, hover power, hover time in minutes, speed and kilometres of the longest range.
+/// Grams, credits, thrust over weight, hover power, hover time in minutes, speed and kilometres of the longest range.
 type Worked = (
     &'static str,
     &'static str,
@@ -38,7 +38,7 @@ const WORKED: [Worked; 6] = [
     (
         "A",
         "fr_450q m2212_920 p10x4.5p b3s5000 e30opto gps_m8n pm_02 fc_h7 s_pm25 r_sik915",
-        1.25,
+        1250.0,
         483,
         1.97,
         167.1,
@@ -49,7 +49,7 @@ const WORKED: [Worked; 6] = [
     (
         "B",
         "fr_500q m2215_900 p10x4.5 b4s5000 e20 gps_m8n pm_02 fc_px6c r_sik915",
-        1.685,
+        1685.0,
         782,
         2.66,
         211.8,
@@ -60,7 +60,7 @@ const WORKED: [Worked; 6] = [
     (
         "D",
         "fr_650q_tube m4006_380 p15x5cf l6s2p_p50b e40 gps_m10 pm_02 fc_px6c s_rgbg r_rfd900",
-        1.92,
+        1920.0,
         1595,
         3.42,
         171.7,
@@ -71,7 +71,7 @@ const WORKED: [Worked; 6] = [
     (
         "F",
         "fr_680h m3508_380 p13x5.5 b6s8000 e40 gps_m10 pm_02 fc_px6c s_gas4 s_rgbg r_rfd900",
-        3.14,
+        3140.0,
         2260,
         2.64,
         329.0,
@@ -82,7 +82,7 @@ const WORKED: [Worked; 6] = [
     (
         "G",
         "fr_960h m5008_340 p18x6.1cf b6s22000 e40 gps_f9p pm_hv fc_cube s_gpr r_rfd900",
-        7.80,
+        7800.0,
         6215,
         2.64,
         920.6,
@@ -93,7 +93,7 @@ const WORKED: [Worked; 6] = [
     (
         "J",
         "fr_750q_tube m5006_300 p18x6.1cf l6s3p_p50b e40 gps_m10 pm_02 fc_px6c s_relay r_mesh24",
-        2.71,
+        2710.0,
         2750,
         3.25,
         235.0,
@@ -105,7 +105,7 @@ const WORKED: [Worked; 6] = [
 
 #[test]
 fn worked_examples_come_out_as_worked_out() {
-    for (name, ids, mass_kg, credits, ratio, hover_w, minutes, speed, range_km) in WORKED {
+    for (name, ids, mass_g, credits, ratio, hover_w, minutes, speed, range_km) in WORKED {
         let drone = design(name, ids);
         let figures = drone.figures(Air::default()).expect("complete");
         let close = |what: &str, found: f64, wanted: f64, share: f64| {
@@ -115,7 +115,7 @@ fn worked_examples_come_out_as_worked_out() {
                 "{name}: {what} {found:.3} instead of {wanted}"
             );
         };
-        close("mass", figures.mass_kg, mass_kg, 0.005);
+        close("mass", figures.mass_kg, mass_g * 1e-3, 0.005);
         assert_eq!(figures.credits, credits, "{name}");
         close("thrust", figures.thrust_to_weight, ratio, 0.006);
         close("power", figures.hover_power_w, hover_w, 0.005);
