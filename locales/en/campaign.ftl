@@ -50,3 +50,6 @@ profiles-name = a profile's name is one line of 1 to { $most } letters
 profiles-no-profile = this is no profile: { $fault }
 profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
 profiles-lost = the profiles were damaged ({ $fault }) and there is no copy: they begin anew; the damaged file is { $damaged }
+
+mission-locked = { $mission } is locked: { $why }
+career-nowhere = no profiles are kept here: the data folder cannot be used

@@ -50,3 +50,6 @@ profiles-name = ім'я профілю — один рядок від 1 до { $
 profiles-no-profile = це не профіль: { $fault }
 profiles-rescued = профілі були пошкоджені ({ $fault }), їх відновлено з { $copy }; пошкоджений файл — { $damaged }
 profiles-lost = профілі були пошкоджені ({ $fault }), а копії немає: вони починаються наново; пошкоджений файл — { $damaged }
+
+mission-locked = «{ $mission }» ще закрито: { $why }
+career-nowhere = профілі тут не зберігаються: тека даних недоступна
