@@ -10,13 +10,13 @@ slot-power = модуль живлення
 slot-radio = радіо
 slot-payload = корисне навантаження
 
-part-motor = мотор { $size }, { $kv } об/хв/В
+part-motor = мотор { $size }, { $kv } rpm/V
 part-propeller = { $size } дюйма
 part-propeller-plastic = { $size } дюйма, пластик
 part-propeller-carbon = { $size } дюйма, карбон
 part-propeller-folding = { $size } дюйма, складані
-part-lipo = LiPo { $cells }S { $capacity } А·год, { $rate }C
-part-liion = Li-ion { $cells }S { $capacity } А·год, { $rate }C
+part-lipo = LiPo { $cells }S { $capacity } Ah, { $rate }C
+part-liion = Li-ion { $cells }S { $capacity } Ah, { $rate }C
 
 fr_5q_226 = квадро 226 мм, карбон
 fr_7q_315 = квадро 315 мм, далекий
@@ -50,13 +50,13 @@ gps_crpa = приймач із захистом від завад
 pm_02 = до 6S, 60 А
 pm_hv = до 14S, 200 А
 
-r_wifi24 = Wi-Fi 2,4 ГГц, 100 мВт
-r_sik433 = телеметрія 433 МГц, 100 мВт
-r_sik915 = телеметрія 868/915 МГц, 100 мВт
-r_rfd900 = телеметрія 868/915 МГц, 1 Вт
-r_elrs24 = канал керування 2,4 ГГц, 100 мВт
-r_lora868 = LoRa 868 МГц, 160 мВт
-r_mesh24 = мережа вузлів 2,4 ГГц, 1 Вт
+r_wifi24 = Wi-Fi 2.4 GHz, 100 mW
+r_sik433 = телеметрія 433 MHz, 100 mW
+r_sik915 = телеметрія 868/915 MHz, 100 mW
+r_rfd900 = телеметрія 868/915 MHz, 1 W
+r_elrs24 = канал керування 2.4 GHz, 100 mW
+r_lora868 = LoRa 868 MHz, 160 mW
+r_mesh24 = мережа вузлів 2.4 GHz, 1 W
 r_lte = модем мобільної мережі
 
 s_rgb = нерухома камера
@@ -92,7 +92,7 @@ finding-propeller = пропелери { $diameter } дюйма зачеплят
 finding-motor-cells = в акумуляторі { $cells } банок, мотори беруть від { $fewest } до { $most }
 finding-esc-cells = в акумуляторі { $cells } банок, регулятори тримають { $most }
 finding-esc-current = регулятори на { $current } А, мотори беруть до { $peak } А: безпечно було б { $wanted } А
-finding-thrust = тяга { $ratio } ваги за маси { $mass } кг: не втримає місця на вітрі (найменше 1.3, добре 1.8)
+finding-thrust = тяга { $ratio } ваги за маси { $mass } kg: не втримає місця на вітрі (найменше 1.3, добре 1.8)
 finding-weak = тяга { $ratio } ваги: у штиль гаразд, пориви та підйом забирають її всю (добре 1.8)
 finding-collapse = напруга акумулятора падає вже у зависанні
 finding-current = зависання бере { $current } А, акумулятор дає { $most } А: напруга впаде
