@@ -23,6 +23,23 @@ buy-owned = it is yours already
 buy-locked = pass { $mission } first
 buy-too-dear = it costs { $price } credits, there are { $credits }
 
+reward-heading = Career
+reward-credits = credits +{ $pay }, { $now } now
+reward-credits-wear = credits +{ $pay }, -{ $wear } for wear of your drones, { $now } now
+reward-unpaid = no credits: { $why }; { $now } now
+reward-unpaid-wear = no credits: { $why }; -{ $wear } for wear of your drones, { $now } now
+reward-practice = practice earns none
+reward-not-passed = the mission is not passed
+reward-not-better = only a score above { $best } earns more
+reward-no-pay = this flight earns none
+reward-experience = experience +{ $gained }, level { $level }, { $left } to the next
+reward-level = experience +{ $gained }, level { $before } -> { $after }, { $left } to the next
+reward-licence = licence for { $before } -> { $after } drones
+reward-mission = new mission: { $mission }
+reward-parts = new parts on sale: { $parts }
+reward-skill = { $skill } { $before } % -> { $after } %: { $why }
+reward-seen = { $what } { $percent } %
+
 profiles-unusable = the profiles cannot be kept in { $path }: { $error }
 profiles-newer = { $path } was made by a newer version of sortie (tables of version { $found }, this one knows { $known }); nothing was changed. Use that version, or another folder with --data
 profiles-database = { $path }: { $error }
