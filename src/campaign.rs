@@ -4,22 +4,28 @@
 //! [`Standing::of`] folds a history into credits, experience, licences, parts and skills, so that nothing can
 //! contradict itself and a formula can be mended for past flights too. What each figure came from can be told.
 
+mod aids;
 mod course;
 mod daily;
 mod economy;
 mod knowledge;
+mod reward;
 mod skill;
 mod standing;
 #[cfg(test)]
 mod tests;
+mod wear;
 
 pub use crate::mission::Stake;
+pub use aids::Aids;
 pub use course::{Course, Offer, Reason, Stage};
 pub use daily::{daily_seed, exam_seed};
 pub use economy::{STARTER_PARTS, licence_price};
 pub use knowledge::{Knowledge, Mastery};
+pub use reward::{Opened, Reward, SkillChange};
 pub use skill::{Evidence, Skill};
 pub use standing::{Best, PartState, Refusal, Standing};
+pub use wear::{Flown, wear};
 
 use serde::{Deserialize, Serialize};
 

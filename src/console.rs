@@ -14,6 +14,7 @@ use crate::app::event::Event;
 use crate::app::room::{hangar, messages};
 use crate::app::state::State;
 use crate::app::update;
+use crate::campaign::Stake;
 use crate::fleet::Clock;
 use crate::terminal::input::Input;
 use crate::terminal::{self, Keyboard, Screen};
@@ -23,6 +24,7 @@ use crate::ui::{self, Look};
 use crate::vehicle::Severity;
 
 mod begin;
+mod career;
 mod drive;
 mod effects;
 mod files;
@@ -35,6 +37,7 @@ mod session;
 mod signals;
 
 use begin::Attempt;
+use career::Careers;
 pub use drive::drive;
 use missions::listings;
 pub use options::{Opening, Options, Preferences};
@@ -145,6 +148,8 @@ struct Console {
     running: Option<Running>,
     /// The try at what runs.
     attempt: Attempt,
+    /// Who trains here; `None` where profiles are not kept or cannot be had.
+    careers: Option<Careers>,
     /// What is left of the session before.
     ending: Ending,
     /// What has to be said at the start.
@@ -165,7 +170,7 @@ impl Console {
         let preferences = &options.preferences;
         let themes = preferences.themes.names().map(str::to_owned).collect();
         let theme = options.look.theme.name().to_owned();
-        let (missions, doubles) = listings();
+        let (missions, course, doubles) = listings();
         let mut warnings = preferences.warnings.clone();
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
@@ -190,7 +195,8 @@ impl Console {
                 }
             }
         }
-        Self {
+        state.stock = missions::stock();
+        let mut console = Self {
             warnings,
             kept: state.history.back().cloned(),
             look: options.look.clone(),
@@ -199,13 +205,16 @@ impl Console {
             state,
             running: None,
             attempt: Attempt::default(),
+            careers: None,
             ending: Ending::default(),
             drawn: None,
             fps: None,
             bell: false,
             note: None,
             over: false,
-        }
+        };
+        console.open_careers(course);
+        console
     }
 
     async fn begin(&mut self) {
@@ -217,13 +226,13 @@ impl Console {
     }
 
     async fn open(&mut self) {
-        let plan = match &self.options.opening {
+        let outcome = match self.options.opening.clone() {
             Opening::Home => return,
-            Opening::Mission(mission) => Plan::Mission(Arc::clone(mission)),
-            Opening::Free => Plan::Free(None),
-            Opening::Connect(addresses) => Plan::Connect(addresses.clone()),
+            Opening::Mission(mission) => self.launch(mission, Stake::Graded, None).await,
+            Opening::Free => self.start_afresh(Plan::Free(None)).await,
+            Opening::Connect(addresses) => self.start_afresh(Plan::Connect(addresses)).await,
         };
-        if let Err(error) = self.start_afresh(plan).await {
+        if let Err(error) = outcome {
             self.feed(Event::Failed(error)).await;
         }
     }

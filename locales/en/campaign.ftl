@@ -23,6 +23,23 @@ buy-owned = it is yours already
 buy-locked = pass { $mission } first
 buy-too-dear = it costs { $price } credits, there are { $credits }
 
+reward-heading = Career
+reward-credits = credits +{ $pay }, { $now } now
+reward-credits-wear = credits +{ $pay }, -{ $wear } for wear of your drones, { $now } now
+reward-unpaid = no credits: { $why }; { $now } now
+reward-unpaid-wear = no credits: { $why }; -{ $wear } for wear of your drones, { $now } now
+reward-practice = practice earns none
+reward-not-passed = the mission is not passed
+reward-not-better = only a score above { $best } earns more
+reward-no-pay = this flight earns none
+reward-experience = experience +{ $gained }, level { $level }, { $left } to the next
+reward-level = experience +{ $gained }, level { $before } -> { $after }, { $left } to the next
+reward-licence = licence for { $before } -> { $after } drones
+reward-mission = new mission: { $mission }
+reward-parts = new parts on sale: { $parts }
+reward-skill = { $skill } { $before } % -> { $after } %: { $why }
+reward-seen = { $what } { $percent } %
+
 profiles-unusable = the profiles cannot be kept in { $path }: { $error }
 profiles-newer = { $path } was made by a newer version of sortie (tables of version { $found }, this one knows { $known }); nothing was changed. Use that version, or another folder with --data
 profiles-database = { $path }: { $error }
@@ -33,3 +50,6 @@ profiles-name = a profile's name is one line of 1 to { $most } letters
 profiles-no-profile = this is no profile: { $fault }
 profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
 profiles-lost = the profiles were damaged ({ $fault }) and there is no copy: they begin anew; the damaged file is { $damaged }
+
+mission-locked = { $mission } is locked: { $why }
+career-nowhere = no profiles are kept here: the data folder cannot be used

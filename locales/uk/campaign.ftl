@@ -23,6 +23,23 @@ buy-owned = вона вже ваша
 buy-locked = спершу пройдіть { $mission }
 buy-too-dear = вона коштує { $price } кредитів, у вас { $credits }
 
+reward-heading = Кар'єра
+reward-credits = кредити +{ $pay }, тепер { $now }
+reward-credits-wear = кредити +{ $pay }, -{ $wear } за знос ваших дронів, тепер { $now }
+reward-unpaid = без кредитів: { $why }; тепер { $now }
+reward-unpaid-wear = без кредитів: { $why }; -{ $wear } за знос ваших дронів, тепер { $now }
+reward-practice = за тренування їх немає
+reward-not-passed = завдання не пройдено
+reward-not-better = більше дає лише результат, вищий за { $best }
+reward-no-pay = за цей політ їх немає
+reward-experience = досвід +{ $gained }, рівень { $level }, до наступного { $left }
+reward-level = досвід +{ $gained }, рівень { $before } -> { $after }, до наступного { $left }
+reward-licence = ліцензія на кількість дронів { $before } -> { $after }
+reward-mission = нове завдання: { $mission }
+reward-parts = нові деталі в продажу: { $parts }
+reward-skill = { $skill } { $before } % -> { $after } %: { $why }
+reward-seen = { $what } { $percent } %
+
 profiles-unusable = профілі не можна зберігати в { $path }: { $error }
 profiles-newer = { $path } зробила новіша версія sortie (таблиці версії { $found }, ця знає { $known }); нічого не змінено. Візьміть ту версію або іншу теку з --data
 profiles-database = { $path }: { $error }
@@ -33,3 +50,6 @@ profiles-name = ім'я профілю — один рядок від 1 до { $
 profiles-no-profile = це не профіль: { $fault }
 profiles-rescued = профілі були пошкоджені ({ $fault }), їх відновлено з { $copy }; пошкоджений файл — { $damaged }
 profiles-lost = профілі були пошкоджені ({ $fault }), а копії немає: вони починаються наново; пошкоджений файл — { $damaged }
+
+mission-locked = «{ $mission }» ще закрито: { $why }
+career-nowhere = профілі тут не зберігаються: тека даних недоступна

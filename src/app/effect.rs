@@ -1,10 +1,12 @@
 //! What the shell has to do.
 
+use crate::campaign::Stake;
 use crate::commands::{Command, Deed, Manoeuvre};
 use crate::language::Verb;
 use crate::ledger::EntryId;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::workshop::Design;
 
 /// What can be done with the process of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +15,31 @@ pub enum HangarDeed {
     Restart,
     /// It is ended.
     Stop,
+}
+
+/// How a mission is to be flown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Launch {
+    /// Its id.
+    pub mission: String,
+    /// How the flight counts for a career.
+    pub stake: Stake,
+    /// The seed, where it is the trainee's choice: for practice.
+    pub seed: Option<u64>,
+    /// The drones that were built for it, for all seats or one each; without any, the mission lends its own.
+    pub fleet: Vec<Design>,
+}
+
+impl Launch {
+    /// A mission for credits and medals, with its own drones.
+    pub fn graded(mission: impl Into<String>) -> Self {
+        Self {
+            mission: mission.into(),
+            stake: Stake::Graded,
+            seed: None,
+            fleet: Vec::new(),
+        }
+    }
 }
 
 /// Work for the run loop.
@@ -65,8 +92,20 @@ pub enum Effect {
         /// Whether it may take the place of one that is there.
         replace: bool,
     },
-    /// Start a mission, by id.
-    StartMission(String),
+    /// Start a mission.
+    StartMission(Launch),
+    /// Go on with this profile.
+    ChooseProfile(String),
+    /// Make a profile of this name, and go on with it.
+    CreateProfile(String),
+    /// Go on without a profile: nothing that is flown from now on is kept.
+    LeaveProfile,
+    /// Buy the right to use a part, by id.
+    BuyPart(String),
+    /// Keep a design among the trainee's own; it takes the place of one of the same name.
+    KeepDesign(Design),
+    /// Remove the trainee's own design of this name.
+    DropDesign(String),
     /// Start free flight with simulated vehicles.
     StartFree,
     /// Start free flight with vehicles that ArduPilot's SITL simulates.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use crossterm::event::KeyEvent;
 
 use super::room::messages::LinkTraffic;
-use super::state::{Activity, Instance, LinkSummary};
+use super::state::{Activity, Career, Instance, LinkSummary};
 use crate::doctor::Finding;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
@@ -104,6 +104,10 @@ pub enum Event {
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
+    /// Who has a profile here.
+    Profiles(Vec<String>),
+    /// Who trains here, and how far they have come; nobody whose flights are kept.
+    Career(Option<Box<Career>>),
     /// The shell could not do something; the text says what, where, and what to do.
     Failed(Text),
 }

@@ -5,16 +5,19 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::console::Names;
+use super::effect::Launch;
 use crate::config::Config;
 use crate::language::Context;
 use crate::scoring::TryReport;
 use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
+use crate::workshop::Design;
 
 mod alarms;
 mod alert;
 mod bell;
+mod career;
 mod column;
 mod filter;
 mod hangar;
@@ -33,6 +36,7 @@ pub use crate::mission::Listing as MissionListing;
 pub use alarms::{Alarms, Pressing, Standing};
 pub use alert::{Alert, AlertKind, alert, alerts};
 pub use bell::{Call, Due};
+pub use career::Career;
 pub use column::{Column, Key, Sort};
 pub use filter::Filter;
 pub use hangar::{Hangar, Instance, Stage};
@@ -80,6 +84,15 @@ pub struct State {
     pub missions: Vec<MissionListing>,
     /// The trainee's tries at them as they are now, by the mission's id, oldest first.
     pub tries: BTreeMap<String, Vec<TryReport>>,
+    /// Who trains here; nobody whose flights are kept, if there is none.
+    pub career: Option<Career>,
+    /// The names of everybody who has a profile here.
+    pub profiles: Vec<String>,
+    /// The drones that were chosen for missions, by the mission's id: one for all seats or one each. Where there are
+    /// none, the mission lends its own.
+    pub fleets: BTreeMap<String, Vec<Design>>,
+    /// The designs that everybody has.
+    pub stock: Vec<Design>,
     /// The names of the themes on offer.
     pub themes: Vec<String>,
     /// The name of the theme in use.
@@ -135,6 +148,10 @@ impl State {
             notices: NoticeLog::default(),
             missions,
             tries: BTreeMap::new(),
+            career: None,
+            profiles: Vec::new(),
+            fleets: BTreeMap::new(),
+            stock: Vec::new(),
             themes,
             theme,
             keymap: Keymap::default(),
@@ -246,6 +263,19 @@ impl State {
         if self.history.len() > HISTORY_KEPT {
             self.history.pop_front();
         }
+    }
+
+    /// How a mission is flown for credits and medals, with the drones that were chosen for it.
+    pub fn launch(&self, mission: &str) -> Launch {
+        Launch {
+            fleet: self.fleets.get(mission).cloned().unwrap_or_default(),
+            ..Launch::graded(mission)
+        }
+    }
+
+    /// Why the trainee may not fly a mission yet. Without a profile everything may be flown.
+    pub fn lock(&self, mission: &str) -> Option<Text> {
+        self.career.as_ref()?.lock(mission)
     }
 
     /// The listing of the mission that is being flown.

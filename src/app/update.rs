@@ -84,6 +84,8 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Paths(paths) => state.session.paths = paths,
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
+        Event::Profiles(names) => state.profiles = names,
+        Event::Career(career) => state.career = career.map(|career| *career),
         Event::Failed(text) => telemetry::failed(state, text),
         Event::Line(line) => return palette::give(state, &line),
         Event::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,

@@ -153,6 +153,8 @@ fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
         preferences: Preferences {
             history: folders.map(|folders| History::within(&folders.state)),
             runs: folders.map(|folders| Runs::within(&folders.data)),
+            data: folders.map(|folders| folders.data.clone()),
+            profile: None,
             warnings: settings.warnings(),
             config: settings.config,
             keymap: settings.keymap,

@@ -1,47 +1,122 @@
 //! Begins and ends sessions.
 
+use std::sync::Arc;
 use std::time::Duration;
 
+use rand::TryRng as _;
+use rand::rngs::SysRng;
+
 use super::Console;
+use super::career::Careers;
 use super::session::{Backend, Plan, Running};
+use crate::app::effect::Launch;
 use crate::app::event::Event;
 use crate::app::update;
+use crate::campaign::{Stake, exam_seed};
 use crate::link::{Address, AddressError};
+use crate::mission::Mission;
+use crate::store;
 use crate::text::Text;
 
 /// How long the end of the program waits for the processes of its vehicles to end.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 
-/// A seed for the first try where none is given.
+/// A seed for the first try where none is given and nobody's flights are kept.
 const FIRST_SEED: u64 = 1;
+/// Fresh seeds are below this: small enough to be typed.
+const SEEDS: u64 = 1_000_000;
 
-/// One of the tries at a mission.
+/// One of the tries at what is flown.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Attempt {
     /// What varies it.
     pub seed: u64,
+    /// How it counts for a career.
+    pub stake: Stake,
 }
 
 impl Default for Attempt {
     fn default() -> Self {
-        Self { seed: FIRST_SEED }
+        Self {
+            seed: FIRST_SEED,
+            stake: Stake::Practice,
+        }
     }
 }
 
 impl Console {
-    /// Starts something else than what runs.
+    /// Starts a mission that the trainee has chosen.
+    pub(super) async fn start_mission(&mut self, launch: &Launch) -> Result<(), Text> {
+        let mission = store::mission(&launch.mission).map_err(|error| Text::from(&error))?;
+        self.launch(Arc::new(mission), launch.stake, launch.seed)
+            .await
+    }
+
+    /// Starts a mission, which knows already whether it is an exam. A seed that somebody has chosen makes it practice,
+    /// and so does a lock.
+    pub(super) async fn launch(
+        &mut self,
+        mission: Arc<Mission>,
+        stake: Stake,
+        seed: Option<u64>,
+    ) -> Result<(), Text> {
+        let chosen = seed.or(self.options.seed);
+        let is_open = self.state.lock(&mission.id).is_none();
+        let stake = match stake {
+            Stake::Graded if chosen.is_some() => Stake::Practice,
+            stake if is_open => stake,
+            _ => Stake::Practice,
+        };
+        let seed = match stake {
+            Stake::Practice => chosen.unwrap_or(FIRST_SEED),
+            Stake::Exam => exam_seed(&mission.id, mission.rev),
+            Stake::Graded => self.fresh_seed(),
+        };
+        self.attempt = Attempt { seed, stake };
+        self.start(Plan::Mission(mission)).await
+    }
+
+    /// A layout that a trainee has not flown yet; always the same where nothing is kept.
+    fn fresh_seed(&self) -> u64 {
+        let is_kept = self.careers.as_ref().is_some_and(|it| it.name().is_some());
+        let random = is_kept.then(|| SysRng.try_next_u64().ok()).flatten();
+        random.map_or(FIRST_SEED, |random| random % SEEDS)
+    }
+
+    /// The seed after that of the try before: any other one, or the next number where nothing is kept.
+    fn next_seed(&self) -> u64 {
+        match self.fresh_seed() {
+            FIRST_SEED => self.attempt.seed.wrapping_add(1),
+            fresh => fresh,
+        }
+    }
+
+    /// Starts something else than a mission.
     pub(super) async fn start_afresh(&mut self, plan: Plan) -> Result<(), Text> {
-        let seed = self.options.seed.unwrap_or(FIRST_SEED);
-        self.attempt = Attempt { seed };
+        self.attempt = Attempt {
+            seed: self.options.seed.unwrap_or(FIRST_SEED),
+            ..Attempt::default()
+        };
         self.start(plan).await
     }
 
     /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same. What was said
     /// before a launch that did not come holds for the next one.
     pub(super) async fn start_again(&mut self, plan: Plan, alike: bool) {
-        if !alike && self.options.seed.is_none() {
-            self.attempt.seed = self.attempt.seed.wrapping_add(1);
-        }
+        self.attempt = match self.attempt.stake {
+            // Everybody has the same.
+            Stake::Exam => self.attempt,
+            // What was seen before is flown for practice.
+            _ if alike => Attempt {
+                stake: Stake::Practice,
+                ..self.attempt
+            },
+            _ if self.options.seed.is_some() => self.attempt,
+            stake => Attempt {
+                seed: self.next_seed(),
+                stake,
+            },
+        };
         let pledge = self.running.as_ref().and_then(Running::open_pledge);
         let outcome = self.start(plan).await;
         if let (Some(running), Some(pledge)) = (&mut self.running, pledge) {
@@ -75,6 +150,12 @@ impl Console {
             speedup: self.options.speedup,
             simulation: self.options.backend.clone(),
             runs: self.options.preferences.runs.clone(),
+            stake: self.attempt.stake,
+            profile: self
+                .careers
+                .as_ref()
+                .and_then(Careers::name)
+                .map(str::to_owned),
         };
         let before = std::mem::take(&mut self.ending);
         let (running, started) = Running::start(plan, &backend, before).await?;

@@ -1,7 +1,5 @@
 //! Carries out what events cause outside the state.
 
-use std::sync::Arc;
-
 use super::Console;
 use super::begin::parse;
 use super::session::Plan;
@@ -10,7 +8,6 @@ use crate::app::event::Event;
 use crate::app::update;
 use crate::notice::sanitised;
 use crate::session::Order;
-use crate::store;
 use crate::terminal::Environment;
 use crate::text::Text;
 
@@ -59,9 +56,16 @@ impl Console {
                 targets,
                 manoeuvre,
             } => return self.begin_manoeuvre(entry, &manoeuvre, &targets).await,
-            Effect::StartMission(id) => store::mission(&id)
-                .map(|mission| Plan::Mission(Arc::new(mission)))
-                .map_err(|error| Text::from(&error)),
+            Effect::ChooseProfile(_)
+            | Effect::CreateProfile(_)
+            | Effect::LeaveProfile
+            | Effect::BuyPart(_)
+            | Effect::KeepDesign(_)
+            | Effect::DropDesign(_) => return self.change_career(effect),
+            Effect::StartMission(launch) => {
+                let outcome = self.start_mission(&launch).await;
+                return self.tell_failure(outcome);
+            }
             Effect::StartFree => Ok(Plan::Free(None)),
             Effect::StartArduPilot => Ok(Plan::Free(self.options.ardupilot.clone())),
             Effect::Hangar(deed, vehicle) => {

@@ -3,12 +3,14 @@
 use std::collections::BTreeMap;
 
 use crate::app::state::MissionListing;
+use crate::campaign::{Course, Offer};
 use crate::mission::Mission;
 use crate::scoring::TryReport;
 use crate::store;
 use crate::store::Runs;
 use crate::text;
 use crate::text::Text;
+use crate::workshop::Design;
 
 /// The trainee's tries at missions as they are now.
 pub fn tries(runs: &Runs, missions: &[MissionListing]) -> BTreeMap<String, Vec<TryReport>> {
@@ -21,9 +23,17 @@ pub fn tries(runs: &Runs, missions: &[MissionListing]) -> BTreeMap<String, Vec<T
     tries
 }
 
-/// The missions that can be flown, and what is wrong with the others.
-pub fn listings() -> (Vec<MissionListing>, Vec<Text>) {
+/// The designs that everybody has.
+pub fn stock() -> Vec<Design> {
+    let designs = store::designs();
+    let designs = designs.iter().map(|source| Design::from_toml(&source.text));
+    designs.filter_map(Result::ok).collect()
+}
+
+/// The missions that can be flown, the course that they make, and what is wrong with the others.
+pub fn listings() -> (Vec<MissionListing>, Course, Vec<Text>) {
     let mut listings: Vec<MissionListing> = Vec::new();
+    let mut offers: Vec<Offer> = Vec::new();
     let mut names: Vec<String> = Vec::new();
     let mut warnings = Vec::new();
     for source in store::missions() {
@@ -41,6 +51,7 @@ pub fn listings() -> (Vec<MissionListing>, Vec<Text>) {
                     ));
                     continue;
                 }
+                offers.push(Offer::of(&mission));
                 listings.push(mission.listing());
                 names.push(source.name);
             }
@@ -54,5 +65,5 @@ pub fn listings() -> (Vec<MissionListing>, Vec<Text>) {
             }
         }
     }
-    (listings, warnings)
+    (listings, Course::new(offers), warnings)
 }

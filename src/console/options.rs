@@ -1,5 +1,6 @@
 //! How the console is set up.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::app::keymap::Keymap;
@@ -58,6 +59,10 @@ pub struct Preferences {
     pub history: Option<History>,
     /// Where flown missions are recorded; nowhere for measurements.
     pub runs: Option<Runs>,
+    /// The folder of profiles; none are kept for measurements.
+    pub data: Option<PathBuf>,
+    /// Whose career it is, by name.
+    pub profile: Option<String>,
     /// What has to be said at the start: what is wrong with the user's files.
     pub warnings: Vec<Text>,
 }

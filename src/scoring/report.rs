@@ -231,6 +231,9 @@ pub struct UseReport {
     pub productive_s: f64,
     /// Of that, without one for longer than 30 s at a time.
     pub idle_s: f64,
+    /// Whether it fell or was made to.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub crashed: bool,
 }
 
 impl From<&VehicleUse> for UseReport {
@@ -241,6 +244,7 @@ impl From<&VehicleUse> for UseReport {
             airborne_s: seconds(one.airborne),
             productive_s: seconds(one.productive),
             idle_s: seconds(one.idle),
+            crashed: false,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What the console does with keys and lines, told as scripts.
 
-use sortie::app::effect::Effect;
+use sortie::app::effect::{Effect, Launch};
 use sortie::app::event::Event;
 use sortie::app::state::{Activity, Overlay, Room};
 use sortie::vehicle::Severity;
@@ -123,7 +123,7 @@ fn the_home_screen_starts_what_is_under_the_cursor() {
     let mut console = Console::new();
     assert_eq!(
         console.press("enter").effects,
-        [Effect::StartMission("m01".to_owned())]
+        [Effect::StartMission(Launch::graded("m01"))]
     );
     assert_eq!(
         console.press("j").press("enter").effects,

@@ -9,7 +9,8 @@ use crate::app::effect::Effect;
 use crate::app::keymap::{ESCAPE, Press, Row, does, key};
 use crate::app::room::home::fly_drill;
 use crate::app::state::State;
-use crate::app::update::act::{guarded, leave};
+use crate::app::update::act::leave;
+use crate::app::update::mission;
 use crate::debrief;
 use crate::mission::Listing;
 use crate::notice::sanitised;
@@ -145,5 +146,5 @@ fn next_mission(state: &mut State) -> Vec<Effect> {
         state.say(Severity::Notice, text!("debrief-last-mission"));
         return Vec::new();
     };
-    guarded(state, text!("ask-start"), Effect::StartMission(id))
+    mission::start(state, state.launch(&id))
 }

@@ -5,6 +5,7 @@ use crate::app::effect::Effect;
 use crate::app::keymap::{ENTER, Row, does, key};
 use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act::{guarded, quit};
+use crate::app::update::mission;
 use crate::mission::Listing;
 use crate::text;
 use crate::text::Text;
@@ -73,7 +74,7 @@ pub fn fly_drill(state: &mut State, mission: &str) -> Vec<Effect> {
         state.say(Severity::Notice, text!("home-no-drill"));
         return Vec::new();
     };
-    guarded(state, text!("ask-start"), Effect::StartMission(id))
+    mission::start(state, state.launch(&id))
 }
 
 /// What its actions do.
@@ -124,7 +125,7 @@ fn enter(state: &mut State, item: HomeItem) -> Vec<Effect> {
         HomeItem::Mission(at) => {
             let id = state.missions[at].id.clone();
             state.say(Severity::Info, text!("home-starting-mission"));
-            guarded(state, text!("ask-start"), Effect::StartMission(id))
+            mission::start(state, state.launch(&id))
         }
         HomeItem::Free => {
             state.say(Severity::Info, text!("home-starting-simulator"));

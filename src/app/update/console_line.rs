@@ -44,8 +44,10 @@ pub fn carry_out(
         }
         ConsoleLine::Show(room) => act::show(state, room),
         ConsoleLine::Fly(mission) => {
-            let effect = mission.map_or(Effect::StartFree, Effect::StartMission);
-            return Ok(act::guarded(state, text!("ask-start"), effect));
+            return Ok(match mission {
+                Some(id) => mission::start(state, state.launch(&id)),
+                None => act::guarded(state, text!("ask-start"), Effect::StartFree),
+            });
         }
         ConsoleLine::Params(deed) => {
             let end = line.trim_end().len();

@@ -1,7 +1,7 @@
 //! The course of a session: pause, end, once more.
 
 use super::act::{ask, guarded};
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, Launch};
 use crate::app::state::{Activity, State};
 use crate::text;
 use crate::text::Text;
@@ -59,6 +59,16 @@ fn obstacle(state: &State) -> Option<Text> {
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
         _ => forbidden().then(|| text!("pause-not-allowed")),
     }
+}
+
+/// Starts a mission, after a question where something would be lost. One that is locked for the trainee is not
+/// started.
+pub fn start(state: &mut State, launch: Launch) -> Vec<Effect> {
+    if let Some(reason) = state.lock(&launch.mission) {
+        state.say(Severity::Warning, reason);
+        return Vec::new();
+    }
+    guarded(state, text!("ask-start"), Effect::StartMission(launch))
 }
 
 /// Flies the same mission again, `alike` if chance is to play the same again; asks first where something would be

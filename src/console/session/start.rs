@@ -14,6 +14,7 @@ use super::links::Links;
 use super::swarm::Swarm;
 use crate::app::event::Started;
 use crate::app::state::Activity;
+use crate::campaign::Stake;
 use crate::fleet::{Clock, Fleet};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
@@ -52,6 +53,9 @@ pub(in crate::console) struct Backend {
     pub speedup: f64,
     /// Where missions are recorded.
     pub runs: Option<Runs>,
+    /// How a mission counts, and for whose career.
+    pub stake: Stake,
+    pub profile: Option<String>,
 }
 
 impl Plan {

@@ -88,7 +88,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         prediction: flight.prediction_report(&score),
         goal: flight.goal_report(&facts, &score),
         alerts: facts.alerts.iter().map(AlertReport::from).collect(),
-        usage: facts.usage.iter().map(UseReport::from).collect(),
+        usage: uses(&facts),
         swarm: flight.swarm_figures(),
         truth: flight.truth_report(),
         drill: None,
@@ -96,6 +96,19 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         gold_missing: score.gold_missing,
         wall_time_s: None,
     }
+}
+
+fn uses(facts: &Facts) -> Vec<UseReport> {
+    let has_crashed = |vehicle| {
+        let mut safety = facts.safety.iter();
+        safety.any(|event| event.vehicle == vehicle && event.kind.is_loss())
+    };
+    let uses = facts.usage.iter();
+    uses.map(|one| UseReport {
+        crashed: has_crashed(one.vehicle),
+        ..UseReport::from(one)
+    })
+    .collect()
 }
 
 fn hints(flight: &Flight) -> Vec<HintReport> {

@@ -1,6 +1,6 @@
 //! Pauses, and what begins and ends a try at a mission.
 
-use sortie::app::effect::Effect;
+use sortie::app::effect::{Effect, Launch};
 use sortie::app::event::{Event, Started};
 use sortie::app::state::{Activity, Overlay, Room};
 use sortie::scoring::EventReport;
@@ -183,7 +183,7 @@ fn the_debrief_leads_to_the_same_seed_another_one_and_the_next_mission() {
     for (key, effect) in [
         ("r", Effect::RestartMission { alike: false }),
         ("s", Effect::RestartMission { alike: true }),
-        ("n", Effect::StartMission("m02".to_owned())),
+        ("n", Effect::StartMission(Launch::graded("m02"))),
     ] {
         assert_eq!(console.press(key).effects, [effect], "{key}");
     }

@@ -1,6 +1,6 @@
 //! The room of the debrief: the truth on a map, earlier tries, and where its keys lead.
 
-use sortie::app::effect::Effect;
+use sortie::app::effect::{Effect, Launch};
 use sortie::app::event::Event;
 use sortie::app::state::{Activity, Room};
 use sortie::config::Symbols;
@@ -211,9 +211,15 @@ fn its_keys_fly_again_alike_the_next_and_lead_home() {
     drill.drill_of = Some("m01".to_owned());
     console.state.missions.extend([drill, next]);
     console.press("n");
-    assert_eq!(console.effects, [Effect::StartMission("m02".to_owned())]);
+    assert_eq!(
+        console.effects,
+        [Effect::StartMission(Launch::graded("m02"))]
+    );
     console.press("t");
-    assert_eq!(console.effects, [Effect::StartMission("d01".to_owned())]);
+    assert_eq!(
+        console.effects,
+        [Effect::StartMission(Launch::graded("d01"))]
+    );
     let mut console = debriefed((80, 24));
     console.press("n");
     assert!(console.effects.is_empty());

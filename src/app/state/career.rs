@@ -1,0 +1,52 @@
+//! The career of the trainee who sits here, as the console shows it.
+
+use crate::campaign::{Course, Entry, Reason, Stage, Standing};
+use crate::text;
+use crate::text::Text;
+use crate::workshop::Design;
+
+/// Who trains here, and how far they have come. The shell hands in a new one after every change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Career {
+    /// The trainee's name.
+    pub name: String,
+    /// Everything flown and bought, oldest first.
+    pub history: Vec<Entry>,
+    /// What the history amounts to.
+    pub standing: Standing,
+    /// The missions that a career consists of.
+    pub course: Course,
+    /// The trainee's own designs, by name.
+    pub designs: Vec<Design>,
+    /// Today: days since 1970 in UTC.
+    pub day: i64,
+}
+
+impl Career {
+    /// A career by its history.
+    pub fn new(name: impl Into<String>, history: Vec<Entry>, course: Course) -> Self {
+        Self {
+            name: name.into(),
+            standing: Standing::of(&history),
+            history,
+            course,
+            designs: Vec::new(),
+            day: 0,
+        }
+    }
+
+    /// Why a mission may not be flown yet, if it is one of the course.
+    pub fn lock(&self, mission: &str) -> Option<Text> {
+        let offer = self.course.offer(mission)?;
+        let Stage::Locked(reasons) = self.course.stage(offer, &self.standing, self.day) else {
+            return None;
+        };
+        let reasons = reasons.iter().map(Reason::text).collect();
+        let why = Text::joined("; ", reasons);
+        Some(text!(
+            "mission-locked",
+            mission = offer.title.clone(),
+            why = why
+        ))
+    }
+}

@@ -1,0 +1,213 @@
+//! What a flight brought, and why.
+
+use serde::Serialize;
+
+use super::{Course, Evidence, Flight, PartState, Skill, Stage, Stake, Standing, economy};
+use crate::text;
+use crate::text::Text;
+use crate::workshop::parts;
+
+/// What a flight changed in a career.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Reward {
+    /// How it counted.
+    pub stake: Stake,
+    /// Credits that were earned.
+    pub pay_credits: u32,
+    /// Credits that wear and loss of own drones took.
+    pub wear_credits: u32,
+    /// Credits that there are now.
+    pub credits: u32,
+    /// Experience that was earned.
+    pub experience: u64,
+    /// The level before.
+    pub level_before: u32,
+    /// The level now.
+    pub level: u32,
+    /// Experience that the next level still needs.
+    pub experience_left: u64,
+    /// How many drones the licence was for.
+    pub licence_before: u8,
+    /// How many it is for now.
+    pub licence: u8,
+    /// The missions that are on offer now and were not before.
+    pub missions: Vec<Opened>,
+    /// The parts that are on sale now and were not before.
+    pub parts: Vec<Opened>,
+    /// The skills of which something was seen, in their order.
+    pub skills: Vec<SkillChange>,
+    /// Why nothing was paid, if nothing was.
+    pub unpaid: Option<Text>,
+}
+
+/// Something that was locked before.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Opened {
+    /// Its id.
+    pub id: String,
+    /// Its name for people.
+    pub title: Text,
+}
+
+/// A skill before and after.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SkillChange {
+    /// Which.
+    pub skill: Skill,
+    /// Its name for people.
+    pub title: Text,
+    /// How likely it was, in percent.
+    pub before_percent: u8,
+    /// How likely it is now, in percent.
+    pub after_percent: u8,
+    /// What was seen of it.
+    pub why: Vec<Evidence>,
+}
+
+impl Reward {
+    /// What a flight made of the standing before it.
+    pub fn between(before: &Standing, after: &Standing, course: &Course, flight: &Flight) -> Self {
+        let best = before.best(&flight.mission).and_then(|best| best.passed);
+        // What the fold paid, whatever its rules: what is left, what wear took, less what was there.
+        let owned = before.credits();
+        let pay_credits =
+            economy::pay(flight, best).min((after.credits() + flight.wear).saturating_sub(owned));
+        let wear_credits = (owned + pay_credits).saturating_sub(after.credits());
+        let (experience, level, needed) = after.experience();
+        let (experience_before, level_before, _) = before.experience();
+        let unpaid = (pay_credits == 0).then(|| match best {
+            _ if flight.stake == Stake::Practice => text!("reward-practice"),
+            _ if !flight.passed => text!("reward-not-passed"),
+            Some(best) => text!("reward-not-better", best = best),
+            None => text!("reward-no-pay"),
+        });
+        Self {
+            stake: flight.stake,
+            pay_credits,
+            wear_credits,
+            credits: after.credits(),
+            experience: experience - experience_before,
+            level_before,
+            level,
+            experience_left: needed.saturating_sub(experience),
+            licence_before: before.licence(),
+            licence: after.licence(),
+            missions: opened_missions(before, after, course, flight.day),
+            parts: opened_parts(before, after, course),
+            skills: skill_changes(before, after, flight),
+            unpaid,
+        }
+    }
+
+    /// In words, the most important first.
+    pub fn lines(&self) -> Vec<Text> {
+        let mut lines = vec![self.credits_line(), self.experience_line()];
+        if self.licence > self.licence_before {
+            lines.push(text!(
+                "reward-licence",
+                before = self.licence_before,
+                after = self.licence
+            ));
+        }
+        let missions = self.missions.iter();
+        lines.extend(missions.map(|it| text!("reward-mission", mission = it.title.clone())));
+        if !self.parts.is_empty() {
+            let names = self.parts.iter().map(|it| it.title.clone()).collect();
+            lines.push(text!("reward-parts", parts = Text::joined(", ", names)));
+        }
+        lines.extend(self.skills.iter().map(SkillChange::text));
+        lines
+    }
+
+    fn credits_line(&self) -> Text {
+        let (pay, now) = (self.pay_credits, self.credits);
+        match (&self.unpaid, self.wear_credits) {
+            (Some(why), 0) => text!("reward-unpaid", why = why, now = now),
+            (Some(why), wear) => text!("reward-unpaid-wear", why = why, wear = wear, now = now),
+            (None, 0) => text!("reward-credits", pay = pay, now = now),
+            (None, wear) => text!("reward-credits-wear", pay = pay, wear = wear, now = now),
+        }
+    }
+
+    fn experience_line(&self) -> Text {
+        let (gained, left) = (self.experience, self.experience_left);
+        if self.level > self.level_before {
+            let (before, after) = (self.level_before, self.level);
+            text!(
+                "reward-level",
+                gained = gained,
+                before = before,
+                after = after,
+                left = left
+            )
+        } else {
+            text!(
+                "reward-experience",
+                gained = gained,
+                level = self.level,
+                left = left
+            )
+        }
+    }
+}
+
+impl SkillChange {
+    /// In words: from where to where, and what was seen.
+    pub fn text(&self) -> Text {
+        let seen = |it: &Evidence| {
+            let percent = (it.outcome * 100.0).round() as u32;
+            text!("reward-seen", what = it.what.clone(), percent = percent)
+        };
+        text!(
+            "reward-skill",
+            skill = self.title.clone(),
+            before = self.before_percent,
+            after = self.after_percent,
+            why = Text::joined(", ", self.why.iter().map(seen).collect())
+        )
+    }
+}
+
+fn opened_missions(before: &Standing, after: &Standing, course: &Course, day: i64) -> Vec<Opened> {
+    let is_locked =
+        |offer, standing| matches!(course.stage(offer, standing, day), Stage::Locked(_));
+    let offers = course.offers().iter();
+    offers
+        .filter(|offer| is_locked(offer, before) && !is_locked(offer, after))
+        .map(|offer| Opened {
+            id: offer.id.clone(),
+            title: offer.title.clone(),
+        })
+        .collect()
+}
+
+fn opened_parts(before: &Standing, after: &Standing, course: &Course) -> Vec<Opened> {
+    let is_locked = |part, standing: &Standing| {
+        matches!(standing.part_state(part, course), PartState::Locked(_))
+    };
+    parts()
+        .filter(|part| is_locked(part, before) && !is_locked(part, after))
+        .map(|part| Opened {
+            id: part.id.to_owned(),
+            title: part.name(),
+        })
+        .collect()
+}
+
+fn skill_changes(before: &Standing, after: &Standing, flight: &Flight) -> Vec<SkillChange> {
+    let percent = |standing: &Standing, skill| {
+        (standing.skill(skill).chance(flight.day) * 100.0).round() as u8
+    };
+    let seen = |skill| flight.evidence.iter().filter(move |it| it.skill == skill);
+    Skill::ALL
+        .into_iter()
+        .filter(|skill| seen(*skill).next().is_some())
+        .map(|skill| SkillChange {
+            skill,
+            title: skill.title(),
+            before_percent: percent(before, skill),
+            after_percent: percent(after, skill),
+            why: seen(skill).cloned().collect(),
+        })
+        .collect()
+}

@@ -1,0 +1,83 @@
+//! What flying costs its owner.
+
+use crate::workshop::{Design, Slot};
+
+/// A flight takes this much of a battery's life.
+const BATTERY_SHARE: f64 = 0.01;
+/// An hour in the air takes this much of a motor's.
+const MOTOR_SHARE_PER_HOUR: f64 = 0.002;
+/// A drone that fell is worth this much less.
+const CRASH_SHARE: f64 = 0.5;
+
+/// A drone of the trainee's own on a flight.
+#[derive(Debug, Clone, Copy)]
+pub struct Flown<'a> {
+    /// What it was built of.
+    pub design: &'a Design,
+    /// Time in the air, in seconds.
+    pub airborne_s: f64,
+    /// Whether it fell.
+    pub has_crashed: bool,
+}
+
+/// What a flight costs in credits: wear of batteries and motors, and half of what fell. A drone that stayed on its pad costs
+/// nothing, nor do those that a mission lends.
+pub fn wear<'a>(flown: impl IntoIterator<Item = Flown<'a>>) -> u32 {
+    let credits: f64 = flown.into_iter().map(|one| one.wear()).sum();
+    credits.round() as u32
+}
+
+impl Flown<'_> {
+    fn wear(&self) -> f64 {
+        if self.airborne_s <= 0.0 && !self.has_crashed {
+            return 0.0;
+        }
+        let price = |slot| -> f64 {
+            let pieces = self.design.pieces();
+            let of_slot = pieces.filter(|(part, _)| part.slot() == slot);
+            of_slot
+                .map(|(part, pieces)| f64::from(part.credits * pieces))
+                .sum()
+        };
+        let hours = self.airborne_s / 3600.0;
+        let used = price(Slot::Battery) * BATTERY_SHARE
+            + price(Slot::Motor) * MOTOR_SHARE_PER_HOUR * hours;
+        let fallen = if self.has_crashed {
+            f64::from(self.design.credits()) * CRASH_SHARE
+        } else {
+            0.0
+        };
+        used + fallen
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::campaign::STARTER_PARTS;
+    use crate::workshop::part;
+
+    #[test]
+    fn a_flight_wears_batteries_and_motors_and_a_fall_takes_half() {
+        let design = STARTER_PARTS.iter().fold(Design::new("quad"), |it, id| {
+            it.with(part(id).expect("known"))
+        });
+        let cost = |airborne_s, has_crashed| {
+            let one = Flown {
+                design: &design,
+                airborne_s,
+                has_crashed,
+            };
+            wear([one, one])
+        };
+        let price = |id| f64::from(part(id).expect("known").credits);
+        let hour = 2.0 * (0.01 * price("b3s5000") + 0.002 * 4.0 * price("m2212_920"));
+        assert_eq!(cost(0.0, false), 0, "what stays on the ground is not worn");
+        assert_eq!(cost(3600.0, false), hour.round() as u32);
+        assert_eq!(
+            cost(3600.0, true),
+            (hour + f64::from(design.credits())).round() as u32,
+            "half of each of two"
+        );
+    }
+}
