@@ -150,8 +150,7 @@ impl Found {
             );
             self.warning(Slot::Esc, text);
         }
-        if let (Some(Spec::Power(module)), Some(cells)) =
-            (design.spec(Slot::Power), design.cells())
+        if let (Some(Spec::Power(module)), Some(cells)) = (design.spec(Slot::Power), design.cells())
             && cells > module.max_cells
         {
             let text = text!(

@@ -97,12 +97,7 @@ fn draw_wide(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let slots = slots.min(area.height.saturating_sub(FINDINGS_ROWS));
     slots::draw(state, look, upper(left, slots), buffer);
     findings::draw(state, look, below(left, slots), buffer);
-    parts::draw(
-        state,
-        look,
-        columns(area, WIDE_SLOTS + 1, middle),
-        buffer,
-    );
+    parts::draw(state, look, columns(area, WIDE_SLOTS + 1, middle), buffer);
     let right = columns(area, WIDE_SLOTS + middle + 2, WIDE_FIGURES);
     figures::draw(state, look, upper(right, FIGURES_ROWS + 1), buffer);
     let rest = below(right, FIGURES_ROWS + 1);

@@ -35,7 +35,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         room.bench.polar().to_vec()
     };
     let about = about(state, is_payload);
-    let words = wrap(&look.text(&about), usize::from(inner.width.saturating_sub(1)));
+    let words = wrap(
+        &look.text(&about),
+        usize::from(inner.width.saturating_sub(1)),
+    );
     let below_curve = words.len() as u16 + 1;
     let units = if is_payload {
         ("kg", "min")

@@ -25,9 +25,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some((other, sheet)) = &room.compared else {
         return;
     };
-    let column = usize::from(inner.width)
-        .saturating_sub(NAME + CHANGE + 3)
-        / 2;
+    let column = usize::from(inner.width).saturating_sub(NAME + CHANGE + 3) / 2;
     let table = Table {
         look,
         column: column.min(WIDEST),

@@ -57,7 +57,11 @@ fn line(
         }
         _ => value(before),
     };
-    let values = format!("{values} {}", measure.unit());
+    let values = if before.or(after.flatten()).is_some() {
+        format!("{values} {}", measure.unit())
+    } else {
+        values
+    };
     let (change, role) = changed.unwrap_or_else(|| (String::new(), Role::Text));
     let name = aligned(
         &look.text(&measure.name()),

@@ -8,10 +8,11 @@ use super::put_wrapped;
 use crate::app::room::workshop::{Licence, lacking, licence};
 use crate::app::state::State;
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{columns, titled};
-use crate::workshop::Severity;
+use crate::workshop::{Finding, Severity};
 
 /// Draws a sentence for each, faults first.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -21,8 +22,16 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let inner = titled(&look.say("workshop-findings"), look, area, buffer);
     let inner = columns(inner, 1, inner.width.saturating_sub(1));
     let bench = &state.rooms.workshop.bench;
+    let is_missing = |it: &&Finding| it.text.id() == Some("finding-missing");
+    let missing = bench.findings().iter().filter(is_missing);
+    let missing: Vec<Text> = missing.map(|it| it.slot.name()).collect();
     let mut texts: Vec<(String, Style)> = Vec::new();
-    for finding in bench.findings() {
+    if !missing.is_empty() {
+        let text = text!("bench-missing", slots = Text::joined(", ", missing));
+        let text = format!("x {}", look.text(&text));
+        texts.push((text, look.style(Role::Danger)));
+    }
+    for finding in bench.findings().iter().filter(|it| !is_missing(it)) {
         let (mark, role) = match finding.severity {
             Severity::Fault => ('x', Role::Danger),
             Severity::Warning => ('!', Role::Warning),

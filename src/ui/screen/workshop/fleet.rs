@@ -37,11 +37,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let line = Line::styled(format!(" {on_bench}"), look.style(Role::Muted));
     put(buffer, inner, 0, &line);
     let inner = below(inner, 2);
-    let cursor = state
-        .rooms
-        .workshop
-        .seat
-        .min(all.len().saturating_sub(1));
+    let cursor = state.rooms.workshop.seat.min(all.len().saturating_sub(1));
     let first = first_shown(cursor, all.len(), inner.height);
     let shown = all.iter().enumerate().skip(first);
     for (at, seat) in shown.take(usize::from(inner.height)) {

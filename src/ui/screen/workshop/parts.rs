@@ -40,16 +40,12 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let mut inner = titled(&title, look, area, buffer);
     if layout.shown.len() > 1 {
         let style = look.style(Role::Muted);
-        put(
-            buffer,
-            inner,
-            0,
-            &Line::styled(layout.heading(look), style),
-        );
+        put(buffer, inner, 0, &Line::styled(layout.heading(look), style));
         inner = below(inner, 1);
     }
-    let list = upper(inner, inner.height.saturating_sub(DETAIL));
     let candidates = bench.candidates();
+    let most = inner.height.saturating_sub(DETAIL);
+    let list = upper(inner, most.min(candidates.len() as u16 + 1));
     let cursor = bench.at();
     let first = first_shown(cursor, candidates.len(), list.height);
     let shown = candidates.iter().enumerate().skip(first);
@@ -104,6 +100,7 @@ impl Layout {
         };
         let shown: Vec<Measure> = telling.iter().copied().take(count).collect();
         let name = room.saturating_sub(change * shown.len());
+        let name = if wide { name.min(LONG_NAME + 6) } else { name };
         Self {
             name,
             licence,
@@ -149,10 +146,7 @@ impl Layout {
                 let used = 2 + self.name + self.licence;
                 let room = self.width.saturating_sub(used + 2);
                 let reason = aligned(&look.text(reason), room, false);
-                spans.push(Span::styled(
-                    format!("  {reason}"),
-                    look.style(Role::Muted),
-                ));
+                spans.push(Span::styled(format!("  {reason}"), look.style(Role::Muted)));
             }
             _ => spans.extend(self.changes(&candidate.sheet, before, look)),
         }
@@ -200,13 +194,7 @@ fn short(licence: &Licence, look: &Look) -> (String, Role) {
 }
 
 /// The part's whole name, what it costs, whether it may be flown, and why it does not fit.
-fn draw_detail(
-    state: &State,
-    candidate: &Candidate,
-    look: &Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+fn draw_detail(state: &State, candidate: &Candidate, look: &Look, area: Rect, buffer: &mut Buffer) {
     let part = candidate.part;
     let whole = text!(
         "bench-part",

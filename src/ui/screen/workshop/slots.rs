@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{first_shown, show_cursor};
-use crate::app::room::workshop::{Pane, SlotRow, WIDE, is_saved};
+use crate::app::room::workshop::{Pane, SlotRow, is_saved};
 use crate::app::state::State;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -16,6 +16,8 @@ use crate::workshop::{Design, Severity, Slot};
 /// Columns of a slot's name.
 const NAME: usize = 12;
 const WIDE_NAME: usize = 18;
+/// Columns from which on mass and price are shown too.
+const ROOMY: usize = 50;
 /// Columns of mass and price.
 const MASS: usize = 8;
 const PRICE: usize = 8;
@@ -39,7 +41,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         let is_first = at == 0 || rows[at - 1].slot != row.slot;
         let severity = room.bench.severity(row.slot).filter(|_| is_first);
         let width = usize::from(inner.width);
-        let wide = state.size.0 >= WIDE;
+        let wide = width >= ROOMY;
         let line = Row {
             row,
             is_first,
