@@ -1,5 +1,6 @@
 //! The record of the mission that is flown, written once a second.
 
+use std::path::PathBuf;
 use std::time::{Duration, SystemTime};
 
 use crate::mission::Flight;
@@ -59,6 +60,12 @@ impl Logbook {
         self.file = Err(None);
         flight.stop_record();
         Some(unwritable(&fault))
+    }
+
+    /// The file, as long as it can be written.
+    pub fn path(&self) -> Option<PathBuf> {
+        let file = self.file.as_ref().ok()?;
+        Some(file.path().to_owned())
     }
 
     /// The tries at a revision of a mission, oldest first.
