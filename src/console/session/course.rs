@@ -11,7 +11,8 @@ use crate::app::event::Event;
 use crate::app::state::{Session as Shown, Stage};
 use crate::commands::Deed;
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Mission, Pledge, Report};
+use crate::mission::record::Occasion;
+use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Mission, Pledge, Report, Stake};
 use crate::notice::Notice;
 use crate::scoring::{ARDUPILOT, EMBEDDED};
 use crate::store::{self, Runs};
@@ -91,9 +92,15 @@ impl Course {
         }
     }
 
-    /// Begins its record, and tells it which try it is.
-    pub fn record(&mut self, runs: Runs) {
-        self.logbook = Some(Logbook::begin(runs, &mut self.flight, self.backend));
+    /// Begins its record, and tells it which try it is; for whose career, and how it counts there.
+    pub fn record(&mut self, runs: Runs, profile: Option<String>, stake: Stake) {
+        let occasion = Occasion {
+            backend: self.backend.to_owned(),
+            profile,
+            stake,
+            ..Occasion::default()
+        };
+        self.logbook = Some(Logbook::begin(runs, &mut self.flight, occasion));
     }
 
     /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.

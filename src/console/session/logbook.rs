@@ -23,7 +23,7 @@ pub(super) struct Logbook {
 
 impl Logbook {
     /// Begins the record of a flight, which is told which try it is.
-    pub fn begin(runs: Runs, flight: &mut Flight, backend: &str) -> Self {
+    pub fn begin(runs: Runs, flight: &mut Flight, occasion: Occasion) -> Self {
         let mission = flight.mission().clone();
         let finished = runs.tries_at(&mission.id, mission.rev);
         let finished = finished.iter().filter(|one| one.score.is_some()).count();
@@ -31,11 +31,7 @@ impl Logbook {
         let when = utc(SystemTime::now());
         let file = runs.begin(&mission.id, &when);
         if file.is_ok() {
-            flight.start_record(&Occasion {
-                when,
-                backend: backend.to_owned(),
-                ..Occasion::default()
-            });
+            flight.start_record(&Occasion { when, ..occasion });
         }
         Self {
             runs,
