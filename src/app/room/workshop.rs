@@ -249,10 +249,19 @@ fn part_under_cursor(state: &State) -> Option<&'static Part> {
 }
 
 fn put_in(state: &mut State) {
-    let bench = &mut state.rooms.workshop.bench;
-    let misfit = bench.candidate().and_then(|it| it.misfit.clone());
-    if !bench.put_in(air()) {
+    let room = &mut state.rooms.workshop;
+    let misfit = room.bench.candidate().and_then(|it| it.misfit.clone());
+    let slot = room.bench.slot();
+    let was_empty = room.bench.design().in_slot(slot).is_empty();
+    if !room.bench.put_in(air()) {
         return state.say(Severity::Notice, text!("bench-no-more"));
+    }
+    // A slot with room for one is settled; of others, more may be wanted.
+    if slot.room() == 1 {
+        room.pane = Pane::Slots;
+        if was_empty {
+            room.bench.move_to_empty(air());
+        }
     }
     if let Some(reason) = misfit {
         state.say(Severity::Warning, reason);

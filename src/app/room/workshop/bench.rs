@@ -156,6 +156,18 @@ impl Bench {
         }
     }
 
+    /// Moves the cursor to the next slot that needs a part and has none, if there is one.
+    pub fn move_to_empty(&mut self, air: Air) {
+        let rows = self.rows();
+        let is_empty = |row: &SlotRow| row.part.is_none() && row.slot.is_required();
+        let next = (self.row + 1..rows.len()).chain(0..self.row);
+        if let Some(at) = next.into_iter().find(|&at| is_empty(&rows[at])) {
+            self.row = at;
+            self.list(air);
+            self.find_part();
+        }
+    }
+
     /// Moves the cursor over the candidates.
     pub fn move_part(&mut self, step: Step) {
         let at = step.apply(self.at(), self.candidates.len());

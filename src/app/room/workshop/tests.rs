@@ -86,7 +86,8 @@ fn put(state: &mut State, slot: Slot, part: &str) {
             "there is no {part}"
         );
     }
-    press(state, "enter tab");
+    press(state, "enter");
+    state.rooms.workshop.pane = Pane::Slots;
 }
 
 fn design(state: &State) -> &Design {
@@ -128,6 +129,17 @@ fn a_drone_is_built_from_nothing_and_its_figures_follow() {
         bench.design().to_toml().replace("New drone", "Starter 450"),
         starter().to_toml()
     );
+}
+
+#[test]
+fn the_cursor_goes_on_to_what_is_still_empty() {
+    let mut state = workshop(None);
+    press(&mut state, "n enter enter");
+    let room = &state.rooms.workshop;
+    assert_eq!((room.pane, room.bench.slot()), (Pane::Slots, Slot::Motor));
+    press(&mut state, "home enter j enter");
+    let room = &state.rooms.workshop;
+    assert_eq!((room.pane, room.bench.slot()), (Pane::Slots, Slot::Frame));
 }
 
 #[test]
