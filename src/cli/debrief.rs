@@ -35,8 +35,7 @@ pub(super) fn debrief(
     settings: &Settings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
-    let folders = settings.folders.as_ref();
-    let runs = folders.map(|folders| Runs::within(&folders.data));
+    let runs = settings.data.as_deref().map(Runs::within);
     let path = match (options.run.as_str(), &runs) {
         ("last", Some(runs)) => runs.newest().ok_or_else(|| {
             let folder = runs.folder().display().to_string();

@@ -4,7 +4,8 @@
 //! others. What is written comes in whole lines, also when the disk is full; a crash loses what was not yet written
 //! and nothing else. Only files that are called so are ever removed, and only in the program's own folder.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom, Write as _};
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
@@ -16,7 +17,7 @@ use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
 /// How a run's file ends.
-const ENDING: &str = ".run.jsonl";
+pub(super) const ENDING: &str = ".run.jsonl";
 /// How its name begins, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
 /// Runs that are kept; the oldest go first.
@@ -143,6 +144,13 @@ impl Runs {
         self.files().pop()
     }
 
+    /// The files of runs whose ids are not among these, oldest first.
+    pub(super) fn others(&self, known: &BTreeSet<String>) -> Vec<PathBuf> {
+        let mut files = self.files();
+        files.retain(|path| !known.contains(run_id(path)));
+        files
+    }
+
     /// The files, oldest first.
     fn files(&self) -> Vec<PathBuf> {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
@@ -192,6 +200,17 @@ impl RunFile {
     pub fn path(&self) -> &Path {
         &self.path
     }
+
+    /// What no other run is called: the file's name without its ending.
+    pub fn id(&self) -> &str {
+        run_id(&self.path)
+    }
+}
+
+/// The id of a run by its file.
+pub(super) fn run_id(path: &Path) -> &str {
+    let name = path.file_name().and_then(OsStr::to_str).unwrap_or_default();
+    name.strip_suffix(ENDING).unwrap_or(name)
 }
 
 /// Whether a file is called like a run.
@@ -243,7 +262,7 @@ fn date(days: u64) -> (u64, u64, u64) {
 }
 
 /// The first line of a run, and the last one if it is its end.
-fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
+pub(super) fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
     let mut file = File::open(path)?;
     let mut first = Vec::new();
     BufReader::new((&file).take(HEAD_LEN)).read_until(b'\n', &mut first)?;
