@@ -7,12 +7,12 @@ use rand::TryRng as _;
 use rand::rngs::SysRng;
 
 use super::Console;
-use super::career::Careers;
+use super::career::{Careers, today};
 use super::session::{Backend, Plan, Running};
 use crate::app::effect::Launch;
 use crate::app::event::Event;
 use crate::app::update;
-use crate::campaign::{Stake, exam_seed};
+use crate::campaign::{Stake, daily_seed, exam_seed};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::store;
@@ -48,6 +48,13 @@ impl Console {
     /// Starts a mission that the trainee has chosen.
     pub(super) async fn start_mission(&mut self, launch: &Launch) -> Result<(), Text> {
         let mission = store::mission(&launch.mission).map_err(|error| Text::from(&error))?;
+        let mission = mission
+            .with_fleet(launch.fleet.clone())
+            .map_err(|reasons| Text::joined("; ", reasons))?;
+        let mission = match launch.stake {
+            Stake::Exam => mission.for_exam(),
+            _ => mission,
+        };
         self.launch(Arc::new(mission), launch.stake, launch.seed)
             .await
     }
@@ -69,6 +76,7 @@ impl Console {
         };
         let seed = match stake {
             Stake::Practice => chosen.unwrap_or(FIRST_SEED),
+            Stake::Daily => daily_seed(today()),
             Stake::Exam => exam_seed(&mission.id, mission.rev),
             Stake::Graded => self.fresh_seed(),
         };
@@ -105,7 +113,7 @@ impl Console {
     pub(super) async fn start_again(&mut self, plan: Plan, alike: bool) {
         self.attempt = match self.attempt.stake {
             // Everybody has the same.
-            Stake::Exam => self.attempt,
+            Stake::Exam | Stake::Daily => self.attempt,
             // What was seen before is flown for practice.
             _ if alike => Attempt {
                 stake: Stake::Practice,

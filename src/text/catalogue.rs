@@ -23,6 +23,7 @@ catalogue! {
     "console",
     "debrief",
     "doctor",
+    "fleet",
     "fly",
     "hangar",
     "hazards",

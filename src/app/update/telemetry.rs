@@ -82,6 +82,7 @@ pub fn started(state: &mut State, started: Started) {
     session.hangar = started.processes.map(starting);
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
+    state.reward = None;
     let is_again = session.activity == state.session.activity;
     // Who comes to a mission reads first what it is about; who flies it again knows.
     session.first_room = if session.listing.is_some() && !is_again {
