@@ -163,16 +163,13 @@ impl Running {
             _ => simulation.ardupilot.as_ref(),
         };
         if let Some(source) = source {
-            let launches = simulation.launches(&world.starts, backend.speedup);
+            let launches = simulation.launches(world, backend.speedup);
             let cancel = self.cancel.clone();
             let processes = Processes::launch(source.clone(), launches, before, cancel);
             self.processes = Some(processes);
             return Ok(());
         }
-        let world = World::new(&WorldConfig {
-            airframes: simulation.airframes(),
-            ..world
-        });
+        let world = World::new(&simulation.of(world));
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();
