@@ -29,6 +29,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         state.hush();
     }
     effects.extend(telemetry::signals(state));
+    workshop::weigh(state);
     effects
 }
 
@@ -92,6 +93,7 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
             state.career = career.map(|career| *career);
             workshop::heard(state);
         }
+        Event::Tries(tries) => state.tries = tries,
         Event::Rewarded(reward) => state.reward = Some(*reward),
         Event::Failed(text) => telemetry::failed(state, text),
         Event::Line(line) => return palette::give(state, &line),

@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::text;
+use crate::text::Text;
+
 /// A level of difficulty: it changes what helps, never the physics and never the score.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -31,5 +34,14 @@ impl Aids {
     /// The level of a code.
     pub fn of(code: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|aids| aids.code() == code)
+    }
+
+    /// In a word.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Full => text!("aids-full"),
+            Self::Fading => text!("aids-fading"),
+            Self::None => text!("aids-none"),
+        }
     }
 }

@@ -18,6 +18,7 @@ catalogue! {
     "basics",
     "bench",
     "campaign",
+    "career",
     "common",
     "config",
     "console",

@@ -22,6 +22,7 @@ use crate::workshop::{Air, Design, Part, Sheet};
 
 mod bench;
 mod files;
+mod fit;
 mod fleet;
 mod licence;
 mod shelf;
@@ -30,6 +31,7 @@ mod tests;
 
 pub use bench::{Bench, Candidate, SlotRow, rows};
 pub use files::{copied, exists, exported, imported, read, renamed, saved_as};
+pub use fit::{Fit, Stand, weigh};
 pub use fleet::{Seat, bill, seats};
 pub use licence::{Licence, lacking, licence};
 pub use shelf::{Stored, heard, is_saved, lay, stored};
@@ -53,6 +55,8 @@ pub struct Workshop {
     pub scroll: usize,
     /// What the bench is compared with.
     pub compared: Option<(Design, Sheet)>,
+    /// How the bench stands to what the mission needs.
+    pub fit: Option<Fit>,
 }
 
 /// What is shown.

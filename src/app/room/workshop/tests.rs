@@ -327,6 +327,29 @@ fn a_fleet_is_chosen_given_back_and_flown() {
 }
 
 #[test]
+fn the_mission_says_what_it_needs_and_what_a_part_would_bring() {
+    let mut state = workshop(None);
+    let met = |state: &State| -> Vec<bool> {
+        let fit = state.rooms.workshop.fit.as_ref().expect("a mission");
+        let stands = fit.groups.iter().flat_map(|(_, stands)| stands);
+        stands.map(|stand| stand.line.met).collect()
+    };
+    let needs = &state.missions[0].needs;
+    let first = needs[0].sensors.first().copied();
+    let sensor = first.and_then(crate::workshop::part).expect("it needs one");
+    let before = met(&state).iter().filter(|met| **met).count();
+    let has = design(&state).has(sensor.id);
+    if has {
+        press(&mut state, "n");
+    }
+    put(&mut state, Slot::Payload, sensor.id);
+    let after = met(&state).iter().filter(|met| **met).count();
+    assert!(has || after == before + 1, "{before} {after}");
+    let design = design(&state).without(sensor);
+    assert!(met(&state)[0] && !state.missions[0].needs[0].fit(&design)[0].met);
+}
+
+#[test]
 fn what_does_not_fly_or_is_not_owned_takes_no_seat() {
     let mut state = workshop(Some(career()));
     put(&mut state, Slot::Motor, "m2215_900");

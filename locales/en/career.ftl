@@ -1,0 +1,65 @@
+# Profiles and progress on the command line.
+mastery-unknown = not shown yet
+mastery-learning = on the way
+mastery-mastered = mastered
+mastery-due = to be refreshed
+
+mission-state-locked = locked
+mission-state-open = open
+mission-state-passed = passed
+
+part-for-sale = { $part }: { $price } credits, `sortie profile buy { $id }`
+part-locked = { $part }: on sale after { $mission }
+parts-missing = { $design } has parts that { $profile } may not use yet
+
+profile-created = { $name } trains here now; fly with `--profile { $name }`
+profile-none = nobody trains here yet; `sortie profile create NAME` makes a profile
+profile-choose = whose? There are: { $known }. Say --profile NAME, or set `profile` in the configuration
+profile-delete = { $name } has { $flights } flights. Say --yes to delete them all, after `sortie profile export { $name }` if they may be wanted again
+profile-deleted = { $name } is gone
+profile-imported = { $name } is here, with { $flights } flights
+profile-bought = { $part } is licensed for { $price } credits; { $credits } left
+profile-not-stored = the flight is not stored: { $fault }
+profile-record = with a profile, runs are recorded in the folder of its data, and tries are counted: leave out --record and --try
+profile-own-mission = { $mission } is no mission of the course: the flight counts as practice
+profiles-damaged = { $path } holds something that sortie did not write: { $fault }
+profiles-recovered = a finished flight of { $profile } had not been stored and is now: { $mission }, { $score } points
+
+progress-title = Progress of { $name }
+progress-standing = { $credits } credits, level { $level } ({ $experience } of { $next } experience), licence for { $licence } drones, flights: { $flights }
+progress-next = next: train { $skill } with { $mission }
+progress-aids = aids: { $aids }
+progress-since = since { $day }
+progress-missions = Missions
+progress-skills = Skills
+progress-runs = Flights
+progress-mission = mission
+progress-state = state
+progress-medal = medal
+progress-best = best
+progress-tries = tries
+progress-first = first
+progress-last = last
+progress-trend = points per try
+progress-why = why locked
+progress-skill = skill
+progress-chance = chance
+progress-mastery = mastery
+progress-shown = shown
+progress-due = due
+progress-ended = ended (UTC)
+progress-score = score
+progress-passed = passed
+progress-stake = counts as
+progress-seed = seed
+progress-recording = recording
+aids-full = all
+aids-fading = fading
+aids-none = none
+stake-graded = graded
+stake-practice = practice
+stake-exam = exam
+stake-daily = daily
+answer-yes = yes
+answer-no = no
+profile-member = { $name }: { $credits } credits, level { $level }, licence for { $licence } drones, flights: { $flights }

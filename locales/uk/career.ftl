@@ -1,0 +1,65 @@
+# Профілі та поступ у командному рядку.
+mastery-unknown = ще не показано
+mastery-learning = у дорозі
+mastery-mastered = опановано
+mastery-due = час поновити
+
+mission-state-locked = замкнено
+mission-state-open = відкрито
+mission-state-passed = пройдено
+
+part-for-sale = { $part }: { $price } кредитів, `sortie profile buy { $id }`
+part-locked = { $part }: у продажу після { $mission }
+parts-missing = { $design } має деталі, якими { $profile } ще не може користуватися
+
+profile-created = профіль { $name } створено; літайте з `--profile { $name }`
+profile-none = профілів ще немає; `sortie profile create NAME` створить
+profile-choose = чий? Є: { $known }. Додайте --profile NAME або задайте `profile` у налаштуваннях
+profile-delete = у профілі { $name } польотів: { $flights }. Щоб стерти все, додайте --yes; якщо вони ще можуть знадобитися, спершу `sortie profile export { $name }`
+profile-deleted = профіль { $name } стерто
+profile-imported = профіль { $name } тут, польотів: { $flights }
+profile-bought = { $part }: ліцензія за { $price } кредитів; лишилося { $credits }
+profile-not-stored = політ не збережено: { $fault }
+profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть --record і --try
+profile-own-mission = завдання { $mission } не входить до курсу: політ рахується як тренування
+profiles-damaged = { $path } містить те, чого sortie не писала: { $fault }
+profiles-recovered = завершений політ ({ $profile }) не був збережений, тепер збережено: { $mission }, балів: { $score }
+
+progress-title = Поступ: { $name }
+progress-standing = кредитів { $credits }, рівень { $level } (досвід { $experience } з { $next }), ліцензія на кількість дронів { $licence }, польотів { $flights }
+progress-next = далі: { $skill } у «{ $mission }»
+progress-aids = допомога: { $aids }
+progress-since = від { $day }
+progress-missions = Завдання
+progress-skills = Навички
+progress-runs = Польоти
+progress-mission = завдання
+progress-state = стан
+progress-medal = медаль
+progress-best = найкраще
+progress-tries = спроби
+progress-first = перше
+progress-last = останнє
+progress-trend = балів за спробу
+progress-why = чому замкнено
+progress-skill = навичка
+progress-chance = імовірність
+progress-mastery = опанування
+progress-shown = показано
+progress-due = поновити
+progress-ended = завершено (UTC)
+progress-score = бали
+progress-passed = пройдено
+progress-stake = рахується як
+progress-seed = зерно
+progress-recording = запис
+aids-full = уся
+aids-fading = згасає
+aids-none = без неї
+stake-graded = залік
+stake-practice = тренування
+stake-exam = іспит
+stake-daily = щоденне
+answer-yes = так
+answer-no = ні
+profile-member = { $name }: кредитів { $credits }, рівень { $level }, ліцензія на кількість дронів { $licence }, польотів { $flights }
