@@ -121,4 +121,4 @@ prompt-rename-design = інша назва для { $name }
 prompt-export-design = записати проєкт у файл
 prompt-import-design = прочитати проєкт із файлу
 prompt-design-advice = ваша назва; з'явиться у списку проєктів
-prompt-import-advice = шлях до файлу проєкту (TOML); ~/ — домашня тека
+prompt-import-advice = шлях до файлу проєкту; ~/ — домашня тека

@@ -45,10 +45,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let mut rest = put_wrapped(&texts, inner, buffer);
     let groups = state.rooms.workshop.fit.iter().flat_map(|fit| &fit.groups);
     for (seats, stands) in groups {
-        let seats = text!(
-            "workshop-fit-seats",
-            seats = ranges(seats.iter().copied())
-        );
+        let seats = text!("workshop-fit-seats", seats = ranges(seats.iter().copied()));
         let heading = (look.text(&seats), look.style(Role::Title));
         rest = put_wrapped(&[heading], rest, buffer);
         for stand in stands {
