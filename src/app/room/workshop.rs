@@ -260,8 +260,8 @@ fn put_in(state: &mut State) {
     if !room.bench.put_in(air()) {
         return state.say(Severity::Notice, text!("bench-no-more"));
     }
-    // A slot with room for one is settled; of others, more may be wanted.
-    if slot.room() == 1 {
+    // What was missing is settled, and a slot with room for one; of others, more may be wanted.
+    if slot.room() == 1 || (was_empty && slot.is_required()) {
         room.pane = Pane::Slots;
         if was_empty {
             room.bench.move_to_empty(air());

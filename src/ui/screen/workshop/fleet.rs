@@ -47,7 +47,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             show_cursor(look, true, place, buffer);
         }
     }
-    mission::draw(state, look, needs, buffer);
+    mission::draw(state, look, columns(needs, 0, LIST), buffer);
 }
 
 fn line_of(seat: Seat<'_>, look: &Look, width: u16) -> Line<'static> {
