@@ -8,6 +8,7 @@ use std::time::Instant;
 use clap::Args;
 
 use super::backend::BackendArguments;
+use super::designs::DesignArguments;
 use super::settings::Settings;
 use super::{Failure, parse_speedup};
 use crate::debrief;
@@ -32,6 +33,7 @@ use witness::Witness;
     sortie run 01 --pilot 01-air-sample\n  \
     sortie run my.toml --pilot my.pilot --json --no-timing\n  \
     sortie run 01 --pilot my.pilot --seed 3 --speedup 10\n  \
+    sortie run 01 --pilot 01-air-sample --design starter\n  \
     sortie run 01 --pilot 01-air-sample --backend ardupilot")]
 pub(super) struct RunArguments {
     /// A mission file, or the name or number of an embedded mission.
@@ -49,6 +51,8 @@ pub(super) struct RunArguments {
     /// SITL processes keep together (20 on a processor of its own).
     #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
+    #[command(flatten)]
+    designs: DesignArguments,
     #[command(flatten)]
     backend: BackendArguments,
     /// Which try at the mission it is: on the first one, hints are free.
@@ -99,10 +103,13 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
 
 /// Flies and prints. The exit code tells whether the mission was passed.
 pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCode, Failure> {
-    let mission = Arc::new(load_mission(&options.mission)?);
+    let locale = Locale::new(settings.language());
+    let mission = options
+        .designs
+        .equip(load_mission(&options.mission)?, &locale)?;
+    let mission = Arc::new(mission);
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
-    let locale = Locale::new(settings.language());
     let started = Instant::now();
     let mut witness = Witness::new(options, &locale, &mission.id);
     let mut report = match &backend.ardupilot {
