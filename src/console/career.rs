@@ -9,7 +9,7 @@ use crate::app::event::Event;
 use crate::app::state::Career;
 use crate::app::update;
 use crate::campaign::Course;
-use crate::store::{Profile, ProfileError, Profiles, Rescue, utc};
+use crate::store::{Profile, ProfileError, Profiles, open_profiles, utc};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
@@ -25,18 +25,18 @@ pub(super) struct Careers {
 }
 
 impl Careers {
-    /// Opens the profiles of a data folder, with nobody chosen. What was damaged is told.
+    /// Opens the profiles of a data folder, with nobody chosen. What was damaged or made up for is told.
     ///
     /// # Errors
     /// They cannot be had; the console works without them.
-    pub fn open(data: &Path, course: Course) -> Result<(Self, Option<Rescue>), ProfileError> {
-        let (profiles, rescue) = Profiles::open(data)?;
+    pub fn open(data: &Path, course: Course) -> Result<(Self, Vec<Text>), ProfileError> {
+        let (profiles, told) = open_profiles(data)?;
         let careers = Self {
             profiles,
             course,
             current: None,
         };
-        Ok((careers, rescue))
+        Ok((careers, told))
     }
 
     /// The trainee's name, if there is one.
@@ -110,8 +110,8 @@ impl Console {
         };
         let wanted = preferences.profile.clone();
         let mut careers = match Careers::open(data, course) {
-            Ok((careers, rescue)) => {
-                self.warnings.extend(rescue.map(|rescue| rescue.text()));
+            Ok((careers, told)) => {
+                self.warnings.extend(told);
                 careers
             }
             Err(error) => return self.warnings.push(error.text()),

@@ -24,6 +24,8 @@ const DAY_S: u64 = 24 * 60 * 60;
 pub struct Landing {
     /// What no other run is called: [`RunFile::id`](super::RunFile::id).
     pub id: String,
+    /// Whether its record is whole.
+    pub is_recorded: bool,
     /// When it ended.
     pub when: SystemTime,
     /// How it counts.
@@ -63,7 +65,7 @@ impl RunEntry {
                 ..report.clone()
             },
             airframes: mission.fleet().iter().map(Design::to_toml).collect(),
-            recording: Some(format!("{}{ENDING}", landing.id)),
+            recording: (landing.is_recorded).then(|| format!("{}{ENDING}", landing.id)),
             id: landing.id,
         }
     }
@@ -154,6 +156,7 @@ fn left_behind<'a>(path: &Path, everybody: &'a [Profile]) -> Option<(&'a Profile
     let mission = stored.head.flown().ok()?;
     let landing = Landing {
         id: run_id(path).to_owned(),
+        is_recorded: true,
         when,
         stake: head.stake,
     };
