@@ -63,7 +63,11 @@ pub(super) fn debrief(
         eprintln!("sortie: {name}: {}", locale.text(&text));
     }
     if let Some(runs) = &runs {
-        report.tries = runs.tries_at(&report.mission, report.revision);
+        report.tries = runs.tries_at(
+            stored.head.profile.as_deref(),
+            &report.mission,
+            report.revision,
+        );
     }
     report.drill = store::drill_of(&report.mission);
     if options.json {

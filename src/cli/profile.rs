@@ -25,13 +25,17 @@ pub(super) struct ProfileArguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Makes a profile.
-    #[command(after_help = "Examples:\n  sortie profile create anna\n  sortie profile create 'Anna K.'")]
+    #[command(
+        after_help = "Examples:\n  sortie profile create anna\n  sortie profile create 'Anna K.'"
+    )]
     Create {
         /// The trainee's name: one line of at most 40 letters.
         name: String,
     },
     /// Who trains here.
-    #[command(after_help = "Examples:\n  sortie profile list\n  sortie profile list --json --data /srv/course")]
+    #[command(
+        after_help = "Examples:\n  sortie profile list\n  sortie profile list --json --data /srv/course"
+    )]
     List {
         /// One JSON document instead of a table.
         #[arg(long)]

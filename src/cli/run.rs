@@ -223,11 +223,11 @@ fn fly(
 ) -> Result<Report, Failure> {
     let Some(source) = &backend.ardupilot else {
         let mission = Arc::clone(mission);
-        let exercise = Exercise::new(mission, seed, script, backend.airframes());
+        let exercise = Exercise::new(mission, seed, script, backend.airframes.clone());
         return Ok(fly_embedded(exercise, options.speedup, witness));
     };
     let speedup = options.speedup.of_sitl(mission.vehicles);
-    let launches = backend.launches(&mission.starts(), speedup);
+    let launches = backend.launches(mission.world(seed), speedup);
     let mut live = Live::new(Arc::clone(mission), seed, script, speedup);
     witness.prepare(live.flight_mut());
     Ok(ardupilot::fly(source, launches, live, witness)?)

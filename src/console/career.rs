@@ -1,20 +1,21 @@
 //! The trainee who sits at the console: who it is, what is flown for their career, and what they buy and design.
 
 use std::path::Path;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::SystemTime;
 
 use super::Console;
+use super::missions::{self, Tries};
+use super::session::{Finished, Plan};
 use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::state::Career;
 use crate::app::update;
-use crate::campaign::Course;
-use crate::store::{Profile, ProfileError, Profiles, open_profiles, utc};
+use crate::campaign::{Course, Entry, Reward, Standing};
+use crate::scoring::TryReport;
+use crate::store::{self, Landing, Profile, ProfileError, Profiles, RunEntry, day_of, utc};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
-
-const DAY: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// The profiles of the data folder, and the one that is in use.
 #[derive(Debug)]
@@ -30,7 +31,7 @@ impl Careers {
     /// # Errors
     /// They cannot be had; the console works without them.
     pub fn open(data: &Path, course: Course) -> Result<(Self, Vec<Text>), ProfileError> {
-        let (profiles, told) = open_profiles(data)?;
+        let (profiles, told) = store::open_profiles(data)?;
         let careers = Self {
             profiles,
             course,
@@ -80,6 +81,43 @@ impl Careers {
         profile.map_or(Ok(()), |profile| self.profiles.drop_design(profile, name))
     }
 
+    /// Stores a flight in the career that it was flown for; tells what it has brought there. One that is stored already
+    /// has brought nothing more.
+    fn enter(&mut self, whose: &str, run: &RunEntry) -> Result<Option<Reward>, ProfileError> {
+        let profile = self.profiles.find(whose)?;
+        let mut standing = Standing::of(&self.profiles.history(&profile)?);
+        let before = standing.clone();
+        if !self.profiles.store(&profile, run)? {
+            return Ok(None);
+        }
+        standing.enter(&Entry::Flight(run.flight.clone()));
+        let reward = Reward::between(&before, &standing, &self.course, &run.flight);
+        Ok(Some(reward))
+    }
+
+    /// The trainee's tries at a revision of a mission, oldest first; `None` without a trainee.
+    fn tries_at(&self, mission: &str, revision: u32) -> Option<Vec<TryReport>> {
+        let tries = self
+            .profiles
+            .tries(self.current.as_ref()?, mission, revision);
+        tries.ok()
+    }
+
+    /// All of them, by mission.
+    fn tries(&self) -> Result<Option<Tries>, ProfileError> {
+        let Some(profile) = &self.current else {
+            return Ok(None);
+        };
+        let mut tries = Tries::new();
+        for run in self.profiles.runs(profile)? {
+            let of_mission = tries.entry(run.flight.mission.clone()).or_default();
+            let alike = of_mission.iter().filter(|one| one.revision == run.revision);
+            let attempt = u32::try_from(alike.count() + 1).unwrap_or(u32::MAX);
+            of_mission.push(run.as_try(attempt));
+        }
+        Ok(Some(tries))
+    }
+
     /// How far the trainee has come; `None` without one.
     pub fn career(&self) -> Result<Option<Career>, ProfileError> {
         let Some(profile) = &self.current else {
@@ -96,9 +134,7 @@ impl Careers {
 
 /// Days since 1970 in UTC.
 pub(super) fn today() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    let days = since.unwrap_or_default().as_secs() / DAY.as_secs();
-    i64::try_from(days).unwrap_or(i64::MAX)
+    day_of(SystemTime::now())
 }
 
 impl Console {
@@ -149,21 +185,81 @@ impl Console {
         self.show_career();
     }
 
+    /// Whose flights are kept at the moment, by name.
+    pub(super) fn trainee(&self) -> Option<&str> {
+        self.careers.as_ref()?.name()
+    }
+
+    /// The trainee's tries at what is to be flown, oldest first.
+    pub(super) fn tries_before(&self, plan: &Plan) -> Vec<TryReport> {
+        let Plan::Mission(mission) = plan else {
+            return Vec::new();
+        };
+        let (id, revision) = (mission.id.as_str(), mission.rev);
+        let careers = self.careers.as_ref();
+        if let Some(tries) = careers.and_then(|it| it.tries_at(id, revision)) {
+            return tries;
+        }
+        let runs = self.options.preferences.runs.as_ref();
+        runs.map_or_else(Vec::new, |runs| runs.tries_at(None, id, revision))
+    }
+
+    /// Stores what has just been flown for somebody's career, and shows what it has brought.
+    pub(super) fn settle(&mut self, finished: &Finished) {
+        let Some(whose) = finished.occasion.profile.as_deref() else {
+            return;
+        };
+        let Some(careers) = &mut self.careers else {
+            return;
+        };
+        let runs = self.options.preferences.runs.as_ref();
+        let landing = Landing {
+            id: finished.run_id.clone(),
+            is_recorded: runs.is_some_and(|runs| runs.has(&finished.run_id)),
+            when: SystemTime::now(),
+            stake: finished.occasion.stake,
+        };
+        let run = RunEntry::of(&finished.mission, &finished.report, landing);
+        match careers.enter(whose, &run) {
+            Ok(reward) => {
+                self.show_career();
+                if let Some(reward) = reward {
+                    update(&mut self.state, Event::Rewarded(Box::new(reward)));
+                }
+            }
+            Err(error) => self.tell_failure(Err(error.text())),
+        }
+    }
+
     /// Hands the career to the state as it is now.
     pub(super) fn show_career(&mut self) {
         let Some(careers) = &self.careers else {
             return;
         };
-        let events = careers.names().and_then(|names| {
+        let shown = careers.names().and_then(|names| {
             let career = careers.career()?.map(Box::new);
-            Ok([Event::Profiles(names), Event::Career(career)])
+            Ok((names, career, careers.tries()?))
         });
-        let events: Vec<Event> = events.map_or_else(
-            |error: ProfileError| vec![Event::Failed(Text::from(error.text()))],
-            Vec::from,
-        );
+        let events = match shown {
+            Ok((names, career, tries)) => {
+                let tries = tries.unwrap_or_else(|| self.tries_of_nobody());
+                let tries = missions::current(tries, &self.state.missions);
+                vec![
+                    Event::Profiles(names),
+                    Event::Career(career),
+                    Event::Tries(tries),
+                ]
+            }
+            Err(error) => vec![Event::Failed(error.text())],
+        };
         for event in events {
             update(&mut self.state, event);
         }
+    }
+
+    /// The tries that belong to nobody's career.
+    fn tries_of_nobody(&self) -> Tries {
+        let runs = self.options.preferences.runs.as_ref();
+        runs.map_or_else(Tries::new, |runs| runs.all_tries(None))
     }
 }

@@ -106,37 +106,42 @@ impl Runs {
         ))
     }
 
-    /// The tries at a revision of a mission, oldest first: those that compare with each other.
-    pub fn tries_at(&self, mission: &str, revision: u32) -> Vec<TryReport> {
-        let mut tries = self.tries(mission);
+    /// The tries of a profile, or of nobody's career, at a revision of a mission, oldest first: those that compare with
+    /// each other. Only the first and the last line of each file are read; one that cannot be read is left out.
+    pub fn tries_at(&self, whose: Option<&str>, mission: &str, revision: u32) -> Vec<TryReport> {
+        let part = format!("_{mission}_");
+        let of_it = |path: &Path| {
+            let name = path.file_name().unwrap_or_default();
+            name.to_string_lossy().contains(&part)
+        };
+        let mut tries = self.tries(whose, of_it).remove(mission).unwrap_or_default();
         tries.retain(|one| one.revision == revision);
         tries
     }
 
-    /// The tries at a mission, oldest first. Only the first and the last line of each file are read; one that cannot
-    /// be read is left out.
-    pub fn tries(&self, mission: &str) -> Vec<TryReport> {
-        let part = format!("_{mission}_");
-        let files = self.files();
-        let of_it = files.iter().filter(|path| {
-            let name = path.file_name().unwrap_or_default();
-            name.to_string_lossy().contains(&part)
-        });
-        let tries = of_it.filter_map(|path| outline(path).ok());
-        let tries = tries.filter(|(head, _)| head.mission == mission);
-        tries
-            .map(|(head, end)| as_try(&head, end.as_ref()))
-            .collect()
+    /// The tries at all missions, by the mission's id, oldest first; as [`tries_at`](Self::tries_at) reads them.
+    pub fn all_tries(&self, whose: Option<&str>) -> BTreeMap<String, Vec<TryReport>> {
+        self.tries(whose, |_| true)
     }
 
-    /// The tries at all missions, by the mission's id, oldest first; as [`tries`](Self::tries) reads them.
-    pub fn all_tries(&self) -> BTreeMap<String, Vec<TryReport>> {
+    fn tries(
+        &self,
+        whose: Option<&str>,
+        wanted: impl Fn(&Path) -> bool,
+    ) -> BTreeMap<String, Vec<TryReport>> {
         let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
-        for (head, end) in self.files().iter().filter_map(|path| outline(path).ok()) {
+        let files = self.files().into_iter().filter(|path| wanted(path));
+        let outlines = files.filter_map(|path| outline(&path).ok());
+        for (head, end) in outlines.filter(|(head, _)| head.profile.as_deref() == whose) {
             let one = as_try(&head, end.as_ref());
             tries.entry(head.mission).or_default().push(one);
         }
         tries
+    }
+
+    /// Whether there is a record of this id.
+    pub fn has(&self, id: &str) -> bool {
+        self.folder.join(format!("{id}{ENDING}")).is_file()
     }
 
     /// The run that began last.

@@ -45,6 +45,21 @@ pub struct PastRun {
     pub flight: Flight,
 }
 
+impl PastRun {
+    /// The same as one of the tries at its mission, counted from 1.
+    pub fn as_try(&self, attempt: u32) -> TryReport {
+        TryReport {
+            attempt,
+            when: self.when.clone(),
+            score: Some(self.flight.score),
+            medal: self.flight.medal,
+            passed: self.flight.passed,
+            seed: self.seed,
+            revision: self.revision,
+        }
+    }
+}
+
 impl Profiles {
     /// What a profile's career consists of, oldest first.
     ///
@@ -130,18 +145,8 @@ impl Profiles {
     ) -> Result<Vec<TryReport>, ProfileError> {
         let mut runs = self.runs(profile)?;
         runs.retain(|run| run.flight.mission == mission && run.revision == revision);
-        let tries = runs.into_iter().zip(1..);
-        Ok(tries
-            .map(|(run, attempt)| TryReport {
-                attempt,
-                when: run.when,
-                score: Some(run.flight.score),
-                medal: run.flight.medal,
-                passed: run.flight.passed,
-                seed: run.seed,
-                revision,
-            })
-            .collect())
+        let tries = runs.iter().zip(1..);
+        Ok(tries.map(|(run, attempt)| run.as_try(attempt)).collect())
     }
 
     /// The ids of all runs of all profiles.
