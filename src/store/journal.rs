@@ -8,7 +8,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
-use crate::campaign::{Evidence, Flight, Flown, Stake, wear};
+use crate::campaign::{Flight, Stake};
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::scoring::Report;
@@ -43,20 +43,7 @@ impl RunEntry {
     pub fn of(mission: &Mission, report: &Report, landing: Landing) -> Self {
         Self {
             when: utc(landing.when),
-            flight: Flight {
-                mission: mission.id.clone(),
-                drill_of: mission.drill_of.clone(),
-                tier: mission.rewards.xp_tier,
-                reward: mission.rewards.credits,
-                vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX),
-                stake: landing.stake,
-                day: day_of(landing.when),
-                score: report.score,
-                passed: report.passed,
-                medal: report.medal,
-                evidence: Evidence::of(report, mission),
-                wear: wear(flown(mission, report)),
-            },
+            flight: Flight::of(mission, report, landing.stake, day_of(landing.when)),
             // What the shell adds belongs to the moment at which it is shown.
             report: Report {
                 drill: None,
@@ -69,16 +56,6 @@ impl RunEntry {
             id: landing.id,
         }
     }
-}
-
-/// The trainee's own drones on a flight. Those of the mission are lent.
-fn flown<'a>(mission: &'a Mission, report: &'a Report) -> impl Iterator<Item = Flown<'a>> {
-    let seats = mission.fleet().iter().zip(&report.usage);
-    seats.map(|(design, used)| Flown {
-        design,
-        airborne_s: used.airborne_s,
-        has_crashed: used.crashed,
-    })
 }
 
 /// A run that was finished and recorded, but not stored.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::*;
-use crate::campaign::{Entry, Standing};
+use crate::campaign::{Entry, Evidence, Standing};
 use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
