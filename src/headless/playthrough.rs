@@ -171,3 +171,6 @@ impl Playthrough {
         self.history.push(entry);
     }
 }
+
+#[cfg(test)]
+mod tests;
