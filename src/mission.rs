@@ -43,6 +43,7 @@ mod hazard;
 mod hint;
 mod listing;
 mod lookout;
+mod needs;
 mod objective;
 mod progress;
 mod radio;
@@ -69,6 +70,7 @@ pub use event::mover::MoverKind;
 pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use listing::{FitListing, Listing, ObjectiveListing};
+pub use needs::{FitLine, Need};
 pub use progress::{
     Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
     Reading, ShownContact, ShownMark, Trust,

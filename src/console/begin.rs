@@ -148,6 +148,7 @@ impl Console {
     /// Ends everything, and waits for it a little: what then still runs ends with this program.
     pub(super) async fn close(&mut self) {
         self.end_session();
+        self.store_flights();
         let ending = std::mem::take(&mut self.ending);
         ending.over(LAST_PROCESS_PATIENCE).await;
     }
@@ -155,6 +156,7 @@ impl Console {
     async fn start(&mut self, plan: Plan) -> Result<(), Text> {
         // The old session ends first: the new one may need its ports.
         self.end_session();
+        self.store_flights();
         let backend = Backend {
             clock: self.clock.clone(),
             vehicles: self.options.vehicles,

@@ -1,5 +1,6 @@
 //! The trainee who sits at the console: who it is, what is flown for their career, and what they buy and design.
 
+use std::collections::VecDeque;
 use std::path::Path;
 use std::time::SystemTime;
 
@@ -23,6 +24,8 @@ pub(super) struct Careers {
     profiles: Profiles,
     course: Course,
     current: Option<Profile>,
+    /// Flights that are not stored yet, oldest first, and whose they are: the disk may be full for a while.
+    waiting: VecDeque<(String, RunEntry)>,
 }
 
 impl Careers {
@@ -36,6 +39,7 @@ impl Careers {
             profiles,
             course,
             current: None,
+            waiting: VecDeque::new(),
         };
         Ok((careers, told))
     }
@@ -81,18 +85,19 @@ impl Careers {
         profile.map_or(Ok(()), |profile| self.profiles.drop_design(profile, name))
     }
 
-    /// Stores a flight in the career that it was flown for; tells what it has brought there. One that is stored already
-    /// has brought nothing more.
-    fn enter(&mut self, whose: &str, run: &RunEntry) -> Result<Option<Reward>, ProfileError> {
-        let profile = self.profiles.find(whose)?;
-        let mut standing = Standing::of(&self.profiles.history(&profile)?);
-        let before = standing.clone();
-        if !self.profiles.store(&profile, run)? {
-            return Ok(None);
+    /// Stores the flights that wait for it in the careers that they were flown for; tells what they have brought there.
+    /// Those that cannot be stored now go on waiting.
+    fn enter(&mut self) -> (Vec<Reward>, Result<(), ProfileError>) {
+        let mut rewards = Vec::new();
+        while let Some((whose, run)) = self.waiting.front() {
+            let reward = enter(&mut self.profiles, &self.course, whose, run);
+            match reward {
+                Ok(reward) => rewards.extend(reward),
+                Err(error) => return (rewards, Err(error)),
+            }
+            self.waiting.pop_front();
         }
-        standing.enter(&Entry::Flight(run.flight.clone()));
-        let reward = Reward::between(&before, &standing, &self.course, &run.flight);
-        Ok(Some(reward))
+        (rewards, Ok(()))
     }
 
     /// The trainee's tries at a revision of a mission, oldest first; `None` without a trainee.
@@ -135,6 +140,23 @@ impl Careers {
 /// Days since 1970 in UTC.
 pub(super) fn today() -> i64 {
     day_of(SystemTime::now())
+}
+
+/// Stores a flight in somebody's career. One that is stored already has brought nothing more.
+fn enter(
+    profiles: &mut Profiles,
+    course: &Course,
+    whose: &str,
+    run: &RunEntry,
+) -> Result<Option<Reward>, ProfileError> {
+    let profile = profiles.find(whose)?;
+    let before = Standing::of(&profiles.history(&profile)?);
+    if !profiles.store(&profile, run)? {
+        return Ok(None);
+    }
+    let mut after = before.clone();
+    after.enter(&Entry::Flight(run.flight.clone()));
+    Ok(Some(Reward::between(&before, &after, course, &run.flight)))
 }
 
 impl Console {
@@ -220,15 +242,28 @@ impl Console {
             stake: finished.occasion.stake,
         };
         let run = RunEntry::of(&finished.mission, &finished.report, landing);
-        match careers.enter(whose, &run) {
-            Ok(reward) => {
-                self.show_career();
-                if let Some(reward) = reward {
-                    update(&mut self.state, Event::Rewarded(Box::new(reward)));
-                }
-            }
-            Err(error) => self.tell_failure(Err(error.text())),
+        careers.waiting.push_back((whose.to_owned(), run));
+        self.store_flights();
+    }
+
+    /// Stores what waits for it. What cannot be stored is told, and tried again at the next occasion.
+    pub(super) fn store_flights(&mut self) {
+        let waits = |careers: &&mut Careers| !careers.waiting.is_empty();
+        let Some(careers) = self.careers.as_mut().filter(waits) else {
+            return;
+        };
+        let (rewards, outcome) = careers.enter();
+        if !rewards.is_empty()
+            && let Err(error) = careers.profiles.back_up()
+        {
+            tracing::warn!(%error, "the profiles were not copied");
         }
+        self.show_career();
+        for reward in rewards {
+            update(&mut self.state, Event::Rewarded(Box::new(reward)));
+        }
+        let outcome = outcome.map_err(|error| text!("career-waits", fault = error.text()));
+        self.tell_failure(outcome);
     }
 
     /// Hands the career to the state as it is now.
@@ -261,5 +296,52 @@ impl Console {
     fn tries_of_nobody(&self) -> Tries {
         let runs = self.options.preferences.runs.as_ref();
         runs.map_or_else(Tries::new, |runs| runs.all_tries(None))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use rusqlite::Connection;
+
+    use super::*;
+    use crate::headless::Exercise;
+    use crate::language::{Context, Script};
+    use crate::mission::{Mission, Stake};
+
+    fn flown() -> RunEntry {
+        let mission = include_str!("../../missions/00-first-flight.toml");
+        let mission = Arc::new(Mission::parse(mission).expect("no faults"));
+        let script = Script::parse("", &Context::default()).expect("nothing to do");
+        let report = Exercise::new(Arc::clone(&mission), 1, script, Vec::new()).report();
+        let landing = Landing {
+            id: "a".to_owned(),
+            when: SystemTime::UNIX_EPOCH,
+            stake: Stake::Graded,
+        };
+        RunEntry::of(&mission, &report, landing)
+    }
+
+    #[test]
+    fn a_flight_that_cannot_be_stored_waits_until_it_can() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut careers, _) = Careers::open(folder.path(), Course::default()).expect("ours");
+        careers.create("Anna").expect("a name");
+        let other = Connection::open(careers.profiles.path()).expect("the same file");
+        let rename = |from: &str, to: &str| {
+            let line = format!("ALTER TABLE {from} RENAME TO {to}");
+            other.execute_batch(&line).expect("a table");
+        };
+        rename("runs", "away");
+        careers.waiting.push_back(("Anna".to_owned(), flown()));
+        let (rewards, outcome) = careers.enter();
+        assert!(rewards.is_empty() && outcome.is_err());
+        rename("away", "runs");
+        let (rewards, outcome) = careers.enter();
+        assert_eq!((rewards.len(), outcome.is_ok()), (1, true));
+        assert!(careers.waiting.is_empty());
+        let career = careers.career().expect("it can be read");
+        assert_eq!(career.map(|career| career.history.len()), Some(1));
     }
 }

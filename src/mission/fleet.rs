@@ -14,12 +14,9 @@ use crate::text::Text;
 use crate::workshop::{Air, Design, Severity, Slot};
 
 /// Seconds of spray in a sprayer's tank.
-const TANK_S: u32 = 15;
+pub(super) const TANK_S: u32 = 15;
 /// The part that lets pieces go.
 pub(super) const DROPPER: &str = "s_drop";
-/// The part with an antenna that gains so much more than the radio's own.
-const RELAY: &str = "s_relay";
-const RELAY_DBI: f64 = 6.0;
 
 impl Mission {
     /// What flies it, in the order of the seats; empty for the mission's own drones.
@@ -140,9 +137,8 @@ fn radio(design: &Design, own: Option<Set>) -> Option<Set> {
     let part = design.in_slot(Slot::Radio).first()?;
     let set = Set::of(Model::of(part)?);
     let relays = own.is_some_and(|own| own.model.id == part.id && own.relays);
-    let booster_dbi = if design.has(RELAY) { RELAY_DBI } else { 0.0 };
     Some(Set {
-        gain_dbi: set.gain_dbi + booster_dbi,
+        gain_dbi: set.gain_dbi + design.antenna_gain_dbi(),
         relays: set.relays || relays,
         ..set
     })
