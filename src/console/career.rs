@@ -316,6 +316,7 @@ mod tests {
         let script = Script::parse("", &Context::default()).expect("nothing to do");
         let report = Exercise::new(Arc::clone(&mission), 1, script, Vec::new()).report();
         let landing = Landing {
+            is_recorded: true,
             id: "a".to_owned(),
             when: SystemTime::UNIX_EPOCH,
             stake: Stake::Graded,
