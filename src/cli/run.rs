@@ -9,6 +9,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::backend::BackendArguments;
+use super::designs::DesignArguments;
 use super::settings::Settings;
 use super::{Failure, parse_speedup, trainee};
 use crate::campaign::Stake;
@@ -37,6 +38,7 @@ use witness::{Assignment, Witness};
     sortie run 01 --pilot 01-air-sample\n  \
     sortie run my.toml --pilot my.pilot --json --no-timing\n  \
     sortie run 01 --pilot my.pilot --seed 3 --speedup 10\n  \
+    sortie run 01 --pilot 01-air-sample --design starter\n  \
     sortie run 01 --pilot 01-air-sample --profile anna\n  \
     sortie run 01 --pilot 01-air-sample --backend ardupilot")]
 pub(super) struct RunArguments {
@@ -62,6 +64,8 @@ pub(super) struct RunArguments {
     /// SITL processes keep together (20 on a processor of its own).
     #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
+    #[command(flatten)]
+    designs: DesignArguments,
     #[command(flatten)]
     backend: BackendArguments,
     /// Which try at the mission it is: on the first one, which it is unless this says otherwise, hints are free. With
@@ -128,6 +132,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let started = Instant::now();
     let locale = Locale::new(settings.language());
     let mission = load_mission(&options.mission)?;
+    let mission = options.designs.equip(mission, &locale)?;
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
     let mut trainee = Trainee::named(settings, &locale)?;
