@@ -17,6 +17,7 @@ pub mod messages;
 pub mod mission;
 pub mod parameters;
 pub mod vehicle;
+pub mod workshop;
 
 /// A room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -44,11 +45,13 @@ pub enum Room {
     Mission,
     /// What the flight was worth.
     Debrief,
+    /// Where drones are built.
+    Workshop,
 }
 
 impl Room {
     /// Every room, in the order of the help.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Home,
         Self::Fly,
         Self::Vehicle,
@@ -60,6 +63,7 @@ impl Room {
         Self::Parameters,
         Self::Mission,
         Self::Debrief,
+        Self::Workshop,
     ];
 
     /// The key that leads there from anywhere.
@@ -76,6 +80,7 @@ impl Room {
             Self::Parameters => 'P',
             Self::Mission => 'B',
             Self::Debrief => 'D',
+            Self::Workshop => 'W',
         }
     }
 
@@ -93,6 +98,7 @@ impl Room {
             Self::Parameters => "parameters",
             Self::Mission => "mission",
             Self::Debrief => "debrief",
+            Self::Workshop => "workshop",
         }
     }
 
@@ -142,6 +148,8 @@ pub struct Rooms {
     pub mission: mission::Mission,
     /// What the last flight was worth.
     pub debrief: Option<debrief::Debrief>,
+    /// Where drones are built.
+    pub workshop: workshop::Workshop,
 }
 
 impl Rooms {
@@ -150,6 +158,7 @@ impl Rooms {
         *self = Self {
             home: std::mem::take(&mut self.home),
             map: self.map.for_next_session(),
+            workshop: std::mem::take(&mut self.workshop),
             ..Self::default()
         };
     }
@@ -169,6 +178,7 @@ pub fn keys(room: Room) -> &'static [Row] {
         Room::Parameters => parameters::KEYS,
         Room::Mission => mission::KEYS,
         Room::Debrief => debrief::KEYS,
+        Room::Workshop => workshop::KEYS,
     }
 }
 
@@ -186,6 +196,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Room::Parameters => parameters::act(state, action),
         Room::Mission => mission::act(state, action),
         Room::Debrief => debrief::act(state, action),
+        Room::Workshop => workshop::act(state, action),
     }
 }
 
@@ -205,6 +216,11 @@ pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<V
         }
         Purpose::SaveParameters => parameters::save(state, entered),
         Purpose::LoadParameters | Purpose::CompareParameters => parameters::load(state, entered),
+        Purpose::SaveDesign => workshop::saved_as(state, entered),
+        Purpose::CopyDesign(of) => workshop::copied(state, of, entered),
+        Purpose::RenameDesign(old) => workshop::renamed(state, old, entered),
+        Purpose::ExportDesign => workshop::exported(state, entered),
+        Purpose::ImportDesign => workshop::imported(entered),
     }
 }
 

@@ -12,3 +12,4 @@ pub mod mission;
 pub mod parameters;
 pub mod small;
 pub mod vehicle;
+pub mod workshop;
