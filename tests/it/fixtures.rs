@@ -5,7 +5,7 @@ use std::time::Duration;
 use sortie::geo::LatLon;
 use sortie::language::Findings;
 use sortie::mission::{
-    Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Pledge, Progress,
+    Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Phase, Pledge, Progress,
     Reading,
 };
 use sortie::scoring::{
@@ -181,6 +181,7 @@ pub fn progress() -> Progress {
             unit: "ppm",
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
+        phase: Phase::Air,
         feedback: None,
         clues: ClueProgress {
             given: Vec::new(),
