@@ -17,6 +17,7 @@ mod standing;
 mod tests;
 mod wear;
 
+pub use crate::mission::Stake;
 pub use aids::Aids;
 pub use course::{Course, Offer, Reason, Stage};
 pub use daily::{daily_seed, exam_seed};
@@ -42,18 +43,6 @@ pub enum Entry {
     Purchase(Purchase),
 }
 
-/// How a flight counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Stake {
-    /// For medals, credits and experience, on a layout of its own.
-    Graded,
-    /// With a seed that the trainee chose: for practice only.
-    Practice,
-    /// With the seed of the exam, without hints and pauses.
-    Exam,
-}
-
 /// A finished flight, as far as a career is concerned. What the mission offered is kept with it: a mission that is
 /// changed later changes no past.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -68,7 +57,7 @@ pub struct Flight {
     pub reward: u32,
     /// How many vehicles flew.
     pub vehicles: u8,
-    /// How it counts.
+    /// What it was flown for.
     pub stake: Stake,
     /// The day on which it ended, in days since 1970 (UTC).
     pub day: i64,

@@ -25,6 +25,7 @@ use crate::geo::LatLon;
 use crate::scoring;
 use crate::sim::{Start, WorldConfig};
 use crate::text::Text;
+use crate::workshop::Design;
 
 mod area;
 mod campaign;
@@ -36,6 +37,7 @@ mod event;
 mod feedback;
 mod file;
 mod fit;
+mod fleet;
 mod flight;
 mod hazard;
 mod hint;
@@ -49,6 +51,7 @@ mod report;
 mod saying;
 mod schema;
 mod sensor;
+mod stake;
 mod survey;
 mod together;
 mod usage;
@@ -71,6 +74,7 @@ pub use progress::{
     Reading, ShownContact, ShownMark, Trust,
 };
 pub use schema::schema;
+pub use stake::Stake;
 
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
@@ -137,6 +141,8 @@ pub struct Mission {
     pub(crate) sensors: Vec<&'static sensor::Sensor>,
     /// What each vehicle carries, in the order of the pads.
     pub(crate) fits: Vec<fit::Fit>,
+    /// Who built what flies it, in the order of the pads; empty for the mission's own drones.
+    pub(crate) fleet: Vec<Design>,
     pub(crate) zones: Vec<zone::Zone>,
     /// Named points.
     pub(crate) places: Vec<(String, Point)>,
@@ -222,8 +228,22 @@ impl Mission {
             self.vehicles = self.pads.len();
             let fit = self.fits.last().cloned().unwrap_or_default();
             self.fits.resize(self.vehicles, fit);
+            if let Some(last) = self.fleet.last().cloned() {
+                self.fleet.resize(self.vehicles, last);
+            }
         }
         self
+    }
+
+    /// The same as an exam: nobody advises, and time does not stand still.
+    #[must_use]
+    pub fn for_exam(self) -> Self {
+        Self {
+            pausable: false,
+            hints: Vec::new(),
+            clues: Vec::new(),
+            ..self
+        }
     }
 
     /// The simulator's world for it: its vehicles on their pads.

@@ -1,6 +1,6 @@
 //! Credits and experience.
 
-use super::{Flight, Stake};
+use super::Flight;
 
 /// What a career begins with.
 pub(super) const START_CREDITS: u32 = 500;
@@ -37,10 +37,10 @@ pub fn licence_price(credits: u32) -> u32 {
     (f64::from(credits) * LICENCE_SHARE).ceil() as u32
 }
 
-/// Credits for a flight, with the best score of the passes before it at the mission, if there is one: all for the first pass,
-/// after that only for what is better than ever. Practice and drills earn none.
+/// Credits for a flight that counts, with the best score of the passes before it at the mission, if there is one: all for the first pass,
+/// after that only for what is better than ever. Drills earn none.
 pub(super) fn pay(flight: &Flight, best: Option<u16>) -> u32 {
-    if !flight.passed || flight.stake == Stake::Practice {
+    if !flight.passed {
         return 0;
     }
     let reward = f64::from(flight.reward);
@@ -51,11 +51,8 @@ pub(super) fn pay(flight: &Flight, best: Option<u16>) -> u32 {
     (reward * share).round() as u32
 }
 
-/// Experience for a flight.
+/// Experience for a flight that counts.
 pub(super) fn experience(flight: &Flight, best: Option<u16>, refreshes: bool) -> u32 {
-    if flight.stake == Stake::Practice {
-        return 0;
-    }
     let tier = f64::from(flight.tier).max(0.5);
     let is_best = best.is_none_or(|best| flight.score > best);
     let worth = match (best, is_best) {

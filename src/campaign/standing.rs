@@ -16,6 +16,8 @@ pub struct Standing {
     credits: u32,
     experience: u64,
     missions: BTreeMap<String, Best>,
+    /// Flights with the seed of a day that counted: mission and day.
+    daily: BTreeSet<(String, i64)>,
     owned: BTreeSet<String>,
     skills: Skills,
     licence: u8,
@@ -83,6 +85,7 @@ impl Default for Standing {
             credits: START_CREDITS,
             experience: 0,
             missions: BTreeMap::new(),
+            daily: BTreeSet::new(),
             owned: STARTER_PARTS.iter().map(|id| (*id).to_owned()).collect(),
             skills: Skills::new(),
             licence: 1,
@@ -122,21 +125,33 @@ impl Standing {
             .evidence
             .iter()
             .any(|evidence| self.skill(evidence.skill).mastery(flight.day) == Mastery::Due);
-        self.credits += economy::pay(flight, best.and_then(|best| best.passed));
+        let counts = self.take_up(flight);
+        if counts {
+            self.credits += economy::pay(flight, best.and_then(|best| best.passed));
+            let best_score = best.map(|best| best.score);
+            self.experience += u64::from(economy::experience(flight, best_score, refreshes));
+        }
         self.credits = self.credits.saturating_sub(flight.wear);
-        let best_score = best.map(|best| best.score);
-        self.experience += u64::from(economy::experience(flight, best_score, refreshes));
         self.flights += 1;
         for evidence in &flight.evidence {
             let known = self.skills.entry(evidence.skill).or_default();
             known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
         }
-        if flight.stake != Stake::Practice {
+        if counts {
             self.missions
                 .entry(flight.mission.clone())
                 .or_default()
                 .take(flight);
             self.licence = self.earned_licence();
+        }
+    }
+
+    /// Whether a flight counts for more than practice. With the seed of the day, the first one of the day does.
+    fn take_up(&mut self, flight: &Flight) -> bool {
+        match flight.stake {
+            Stake::Graded | Stake::Exam => true,
+            Stake::Practice => false,
+            Stake::Daily => self.daily.insert((flight.mission.clone(), flight.day)),
         }
     }
 

@@ -114,6 +114,27 @@ fn practice_earns_nothing_and_teaches_all_the_same() {
 }
 
 #[test]
+fn the_seed_of_a_day_counts_once_a_day_in_each_mission() {
+    let course = course();
+    let daily = |mission, score, day| {
+        Entry::Flight(Flight {
+            stake: Stake::Daily,
+            ..flight(&course, mission, score, day)
+        })
+    };
+    let first = standing(&[daily("one", 600, 1)]);
+    let again = standing(&[daily("one", 600, 1), daily("one", 900, 1)]);
+    assert_eq!(again.credits(), first.credits());
+    assert_eq!(again.experience(), first.experience());
+    assert_eq!(again.best("one"), first.best("one"));
+    assert!(first.has_passed("one") && first.credits() > 500);
+    for other in [daily("one", 900, 2), daily("two", 900, 1)] {
+        let both = standing(&[daily("one", 600, 1), other]);
+        assert!(both.credits() > first.credits());
+    }
+}
+
+#[test]
 fn what_is_locked_says_what_to_do() {
     let course = course();
     let stage = |entries: &[Entry], id: &str| {

@@ -7,12 +7,12 @@ use rand::TryRng as _;
 use rand::rngs::SysRng;
 
 use super::Console;
-use super::career::Careers;
+use super::career::{Careers, today};
 use super::session::{Backend, Plan, Running};
 use crate::app::effect::Launch;
 use crate::app::event::Event;
 use crate::app::update;
-use crate::campaign::{Stake, exam_seed};
+use crate::campaign::{Stake, daily_seed, exam_seed};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::store;
@@ -71,6 +71,7 @@ impl Console {
             Stake::Practice => chosen.unwrap_or(FIRST_SEED),
             Stake::Exam => exam_seed(&mission.id, mission.rev),
             Stake::Graded => self.fresh_seed(),
+            Stake::Daily => daily_seed(today()),
         };
         self.attempt = Attempt { seed, stake };
         self.start(Plan::Mission(mission)).await
@@ -105,7 +106,7 @@ impl Console {
     pub(super) async fn start_again(&mut self, plan: Plan, alike: bool) {
         self.attempt = match self.attempt.stake {
             // Everybody has the same.
-            Stake::Exam => self.attempt,
+            Stake::Exam | Stake::Daily => self.attempt,
             // What was seen before is flown for practice.
             _ if alike => Attempt {
                 stake: Stake::Practice,

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::language::Context;
-use crate::mission::record::Stored;
+use crate::mission::record::{Occasion, Stored};
 use crate::sim::STEP;
 use crate::text;
 
@@ -177,9 +177,10 @@ fn a_silent_vehicle_does_not_stop_the_mission_for_ever() {
 fn recorded(seed: u64, until: Option<Duration>) -> (MissionReport, String) {
     let (mission, script) = mission();
     let mut exercise = Exercise::new(mission, seed, script, Vec::new());
-    exercise
-        .flight_mut()
-        .start_record("2026-11-20T14:03:22Z", "embedded");
+    exercise.flight_mut().start_record(&Occasion {
+        backend: "embedded".to_owned(),
+        ..Occasion::default()
+    });
     while !exercise.is_over() && until.is_none_or(|until| exercise.now() < until) {
         exercise.step();
     }

@@ -15,11 +15,12 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Mission, TICK};
+use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
 use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
 use crate::scoring::{Medal, Report};
 use crate::vehicle::{Vehicle, VehicleId};
+use crate::workshop::Design;
 
 mod observed;
 mod replay;
@@ -47,6 +48,15 @@ pub struct Head {
     pub backend: String,
     /// When it began, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
+    /// Whose flight it was: the name of a profile, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profile: Option<String>,
+    /// What it was flown for. Records that do not say are older than careers, and count as practice.
+    #[serde(default, skip_serializing_if = "is_practice")]
+    pub stake: Stake,
+    /// The drones that flew, as TOML in the order of the seats; empty for the mission's own.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub designs: Vec<String>,
     /// The program that recorded it.
     pub program: String,
     /// The mission file.
@@ -54,20 +64,44 @@ pub struct Head {
 }
 
 impl Head {
-    /// That of a flight that begins; the backend and the time of day are for the caller to say.
-    pub(super) fn of(mission: &Mission, seed: u64, attempt: u32) -> Self {
+    /// That of a flight that begins.
+    pub(super) fn of(mission: &Mission, seed: u64, attempt: u32, occasion: &Occasion) -> Self {
         Self {
             sortie_run: VERSION,
             mission: mission.id.clone(),
             revision: mission.rev,
             seed,
             attempt,
-            backend: String::new(),
-            when: String::new(),
+            backend: occasion.backend.clone(),
+            when: occasion.when.clone(),
+            profile: occasion.profile.clone(),
+            stake: occasion.stake,
+            designs: mission.fleet.iter().map(Design::to_toml).collect(),
             program: env!("SORTIE_VERSION").to_owned(),
             source: mission.source.clone(),
         }
     }
+}
+
+/// When, on what, by whom and for what a flight is flown.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Occasion {
+    /// The time of day when it begins, in UTC: `2026-11-20T14:03:22Z`.
+    pub when: String,
+    /// What flies: `embedded` or `ardupilot`.
+    pub backend: String,
+    /// The profile of who flies, by name, if there is one.
+    pub profile: Option<String>,
+    /// What it is flown for.
+    pub stake: Stake,
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "the serialiser passes references"
+)]
+fn is_practice(stake: &Stake) -> bool {
+    *stake == Stake::Practice
 }
 
 /// What a recorded flight was scored.

@@ -22,6 +22,7 @@ catalogue! {
     "console",
     "debrief",
     "doctor",
+    "fleet",
     "fly",
     "hangar",
     "hazards",

@@ -10,7 +10,7 @@ use std::thread;
 
 use sortie::headless::Exercise;
 use sortie::language::{Context, Script};
-use sortie::mission::record::Stored;
+use sortie::mission::record::{Occasion, Stored};
 use sortie::mission::{Mission, Report};
 use sortie::scoring::Medal;
 
@@ -56,7 +56,10 @@ impl Course {
         let mission = Arc::clone(&self.mission);
         let mut exercise = Exercise::new(mission, seed, script.clone(), Vec::new());
         let flight = exercise.flight_mut();
-        flight.start_record("2026-11-20T14:03:22Z", "embedded");
+        flight.start_record(&Occasion {
+            backend: "embedded".to_owned(),
+            ..Occasion::default()
+        });
         while !exercise.is_over() {
             exercise.step();
         }

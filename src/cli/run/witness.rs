@@ -4,6 +4,7 @@ use std::time::{Duration, SystemTime};
 
 use super::RunArguments;
 use crate::mission::Flight;
+use crate::mission::record::Occasion;
 use crate::notice::Notice;
 use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
@@ -45,7 +46,11 @@ impl<'a> Witness<'a> {
     pub fn prepare(&self, flight: &mut Flight, backend: &str) {
         flight.set_attempt(self.options.attempt);
         if self.file.is_some() {
-            flight.start_record(&self.when, backend);
+            flight.start_record(&Occasion {
+                when: self.when.clone(),
+                backend: backend.to_owned(),
+                ..Occasion::default()
+            });
         }
     }
 

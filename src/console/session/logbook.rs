@@ -3,6 +3,7 @@
 use std::time::{Duration, SystemTime};
 
 use crate::mission::Flight;
+use crate::mission::record::Occasion;
 use crate::scoring::TryReport;
 use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
@@ -29,7 +30,11 @@ impl Logbook {
         let when = utc(SystemTime::now());
         let file = runs.begin(&mission.id, &when);
         if file.is_ok() {
-            flight.start_record(&when, backend);
+            flight.start_record(&Occasion {
+                when,
+                backend: backend.to_owned(),
+                ..Occasion::default()
+            });
         }
         Self {
             runs,

@@ -107,6 +107,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         weather: setting.weather,
         pads: setting.fleet.pads,
         fits: setting.fleet.fits,
+        fleet: Vec::new(),
         outlay: setting.fleet.outlay,
         zones: content.draft.zones,
         places: content.draft.places,

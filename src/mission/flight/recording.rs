@@ -2,19 +2,15 @@
 
 use super::Flight;
 use crate::ledger::Ledger;
-use crate::mission::record::{Head, Recorder};
+use crate::mission::record::{Head, Occasion, Recorder};
 use crate::scoring::Report;
 
 impl Flight {
-    /// Records everything that the flight is shown and asked from now on, before its first step; the mission, seed
-    /// and try of the head are the flight's own. `when` is the time of day in UTC, `backend` what flies.
-    pub fn start_record(&mut self, when: &str, backend: &str) {
-        let head = Head::of(&self.mission, self.seed, self.attempt);
-        self.recorder = Some(Box::new(Recorder::new(&Head {
-            backend: backend.to_owned(),
-            when: when.to_owned(),
-            ..head
-        })));
+    /// Records everything that the flight is shown and asked from now on, before its first step; the mission, seed, try and
+    /// drones of the head are the flight's own.
+    pub fn start_record(&mut self, occasion: &Occasion) {
+        let head = Head::of(&self.mission, self.seed, self.attempt, occasion);
+        self.recorder = Some(Box::new(Recorder::new(&head)));
     }
 
     /// What was recorded since the last call: whole lines.

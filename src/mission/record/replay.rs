@@ -5,12 +5,14 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{Change, End, Head, Line, VERSION};
+use crate::diagnostic::Diagnostic;
 use crate::ledger::{EntryId, Given, Ledger, RowUpdate};
-use crate::mission::{Flight, Mission, TICK};
+use crate::mission::{Flight, Mission, Stake, TICK};
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
+use crate::workshop::Design;
 
 /// A record as it was read.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,11 +85,7 @@ impl Stored {
     /// # Errors
     /// This program cannot read the mission in it.
     pub fn rescore(&self) -> Result<Rescored, Text> {
-        let mission = Mission::parse(&self.head.source).map_err(|faults| {
-            let fault = faults.first();
-            let fault = fault.map(|fault| fault.one_line(&self.head.mission, &self.head.source));
-            text!("record-mission", fault = fault.unwrap_or_default())
-        })?;
+        let mission = self.head.flown()?;
         let mut flight = Flight::new(Arc::new(mission), self.head.seed);
         flight.set_attempt(self.head.attempt);
         let mut replay = Replay {
@@ -107,6 +105,33 @@ impl Stored {
             before: self.end().cloned(),
         })
     }
+}
+
+impl Head {
+    /// The mission as it was flown.
+    ///
+    /// # Errors
+    /// This program cannot read the mission in it, or its drones.
+    pub fn flown(&self) -> Result<Mission, Text> {
+        let mission = Mission::parse(&self.source)
+            .map_err(|faults| unreadable(&faults, &self.mission, &self.source))?;
+        let mut fleet = Vec::new();
+        for design in &self.designs {
+            let built = Design::from_toml(design);
+            fleet.push(built.map_err(|faults| unreadable(&faults, "design.toml", design))?);
+        }
+        // What was flown then may be too dear by now.
+        let mission = mission.flown_by(fleet);
+        Ok(match self.stake {
+            Stake::Exam => mission.for_exam(),
+            _ => mission,
+        })
+    }
+}
+
+fn unreadable(faults: &[Diagnostic], name: &str, source: &str) -> Text {
+    let fault = faults.first().map(|fault| fault.one_line(name, source));
+    text!("record-mission", fault = fault.unwrap_or_default())
 }
 
 struct Replay {

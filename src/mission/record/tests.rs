@@ -5,13 +5,20 @@ use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
 use crate::vehicle::Unheard;
 
+fn occasion(stake: Stake) -> Occasion {
+    Occasion {
+        when: "2026-11-20T14:03:22Z".to_owned(),
+        backend: "embedded".to_owned(),
+        profile: None,
+        stake,
+    }
+}
+
 /// A flight with a recorder.
 fn recorded() -> Pilot {
     let mut pilot = Pilot::new(7);
     pilot.flight.set_attempt(3);
-    pilot
-        .flight
-        .start_record("2026-11-20T14:03:22Z", "embedded");
+    pilot.flight.start_record(&occasion(Stake::Practice));
     pilot
 }
 
@@ -97,9 +104,7 @@ fn a_record_is_small() {
 fn troubled() -> (Report, String) {
     let source = include_str!("../../../missions/12-relay-chain.toml");
     let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 7);
-    pilot
-        .flight
-        .start_record("2026-11-20T14:03:22Z", "embedded");
+    pilot.flight.start_record(&occasion(Stake::Practice));
     pilot.take_off(20.0);
     let injected = pilot.flight.inject("motor_fail");
     injected.expect("an instructor may");
@@ -216,4 +221,56 @@ fn what_was_said_before_a_launch_that_did_not_come_holds_for_the_next_try_and_is
         (predicted, report.goal.map(|goal| goal.text)),
         (Some(640), Some(Goal::Safety.title()))
     );
+}
+
+/// A flight of the first mission with the starter design.
+fn built(stake: Stake) -> Pilot {
+    let source = include_str!("../../../missions/01-air-sample.toml");
+    let design = include_str!("../../../designs/starter.toml");
+    let design = Design::from_toml(design).expect("a good design");
+    let mission = Mission::parse(source).expect("it is good");
+    let mission = mission.with_fleet(vec![design]).expect("it may fly");
+    let mission = match stake {
+        Stake::Exam => mission.for_exam(),
+        _ => mission,
+    };
+    let mut pilot = Pilot::flying(mission, 7);
+    pilot.flight.start_record(&Occasion {
+        profile: Some("ada".to_owned()),
+        ..occasion(stake)
+    });
+    pilot
+}
+
+#[test]
+fn a_record_says_who_flew_what_for_what_and_is_flown_again_so() {
+    for stake in [Stake::Graded, Stake::Exam, Stake::Daily, Stake::Practice] {
+        let mut pilot = built(stake);
+        pilot.take_off(20.0);
+        drop(pilot.flight.act(EntryId(0), &Deed::Hint, &[1]));
+        pilot.survey();
+        pilot.flight.abandon();
+        let report = pilot.flight.close(&pilot.ledger);
+        let stored = Stored::read(&pilot.flight.take_record()).expect("a good record");
+        assert_eq!(stored.head.profile.as_deref(), Some("ada"));
+        assert_eq!(stored.head.stake, stake);
+        let mission = stored.head.flown().expect("a good mission");
+        assert_eq!(mission.fleet()[0].name, "Starter 450");
+        assert_eq!(mission.pausable, stake != Stake::Exam);
+        assert_eq!(mission.listing().hints.is_empty(), stake == Stake::Exam);
+        let again = stored.rescore().expect("a good mission").report;
+        assert_eq!(again.score, report.score);
+        assert_eq!(again.hints, report.hints);
+        let hints: u32 = report.hints.len() as u32;
+        assert_eq!(hints, u32::from(stake != Stake::Exam), "{stake:?}");
+    }
+}
+
+#[test]
+fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones() {
+    let (_, text) = eventful();
+    assert!(!text.contains("\"stake\"") && !text.contains("\"designs\""));
+    let head = Stored::read(&text).expect("a good record").head;
+    assert_eq!((head.stake, head.profile), (Stake::Practice, None));
+    assert!(head.designs.is_empty());
 }

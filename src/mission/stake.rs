@@ -1,0 +1,19 @@
+//! What a flight is flown for.
+
+use serde::{Deserialize, Serialize};
+
+/// How a flight counts.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stake {
+    /// For medals, credits and experience, on a layout of its own.
+    Graded,
+    /// With a seed that the trainee chose: for practice only. So counts whatever does not say: records that are older than
+    /// careers.
+    #[default]
+    Practice,
+    /// With the seed of the exam, without hints and pauses.
+    Exam,
+    /// With the seed that everybody has in common on a day. It counts once a day: who has seen the layout only practises.
+    Daily,
+}
