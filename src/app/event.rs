@@ -7,6 +7,7 @@ use crossterm::event::KeyEvent;
 
 use super::room::messages::LinkTraffic;
 use super::state::{Activity, Career, Instance, LinkSummary};
+use crate::campaign::Reward;
 use crate::doctor::Finding;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
@@ -108,6 +109,8 @@ pub enum Event {
     Profiles(Vec<String>),
     /// Who trains here, and how far they have come; nobody whose flights are kept.
     Career(Option<Box<Career>>),
+    /// What the flight whose debrief is shown brought to the trainee's career.
+    Rewarded(Box<Reward>),
     /// The shell could not do something; the text says what, where, and what to do.
     Failed(Text),
 }

@@ -4,6 +4,7 @@ use super::action::Action;
 use super::effect::Effect;
 use super::keymap::Row;
 use super::state::{Purpose, State};
+use super::update::profiles;
 use crate::text::Text;
 
 pub mod debrief;
@@ -16,6 +17,7 @@ pub mod map;
 pub mod messages;
 pub mod mission;
 pub mod parameters;
+pub mod standing;
 pub mod vehicle;
 
 /// A room.
@@ -44,11 +46,13 @@ pub enum Room {
     Mission,
     /// What the flight was worth.
     Debrief,
+    /// How far the trainee has come.
+    Standing,
 }
 
 impl Room {
     /// Every room, in the order of the help.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Home,
         Self::Fly,
         Self::Vehicle,
@@ -60,6 +64,7 @@ impl Room {
         Self::Parameters,
         Self::Mission,
         Self::Debrief,
+        Self::Standing,
     ];
 
     /// The key that leads there from anywhere.
@@ -76,6 +81,7 @@ impl Room {
             Self::Parameters => 'P',
             Self::Mission => 'B',
             Self::Debrief => 'D',
+            Self::Standing => 'T',
         }
     }
 
@@ -93,6 +99,7 @@ impl Room {
             Self::Parameters => "parameters",
             Self::Mission => "mission",
             Self::Debrief => "debrief",
+            Self::Standing => "standing",
         }
     }
 
@@ -142,6 +149,8 @@ pub struct Rooms {
     pub mission: mission::Mission,
     /// What the last flight was worth.
     pub debrief: Option<debrief::Debrief>,
+    /// How far the trainee has come.
+    pub standing: standing::Standing,
 }
 
 impl Rooms {
@@ -149,6 +158,7 @@ impl Rooms {
     pub fn forget_session(&mut self) {
         *self = Self {
             home: std::mem::take(&mut self.home),
+            standing: std::mem::take(&mut self.standing),
             map: self.map.for_next_session(),
             ..Self::default()
         };
@@ -169,6 +179,7 @@ pub fn keys(room: Room) -> &'static [Row] {
         Room::Parameters => parameters::KEYS,
         Room::Mission => mission::KEYS,
         Room::Debrief => debrief::KEYS,
+        Room::Standing => standing::KEYS,
     }
 }
 
@@ -186,6 +197,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Room::Parameters => parameters::act(state, action),
         Room::Mission => mission::act(state, action),
         Room::Debrief => debrief::act(state, action),
+        Room::Standing => standing::act(state, action),
     }
 }
 
@@ -196,6 +208,8 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
+        Purpose::NewProfile => profiles::created(state, entered),
+        Purpose::Seed(mission) => home::practise(state, mission, entered),
         Purpose::Filter(room) => {
             filter(state, *room, entered);
             Ok(Vec::new())

@@ -15,6 +15,7 @@ pub(super) mod mission;
 mod offer;
 pub(super) mod order;
 mod palette;
+pub(super) mod profiles;
 mod swarm;
 mod telemetry;
 
@@ -85,7 +86,8 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Profiles(names) => state.profiles = names,
-        Event::Career(career) => state.career = career.map(|career| *career),
+        Event::Career(career) => profiles::arrived(state, career.map(|career| *career)),
+        Event::Rewarded(reward) => telemetry::rewarded(state, reward),
         Event::Failed(text) => telemetry::failed(state, text),
         Event::Line(line) => return palette::give(state, &line),
         Event::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,

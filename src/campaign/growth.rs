@@ -175,7 +175,10 @@ mod tests {
         let growth = Growth::of(&history());
         let moves = growth.moves(Skill::K3);
         assert_eq!(moves.len(), 4);
-        assert!((moves[2].before - moves[1].after).abs() < 1e-12, "the same day");
+        assert!(
+            (moves[2].before - moves[1].after).abs() < 1e-12,
+            "the same day"
+        );
         assert!(moves[3].before < moves[2].after, "a week later");
         assert!(moves[1].after > moves[1].before && moves[3].after > moves[3].before);
         assert_eq!(growth.moves(Skill::K9), []);

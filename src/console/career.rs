@@ -8,7 +8,7 @@ use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::state::Career;
 use crate::app::update;
-use crate::campaign::Course;
+use crate::campaign::{Aids, Course};
 use crate::store::{Profile, ProfileError, Profiles, Rescue, utc};
 use crate::text;
 use crate::text::Text;
@@ -22,6 +22,7 @@ pub(super) struct Careers {
     profiles: Profiles,
     course: Course,
     current: Option<Profile>,
+    aids: Aids,
 }
 
 impl Careers {
@@ -35,6 +36,7 @@ impl Careers {
             profiles,
             course,
             current: None,
+            aids: Aids::default(),
         };
         Ok((careers, rescue))
     }
@@ -58,6 +60,11 @@ impl Careers {
 
     fn create(&mut self, name: &str) -> Result<(), ProfileError> {
         self.current = Some(self.profiles.create(name, &utc(SystemTime::now()))?);
+        Ok(())
+    }
+
+    fn set_aids(&mut self, aids: Aids) -> Result<(), ProfileError> {
+        self.aids = aids;
         Ok(())
     }
 
@@ -89,6 +96,7 @@ impl Careers {
         Ok(Some(Career {
             designs: self.profiles.designs(profile)?,
             day: today(),
+            aids: self.aids,
             ..Career::new(&profile.name, history, self.course.clone())
         }))
     }
@@ -140,6 +148,7 @@ impl Console {
                 careers.current = None;
                 Ok(())
             }
+            Effect::SetAids(aids) => careers.set_aids(aids),
             Effect::BuyPart(part) => careers.buy(&part),
             Effect::KeepDesign(design) => careers.keep(&design),
             Effect::DropDesign(name) => careers.drop(&name),

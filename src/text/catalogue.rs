@@ -17,6 +17,7 @@ catalogue! {
     "alerts",
     "basics",
     "campaign",
+    "career",
     "common",
     "config",
     "console",

@@ -11,4 +11,5 @@ pub mod messages;
 pub mod mission;
 pub mod parameters;
 pub mod small;
+pub mod standing;
 pub mod vehicle;

@@ -5,8 +5,8 @@ use std::time::Duration;
 use sortie::geo::LatLon;
 use sortie::language::Findings;
 use sortie::mission::{
-    Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Phase, Pledge, Progress,
-    Reading,
+    Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Phase, Pledge,
+    Progress, Reading,
 };
 use sortie::scoring::{
     ComponentReport, EventReport, ObjectiveReport, Report, SwarmFigures, TruthReport,

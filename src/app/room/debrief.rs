@@ -8,9 +8,10 @@ use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::keymap::{ESCAPE, Press, Row, does, key};
 use crate::app::room::home::fly_drill;
-use crate::app::state::State;
+use crate::app::state::{Career, State};
 use crate::app::update::act::leave;
 use crate::app::update::mission;
+use crate::campaign::Reward;
 use crate::debrief;
 use crate::mission::Listing;
 use crate::notice::sanitised;
@@ -32,6 +33,8 @@ const TRUTH_LEAST: u16 = 60;
 pub struct Debrief {
     /// The result.
     pub report: Box<Report>,
+    /// What the flight brought to the trainee's career, if it was kept.
+    pub reward: Option<Box<Reward>>,
     /// The first line shown.
     pub scroll: usize,
     /// Whether the truth is shown on a map, where there is no room for it beside the text.
@@ -43,7 +46,8 @@ pub struct Debrief {
 impl Debrief {
     /// The result as text, line by line, in the words of a language.
     pub fn lines(&self, locale: &Locale) -> Vec<String> {
-        let text = debrief::text(&self.report, locale);
+        let reward = self.reward.as_ref().map_or_else(Vec::new, |it| it.lines());
+        let text = debrief::text_with(&self.report, &reward, locale);
         text.lines().map(sanitised).collect()
     }
 
@@ -132,8 +136,13 @@ pub fn is_section(line: &str) -> bool {
     line.starts_with(' ') && line.chars().skip(1).take(2).all(char::is_uppercase)
 }
 
-/// Flies the mission after the one that was flown.
+/// Flies what the trainee does best to fly next; where nobody's flights are kept, the mission after the one that was
+/// flown.
 fn next_mission(state: &mut State) -> Vec<Effect> {
+    if let Some(next) = state.career.as_ref().and_then(Career::next_mission) {
+        let launch = state.launch(next);
+        return mission::start(state, launch);
+    }
     let flown = state.rooms.debrief.as_ref();
     let flown = flown.map(|debrief| debrief.report.mission.as_str());
     let of = |it: &Listing| it.drill_of.clone().unwrap_or_else(|| it.id.clone());

@@ -9,6 +9,7 @@ use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
 use crate::app::state::{AlertKind, Call, Hangar, NoticeLog, Overlay, Session, State};
+use crate::campaign::Reward;
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -126,8 +127,11 @@ pub fn notice(state: &mut State, notice: &Notice) {
     }
 }
 
-pub fn progress(state: &mut State, progress: Progress) {
+pub fn progress(state: &mut State, mut progress: Progress) {
     if state.session.activity.is_some() {
+        if let (Some(career), Some(mission)) = (&state.career, state.flown_mission()) {
+            career.fade(&mission.id, &mut progress);
+        }
         let mission_time = &mut state.session.mission_time;
         mission_time.note(state.now, progress.elapsed);
         state.rooms.mission.hear(&progress);
@@ -152,11 +156,19 @@ pub fn ended(state: &mut State, report: Box<Report>) {
         scroll: 0,
         map: false,
         since: state.now,
+        reward: None,
     });
     state.session.over = true;
     state.room = Room::Debrief;
     if !matches!(state.overlay, Some(Overlay::Palette(_))) {
         state.overlay = None;
+    }
+}
+
+/// Adds to the debrief what the flight brought.
+pub fn rewarded(state: &mut State, reward: Box<Reward>) {
+    if let Some(debrief) = &mut state.rooms.debrief {
+        debrief.reward = Some(reward);
     }
 }
 

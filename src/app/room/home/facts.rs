@@ -93,12 +93,7 @@ fn stage(career: &Career, offer: &Offer) -> Fact {
             let medal = medal.map_or(text!("debrief-no-medal"), Medal::title);
             let score = best.and_then(|best| best.passed).unwrap_or_default();
             let count = best.map_or(0, |best| best.tries);
-            let what = text!(
-                "fact-passed",
-                score = score,
-                medal = medal,
-                count = count
-            );
+            let what = text!("fact-passed", score = score, medal = medal, count = count);
             (what, Tone::Met)
         }
     };
