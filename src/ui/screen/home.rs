@@ -88,7 +88,7 @@ fn draw_trainee(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let left = usize::from(area.width).saturating_sub(line.width() + 4);
     let end = put(buffer, area, 0, &line).unwrap_or(area.x);
     // Where the whole advice does not fit, the mission matters most.
-    let words = advice(career).map(|text| look.text(&text));
+    let words: Vec<String> = advice(career).iter().map(|it| look.text(it)).collect();
     let shown = words.iter().find(|text| width(text) <= left);
     if let Some(text) = shown.or(words.last()) {
         let place = columns(area, end + 3 - area.x, left as u16);
