@@ -109,7 +109,7 @@ pub enum Event {
     Profiles(Vec<String>),
     /// Who trains here, and how far they have come; nobody whose flights are kept.
     Career(Option<Box<Career>>),
-    /// What the flight whose debrief is shown brought to the trainee's career.
+    /// What the flight that has just ended brought to the career.
     Rewarded(Box<Reward>),
     /// The shell could not do something; the text says what, where, and what to do.
     Failed(Text),

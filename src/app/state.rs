@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use super::console::Names;
 use super::effect::Launch;
+use crate::campaign::Reward;
 use crate::config::Config;
 use crate::language::Context;
 use crate::scoring::TryReport;
@@ -88,6 +89,8 @@ pub struct State {
     pub tries: BTreeMap<String, Vec<TryReport>>,
     /// Who trains here; nobody whose flights are kept, if there is none.
     pub career: Option<Career>,
+    /// What the last flight brought to it; nothing once another session has started.
+    pub reward: Option<Reward>,
     /// The names of everybody who has a profile here.
     pub profiles: Vec<String>,
     /// The drones that were chosen for missions, by the mission's id: one for all seats or one each. Where there are
@@ -151,6 +154,7 @@ impl State {
             missions,
             tries: BTreeMap::new(),
             career: None,
+            reward: None,
             profiles: Vec::new(),
             fleets: BTreeMap::new(),
             stock: Vec::new(),

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
+use serde_json::Value;
 use unicode_width::UnicodeWidthStr as _;
 
 use super::Failure;
@@ -224,9 +225,9 @@ fn show_json(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Fai
     let document = serde_json::json!({
         "name": design.name,
         "parts": parts,
-        "mass_kg": design.mass_kg(),
+        "mass_kg": rounded(design.mass_kg().into()),
         "credits": design.credits(),
-        "figures": sheet.figures,
+        "figures": rounded(serde_json::to_value(sheet.figures)?),
         "findings": findings,
     });
     say!("{}", serde_json::to_string_pretty(&document)?)?;
@@ -293,6 +294,21 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
         locale.text(&text!("workshop-exported", files = files))
     )?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A document with its numbers rounded to thousandths: more is noise of the arithmetic.
+fn rounded(value: Value) -> Value {
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            let number = number.as_f64().unwrap_or_default();
+            ((number * 1e3).round() / 1e3).into()
+        }
+        Value::Object(map) => map
+            .into_iter()
+            .map(|(key, value)| (key, rounded(value)))
+            .collect(),
+        other => other,
+    }
 }
 
 /// A word with spaces after it, so that it is so many columns wide.

@@ -48,6 +48,13 @@ impl Console {
     /// Starts a mission that the trainee has chosen.
     pub(super) async fn start_mission(&mut self, launch: &Launch) -> Result<(), Text> {
         let mission = store::mission(&launch.mission).map_err(|error| Text::from(&error))?;
+        let mission = mission
+            .with_fleet(launch.fleet.clone())
+            .map_err(|reasons| Text::joined("; ", reasons))?;
+        let mission = match launch.stake {
+            Stake::Exam => mission.for_exam(),
+            _ => mission,
+        };
         self.launch(Arc::new(mission), launch.stake, launch.seed)
             .await
     }
@@ -69,9 +76,9 @@ impl Console {
         };
         let seed = match stake {
             Stake::Practice => chosen.unwrap_or(FIRST_SEED),
+            Stake::Daily => daily_seed(today()),
             Stake::Exam => exam_seed(&mission.id, mission.rev),
             Stake::Graded => self.fresh_seed(),
-            Stake::Daily => daily_seed(today()),
         };
         self.attempt = Attempt { seed, stake };
         self.start(Plan::Mission(mission)).await

@@ -26,13 +26,15 @@ const NAMES: &[&str] = &[
     // Keys.
     "Ctrl Enter Esc Tab R1 w3 p3",
     // Units that no argument has.
-    "B B/s kB/s kB min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN",
+    "B B/s kB/s kB min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V",
+    // Kinds of batteries and radios.
+    "LiPo Li ion LoRa Wi Fi S C",
     // What stands for something in a line to write.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
     // Parts of names in MAVLink and of parameters.
     "COMMAND_INT COMMAND_LONG MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV",
     // Addresses, options and files.
-    "features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
+    "data features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.
     "air alert bat invert status peak",
     // Words in files of the user's: themes, keymaps, missions.

@@ -33,8 +33,6 @@ const TRUTH_LEAST: u16 = 60;
 pub struct Debrief {
     /// The result.
     pub report: Box<Report>,
-    /// What the flight brought to the trainee's career, if it was kept.
-    pub reward: Option<Box<Reward>>,
     /// The first line shown.
     pub scroll: usize,
     /// Whether the truth is shown on a map, where there is no room for it beside the text.
@@ -44,9 +42,9 @@ pub struct Debrief {
 }
 
 impl Debrief {
-    /// The result as text, line by line, in the words of a language.
-    pub fn lines(&self, locale: &Locale) -> Vec<String> {
-        let reward = self.reward.as_ref().map_or_else(Vec::new, |it| it.lines());
+    /// The result as text, with what the flight brought to a career, line by line, in the words of a language.
+    pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<String> {
+        let reward = reward.map_or_else(Vec::new, Reward::lines);
         let text = debrief::text_with(&self.report, &reward, locale);
         text.lines().map(sanitised).collect()
     }
@@ -120,7 +118,7 @@ fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     // The header and the footer take a row each.
     let rows = usize::from(state.size.1).saturating_sub(2);
     if let Some(debrief) = &mut state.rooms.debrief {
-        let lines = debrief.lines(&state.locale);
+        let lines = debrief.lines(state.reward.as_ref(), &state.locale);
         let positions = (lines.len() + 1).saturating_sub(rows).max(1);
         let sections = lines
             .iter()

@@ -9,7 +9,6 @@ use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
 use crate::app::state::{AlertKind, Call, Hangar, NoticeLog, Overlay, Session, State};
-use crate::campaign::Reward;
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -83,6 +82,7 @@ pub fn started(state: &mut State, started: Started) {
     session.hangar = started.processes.map(starting);
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
+    state.reward = None;
     let is_again = session.activity == state.session.activity;
     // Who comes to a mission reads first what it is about; who flies it again knows.
     session.first_room = if session.listing.is_some() && !is_again {
@@ -156,19 +156,11 @@ pub fn ended(state: &mut State, report: Box<Report>) {
         scroll: 0,
         map: false,
         since: state.now,
-        reward: None,
     });
     state.session.over = true;
     state.room = Room::Debrief;
     if !matches!(state.overlay, Some(Overlay::Palette(_))) {
         state.overlay = None;
-    }
-}
-
-/// Adds to the debrief what the flight brought.
-pub fn rewarded(state: &mut State, reward: Box<Reward>) {
-    if let Some(debrief) = &mut state.rooms.debrief {
-        debrief.reward = Some(reward);
     }
 }
 

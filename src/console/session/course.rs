@@ -1,6 +1,8 @@
 //! The course of a mission: how far it has been stepped, and by whose clock.
 
 use std::collections::{BTreeSet, VecDeque};
+use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::Running;
@@ -9,7 +11,8 @@ use crate::app::event::Event;
 use crate::app::state::{Session as Shown, Stage};
 use crate::commands::Deed;
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Pledge};
+use crate::mission::record::Occasion;
+use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Mission, Pledge, Report, Stake};
 use crate::notice::Notice;
 use crate::scoring::{ARDUPILOT, EMBEDDED};
 use crate::store::{self, Runs};
@@ -38,6 +41,18 @@ pub(super) struct Course {
     /// The vehicles whose processes have ended.
     lost: BTreeSet<VehicleId>,
     ended: bool,
+    /// The result, until it is taken.
+    finished: Option<Finished>,
+}
+
+/// A mission that has come to its end.
+pub(in crate::console) struct Finished {
+    /// What was flown.
+    pub mission: Arc<Mission>,
+    /// What came of it.
+    pub report: Report,
+    /// Its record, if it could be written.
+    pub recording: Option<PathBuf>,
 }
 
 /// By whose clock mission time passes.
@@ -73,12 +88,19 @@ impl Course {
             wanted: VecDeque::new(),
             lost: BTreeSet::new(),
             ended: false,
+            finished: None,
         }
     }
 
-    /// Begins its record, and tells it which try it is.
-    pub fn record(&mut self, runs: Runs) {
-        self.logbook = Some(Logbook::begin(runs, &mut self.flight, self.backend));
+    /// Begins its record, and tells it which try it is; for whose career, and how it counts there.
+    pub fn record(&mut self, runs: Runs, profile: Option<String>, stake: Stake) {
+        let occasion = Occasion {
+            backend: self.backend.to_owned(),
+            profile,
+            stake,
+            ..Occasion::default()
+        };
+        self.logbook = Some(Logbook::begin(runs, &mut self.flight, occasion));
     }
 
     /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.
@@ -106,6 +128,11 @@ impl Course {
             if let Some(logbook) = &self.logbook {
                 report.tries = logbook.tries(&report.mission, report.revision);
             }
+            self.finished = Some(Finished {
+                mission: Arc::clone(self.flight.mission()),
+                report: report.clone(),
+                recording: self.logbook.as_ref().and_then(Logbook::path),
+            });
             events.push(Event::MissionEnded(Box::new(report)));
         }
         events
@@ -209,6 +236,11 @@ impl Running {
             |demand| self.fleet.carry_out(demand.vehicle, demand.want).is_ok(),
         );
         events
+    }
+
+    /// The result of a mission that has just ended, once.
+    pub fn take_finished(&mut self) -> Option<Finished> {
+        self.course.as_mut()?.finished.take()
     }
 
     /// What the trainee has said before launch, as long as nothing has flown.

@@ -1,5 +1,6 @@
 //! The record of the mission that is flown, written once a second.
 
+use std::path::PathBuf;
 use std::time::{Duration, SystemTime};
 
 use crate::mission::Flight;
@@ -22,7 +23,7 @@ pub(super) struct Logbook {
 
 impl Logbook {
     /// Begins the record of a flight, which is told which try it is.
-    pub fn begin(runs: Runs, flight: &mut Flight, backend: &str) -> Self {
+    pub fn begin(runs: Runs, flight: &mut Flight, occasion: Occasion) -> Self {
         let mission = flight.mission().clone();
         let finished = runs.tries_at(&mission.id, mission.rev);
         let finished = finished.iter().filter(|one| one.score.is_some()).count();
@@ -30,11 +31,7 @@ impl Logbook {
         let when = utc(SystemTime::now());
         let file = runs.begin(&mission.id, &when);
         if file.is_ok() {
-            flight.start_record(&Occasion {
-                when,
-                backend: backend.to_owned(),
-                ..Occasion::default()
-            });
+            flight.start_record(&Occasion { when, ..occasion });
         }
         Self {
             runs,
@@ -59,6 +56,12 @@ impl Logbook {
         self.file = Err(None);
         flight.stop_record();
         Some(unwritable(&fault))
+    }
+
+    /// The file, as long as it can be written.
+    pub fn path(&self) -> Option<PathBuf> {
+        let file = self.file.as_ref().ok()?;
+        Some(file.path().to_owned())
     }
 
     /// The tries at a revision of a mission, oldest first.

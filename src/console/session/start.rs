@@ -14,12 +14,11 @@ use super::links::Links;
 use super::swarm::Swarm;
 use crate::app::event::Started;
 use crate::app::state::Activity;
-use crate::campaign::Stake;
 use crate::fleet::{Clock, Fleet};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::link::{Address, Endpoint, Pace, Simulator, Transport};
-use crate::mission::{Flight, Mission};
+use crate::mission::{Flight, Mission, Stake};
 use crate::sim::{Start, World, WorldConfig};
 use crate::store::Runs;
 use crate::swarm::Rules;
@@ -134,7 +133,7 @@ impl Running {
             None => Course::embedded(flight, backend.speedup),
         };
         if let Some(runs) = backend.runs.clone() {
-            course.record(runs);
+            course.record(runs, backend.profile.clone(), backend.stake);
         }
         self.course = Some(course);
         Ok(Started {
