@@ -16,6 +16,8 @@ use sortie::vehicle::{
     LinkQuality, Place, SystemStatus, Vehicle, VehicleClass,
 };
 
+pub mod career;
+
 pub const HOME: LatLon = LatLon::new(50.4501, 30.5234);
 pub const BRIEF: &str = "A tank at the yard has leaked. Before anybody walks in, the air has to be \
                          measured over the yard.\n\nFly one drone over every cell of the grid, stay long \
