@@ -49,9 +49,9 @@ fact-next = next
 fact-next-is = trains { $skill }
 fact-next-drill = its drill trains { $skill }
 fact-review = due
-fact-trains = trains
-fact-skill = { $skill } { $percent } %
-fact-skill-mastered = { $skill } { $percent } % (mastered)
+fact-trains = trains, %
+fact-skill = { $skill } { $percent }
+fact-skill-mastered = { $skill } { $percent } (mastered)
 fact-pays = pays
 fact-pays-first = up to { $credits } cr for the first pass
 fact-pays-left = { $left } of { $credits } cr left for a better score
@@ -86,7 +86,7 @@ standing-flights = { $count ->
     [one] { $count } flight
    *[other] { $count } flights
 }
-standing-aids = advice: { $aids }
+standing-aids-key = changes it
 standing-skills = skills: how likely each is mastered
 standing-next = next
 standing-review = review { $when }

@@ -78,7 +78,6 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         text!("standing-credits", credits = standing.credits()),
         text!("standing-licence", count = standing.licence()),
         text!("standing-flights", count = standing.flights()),
-        text!("standing-aids", aids = subject.career.aids.title()),
     ];
     let name = crate::notice::sanitised(&subject.career.name);
     let line = Line::from(vec![
@@ -89,6 +88,15 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         )),
     ]);
     put(buffer, area, 0, &line);
+    let aids = Line::from(vec![
+        Span::raw(format!(" {}", look.text(&subject.career.aids.explained()))),
+        Span::styled("   a", look.style(Role::Key)),
+        Span::styled(
+            format!(" {}", look.say("standing-aids-key")),
+            look.style(Role::Muted),
+        ),
+    ]);
+    put(buffer, area, 1, &aids);
 }
 
 impl Subject<'_> {

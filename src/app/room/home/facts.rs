@@ -36,7 +36,6 @@ pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
     let mut facts = vec![stage(career, offer)];
     facts.extend(advice(career, &mission.id));
     facts.extend(review(career, offer));
-    facts.push(plain(text!("fact-trains"), skills(career, offer)));
     facts.push(plain(text!("fact-pays"), pay(career, offer)));
     let unlock = &mission.rewards.unlock;
     if !unlock.is_empty() {
@@ -44,15 +43,16 @@ pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
         let what = Text::joined(", ", unlocked.collect());
         facts.push(plain(text!("fact-opens"), what));
     }
-    let licence = career.standing.licence();
-    let drones = text!("fact-drones-are", count = offer.vehicles, licence = licence);
-    facts.push(plain(text!("fact-drones"), drones));
+    facts.push(plain(text!("fact-trains"), skills(career, offer)));
     let daily = if career.flew_daily(&mission.id) {
         text!("fact-daily-flown")
     } else {
         text!("fact-daily-open")
     };
     facts.push(plain(text!("fact-daily"), daily));
+    let licence = career.standing.licence();
+    let drones = text!("fact-drones-are", count = offer.vehicles, licence = licence);
+    facts.push(plain(text!("fact-drones"), drones));
     facts
 }
 

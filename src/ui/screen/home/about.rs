@@ -13,14 +13,14 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::screen::mission::tone_role;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, put, reflow, titled, upper, width, wrap};
+use crate::ui::widget::{aligned, below, clip, columns, put, reflow, titled, upper, width, wrap};
 
 /// Lines that can be given as they stand, up to the one that takes a while.
 const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
 /// Lines that can be given once the drones are up.
 const FIRST_FLIGHT: [&str; 2] = ["all goto by n 50", "all rtl"];
 /// Lines of the text that are shown at least, whatever else there is to say.
-const LEAST_TEXT: usize = 4;
+const LEAST_TEXT: usize = 7;
 
 /// A key with what it does.
 type KeyHint = (String, String);
@@ -37,10 +37,9 @@ pub(super) fn draw(
         return;
     };
     let inner = titled(&name(state, item, look), look, area, buffer);
-    let columns = usize::from(inner.width);
-    let keys = key_lines(&keys(state, item, look), columns, look);
-    let facts_beside = beside.map_or(columns, |beside| usize::from(beside.width));
-    let facts = fact_lines(state, item, look, facts_beside);
+    let keys = key_lines(&keys(state, item, look), usize::from(inner.width), look);
+    let facts_width = beside.unwrap_or(inner).width;
+    let facts = fact_lines(state, item, look, usize::from(facts_width));
     let mut below_text = vec![Vec::new(), keys];
     if let Some(beside) = beside.filter(|_| !facts.is_empty()) {
         let inner = titled(&look.say("home-career"), look, beside, buffer);
@@ -59,7 +58,7 @@ pub(super) fn draw(
 }
 
 /// Draws the text and the groups of lines below it, with blank lines between. Where there is no room for all of it,
-/// the text is cut, then the group before the last.
+/// the text is cut, then the groups before the last: the room of the mission has it all.
 fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height);
     let below_rows: usize = groups.iter().map(|group| group.len() + 1).sum();
@@ -87,9 +86,17 @@ fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buff
     draw_lines(last, below(area, (row + 1).min(bottom)), buffer);
 }
 
+/// Draws lines, with a mark at the end of the last one where not all fit.
 fn draw_lines(lines: &[Line<'_>], area: Rect, buffer: &mut Buffer) {
-    for (row, line) in lines.iter().enumerate() {
-        put(buffer, area, row as u16, line);
+    let rows = usize::from(area.height);
+    let is_cut = lines.len() > rows;
+    for (row, line) in lines.iter().enumerate().take(rows) {
+        let end = put(buffer, area, row as u16, line);
+        if let Some(end) = end.filter(|_| is_cut && row + 1 == rows) {
+            let x = end.min(area.right().saturating_sub(2)) - area.x;
+            let place = columns(area, x, 2);
+            put(buffer, place, row as u16, &Line::raw(" …"));
+        }
     }
 }
 
