@@ -28,10 +28,15 @@ mod doctor;
 mod fly;
 mod hangar;
 mod manual;
+mod profile;
 mod programs;
+mod progress;
+mod report;
 mod run;
 mod settings;
 mod sim;
+mod table;
+mod trainee;
 mod workshop;
 
 /// What the exit codes mean.
@@ -99,6 +104,10 @@ enum Command {
                             sortie check ~/.config/sortie/*.toml\n  \
                             sortie check --fly 01 --seeds 20")]
     Check(check::CheckArguments),
+    /// Who trains here: makes, lists, shows, exports, imports and deletes profiles, and buys parts.
+    Profile(profile::ProfileArguments),
+    /// Own progress over time, as Markdown, CSV or JSON.
+    Report(report::ReportArguments),
     /// Parts and designs of drones: what a design can do before it flies.
     Workshop(workshop::WorkshopArguments),
     /// Prints what is set and who has set it: flag, environment, file or nobody.
@@ -197,6 +206,14 @@ fn dispatch(
             hangar::hangar(&options, &settings)
         }
         Some(Command::Check(options)) => check::check(&options),
+        Some(Command::Profile(options)) => {
+            settings.complain();
+            profile::profile(&options, &settings)
+        }
+        Some(Command::Report(options)) => {
+            settings.complain();
+            report::report(&options, &settings)
+        }
         Some(Command::Workshop(options)) => {
             settings.complain();
             workshop::workshop(&options, &settings)

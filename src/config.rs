@@ -26,6 +26,8 @@ pub use setting::{Kind, SETTINGS, Setting};
 pub struct Config {
     /// The language of the screens; `None` follows the shell's locale.
     pub lang: Option<Language>,
+    /// Whose career it is, by the name of a profile.
+    pub profile: Option<String>,
     /// The theme's name.
     pub theme: String,
     /// Frames per second at most.
@@ -160,6 +162,7 @@ impl Default for Config {
     fn default() -> Self {
         Self {
             lang: None,
+            profile: None,
             theme: "dark".to_owned(),
             fps: 10,
             symbols: None,

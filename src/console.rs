@@ -175,7 +175,7 @@ impl Console {
         warnings.extend(doubles);
         let mut state = State::new(missions, themes, theme);
         if let Some(runs) = &preferences.runs {
-            state.tries = missions::tries(runs, &state.missions);
+            state.tries = missions::current(runs.all_tries(None), &state.missions);
         }
         state.has_ardupilot = options.ardupilot.is_some() && options.backend.ardupilot.is_none();
         state.config = preferences.config.clone();
@@ -316,6 +316,9 @@ impl Console {
         };
         for event in flown {
             self.feed(event).await;
+        }
+        if let Some(finished) = self.running.as_mut().and_then(Running::take_finished) {
+            self.settle(&finished);
         }
     }
 

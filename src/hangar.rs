@@ -53,7 +53,7 @@ pub use launcher::{LAUNCH, launch_stub};
 pub use output::{Line, Output};
 pub use pool::{Berth, Hangars, Place, Seen};
 pub use refusal::Refusal;
-pub use source::{Backend, Frame, Source};
+pub use source::{Backend, Source};
 pub use token::{Token, TokenError};
 
 use roster::Roster;

@@ -10,7 +10,7 @@ use std::time::Duration;
 use crate::language::Script;
 use crate::mission::{Flight, Mission, Report as MissionReport, TICK, is_due};
 use crate::notice::Notice;
-use crate::sim::{Airframe, PortId, World, WorldConfig};
+use crate::sim::{Airframe, PortId, World};
 
 mod crew;
 mod live;
@@ -35,17 +35,18 @@ pub struct Exercise {
 
 impl Exercise {
     /// Puts the mission's vehicles on their pads: all of the first airframe or one each, the last one for all that
-    /// follow; without any, the simulator's own.
+    /// follow; without any, the drones that were built for it, or the simulator's own.
     pub fn new(
         mission: Arc<Mission>,
         seed: u64,
         script: Script,
         airframes: Vec<Arc<Airframe>>,
     ) -> Self {
-        let mut world = World::new(&WorldConfig {
-            airframes,
-            ..mission.world(seed)
-        });
+        let mut config = mission.world(seed);
+        if !airframes.is_empty() {
+            config.airframes = airframes;
+        }
+        let mut world = World::new(&config);
         let vehicles = world.vehicles();
         Self {
             ports: (0..vehicles).map(|index| world.connect(index)).collect(),

@@ -43,6 +43,7 @@ mod hazard;
 mod hint;
 mod listing;
 mod lookout;
+mod needs;
 mod objective;
 mod progress;
 mod radio;
@@ -69,6 +70,7 @@ pub use event::mover::MoverKind;
 pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use listing::{FitListing, Listing, ObjectiveListing};
+pub use needs::{FitLine, Need};
 pub use progress::{
     Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
     Reading, ShownContact, ShownMark, Trust,
@@ -141,7 +143,9 @@ pub struct Mission {
     pub(crate) sensors: Vec<&'static sensor::Sensor>,
     /// What each vehicle carries, in the order of the pads.
     pub(crate) fits: Vec<fit::Fit>,
-    /// Who built what flies it, in the order of the pads; empty for the mission's own drones.
+    /// What its own drones carry, whoever flies it: what it asks of drones.
+    pub(crate) asked: Vec<fit::Fit>,
+    /// The drones that were built for it, in the order of the pads; empty for its own.
     pub(crate) fleet: Vec<Design>,
     pub(crate) zones: Vec<zone::Zone>,
     /// Named points.
@@ -226,8 +230,10 @@ impl Mission {
             let pad = |place| [east_m, north_m - ROW_SPACING_M * place as f64];
             self.pads.extend((1..=more).map(pad));
             self.vehicles = self.pads.len();
-            let fit = self.fits.last().cloned().unwrap_or_default();
-            self.fits.resize(self.vehicles, fit);
+            for fits in [&mut self.fits, &mut self.asked] {
+                let fit = fits.last().cloned().unwrap_or_default();
+                fits.resize(self.vehicles, fit);
+            }
             if let Some(last) = self.fleet.last().cloned() {
                 self.fleet.resize(self.vehicles, last);
             }
@@ -250,7 +256,7 @@ impl Mission {
     pub fn world(&self, seed: u64) -> WorldConfig {
         WorldConfig {
             starts: self.starts(),
-            airframes: Vec::new(),
+            airframes: self.airframes(),
             seed,
             obstacles: Vec::new(),
             realistic_boot: false,

@@ -28,4 +28,4 @@ pub use check::{Finding, Severity};
 pub use design::{Design, DesignError};
 pub use figures::{Air, Figures, Link};
 pub use measure::{Better, Measure, Sheet};
-pub use part::{Part, Slot};
+pub use part::{Part, Radio, Slot};

@@ -1,7 +1,15 @@
-# Missions flown with built drones: why a fleet may not fly one.
+# Missions flown with built drones: why a fleet may not fly one, and what a mission needs of a drone.
 fleet-many = the mission has { $seats ->
     [one] { $seats } seat
    *[other] { $seats } seats
 }, and { $designs } designs are named: leave some out
 fleet-fault = { $design }: { $fault }
 fleet-dear = the fleet costs { $cost } cr, { $over } cr more than the mission's budget of { $budget } cr: build it from cheaper parts
+
+need-radius = radius of action in { $wind } m/s of wind
+need-time = time in the air, landing with { $reserve } %
+need-thrust = thrust over weight for { $wind } m/s of wind
+need-link = radio range at { $height } m
+need-cost = cost of a drone, cr
+need-none = none
+workshop-fit-seats = seats { $seats }: has / needed

@@ -78,6 +78,7 @@ s_drop = dropper
 s_ball = fire-extinguishing ball
 s_med = rescue kit
 s_node = sensor node
+s_spray = sprayer with a tank
 s_relay = relay antenna
 
 design-schema = schema { $found } is not known to this version, which reads schema { $known }

@@ -14,7 +14,7 @@ use crate::ledger::RowUpdate;
 use crate::mission::{Area, Listing, Progress};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
-use crate::scoring::Report;
+use crate::scoring::{Report, TryReport};
 use crate::swarm::Path;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -109,6 +109,8 @@ pub enum Event {
     Profiles(Vec<String>),
     /// Who trains here, and how far they have come; nobody whose flights are kept.
     Career(Option<Box<Career>>),
+    /// The trainee's tries at missions as they are now, by the mission's id, oldest first.
+    Tries(BTreeMap<String, Vec<TryReport>>),
     /// What the flight that has just ended brought to the career.
     Rewarded(Box<Reward>),
     /// The shell could not do something; the text says what, where, and what to do.

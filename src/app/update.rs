@@ -87,6 +87,7 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Profiles(names) => state.profiles = names,
         Event::Career(career) => profiles::arrived(state, career.map(|career| *career)),
+        Event::Tries(tries) => state.tries = tries,
         Event::Rewarded(reward) => state.reward = Some(*reward),
         Event::Failed(text) => telemetry::failed(state, text),
         Event::Line(line) => return palette::give(state, &line),

@@ -2,7 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use serde::Serialize;
+
 use super::Skill;
+use crate::text;
+use crate::text::Text;
 
 /// Before anything was seen.
 const START: f64 = 0.20;
@@ -43,7 +47,8 @@ pub struct Knowledge {
 }
 
 /// Where somebody stands with a skill.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Mastery {
     /// Never shown.
     Unknown,
@@ -53,6 +58,18 @@ pub enum Mastery {
     Mastered,
     /// Mastered once, and to be refreshed.
     Due,
+}
+
+impl Mastery {
+    /// In a word.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Unknown => text!("mastery-unknown"),
+            Self::Learning => text!("mastery-learning"),
+            Self::Mastered => text!("mastery-mastered"),
+            Self::Due => text!("mastery-due"),
+        }
+    }
 }
 
 impl Default for Knowledge {

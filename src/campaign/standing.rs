@@ -8,7 +8,7 @@ use super::{Course, Entry, Flight, Knowledge, Mastery, Purchase, Skill, Stake};
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Part, part};
+use crate::workshop::{Design, Part, part};
 
 /// Where somebody stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -190,6 +190,22 @@ impl Standing {
             Some(mission) if !is_unlocked => PartState::Locked(mission),
             _ => PartState::ForSale(economy::licence_price(part.credits)),
         }
+    }
+
+    /// The parts of a design that may not be used yet, in the order of building.
+    pub fn missing_parts(
+        &self,
+        design: &Design,
+        course: &Course,
+    ) -> Vec<(&'static Part, PartState)> {
+        let states = design
+            .pieces()
+            .map(|(part, _)| (part, self.part_state(part, course)));
+        let mut missing: Vec<_> = states
+            .filter(|(_, state)| *state != PartState::Owned)
+            .collect();
+        missing.dedup_by_key(|(part, _)| part.id);
+        missing
     }
 
     /// Credits to spend.

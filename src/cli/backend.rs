@@ -11,7 +11,7 @@ use super::hangar::services::ServiceOptions;
 use super::programs::ProgramOptions;
 use super::settings::Settings;
 use crate::hangar::programs::Missing;
-use crate::hangar::{Backend, Config, Frame, Limits, Source};
+use crate::hangar::{Backend, Config, Limits, Source};
 use crate::sim::Airframe;
 use crate::sitl::Kind;
 use crate::store;
@@ -51,7 +51,7 @@ impl BackendArguments {
         let frames: Result<_, Failure> = self.frames.iter().map(|path| frame(path)).collect();
         Ok(Backend {
             ardupilot: self.source(settings)?,
-            frames: frames?,
+            airframes: frames?,
         })
     }
 
@@ -90,7 +90,7 @@ pub(super) fn found(settings: &Settings) -> Option<Source> {
 }
 
 /// Reads a frame file; its warnings go to standard error.
-pub(super) fn frame(path: &Path) -> Result<Frame, Failure> {
+pub(super) fn frame(path: &Path) -> Result<Arc<Airframe>, Failure> {
     let source = store::read(path, "file-frame")
         .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
     let name = &source.name;
@@ -103,11 +103,7 @@ pub(super) fn frame(path: &Path) -> Result<Frame, Failure> {
     for warning in warnings {
         eprintln!("{}", faulty(warning));
     }
-    let json = Airframe::json(&source.text).map_err(|error| Failure::Invalid(faulty(error)))?;
-    Ok(Frame {
-        airframe: Arc::new(airframe),
-        json,
-    })
+    Ok(Arc::new(airframe))
 }
 
 /// A hangar within this program, with the programs that are found.

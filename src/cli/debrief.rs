@@ -35,8 +35,7 @@ pub(super) fn debrief(
     settings: &Settings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
-    let folders = settings.folders.as_ref();
-    let runs = folders.map(|folders| Runs::within(&folders.data));
+    let runs = settings.data.as_deref().map(Runs::within);
     let path = match (options.run.as_str(), &runs) {
         ("last", Some(runs)) => runs.newest().ok_or_else(|| {
             let folder = runs.folder().display().to_string();
@@ -64,7 +63,11 @@ pub(super) fn debrief(
         eprintln!("sortie: {name}: {}", locale.text(&text));
     }
     if let Some(runs) = &runs {
-        report.tries = runs.tries_at(&report.mission, report.revision);
+        report.tries = runs.tries_at(
+            stored.head.profile.as_deref(),
+            &report.mission,
+            report.revision,
+        );
     }
     report.drill = store::drill_of(&report.mission);
     if options.json {

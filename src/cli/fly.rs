@@ -152,9 +152,9 @@ fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
         look: look(&settings),
         preferences: Preferences {
             history: folders.map(|folders| History::within(&folders.state)),
-            runs: folders.map(|folders| Runs::within(&folders.data)),
-            data: folders.map(|folders| folders.data.clone()),
-            profile: None,
+            runs: settings.data.as_deref().map(Runs::within),
+            data: settings.data.clone(),
+            profile: settings.config.profile.clone(),
             warnings: settings.warnings(),
             config: settings.config,
             keymap: settings.keymap,

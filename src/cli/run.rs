@@ -109,7 +109,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
         None => fly(options, &backend, mission, script, &mut witness),
         Some(source) => {
             let speedup = options.speedup.of_sitl(mission.vehicles);
-            let launches = backend.launches(&mission.starts(), speedup);
+            let launches = backend.launches(mission.world(options.seed), speedup);
             let mut live = Live::new(mission, options.seed, script, speedup);
             witness.prepare(live.flight_mut(), backend.name());
             ardupilot::fly(source, launches, live, &mut witness)?
@@ -140,7 +140,7 @@ fn fly(
     witness: &mut Witness<'_>,
 ) -> Report {
     let started = Instant::now();
-    let mut exercise = Exercise::new(mission, options.seed, script, backend.airframes());
+    let mut exercise = Exercise::new(mission, options.seed, script, backend.airframes.clone());
     witness.prepare(exercise.flight_mut(), backend.name());
     while !exercise.is_over() {
         exercise.step();

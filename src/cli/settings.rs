@@ -8,7 +8,6 @@ use std::io::IsTerminal as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
 use tracing_subscriber::EnvFilter;
 
 use super::Failure;
@@ -22,67 +21,13 @@ use crate::text;
 use crate::text::{Language, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
+mod flags;
 mod shown;
+
+pub(super) use flags::Common;
 
 /// The variable that names the configuration file.
 const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
-
-/// Options of every command.
-#[derive(Debug, Default, Args)]
-pub(super) struct Common {
-    /// Read this configuration instead of the one in the folder of the user.
-    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
-    config: Option<PathBuf>,
-    /// The language: en, uk.
-    #[arg(
-        long,
-        global = true,
-        value_name = "LANGUAGE",
-        help_heading = "Settings"
-    )]
-    lang: Option<String>,
-    /// The theme: dark, light, high-contrast, monochrome, or one of your own.
-    #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
-    theme: Option<String>,
-    /// Frames per second at most.
-    #[arg(long, global = true, value_name = "N", help_heading = "Settings")]
-    fps: Option<String>,
-    /// What curves and maps are drawn with: braille, block, ascii.
-    #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
-    symbols: Option<String>,
-    /// Listen to the mouse: its wheel moves the cursor.
-    #[arg(
-        long,
-        global = true,
-        num_args = 0,
-        default_missing_value = "true",
-        help_heading = "Settings"
-    )]
-    mouse: Option<String>,
-    /// Write a log to FILE.
-    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
-    log: Option<String>,
-    /// What goes into the log: error, warn, info, debug or trace, also of single parts: `warn,sortie::link=debug`.
-    #[arg(long, global = true, value_name = "LEVELS", help_heading = "Settings")]
-    log_level: Option<String>,
-}
-
-impl Common {
-    /// The flags that were given: setting, flag, value.
-    fn flags(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
-        let flags = [
-            ("lang", "--lang", &self.lang),
-            ("theme", "--theme", &self.theme),
-            ("fps", "--fps", &self.fps),
-            ("symbols", "--symbols", &self.symbols),
-            ("mouse", "--mouse", &self.mouse),
-            ("log.file", "--log", &self.log),
-            ("log.level", "--log-level", &self.log_level),
-        ];
-        let given = flags.into_iter();
-        given.filter_map(|(setting, flag, value)| Some((setting, flag, value.as_deref()?)))
-    }
-}
 
 /// Everything that is set.
 #[derive(Debug)]
@@ -99,6 +44,8 @@ pub(super) struct Settings {
     pub theme: Theme,
     /// Where files are kept, if there is a home folder at all.
     pub folders: Option<Folders>,
+    /// Where profiles and recorded runs are kept, if there is such a place.
+    pub data: Option<PathBuf>,
     /// The configuration file, whether it is there or not.
     pub file: Option<PathBuf>,
     /// What is wrong with the files.
@@ -148,7 +95,12 @@ impl Fault {
 /// # Errors
 /// Something that was named on the command line or in the environment is wrong or not there.
 pub(super) fn gather(common: &Common) -> Result<Settings, Failure> {
-    let folders = Folders::find();
+    let mut folders = Folders::find();
+    let data = common.data.clone();
+    let data = data.or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
+    if let (Some(folders), Some(data)) = (&mut folders, &data) {
+        folders.data.clone_from(data);
+    }
     let named = common
         .config
         .clone()
@@ -162,6 +114,7 @@ pub(super) fn gather(common: &Common) -> Result<Settings, Failure> {
         themes: themes(),
         theme: Theme::default(),
         folders,
+        data,
         file,
         faults: Vec::new(),
         source: None,

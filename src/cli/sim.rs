@@ -124,8 +124,8 @@ impl FromStr for Home {
 
 /// Serves until interrupted.
 pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
-    let airframe = |path: &PathBuf| frame(path).map(|frame| frame.airframe);
-    let airframes: Result<Vec<_>, Failure> = options.frames.iter().map(airframe).collect();
+    let airframes: Result<Vec<_>, Failure> =
+        options.frames.iter().map(|path| frame(path)).collect();
     let config = WorldConfig {
         seed: options.seed,
         airframes: airframes?,

@@ -9,6 +9,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use super::Failure;
 use super::settings::Settings;
+use crate::mission::Mission;
 use crate::store;
 use crate::text;
 use crate::text::{Locale, Text};
@@ -53,6 +54,16 @@ enum Command {
         after: String,
         #[command(flatten)]
         air: AirArguments,
+    },
+    /// What a mission needs of its drones, and how a design stands to it.
+    #[command(after_help = "Examples:\n  \
+                            sortie workshop fit starter 01\n  \
+                            sortie workshop fit my-drone.toml 05-night-search")]
+    Fit {
+        /// A design file, or the name of a design.
+        design: String,
+        /// A mission file, or the name or number of a mission.
+        mission: String,
     },
     /// Writes the airframe of a design for ArduPilot's SITL: NAME.json for `--model`, NAME.parm for `--defaults`.
     #[command(after_help = "Examples:\n  \
@@ -117,6 +128,10 @@ pub(super) fn workshop(
         Command::Compare { before, after, air } => {
             let (before, after) = (find(before, &locale)?, find(after, &locale)?);
             compare(&before, &after, air.air(), &locale)
+        }
+        Command::Fit { design, mission } => {
+            let mission = super::run::load_mission(mission)?;
+            fit(&find(design, &locale)?, &mission, &locale)
         }
         Command::Export { design, to } => export(&find(design, &locale)?, to, &locale),
     }
@@ -261,6 +276,29 @@ fn compare(
         )?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Seats that need the same are told together. Exit code 1 where a design cannot do the task of any seat.
+fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, Failure> {
+    let mut fits_somewhere = false;
+    for need in mission.needs() {
+        let seats: Vec<String> = need.seats.iter().map(ToString::to_string).collect();
+        let seats = text!("workshop-fit-seats", seats = seats.join(", "));
+        say!("{}", locale.text(&seats))?;
+        let lines = need.fit(design);
+        fits_somewhere |= lines.iter().all(|line| !line.is_block);
+        for line in lines {
+            let mark = match (line.met, line.is_block) {
+                (true, _) => "+",
+                (false, false) => "!",
+                (false, true) => "x",
+            };
+            let [what, required, has] =
+                [line.what, line.required, line.has].map(|text| locale.text(&text));
+            say!("  {mark} {} {has:>10} / {required}", padded(&what, 46))?;
+        }
+    }
+    Ok(ExitCode::from(u8::from(!fits_somewhere)))
 }
 
 fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<ExitCode, Failure> {

@@ -45,6 +45,12 @@ pub const SETTINGS: &[Setting] = &[
         "The language; unless it is set, that of the shell (LC_ALL, LC_MESSAGES, LANG).",
     ),
     setting(
+        "profile",
+        Kind::Text,
+        Some("SORTIE_PROFILE"),
+        "Whose career it is, by the name of a profile (`sortie profile list`).",
+    ),
+    setting(
         "theme",
         Kind::Text,
         Some("SORTIE_THEME"),

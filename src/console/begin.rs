@@ -7,7 +7,7 @@ use rand::TryRng as _;
 use rand::rngs::SysRng;
 
 use super::Console;
-use super::career::{Careers, today};
+use super::career::today;
 use super::session::{Backend, Plan, Running};
 use crate::app::effect::Launch;
 use crate::app::event::Event;
@@ -15,6 +15,7 @@ use crate::app::update;
 use crate::campaign::{Stake, daily_seed, exam_seed};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
+use crate::mission::record::Occasion;
 use crate::store;
 use crate::text::Text;
 
@@ -86,8 +87,11 @@ impl Console {
 
     /// A layout that a trainee has not flown yet; always the same where nothing is kept.
     fn fresh_seed(&self) -> u64 {
-        let is_kept = self.careers.as_ref().is_some_and(|it| it.name().is_some());
-        let random = is_kept.then(|| SysRng.try_next_u64().ok()).flatten();
+        let random = self
+            .trainee()
+            .is_some()
+            .then(|| SysRng.try_next_u64().ok())
+            .flatten();
         random.map_or(FIRST_SEED, |random| random % SEEDS)
     }
 
@@ -144,6 +148,7 @@ impl Console {
     /// Ends everything, and waits for it a little: what then still runs ends with this program.
     pub(super) async fn close(&mut self) {
         self.end_session();
+        self.store_flights();
         let ending = std::mem::take(&mut self.ending);
         ending.over(LAST_PROCESS_PATIENCE).await;
     }
@@ -151,6 +156,7 @@ impl Console {
     async fn start(&mut self, plan: Plan) -> Result<(), Text> {
         // The old session ends first: the new one may need its ports.
         self.end_session();
+        self.store_flights();
         let backend = Backend {
             clock: self.clock.clone(),
             vehicles: self.options.vehicles,
@@ -158,12 +164,12 @@ impl Console {
             speedup: self.options.speedup,
             simulation: self.options.backend.clone(),
             runs: self.options.preferences.runs.clone(),
-            stake: self.attempt.stake,
-            profile: self
-                .careers
-                .as_ref()
-                .and_then(Careers::name)
-                .map(str::to_owned),
+            occasion: Occasion {
+                stake: self.attempt.stake,
+                profile: self.trainee().map(str::to_owned),
+                ..Occasion::default()
+            },
+            earlier: self.tries_before(&plan),
         };
         let before = std::mem::take(&mut self.ending);
         let (running, started) = Running::start(plan, &backend, before).await?;

@@ -1,20 +1,24 @@
 //! The trainee who sits at the console: who it is, what is flown for their career, and what they buy and design.
 
+use std::collections::VecDeque;
 use std::path::Path;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::SystemTime;
 
 use super::Console;
+use super::missions::{self, Tries};
+use super::session::{Finished, Plan};
 use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::state::Career;
 use crate::app::update;
-use crate::campaign::{Aids, Course};
-use crate::store::{Profile, ProfileError, Profiles, Rescue, utc};
+use crate::campaign::{Aids, Course, Entry, Reward, Standing};
+use crate::scoring::TryReport;
+use crate::store::{
+    self, Landing, Profile, ProfileError, ProfileSettings, Profiles, RunEntry, day_of, utc,
+};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
-
-const DAY: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// The profiles of the data folder, and the one that is in use.
 #[derive(Debug)]
@@ -22,23 +26,24 @@ pub(super) struct Careers {
     profiles: Profiles,
     course: Course,
     current: Option<Profile>,
-    aids: Aids,
+    /// Flights that are not stored yet, oldest first, and whose they are: the disk may be full for a while.
+    waiting: VecDeque<(String, RunEntry)>,
 }
 
 impl Careers {
-    /// Opens the profiles of a data folder, with nobody chosen. What was damaged is told.
+    /// Opens the profiles of a data folder, with nobody chosen. What was damaged or made up for is told.
     ///
     /// # Errors
     /// They cannot be had; the console works without them.
-    pub fn open(data: &Path, course: Course) -> Result<(Self, Option<Rescue>), ProfileError> {
-        let (profiles, rescue) = Profiles::open(data)?;
+    pub fn open(data: &Path, course: Course) -> Result<(Self, Vec<Text>), ProfileError> {
+        let (profiles, told) = store::open_profiles(data)?;
         let careers = Self {
             profiles,
             course,
             current: None,
-            aids: Aids::default(),
+            waiting: VecDeque::new(),
         };
-        Ok((careers, rescue))
+        Ok((careers, told))
     }
 
     /// The trainee's name, if there is one.
@@ -64,7 +69,15 @@ impl Careers {
     }
 
     fn set_aids(&mut self, aids: Aids) -> Result<(), ProfileError> {
-        self.aids = aids;
+        let Some(profile) = &mut self.current else {
+            return Ok(());
+        };
+        let settings = ProfileSettings {
+            aids,
+            ..profile.settings.clone()
+        };
+        self.profiles.set_settings(profile, &settings)?;
+        profile.settings = settings;
         Ok(())
     }
 
@@ -87,6 +100,44 @@ impl Careers {
         profile.map_or(Ok(()), |profile| self.profiles.drop_design(profile, name))
     }
 
+    /// Stores the flights that wait for it in the careers that they were flown for; tells what they have brought there.
+    /// Those that cannot be stored now go on waiting.
+    fn enter(&mut self) -> (Vec<Reward>, Result<(), ProfileError>) {
+        let mut rewards = Vec::new();
+        while let Some((whose, run)) = self.waiting.front() {
+            let reward = enter(&mut self.profiles, &self.course, whose, run);
+            match reward {
+                Ok(reward) => rewards.extend(reward),
+                Err(error) => return (rewards, Err(error)),
+            }
+            self.waiting.pop_front();
+        }
+        (rewards, Ok(()))
+    }
+
+    /// The trainee's tries at a revision of a mission, oldest first; `None` without a trainee.
+    fn tries_at(&self, mission: &str, revision: u32) -> Option<Vec<TryReport>> {
+        let tries = self
+            .profiles
+            .tries(self.current.as_ref()?, mission, revision);
+        tries.ok()
+    }
+
+    /// All of them, by mission.
+    fn tries(&self) -> Result<Option<Tries>, ProfileError> {
+        let Some(profile) = &self.current else {
+            return Ok(None);
+        };
+        let mut tries = Tries::new();
+        for run in self.profiles.runs(profile)? {
+            let of_mission = tries.entry(run.flight.mission.clone()).or_default();
+            let alike = of_mission.iter().filter(|one| one.revision == run.revision);
+            let attempt = u32::try_from(alike.count() + 1).unwrap_or(u32::MAX);
+            of_mission.push(run.as_try(attempt));
+        }
+        Ok(Some(tries))
+    }
+
     /// How far the trainee has come; `None` without one.
     pub fn career(&self) -> Result<Option<Career>, ProfileError> {
         let Some(profile) = &self.current else {
@@ -96,7 +147,7 @@ impl Careers {
         Ok(Some(Career {
             designs: self.profiles.designs(profile)?,
             day: today(),
-            aids: self.aids,
+            aids: profile.settings.aids,
             ..Career::new(&profile.name, history, self.course.clone())
         }))
     }
@@ -104,9 +155,24 @@ impl Careers {
 
 /// Days since 1970 in UTC.
 pub(super) fn today() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    let days = since.unwrap_or_default().as_secs() / DAY.as_secs();
-    i64::try_from(days).unwrap_or(i64::MAX)
+    day_of(SystemTime::now())
+}
+
+/// Stores a flight in somebody's career. One that is stored already has brought nothing more.
+fn enter(
+    profiles: &mut Profiles,
+    course: &Course,
+    whose: &str,
+    run: &RunEntry,
+) -> Result<Option<Reward>, ProfileError> {
+    let profile = profiles.find(whose)?;
+    let before = Standing::of(&profiles.history(&profile)?);
+    if !profiles.store(&profile, run)? {
+        return Ok(None);
+    }
+    let mut after = before.clone();
+    after.enter(&Entry::Flight(run.flight.clone()));
+    Ok(Some(Reward::between(&before, &after, course, &run.flight)))
 }
 
 impl Console {
@@ -118,8 +184,8 @@ impl Console {
         };
         let wanted = preferences.profile.clone();
         let mut careers = match Careers::open(data, course) {
-            Ok((careers, rescue)) => {
-                self.warnings.extend(rescue.map(|rescue| rescue.text()));
+            Ok((careers, told)) => {
+                self.warnings.extend(told);
                 careers
             }
             Err(error) => return self.warnings.push(error.text()),
@@ -158,21 +224,139 @@ impl Console {
         self.show_career();
     }
 
+    /// Whose flights are kept at the moment, by name.
+    pub(super) fn trainee(&self) -> Option<&str> {
+        self.careers.as_ref()?.name()
+    }
+
+    /// The trainee's tries at what is to be flown, oldest first.
+    pub(super) fn tries_before(&self, plan: &Plan) -> Vec<TryReport> {
+        let Plan::Mission(mission) = plan else {
+            return Vec::new();
+        };
+        let (id, revision) = (mission.id.as_str(), mission.rev);
+        let careers = self.careers.as_ref();
+        if let Some(tries) = careers.and_then(|it| it.tries_at(id, revision)) {
+            return tries;
+        }
+        let runs = self.options.preferences.runs.as_ref();
+        runs.map_or_else(Vec::new, |runs| runs.tries_at(None, id, revision))
+    }
+
+    /// Stores what has just been flown for somebody's career, and shows what it has brought.
+    pub(super) fn settle(&mut self, finished: &Finished) {
+        let Some(whose) = finished.occasion.profile.as_deref() else {
+            return;
+        };
+        let Some(careers) = &mut self.careers else {
+            return;
+        };
+        let landing = Landing {
+            id: finished.run_id.clone(),
+            when: SystemTime::now(),
+            stake: finished.occasion.stake,
+        };
+        let run = RunEntry::of(&finished.mission, &finished.report, landing);
+        careers.waiting.push_back((whose.to_owned(), run));
+        self.store_flights();
+    }
+
+    /// Stores what waits for it. What cannot be stored is told, and tried again at the next occasion.
+    pub(super) fn store_flights(&mut self) {
+        let waits = |careers: &&mut Careers| !careers.waiting.is_empty();
+        let Some(careers) = self.careers.as_mut().filter(waits) else {
+            return;
+        };
+        let (rewards, outcome) = careers.enter();
+        if !rewards.is_empty()
+            && let Err(error) = careers.profiles.back_up()
+        {
+            tracing::warn!(%error, "the profiles were not copied");
+        }
+        self.show_career();
+        for reward in rewards {
+            update(&mut self.state, Event::Rewarded(Box::new(reward)));
+        }
+        let outcome = outcome.map_err(|error| text!("career-waits", fault = error.text()));
+        self.tell_failure(outcome);
+    }
+
     /// Hands the career to the state as it is now.
     pub(super) fn show_career(&mut self) {
         let Some(careers) = &self.careers else {
             return;
         };
-        let events = careers.names().and_then(|names| {
+        let shown = careers.names().and_then(|names| {
             let career = careers.career()?.map(Box::new);
-            Ok([Event::Profiles(names), Event::Career(career)])
+            Ok((names, career, careers.tries()?))
         });
-        let events: Vec<Event> = events.map_or_else(
-            |error: ProfileError| vec![Event::Failed(Text::from(error.text()))],
-            Vec::from,
-        );
+        let events = match shown {
+            Ok((names, career, tries)) => {
+                let tries = tries.unwrap_or_else(|| self.tries_of_nobody());
+                let tries = missions::current(tries, &self.state.missions);
+                vec![
+                    Event::Profiles(names),
+                    Event::Career(career),
+                    Event::Tries(tries),
+                ]
+            }
+            Err(error) => vec![Event::Failed(error.text())],
+        };
         for event in events {
             update(&mut self.state, event);
         }
+    }
+
+    /// The tries that belong to nobody's career.
+    fn tries_of_nobody(&self) -> Tries {
+        let runs = self.options.preferences.runs.as_ref();
+        runs.map_or_else(Tries::new, |runs| runs.all_tries(None))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use rusqlite::Connection;
+
+    use super::*;
+    use crate::headless::Exercise;
+    use crate::language::{Context, Script};
+    use crate::mission::{Mission, Stake};
+
+    fn flown() -> RunEntry {
+        let mission = include_str!("../../missions/00-first-flight.toml");
+        let mission = Arc::new(Mission::parse(mission).expect("no faults"));
+        let script = Script::parse("", &Context::default()).expect("nothing to do");
+        let report = Exercise::new(Arc::clone(&mission), 1, script, Vec::new()).report();
+        let landing = Landing {
+            id: "a".to_owned(),
+            when: SystemTime::UNIX_EPOCH,
+            stake: Stake::Graded,
+        };
+        RunEntry::of(&mission, &report, landing)
+    }
+
+    #[test]
+    fn a_flight_that_cannot_be_stored_waits_until_it_can() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (mut careers, _) = Careers::open(folder.path(), Course::default()).expect("ours");
+        careers.create("Anna").expect("a name");
+        let other = Connection::open(careers.profiles.path()).expect("the same file");
+        let rename = |from: &str, to: &str| {
+            let line = format!("ALTER TABLE {from} RENAME TO {to}");
+            other.execute_batch(&line).expect("a table");
+        };
+        rename("runs", "away");
+        careers.waiting.push_back(("Anna".to_owned(), flown()));
+        let (rewards, outcome) = careers.enter();
+        assert!(rewards.is_empty() && outcome.is_err());
+        rename("away", "runs");
+        let (rewards, outcome) = careers.enter();
+        assert_eq!((rewards.len(), outcome.is_ok()), (1, true));
+        assert!(careers.waiting.is_empty());
+        let career = careers.career().expect("it can be read");
+        assert_eq!(career.map(|career| career.history.len()), Some(1));
     }
 }

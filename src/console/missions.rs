@@ -7,14 +7,15 @@ use crate::campaign::{Course, Offer};
 use crate::mission::Mission;
 use crate::scoring::TryReport;
 use crate::store;
-use crate::store::Runs;
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
 
-/// The trainee's tries at missions as they are now.
-pub fn tries(runs: &Runs, missions: &[MissionListing]) -> BTreeMap<String, Vec<TryReport>> {
-    let mut tries = runs.all_tries();
+/// Tries by mission, oldest first.
+pub type Tries = BTreeMap<String, Vec<TryReport>>;
+
+/// Those tries that are at missions as they are now.
+pub fn current(mut tries: Tries, missions: &[MissionListing]) -> Tries {
     tries.retain(|id, tries| {
         let mission = missions.iter().find(|mission| mission.id == *id);
         tries.retain(|one| mission.is_some_and(|mission| mission.rev == one.revision));

@@ -22,6 +22,7 @@ mod start;
 mod swarm;
 
 use course::Course;
+pub(super) use course::Finished;
 pub(super) use hangar::Ending;
 use hangar::Processes;
 use inspection::Inspection;

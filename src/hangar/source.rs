@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::client::Remote;
 use super::{Config, Hangars, Launch};
 use crate::scoring::{ARDUPILOT, EMBEDDED};
-use crate::sim::{Airframe, Start};
+use crate::sim::{Airframe, Start, WorldConfig};
 use crate::text;
 use crate::text::Text;
 
@@ -46,17 +46,8 @@ impl Source {
 pub struct Backend {
     /// ArduPilot's SITL; the embedded simulator without it.
     pub ardupilot: Option<Source>,
-    /// The airframes: one for all vehicles, or one for each, the last one for all that follow.
-    pub frames: Vec<Frame>,
-}
-
-/// An airframe as both simulators take it.
-#[derive(Debug, Clone)]
-pub struct Frame {
-    /// For the embedded simulator.
-    pub airframe: Arc<Airframe>,
-    /// For SITL.
-    pub json: serde_json::Value,
+    /// The airframes that were named: one for all vehicles, or one for each, the last one for all that follow.
+    pub airframes: Vec<Arc<Airframe>>,
 }
 
 impl Backend {
@@ -68,26 +59,38 @@ impl Backend {
         }
     }
 
-    /// The airframes for the embedded simulator.
-    pub fn airframes(&self) -> Vec<Arc<Airframe>> {
-        let frames = self.frames.iter();
-        frames.map(|frame| Arc::clone(&frame.airframe)).collect()
+    /// A world with the airframes that were named, if any were, in the place of its own.
+    #[must_use]
+    pub fn of(&self, world: WorldConfig) -> WorldConfig {
+        if self.airframes.is_empty() {
+            return world;
+        }
+        WorldConfig {
+            airframes: self.airframes.clone(),
+            ..world
+        }
     }
 
-    /// What a hangar is to launch: a vehicle at each place, with system ids from 1.
-    pub fn launches(&self, starts: &[Start], speedup: f64) -> Vec<Launch> {
+    /// What a hangar is to launch for a world: a vehicle at each place, with system ids from 1.
+    pub fn launches(&self, world: WorldConfig, speedup: f64) -> Vec<Launch> {
+        let world = self.of(world);
         let systems = 1..=crate::wire::SystemId::MAX;
-        let launch = |(at, (&start, system)): (usize, (&Start, u8))| Launch {
-            frame: self
-                .frames
-                .get(at)
-                .or(self.frames.last())
-                .map(|frame| frame.json.clone()),
-            home: start.into(),
-            system: Some(system),
-            speedup,
-            ..Launch::default()
+        let launch = |(at, (&start, system)): (usize, (&Start, u8))| {
+            let airframe = world.airframes.get(at).or(world.airframes.last());
+            let parameters = airframe.map_or(&[][..], |it| it.parameters());
+            Launch {
+                frame: airframe.and_then(|it| it.file().cloned()),
+                parameters: parameters
+                    .iter()
+                    .map(|&(name, value)| (name.to_owned(), value))
+                    .collect(),
+                home: start.into(),
+                system: Some(system),
+                speedup,
+                ..Launch::default()
+            }
         };
-        starts.iter().zip(systems).enumerate().map(launch).collect()
+        let starts = world.starts.iter().zip(systems).enumerate();
+        starts.map(launch).collect()
     }
 }

@@ -5,6 +5,7 @@ use crate::language::Context;
 use crate::mission::record::{Occasion, Stored};
 use crate::sim::STEP;
 use crate::text;
+use crate::workshop::Design;
 
 const MISSION: &str = include_str!("../../missions/01-air-sample.toml");
 const PILOT: &str = include_str!("../../missions/pilots/01-air-sample.pilot");
@@ -216,4 +217,42 @@ fn a_run_that_was_cut_off_scores_as_it_stood_then() {
         "{}",
         again.sim_time_s
     );
+}
+
+/// The first mission with its reference pilot and the starter drone, in some way changed.
+fn built(changed: impl Fn(Design) -> Design) -> (MissionReport, String) {
+    let source = include_str!("../../missions/01-air-sample.toml");
+    let design = Design::from_toml(include_str!("../../designs/starter.toml"));
+    let design = changed(design.expect("a good design"));
+    let mission = Mission::parse(source).expect("it is good");
+    let mission = mission.with_fleet(vec![design]).expect("it may fly");
+    let (_, script) = self::mission();
+    let mut exercise = Exercise::new(Arc::new(mission), 1, script, Vec::new());
+    exercise.flight_mut().start_record(&Occasion {
+        backend: "embedded".to_owned(),
+        ..Occasion::default()
+    });
+    while !exercise.is_over() {
+        exercise.step();
+    }
+    let report = exercise.close();
+    (report, exercise.flight_mut().take_record())
+}
+
+#[test]
+fn a_drone_that_somebody_built_flies_the_mission_and_its_record_scores_again_the_same() {
+    let (report, text) = built(|design| design);
+    assert!(report.passed, "{report:#?}");
+    let stored = Stored::read(&text).expect("a good record");
+    assert_eq!(stored.head.designs.len(), 1);
+    let again = stored.rescore().expect("a good mission").report;
+    let document = |report| serde_json::to_string_pretty(report).expect("plain data");
+    assert_eq!(document(&again), document(&report));
+}
+
+#[test]
+fn without_its_sensor_a_mission_cannot_be_passed() {
+    let sensor = crate::workshop::part("s_voc").expect("a part");
+    let (report, _) = built(|design| design.without(sensor));
+    assert!(!report.passed);
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::hazard::Load;
+use super::radio::Set;
 use super::sensor::Sensor;
 
 /// What one vehicle carries.
@@ -12,6 +13,8 @@ pub(crate) struct Fit {
     pub sensors: Vec<&'static Sensor>,
     /// What it starts with and gets again when it is served on its pad; a load that is not here it never has.
     pub loads: BTreeMap<Load, u32>,
+    /// Its own radio; without one it has that of the mission, if radio matters there.
+    pub radio: Option<Set>,
 }
 
 impl Fit {

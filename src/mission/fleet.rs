@@ -1,9 +1,22 @@
 //! The drones that a mission is flown with, where somebody built their own.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use super::Mission;
+use super::fit::Fit;
+use super::hazard::Load;
+use super::radio::{Model, Radio, Set};
+use super::sensor::Sensor;
+use crate::sim::Airframe;
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Air, Design, Severity};
+use crate::workshop::{Air, Design, Severity, Slot};
+
+/// Seconds of spray in a sprayer's tank.
+pub(super) const TANK_S: u32 = 15;
+/// The part that lets pieces go.
+pub(super) const DROPPER: &str = "s_drop";
 
 impl Mission {
     /// What flies it, in the order of the seats; empty for the mission's own drones.
@@ -45,9 +58,100 @@ impl Mission {
     }
 
     /// The same flown with one design per seat, or with its own drones if there are none; nobody asks whether they may.
-    pub(super) fn flown_by(self, fleet: Vec<Design>) -> Self {
-        Self { fleet, ..self }
+    /// What the drones carry is what was built in, and they are heard as far as their radios reach.
+    pub(super) fn flown_by(mut self, fleet: Vec<Design>) -> Self {
+        if fleet.is_empty() {
+            return self;
+        }
+        let station = self.pads.first().copied().unwrap_or_default();
+        let radio = self.radio.get_or_insert(Radio {
+            own: None,
+            station,
+            antenna_m: Radio::USUAL_ANTENNA_M,
+        });
+        let seats = fleet.iter().zip(&self.asked);
+        self.fits = seats
+            .map(|(design, asked)| Fit::of(design, asked, radio.own))
+            .collect();
+        let mut all = Fit::default();
+        let carried = self.fits.iter().flat_map(|fit| &fit.sensors);
+        carried.for_each(|sensor| all.add(sensor));
+        self.sensors = all.sensors;
+        self.fleet = fleet;
+        self
     }
+
+    /// The airframes of the drones that were built for it, in the order of the seats; none where it is flown with its own.
+    pub(crate) fn airframes(&self) -> Vec<Arc<Airframe>> {
+        let mut airframes: Vec<Arc<Airframe>> = Vec::new();
+        for (seat, design) in self.fleet.iter().enumerate() {
+            let alike = self.fleet[..seat].iter().position(|it| it == design);
+            airframes.push(match alike {
+                Some(first) => Arc::clone(&airframes[first]),
+                None => airframe(design),
+            });
+        }
+        airframes
+    }
+}
+
+impl Fit {
+    /// What a design carries: the sensors that were asked for come first. `own` is the radio of the mission's drones.
+    fn of(design: &Design, asked: &Self, own: Option<Set>) -> Self {
+        let mut fit = Self {
+            loads: loads(design),
+            radio: radio(design, own),
+            ..Self::default()
+        };
+        let mounted = design.in_slot(Slot::Payload).iter();
+        let mounted = mounted.filter_map(|part| Sensor::by_id(part.id));
+        let wanted = asked.sensors.iter().copied();
+        wanted
+            .filter(|sensor| design.has(sensor.id))
+            .chain(mounted)
+            .for_each(|sensor| fit.add(sensor));
+        fit
+    }
+}
+
+/// What a design lets go of. Pieces need a dropper.
+fn loads(design: &Design) -> BTreeMap<Load, u32> {
+    let mounted = design.in_slot(Slot::Payload);
+    let pieces = |load: Load| {
+        let count = mounted.iter().filter(|part| part.id == load.part()).count();
+        match load {
+            Load::Spray => count as u32 * TANK_S,
+            _ if design.has(DROPPER) => count as u32,
+            _ => 0,
+        }
+    };
+    let counted = Load::ALL.map(|load| (load, pieces(load)));
+    counted
+        .into_iter()
+        .filter(|(_, count)| *count > 0)
+        .collect()
+}
+
+/// The radio of a design. A model that relays in the mission by its own word does so on every drone.
+fn radio(design: &Design, own: Option<Set>) -> Option<Set> {
+    let part = design.in_slot(Slot::Radio).first()?;
+    let set = Set::of(Model::of(part)?);
+    let relays = own.is_some_and(|own| own.model.id == part.id && own.relays);
+    Some(Set {
+        gain_dbi: set.gain_dbi + design.antenna_gain_dbi(),
+        relays: set.relays || relays,
+        ..set
+    })
+}
+
+/// A design as the simulator flies it: with its parameters.
+fn airframe(design: &Design) -> Arc<Airframe> {
+    let built = design.airframe().and_then(|built| {
+        let (airframe, _) = Airframe::from_json(&built.frame.to_string()).ok()?;
+        Some(airframe.with_parameters(built.parameters))
+    });
+    // Designs without a drive are refused before.
+    built.map_or_else(Airframe::shared_default, Arc::new)
 }
 
 /// What keeps designs on the ground, each told once.

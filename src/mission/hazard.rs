@@ -171,6 +171,21 @@ pub(crate) enum Load {
     Node,
 }
 
+impl Load {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Ball, Self::Spray, Self::Kit, Self::Node];
+
+    /// The part of the workshop's catalogue that it is, or is sprayed by.
+    pub fn part(self) -> &'static str {
+        match self {
+            Self::Ball => "s_ball",
+            Self::Spray => "s_spray",
+            Self::Kit => "s_med",
+            Self::Node => "s_node",
+        }
+    }
+}
+
 /// What a load has done.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Effect {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::objective::Scene;
 use super::world::World;
-use super::{Area, Hint, Mission, Outlay, Requires, Rewards};
+use super::{Area, Hint, Mission, Need, Outlay, Requires, Rewards};
 use crate::scoring::{Component, Medals};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -40,6 +40,8 @@ pub struct Listing {
     pub wind_m_s: f64,
     /// Where the wind comes from, in degrees.
     pub wind_from_deg: f64,
+    /// What it needs of drones that somebody builds for it, those seats together that need the same.
+    pub needs: Vec<Need>,
     /// What the vehicles carry, those that carry the same together.
     pub fits: Vec<FitListing>,
     /// The areas that are known from the start.
@@ -110,6 +112,7 @@ impl Mission {
             land_reserve_percent: self.land_reserve_percent,
             wind_m_s: self.weather.wind.speed_m_s,
             wind_from_deg: self.weather.wind.from_deg,
+            needs: self.needs(),
             fits: self.listed_fits(),
             areas: self.areas(),
             objectives: self.listed_objectives(),

@@ -10,68 +10,73 @@ use std::time::Duration;
 
 use super::Point;
 use super::craft::Craft;
+use super::fit::Fit;
 use super::zone::{Shadow, Shape, Zone, ZoneKind};
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
+use crate::workshop::{self, Part, Slot};
 
-/// A kind of radio, the same on every vehicle.
-#[derive(Debug, PartialEq)]
+/// A kind of radio: a part of the workshop's catalogue.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Model {
-    /// Its id in mission files and in the parts catalogue.
+    /// Its id in mission files and in the catalogue.
     pub id: &'static str,
-    pub power_dbm: f64,
-    pub frequency_mhz: f64,
-    /// The weakest signal that it can read.
-    pub sensitivity_dbm: f64,
-    /// Gain of the antenna on a vehicle and on the ground.
-    pub air_dbi: f64,
-    pub ground_dbi: f64,
-    /// Cables, bodies in the way, antennas that point elsewhere.
-    pub losses_db: f64,
-    /// Whether every vehicle passes on what others send.
+    pub radio: &'static workshop::Radio,
+}
+
+impl Model {
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        workshop::parts_for(Slot::Radio).filter_map(Self::of)
+    }
+
+    /// That of a part, if it is a radio.
+    pub fn of(part: &'static Part) -> Option<Self> {
+        let radio = part.radio()?;
+        Some(Self { id: part.id, radio })
+    }
+
+    /// The radio of an id.
+    pub fn by_id(id: &str) -> Option<Self> {
+        workshop::part(id).and_then(Self::of)
+    }
+}
+
+/// The radio of one vehicle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Set {
+    pub model: Model,
+    /// Gain of the vehicle's antenna.
+    pub gain_dbi: f64,
+    /// Whether it passes on, in the air, what others of its model send.
     pub relays: bool,
 }
 
-macro_rules! model {
-    ($id:literal, $power:literal, $mhz:literal, $sensitivity:literal, $air:literal, $ground:literal, $losses:literal, $relays:literal) => {
-        Model {
-            id: $id,
-            power_dbm: $power,
-            frequency_mhz: $mhz,
-            sensitivity_dbm: $sensitivity,
-            air_dbi: $air,
-            ground_dbi: $ground,
-            losses_db: $losses,
-            relays: $relays,
+impl Set {
+    /// With the antenna and the habits of its model.
+    pub fn of(model: Model) -> Self {
+        Self {
+            model,
+            gain_dbi: model.radio.air_dbi,
+            relays: model.radio.relays,
         }
-    };
+    }
 }
-
-/// The radios of the parts catalogue.
-pub(crate) static MODELS: [Model; 7] = [
-    model!("r_wifi24", 20.0, 2437.0, -88.0, 2.0, 5.0, 6.0, false),
-    model!("r_sik433", 20.0, 433.0, -112.0, 2.0, 2.0, 12.0, false),
-    model!("r_sik915", 20.0, 915.0, -112.0, 2.0, 2.0, 12.0, false),
-    model!("r_rfd900", 30.0, 915.0, -112.0, 3.0, 2.0, 8.0, false),
-    model!("r_elrs24", 20.0, 2440.0, -108.0, 2.0, 5.0, 8.0, false),
-    model!("r_lora868", 22.0, 868.0, -126.0, 2.0, 2.0, 10.0, false),
-    model!("r_mesh24", 30.0, 2450.0, -96.0, 3.0, 5.0, 6.0, true),
-];
 
 /// The radio of a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Radio {
-    pub model: &'static Model,
-    /// Where the ground station is, and how high its antenna.
+    /// That of vehicles that have none of their own.
+    pub own: Option<Set>,
+    /// Where the ground station is, and how high its antenna. It has the counterpart of every vehicle's radio.
     pub station: Point,
     pub antenna_m: f64,
-    /// Whether vehicles in the air pass on what others send.
-    pub relays: bool,
 }
 
 /// One end of a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Node {
+    pub model: Model,
     pub at: Point,
     pub height_m: f64,
     pub gain_dbi: f64,
@@ -124,94 +129,43 @@ impl Radio {
     /// The ground station's antenna in metres above the ground, unless the mission says otherwise.
     pub const USUAL_ANTENNA_M: f64 = 2.0;
 
-    /// How well each vehicle is heard, in dB: by the best path, which is as good as its worst leg.
+    /// How well each vehicle is heard, in dB: by the best path, which is as good as its worst leg. Only radios of one
+    /// model hear each other.
     pub fn margins_db<'a>(
         &self,
         zones: impl Iterator<Item = &'a Zone>,
         crafts: &[Craft],
+        fits: &[Fit],
     ) -> BTreeMap<VehicleId, f64> {
         let zones: Vec<(&Shape, ZoneKind)> = zones.map(|zone| (&zone.shape, zone.kind)).collect();
-        let placed = crafts
-            .iter()
-            .filter_map(|craft| Some((craft.id, self.node(craft)?)));
-        let (ids, mut nodes): (Vec<VehicleId>, Vec<Node>) = placed.unzip();
-        nodes.push(self.ground());
-        let best = self.best_db(&nodes, &zones);
-        ids.into_iter().zip(best).collect()
+        let mut nets: BTreeMap<&str, (Vec<VehicleId>, Vec<Node>)> = BTreeMap::new();
+        for (seat, craft) in crafts.iter().enumerate() {
+            let fitted = fits.get(seat).and_then(|fit| fit.radio).or(self.own);
+            if let Some(set) = fitted
+                && let Some(node) = set.node(craft)
+            {
+                let (ids, nodes) = nets.entry(set.model.id).or_default();
+                ids.push(craft.id);
+                nodes.push(node);
+            }
+        }
+        let mut margins_db = BTreeMap::new();
+        for (ids, mut nodes) in nets.into_values() {
+            let model = nodes[0].model;
+            nodes.push(self.ground(model));
+            margins_db.extend(ids.into_iter().zip(best_db(&nodes, &zones)));
+        }
+        margins_db
     }
 
-    fn ground(&self) -> Node {
+    fn ground(&self, model: Model) -> Node {
         Node {
+            model,
             at: self.station,
             height_m: self.antenna_m,
-            gain_dbi: self.model.ground_dbi,
+            gain_dbi: model.radio.ground_dbi,
             relays: true,
         }
-    }
-
-    fn node(&self, craft: &Craft) -> Option<Node> {
-        let [east_m, north_m, up_m] = craft.place_m()?;
-        Some(Node {
-            at: [east_m, north_m],
-            height_m: up_m,
-            gain_dbi: self.model.air_dbi,
-            relays: self.relays && craft.airborne && !craft.lost,
-        })
-    }
-
-    /// The margin from the last node to each of the others, by the path whose worst leg is best.
-    pub(crate) fn best_db(&self, nodes: &[Node], zones: &[(&Shape, ZoneKind)]) -> Vec<f64> {
-        let mut best = vec![f64::NEG_INFINITY; nodes.len()];
-        let mut open: Vec<usize> = (0..nodes.len()).collect();
-        if let Some(ground) = best.last_mut() {
-            *ground = f64::INFINITY;
-        }
-        while let Some(place) =
-            (0..open.len()).max_by(|a, b| best[open[*a]].total_cmp(&best[open[*b]]))
-        {
-            let from = open.swap_remove(place);
-            if !nodes[from].relays {
-                continue;
-            }
-            for &to in &open {
-                let leg_db = self.margin_db(&nodes[from], &nodes[to], zones);
-                best[to] = best[to].max(best[from].min(leg_db));
-            }
-        }
-        best.pop();
-        best
-    }
-
-    /// The margin of the direct path between two nodes, in dB.
-    pub(crate) fn margin_db(&self, a: &Node, b: &Node, zones: &[(&Shape, ZoneKind)]) -> f64 {
-        let model = self.model;
-        let (low, high) = (
-            a.height_m.max(LOWEST_ANTENNA_M),
-            b.height_m.max(LOWEST_ANTENNA_M),
-        );
-        let flat_m = (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]);
-        let distance_m = flat_m.hypot(low - high);
-        let spread_db =
-            free_space_db(distance_m, model.frequency_mhz).max(two_ray_db(distance_m, low, high));
-        let budget_db =
-            model.power_dbm + a.gain_dbi + b.gain_dbi - model.losses_db - model.sensitivity_dbm;
-        let wave_m = LIGHT_M_US / model.frequency_mhz;
-        let in_the_way = zones.iter().map(|(shape, kind)| match kind {
-            ZoneKind::CommShadow(Shadow::Ridge { height_m }) => {
-                ridge_db((a.at, low), (b.at, high), (shape, *height_m), wave_m)
-            }
-            ZoneKind::CommShadow(Shadow::Inside { loss_db }) => {
-                let ends = [a, b].iter().filter(|node| shape.contains(node.at)).count();
-                loss_db * ends as f64
-            }
-            ZoneKind::RadioJam { noise_db, edge_m } => {
-                // Whoever listens in it hears less; both ends have to.
-                let at = |node: &Node| noise_db * nearness(shape.distance_m(node.at), *edge_m);
-                at(a).max(at(b))
-            }
-            _ => 0.0,
-        });
-        budget_db - spread_db - in_the_way.sum::<f64>()
     }
 
     /// What a margin means for a link.
@@ -227,6 +181,73 @@ impl Radio {
             seed: 0,
         }
     }
+}
+
+impl Set {
+    fn node(self, craft: &Craft) -> Option<Node> {
+        let [east_m, north_m, up_m] = craft.place_m()?;
+        Some(Node {
+            model: self.model,
+            at: [east_m, north_m],
+            height_m: up_m,
+            gain_dbi: self.gain_dbi,
+            relays: self.relays && craft.airborne && !craft.lost,
+        })
+    }
+}
+
+/// The margin from the last node to each of the others, by the path whose worst leg is best.
+pub(crate) fn best_db(nodes: &[Node], zones: &[(&Shape, ZoneKind)]) -> Vec<f64> {
+    let mut best = vec![f64::NEG_INFINITY; nodes.len()];
+    let mut open: Vec<usize> = (0..nodes.len()).collect();
+    if let Some(ground) = best.last_mut() {
+        *ground = f64::INFINITY;
+    }
+    while let Some(place) = (0..open.len()).max_by(|a, b| best[open[*a]].total_cmp(&best[open[*b]]))
+    {
+        let from = open.swap_remove(place);
+        if !nodes[from].relays {
+            continue;
+        }
+        for &to in &open {
+            let leg_db = margin_db(&nodes[from], &nodes[to], zones);
+            best[to] = best[to].max(best[from].min(leg_db));
+        }
+    }
+    best.pop();
+    best
+}
+
+/// The margin of the direct path between two nodes, in dB.
+pub(crate) fn margin_db(a: &Node, b: &Node, zones: &[(&Shape, ZoneKind)]) -> f64 {
+    let model = a.model.radio;
+    let (low, high) = (
+        a.height_m.max(LOWEST_ANTENNA_M),
+        b.height_m.max(LOWEST_ANTENNA_M),
+    );
+    let flat_m = (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]);
+    let distance_m = flat_m.hypot(low - high);
+    let spread_db =
+        free_space_db(distance_m, model.frequency_mhz).max(two_ray_db(distance_m, low, high));
+    let budget_db =
+        model.power_dbm + a.gain_dbi + b.gain_dbi - model.losses_db - model.sensitivity_dbm;
+    let wave_m = LIGHT_M_US / model.frequency_mhz;
+    let in_the_way = zones.iter().map(|(shape, kind)| match kind {
+        ZoneKind::CommShadow(Shadow::Ridge { height_m }) => {
+            ridge_db((a.at, low), (b.at, high), (shape, *height_m), wave_m)
+        }
+        ZoneKind::CommShadow(Shadow::Inside { loss_db }) => {
+            let ends = [a, b].iter().filter(|node| shape.contains(node.at)).count();
+            loss_db * ends as f64
+        }
+        ZoneKind::RadioJam { noise_db, edge_m } => {
+            // Whoever listens in it hears less; both ends have to.
+            let at = |node: &Node| noise_db * nearness(shape.distance_m(node.at), *edge_m);
+            at(a).max(at(b))
+        }
+        _ => 0.0,
+    });
+    budget_db - spread_db - in_the_way.sum::<f64>()
 }
 
 /// 1 in a zone, less and less over its edge.

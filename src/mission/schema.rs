@@ -13,7 +13,7 @@ use super::event::weather::Element;
 use super::file::{POINT_RANGE, action_keys, zone_kinds};
 use super::hazard;
 use super::objective;
-use super::radio::MODELS;
+use super::radio::Model;
 use super::sensor::SENSORS;
 
 mod keys;
@@ -138,7 +138,7 @@ impl Is {
             Self::Span => numbers(2, -1000.0, 1000.0),
             Self::Word(words) => json!({ "enum": words }),
             Self::Sensor => one_of(SENSORS.iter().map(|sensor| sensor.id)),
-            Self::Radio => one_of(MODELS.iter().map(|model| model.id)),
+            Self::Radio => one_of(Model::all().map(|model| model.id)),
             Self::Threat => one_of(Standard::names().into_iter()),
             Self::Fault => one_of(FaultKind::ALL.iter().map(|(name, ..)| *name)),
             Self::Weather => one_of(Element::ALL.iter().map(|(name, ..)| *name)),

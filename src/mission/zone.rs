@@ -3,6 +3,7 @@
 use rand::RngExt;
 
 use super::Point;
+use super::report::distance_m;
 
 /// An area with a meaning.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,6 +109,17 @@ impl Shape {
                 let distances = sides.map(|(&from, &to)| distance_to_side_m(at, from, to));
                 distances.fold(f64::INFINITY, f64::min)
             }
+        }
+    }
+
+    /// How far its farthest point is from a point.
+    pub fn farthest_m(&self, from: Point) -> f64 {
+        match self {
+            Self::Polygon(corners) => {
+                let far = corners.iter().map(|&corner| distance_m(from, corner));
+                far.fold(0.0, f64::max)
+            }
+            Self::Circle { center, radius_m } => distance_m(from, *center) + radius_m,
         }
     }
 

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::MavType;
+use serde_json::Value;
 
 pub use file::AirframeError;
 pub(super) use layout::Motor;
@@ -70,6 +71,10 @@ pub(super) struct Figures {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Airframe {
     figures: Figures,
+    /// The frame file as plain JSON; `None` for the default quad.
+    file: Option<Value>,
+    /// What a vehicle of it is set up with, besides what follows from the figures.
+    parameters: Vec<(&'static str, f64)>,
     /// Drag per mass and density: of the body per square of the speed, and of the rotors' inflow per root.
     form_drag: f64,
     momentum_drag: f64,
@@ -106,15 +111,27 @@ impl Airframe {
     /// What is not JSON, has a wrong type or is physically impossible, with its line and column.
     pub fn from_json(text: &str) -> Result<(Self, Vec<AirframeError>), AirframeError> {
         let (figures, warnings) = file::read(text)?;
-        Ok((Self::derived(figures), warnings))
+        let airframe = Self {
+            file: Some(file::json(text)?),
+            ..Self::derived(figures)
+        };
+        Ok((airframe, warnings))
     }
 
-    /// A frame file as plain JSON, without its comments: what ArduPilot's SITL is given.
-    ///
-    /// # Errors
-    /// What is not JSON, with its line and column.
-    pub fn json(text: &str) -> Result<serde_json::Value, AirframeError> {
-        file::json(text)
+    /// The same, set up with parameters: a vehicle has them until somebody changes them.
+    #[must_use]
+    pub fn with_parameters(self, parameters: Vec<(&'static str, f64)>) -> Self {
+        Self { parameters, ..self }
+    }
+
+    /// Its frame file as plain JSON, without comments: what ArduPilot's SITL is given. The default quad has none.
+    pub fn file(&self) -> Option<&Value> {
+        self.file.as_ref()
+    }
+
+    /// What a vehicle of it is set up with, besides what follows from the figures.
+    pub fn parameters(&self) -> &[(&'static str, f64)] {
+        &self.parameters
     }
 
     /// The default, to share.
@@ -175,6 +192,8 @@ impl Airframe {
             hover_throttle_at_reference: COMPENSATED * figures.hover_throttle * density
                 / SEA_LEVEL_DENSITY,
             figures,
+            file: None,
+            parameters: Vec::new(),
         }
     }
 

@@ -338,6 +338,9 @@ pub(super) fn factory_parameters(system: u8, airframe: &Airframe) -> Parameters 
     if capacity_ah > 0.0 {
         parameters.set("BATT_CAPACITY", capacity_ah * 1000.0);
     }
+    for &(name, value) in airframe.parameters() {
+        parameters.set(name, value as f32);
+    }
     parameters
 }
 

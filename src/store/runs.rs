@@ -4,7 +4,8 @@
 //! others. What is written comes in whole lines, also when the disk is full; a crash loses what was not yet written
 //! and nothing else. Only files that are called so are ever removed, and only in the program's own folder.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom, Write as _};
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
@@ -16,7 +17,7 @@ use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
 /// How a run's file ends.
-const ENDING: &str = ".run.jsonl";
+pub(super) const ENDING: &str = ".run.jsonl";
 /// How its name begins, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
 /// Runs that are kept; the oldest go first.
@@ -105,33 +106,33 @@ impl Runs {
         ))
     }
 
-    /// The tries at a revision of a mission, oldest first: those that compare with each other.
-    pub fn tries_at(&self, mission: &str, revision: u32) -> Vec<TryReport> {
-        let mut tries = self.tries(mission);
+    /// The tries of a profile, or of nobody's career, at a revision of a mission, oldest first: those that compare with
+    /// each other. Only the first and the last line of each file are read; one that cannot be read is left out.
+    pub fn tries_at(&self, whose: Option<&str>, mission: &str, revision: u32) -> Vec<TryReport> {
+        let part = format!("_{mission}_");
+        let of_it = |path: &Path| {
+            let name = path.file_name().unwrap_or_default();
+            name.to_string_lossy().contains(&part)
+        };
+        let mut tries = self.tries(whose, of_it).remove(mission).unwrap_or_default();
         tries.retain(|one| one.revision == revision);
         tries
     }
 
-    /// The tries at a mission, oldest first. Only the first and the last line of each file are read; one that cannot
-    /// be read is left out.
-    pub fn tries(&self, mission: &str) -> Vec<TryReport> {
-        let part = format!("_{mission}_");
-        let files = self.files();
-        let of_it = files.iter().filter(|path| {
-            let name = path.file_name().unwrap_or_default();
-            name.to_string_lossy().contains(&part)
-        });
-        let tries = of_it.filter_map(|path| outline(path).ok());
-        let tries = tries.filter(|(head, _)| head.mission == mission);
-        tries
-            .map(|(head, end)| as_try(&head, end.as_ref()))
-            .collect()
+    /// The tries at all missions, by the mission's id, oldest first; as [`tries_at`](Self::tries_at) reads them.
+    pub fn all_tries(&self, whose: Option<&str>) -> BTreeMap<String, Vec<TryReport>> {
+        self.tries(whose, |_| true)
     }
 
-    /// The tries at all missions, by the mission's id, oldest first; as [`tries`](Self::tries) reads them.
-    pub fn all_tries(&self) -> BTreeMap<String, Vec<TryReport>> {
+    fn tries(
+        &self,
+        whose: Option<&str>,
+        wanted: impl Fn(&Path) -> bool,
+    ) -> BTreeMap<String, Vec<TryReport>> {
         let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
-        for (head, end) in self.files().iter().filter_map(|path| outline(path).ok()) {
+        let files = self.files().into_iter().filter(|path| wanted(path));
+        let outlines = files.filter_map(|path| outline(&path).ok());
+        for (head, end) in outlines.filter(|(head, _)| head.profile.as_deref() == whose) {
             let one = as_try(&head, end.as_ref());
             tries.entry(head.mission).or_default().push(one);
         }
@@ -141,6 +142,13 @@ impl Runs {
     /// The run that began last.
     pub fn newest(&self) -> Option<PathBuf> {
         self.files().pop()
+    }
+
+    /// The files of runs whose ids are not among these, oldest first.
+    pub(super) fn others(&self, known: &BTreeSet<String>) -> Vec<PathBuf> {
+        let mut files = self.files();
+        files.retain(|path| !known.contains(run_id(path)));
+        files
     }
 
     /// The files, oldest first.
@@ -192,6 +200,17 @@ impl RunFile {
     pub fn path(&self) -> &Path {
         &self.path
     }
+
+    /// What no other run is called: the file's name without its ending.
+    pub fn id(&self) -> &str {
+        run_id(&self.path)
+    }
+}
+
+/// The id of a run by its file.
+pub(super) fn run_id(path: &Path) -> &str {
+    let name = path.file_name().and_then(OsStr::to_str).unwrap_or_default();
+    name.strip_suffix(ENDING).unwrap_or(name)
 }
 
 /// Whether a file is called like a run.
@@ -243,7 +262,7 @@ fn date(days: u64) -> (u64, u64, u64) {
 }
 
 /// The first line of a run, and the last one if it is its end.
-fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
+pub(super) fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
     let mut file = File::open(path)?;
     let mut first = Vec::new();
     BufReader::new((&file).take(HEAD_LEN)).read_until(b'\n', &mut first)?;

@@ -36,6 +36,7 @@ catalogue! {
     "plain",
     "rooms",
     "scoring",
+    "standing",
     "swarm",
     "terminal",
     "threats",

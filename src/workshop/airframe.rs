@@ -104,7 +104,11 @@ fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'stati
                 _ => 1.0,
             },
         ),
-        ("FRAME_TYPE", 1.0),
+        // X; of an octo the outline that its model has: motors are numbered clockwise.
+        (
+            "FRAME_TYPE",
+            if drive.frame.motors == 8 { 14.0 } else { 1.0 },
+        ),
         ("BATT_MONITOR", 4.0),
         ("BATT_CAPACITY", capacity_mah.round()),
         ("BATT_LOW_VOLT", rounded(low_v * cells, 2)),

@@ -12,6 +12,9 @@ pub use file::DesignError;
 const WIRING_G: f64 = 60.0;
 const WIRING_SHARE: f64 = 0.03;
 const WIRING_CREDITS: u32 = 15;
+/// The part with an antenna that gains so much more than the radio's own.
+const RELAY: &str = "s_relay";
+const RELAY_DBI: f64 = 6.0;
 /// Receivers, lights and losses of any drone, in watts.
 const OTHER_POWER_W: f64 = 1.0;
 
@@ -133,6 +136,11 @@ impl Design {
     pub fn electronics_w(&self) -> f64 {
         let parts: f64 = self.pieces().map(|(part, _)| part.power_w).sum();
         parts + OTHER_POWER_W
+    }
+
+    /// What its antenna gains beside that of its radio, in dBi: a relay on board brings a better one.
+    pub fn antenna_gain_dbi(&self) -> f64 {
+        if self.has(RELAY) { RELAY_DBI } else { 0.0 }
     }
 
     /// Its drive, once it has a part in each of those slots.

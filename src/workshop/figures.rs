@@ -147,7 +147,7 @@ impl Design {
     /// How far the radio reaches to a drone at a height; `None` without one.
     pub fn link(&self, height_m: f64) -> Option<Link> {
         self.radio().map(|radio| Link {
-            range_m: radio.range_m(height_m),
+            range_m: radio.range_m(height_m, self.antenna_gain_dbi()),
         })
     }
 }
@@ -278,12 +278,13 @@ impl Figures {
 
 impl Radio {
     /// The farthest distance whose loss still leaves the fade margin; loss is the larger of free space (ITU-R P.525) and
-    /// the two-ray model.
-    fn range_m(&self, height_m: f64) -> f64 {
+    /// the two-ray model. `more_dbi` is what the drone's antenna gains besides.
+    fn range_m(&self, height_m: f64, more_dbi: f64) -> f64 {
         let budget_db = self.power_dbm + self.air_dbi + self.ground_dbi
             - self.losses_db
             - self.sensitivity_dbm
-            - FADE_MARGIN_DB;
+            - FADE_MARGIN_DB
+            + more_dbi;
         let free_m =
             10f64.powf((budget_db - 32.44 - 20.0 * self.frequency_mhz.log10()) / 20.0) * 1e3;
         let heights = (height_m.max(0.3) * GROUND_ANTENNA_M).log10();

@@ -191,16 +191,23 @@ pub(super) struct PowerModule {
     pub max_current_a: f64,
 }
 
+/// What decides how far a radio reaches.
 #[derive(Debug, PartialEq)]
-pub(super) struct Radio {
+pub struct Radio {
+    /// What it sends with.
     pub power_dbm: f64,
+    /// Where in the band.
     pub frequency_mhz: f64,
     /// The weakest signal that it can read.
     pub sensitivity_dbm: f64,
+    /// Gain of the antenna on the drone.
     pub air_dbi: f64,
+    /// Gain of the antenna on the ground.
     pub ground_dbi: f64,
     /// Cables, bodies in the way, antennas that point elsewhere.
     pub losses_db: f64,
+    /// Whether every one of them passes on what others of its kind send.
+    pub relays: bool,
 }
 
 impl Part {
@@ -233,6 +240,14 @@ impl Part {
     /// Whether it is used up: several of it may be on board.
     pub fn is_load(&self) -> bool {
         matches!(self.spec, Spec::Load)
+    }
+
+    /// What decides how far it reaches, if it is a radio.
+    pub fn radio(&self) -> Option<&Radio> {
+        match &self.spec {
+            Spec::Radio(radio) => Some(radio),
+            _ => None,
+        }
     }
 
     /// Its name for people: what the trade calls it by its figures, or a name of its own.

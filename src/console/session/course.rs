@@ -1,7 +1,6 @@
 //! The course of a mission: how far it has been stepped, and by whose clock.
 
 use std::collections::{BTreeSet, VecDeque};
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -12,9 +11,9 @@ use crate::app::state::{Session as Shown, Stage};
 use crate::commands::Deed;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::record::Occasion;
-use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Mission, Pledge, Report, Stake};
+use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Mission, Pledge};
 use crate::notice::Notice;
-use crate::scoring::{ARDUPILOT, EMBEDDED};
+use crate::scoring::{ARDUPILOT, EMBEDDED, Report, TryReport};
 use crate::store::{self, Runs};
 use crate::text;
 use crate::text::Text;
@@ -51,8 +50,10 @@ pub(in crate::console) struct Finished {
     pub mission: Arc<Mission>,
     /// What came of it.
     pub report: Report,
-    /// Its record, if it could be written.
-    pub recording: Option<PathBuf>,
+    /// For whose career it was flown, and how it counts there.
+    pub occasion: Occasion,
+    /// What the run is called, which no other is.
+    pub run_id: String,
 }
 
 /// By whose clock mission time passes.
@@ -92,15 +93,14 @@ impl Course {
         }
     }
 
-    /// Begins its record, and tells it which try it is; for whose career, and how it counts there.
-    pub fn record(&mut self, runs: Runs, profile: Option<String>, stake: Stake) {
+    /// Begins its record, and tells it which try it is; `earlier` are those before it.
+    pub fn record(&mut self, runs: &Runs, occasion: Occasion, earlier: Vec<TryReport>) {
         let occasion = Occasion {
             backend: self.backend.to_owned(),
-            profile,
-            stake,
-            ..Occasion::default()
+            ..occasion
         };
-        self.logbook = Some(Logbook::begin(runs, &mut self.flight, occasion));
+        let logbook = Logbook::begin(runs, &mut self.flight, occasion, earlier);
+        self.logbook = Some(logbook);
     }
 
     /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.
@@ -126,13 +126,14 @@ impl Course {
             self.backend.clone_into(&mut report.backend);
             events.extend(self.keep_record(now));
             if let Some(logbook) = &self.logbook {
-                report.tries = logbook.tries(&report.mission, report.revision);
+                report.tries = logbook.tries(&report);
+                self.finished = Some(Finished {
+                    mission: Arc::clone(self.flight.mission()),
+                    report: report.clone(),
+                    occasion: logbook.occasion().clone(),
+                    run_id: logbook.run_id().to_owned(),
+                });
             }
-            self.finished = Some(Finished {
-                mission: Arc::clone(self.flight.mission()),
-                report: report.clone(),
-                recording: self.logbook.as_ref().and_then(Logbook::path),
-            });
             events.push(Event::MissionEnded(Box::new(report)));
         }
         events

@@ -1,11 +1,10 @@
 //! The record of the mission that is flown, written once a second.
 
-use std::path::PathBuf;
 use std::time::{Duration, SystemTime};
 
 use crate::mission::Flight;
 use crate::mission::record::Occasion;
-use crate::scoring::TryReport;
+use crate::scoring::{Report, TryReport};
 use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
 use crate::text::Text;
@@ -15,26 +14,40 @@ const WRITE_EVERY: Duration = Duration::from_secs(1);
 
 /// Writes the record of a flight.
 pub(super) struct Logbook {
-    runs: Runs,
+    occasion: Occasion,
+    run_id: String,
+    /// The trainee's tries before it, oldest first.
+    earlier: Vec<TryReport>,
     /// The file, or what keeps it from being written, until that is said.
     file: Result<RunFile, Option<Text>>,
     written: Option<Duration>,
 }
 
 impl Logbook {
-    /// Begins the record of a flight, which is told which try it is.
-    pub fn begin(runs: Runs, flight: &mut Flight, occasion: Occasion) -> Self {
-        let mission = flight.mission().clone();
-        let finished = runs.tries_at(&mission.id, mission.rev);
-        let finished = finished.iter().filter(|one| one.score.is_some()).count();
+    /// Begins the record of a flight, which is told which try it is; `earlier` are those before it.
+    pub fn begin(
+        runs: &Runs,
+        flight: &mut Flight,
+        occasion: Occasion,
+        earlier: Vec<TryReport>,
+    ) -> Self {
+        let finished = earlier.iter().filter(|one| one.score.is_some()).count();
         flight.set_attempt(u32::try_from(finished + 1).unwrap_or(u32::MAX));
         let when = utc(SystemTime::now());
-        let file = runs.begin(&mission.id, &when);
+        let mission = flight.mission().id.clone();
+        let file = runs.begin(&mission, &when);
+        let occasion = Occasion { when, ..occasion };
+        let run_id = match &file {
+            Ok(file) => file.id().to_owned(),
+            Err(_) => format!("{}_{mission}_{}", occasion.when, std::process::id()),
+        };
         if file.is_ok() {
-            flight.start_record(&Occasion { when, ..occasion });
+            flight.start_record(&occasion);
         }
         Self {
-            runs,
+            occasion,
+            run_id,
+            earlier,
             file: file.map_err(|error| Some(unwritable(&error))),
             written: None,
         }
@@ -58,15 +71,29 @@ impl Logbook {
         Some(unwritable(&fault))
     }
 
-    /// The file, as long as it can be written.
-    pub fn path(&self) -> Option<PathBuf> {
-        let file = self.file.as_ref().ok()?;
-        Some(file.path().to_owned())
+    /// What the run is called, which no other is.
+    pub fn run_id(&self) -> &str {
+        &self.run_id
     }
 
-    /// The tries at a revision of a mission, oldest first.
-    pub fn tries(&self, mission: &str, revision: u32) -> Vec<TryReport> {
-        self.runs.tries_at(mission, revision)
+    /// For whose career it is flown, and how it counts there.
+    pub fn occasion(&self) -> &Occasion {
+        &self.occasion
+    }
+
+    /// The tries at the mission, the one with this report last.
+    pub fn tries(&self, report: &Report) -> Vec<TryReport> {
+        let mut tries = self.earlier.clone();
+        tries.push(TryReport {
+            attempt: report.attempt,
+            when: self.occasion.when.clone(),
+            score: Some(report.score),
+            medal: report.medal,
+            passed: report.passed,
+            seed: report.seed,
+            revision: report.revision,
+        });
+        tries
     }
 }
 

@@ -18,7 +18,9 @@ use crate::fleet::{Clock, Fleet};
 use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::link::{Address, Endpoint, Pace, Simulator, Transport};
-use crate::mission::{Flight, Mission, Stake};
+use crate::mission::record::Occasion;
+use crate::mission::{Flight, Mission};
+use crate::scoring::TryReport;
 use crate::sim::{Start, World, WorldConfig};
 use crate::store::Runs;
 use crate::swarm::Rules;
@@ -53,8 +55,9 @@ pub(in crate::console) struct Backend {
     /// Where missions are recorded.
     pub runs: Option<Runs>,
     /// How a mission counts, and for whose career.
-    pub stake: Stake,
-    pub profile: Option<String>,
+    pub occasion: Occasion,
+    /// The trainee's tries at it before this one, oldest first.
+    pub earlier: Vec<TryReport>,
 }
 
 impl Plan {
@@ -132,8 +135,8 @@ impl Running {
             Some(_) => Course::of_processes(flight, backend.speedup),
             None => Course::embedded(flight, backend.speedup),
         };
-        if let Some(runs) = backend.runs.clone() {
-            course.record(runs, backend.profile.clone(), backend.stake);
+        if let Some(runs) = &backend.runs {
+            course.record(runs, backend.occasion.clone(), backend.earlier.clone());
         }
         self.course = Some(course);
         Ok(Started {
@@ -160,16 +163,13 @@ impl Running {
             _ => simulation.ardupilot.as_ref(),
         };
         if let Some(source) = source {
-            let launches = simulation.launches(&world.starts, backend.speedup);
+            let launches = simulation.launches(world, backend.speedup);
             let cancel = self.cancel.clone();
             let processes = Processes::launch(source.clone(), launches, before, cancel);
             self.processes = Some(processes);
             return Ok(());
         }
-        let world = World::new(&WorldConfig {
-            airframes: simulation.airframes(),
-            ..world
-        });
+        let world = World::new(&simulation.of(world));
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();

@@ -129,7 +129,7 @@ impl Engine {
             .collect();
         if is_due(sight.now, expression::EVERY) {
             self.margins_db = mission.radio.as_ref().map_or_else(BTreeMap::new, |radio| {
-                radio.margins_db(self.zones_now(), sight.crafts)
+                radio.margins_db(self.zones_now(), sight.crafts, &mission.fits)
             });
             self.ask(mission, weather, sight, &mut news);
         }

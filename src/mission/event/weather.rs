@@ -61,6 +61,17 @@ pub(crate) struct Change {
     pub lasts: Option<Duration>,
 }
 
+impl Change {
+    /// The wind speed that it makes of one, in m/s; `None` where it changes something else.
+    pub fn wind_m_s(&self, before_m_s: f64) -> Option<f64> {
+        let to_m_s = match self.to {
+            Target::Value(value) => value,
+            Target::More(more) => before_m_s + more,
+        };
+        (self.element == Element::WindSpeed).then_some(to_m_s)
+    }
+}
+
 /// What something changes to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {

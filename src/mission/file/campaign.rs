@@ -10,18 +10,12 @@ use super::Faults;
 use super::head::is_mission_id;
 use crate::mission::campaign::{Requires, Rewards, Unlock};
 use crate::mission::event::standard::Standard;
-use crate::mission::radio::MODELS;
-use crate::mission::sensor::SENSORS;
 use crate::scoring::Medal;
+use crate::workshop;
 
 /// The codes of the skills.
 const SKILLS: [&str; 12] = [
     "K1", "K2", "K3", "K4", "K5", "K6", "K7", "K8", "K9", "K10", "K11", "K12",
-];
-/// Parts of the catalogue that are carried and are neither sensors of missions nor their radios.
-const OTHER_PARTS: [&str; 11] = [
-    "s_ball", "s_med", "s_node", "s_drop", "s_relay", "s_lidar", "s_light", "s_speak", "s_magarr",
-    "s_rgf", "r_lte",
 ];
 /// Missions of one list, and things to unlock.
 const MOST_NAMES: usize = 50;
@@ -138,8 +132,8 @@ fn unlocked(written: &Spanned<String>, faults: &mut Faults) -> Option<Unlock> {
     let name = name.to_owned();
     match kind {
         "part" if is_part(&name) => {
-            if !is_known_part(&name) {
-                let known: Vec<&str> = sensors_and_radios().collect();
+            if workshop::part(&name).is_none() {
+                let known: Vec<&str> = workshop::parts().map(|part| part.id).collect();
                 faults.unknown("part", &Spanned::new(written.span(), name.clone()), &known);
             }
             Some(Unlock::Part(name))
@@ -166,18 +160,6 @@ fn unlocked(written: &Spanned<String>, faults: &mut Faults) -> Option<Unlock> {
             None
         }
     }
-}
-
-/// Whether the parts catalogue has it. Only its sensors, loads and radios are known here; anything else may be there.
-fn is_known_part(id: &str) -> bool {
-    let is_one_of_them = ["s_", "r_"].iter().any(|prefix| id.starts_with(prefix));
-    !is_one_of_them || sensors_and_radios().any(|known| known == id)
-}
-
-fn sensors_and_radios() -> impl Iterator<Item = &'static str> {
-    let sensors = SENSORS.iter().map(|sensor| sensor.id);
-    let radios = MODELS.iter().map(|model| model.id);
-    sensors.chain(OTHER_PARTS).chain(radios)
 }
 
 /// An id of the parts catalogue.

@@ -7,7 +7,7 @@ use toml::de::DeValue;
 use super::Faults;
 use crate::mission::Point;
 use crate::mission::event::standard::Standard;
-use crate::mission::radio::{MODELS, Radio};
+use crate::mission::radio::{Model, Radio, Set};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -25,26 +25,25 @@ pub(super) fn radio(
     faults: &mut Faults,
 ) -> Option<Radio> {
     let file: RadioFile = faults.read_value(value)?;
-    let found = MODELS.iter().find(|model| model.id == file.model.get_ref());
-    let Some(model) = found else {
-        faults.unknown(
-            "radio",
-            &file.model,
-            &MODELS.each_ref().map(|model| model.id),
-        );
+    let Some(model) = Model::by_id(file.model.get_ref()) else {
+        let known: Vec<&str> = Model::all().map(|model| model.id).collect();
+        faults.unknown("radio", &file.model, &known);
         return None;
     };
+    let set = Set::of(model);
     let station = match &file.station {
         Some(station) => faults.point(station, "station"),
         None => station.copied().unwrap_or_default(),
     };
     Some(Radio {
-        model,
+        own: Some(Set {
+            relays: file.relays.unwrap_or(set.relays),
+            ..set
+        }),
         station,
         antenna_m: file.antenna.map_or(Radio::USUAL_ANTENNA_M, |antenna| {
             faults.number(&antenna, 0.5..=100.0, "antenna")
         }),
-        relays: file.relays.unwrap_or(model.relays),
     })
 }
 

@@ -106,6 +106,7 @@ pub(super) fn mission(root: Section<'_>, faults: &mut Faults) -> Option<Mission>
         origin: setting.origin,
         weather: setting.weather,
         pads: setting.fleet.pads,
+        asked: setting.fleet.fits.clone(),
         fits: setting.fleet.fits,
         fleet: Vec::new(),
         outlay: setting.fleet.outlay,

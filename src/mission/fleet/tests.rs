@@ -57,3 +57,86 @@ fn a_fleet_is_refused_with_every_reason_in_words() {
     assert!(both.contains("Starter 450: "), "{both}");
     assert_eq!(both.lines().count(), 2, "{both}");
 }
+
+fn parsed(source: &str) -> Mission {
+    Mission::parse(source).expect("it is good")
+}
+
+fn carrying(base: &Design, parts: &[&str]) -> Design {
+    parts.iter().fold(base.clone(), |design, id| {
+        design.with(part(id).expect("a part"))
+    })
+}
+
+#[test]
+fn a_sensor_is_there_only_if_it_is_mounted() {
+    let air = || parsed(include_str!("../../../missions/01-air-sample.toml"));
+    let sensors = |design: Design| -> Vec<&str> {
+        let flown = air().with_fleet(vec![design]).expect("it may fly");
+        assert_eq!(flown.sensors, flown.fits[0].sensors);
+        flown.sensors.iter().map(|sensor| sensor.id).collect()
+    };
+    let bare = starter().without(part("s_voc").expect("a part"));
+    assert_eq!(sensors(bare.clone()), Vec::<&str>::new());
+    let both = carrying(&bare, &["s_rgb", "s_voc"]);
+    assert_eq!(
+        sensors(both),
+        ["s_voc", "s_rgb"],
+        "what is asked for is first"
+    );
+    let asked: Vec<&str> = air().asked[0].sensors.iter().map(|it| it.id).collect();
+    assert_eq!(asked, ["s_voc"]);
+}
+
+#[test]
+fn loads_are_the_pieces_that_hang_on_the_dropper() {
+    let fire = || parsed(include_str!("../../../missions/09-fire-attack.toml"));
+    let big = design(include_str!("../../../designs/deminer.toml"));
+    let loads = |parts: &[&str]| {
+        let built = carrying(&big, parts);
+        let flown = fire().with_fleet(vec![built]).expect("it may fly");
+        let loads = flown.fits[0].loads.clone();
+        loads.into_iter().collect::<Vec<_>>()
+    };
+    assert_eq!(loads(&["s_ball"]), [], "nothing holds it");
+    assert_eq!(loads(&["s_drop"]), []);
+    assert_eq!(
+        loads(&["s_drop", "s_ball", "s_ball", "s_med"]),
+        [(Load::Ball, 2), (Load::Kit, 1)]
+    );
+    assert_eq!(loads(&["s_spray"]), [(Load::Spray, TANK_S)]);
+}
+
+#[test]
+fn each_drone_has_the_radio_that_was_built_in() {
+    let source = include_str!("../../../missions/01-air-sample.toml");
+    assert!(parsed(source).radio.is_none());
+    let set = |mission: Mission, design: Design| {
+        let flown = mission.with_fleet(vec![design]).expect("it may fly");
+        assert!(flown.radio.is_some(), "the ground has its counterpart");
+        flown.fits[0].radio.expect("a radio")
+    };
+    let plain = set(parsed(source), starter());
+    assert_eq!((plain.model.id, plain.relays), ("r_sik915", false));
+    let mesh = set(parsed(source), relay());
+    assert_eq!((mesh.model.id, mesh.relays), ("r_mesh24", true));
+    assert!((mesh.gain_dbi - mesh.model.radio.air_dbi - 6.0).abs() < 1e-9);
+    // That mission's Wi-Fi relays, on its own drones as on others.
+    let wifi = carrying(&starter(), &["r_wifi24"]);
+    assert!(set(mission(None), wifi.clone()).relays);
+    assert!(!set(parsed(source), wifi).relays);
+    assert!(!set(mission(None), starter()).relays);
+}
+
+#[test]
+fn the_simulator_gets_the_airframe_and_the_parameters_of_the_design() {
+    let flown = mission(None).with_fleet(vec![starter(), relay()]);
+    let world = flown.expect("they may fly").world(1);
+    let masses: Vec<f64> = world.airframes.iter().map(|it| it.mass_kg()).collect();
+    assert!((masses[0] - starter().mass_kg()).abs() < 1e-3, "{masses:?}");
+    assert!((masses[1] - relay().mass_kg()).abs() < 1e-3, "{masses:?}");
+    assert!(Arc::ptr_eq(&world.airframes[1], &world.airframes[2]));
+    let capacity = ("BATT_CAPACITY", 5000.0);
+    assert!(world.airframes[0].parameters().contains(&capacity));
+    assert!(mission(None).world(1).airframes.is_empty());
+}

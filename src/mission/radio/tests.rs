@@ -2,18 +2,23 @@
 
 use super::*;
 
-fn radio(model: &str, relays: bool) -> Radio {
-    let model = MODELS.iter().find(|known| known.id == model);
-    Radio {
-        model: model.expect("a known one"),
+fn model(id: &str) -> Model {
+    Model::by_id(id).expect("a known one")
+}
+
+/// The ground station of the nodes below.
+fn ground() -> Node {
+    let radio = Radio {
+        own: None,
         station: [0.0, 0.0],
         antenna_m: 2.0,
-        relays,
-    }
+    };
+    radio.ground(model("r_wifi24"))
 }
 
 fn node(at: Point, height_m: f64) -> Node {
     Node {
+        model: model("r_wifi24"),
         at,
         height_m,
         gain_dbi: 2.0,
@@ -48,7 +53,7 @@ fn losses_are_those_of_the_recommendations() {
 
 #[test]
 fn budgets_are_those_of_the_parts_catalogue() {
-    for (model, most_db) in [
+    for (id, most_db) in [
         ("r_wifi24", 89.0),
         ("r_sik433", 104.0),
         ("r_rfd900", 119.0),
@@ -56,15 +61,14 @@ fn budgets_are_those_of_the_parts_catalogue() {
         ("r_lora868", 122.0),
         ("r_mesh24", 108.0),
     ] {
-        let model = radio(model, false).model;
-        let budget_db = model.power_dbm + model.air_dbi + model.ground_dbi
-            - model.losses_db
-            - model.sensitivity_dbm;
+        let radio = model(id).radio;
+        let budget_db = radio.power_dbm + radio.air_dbi + radio.ground_dbi
+            - radio.losses_db
+            - radio.sensitivity_dbm;
         let with_fade_db = budget_db - 20.0;
         assert!(
             (with_fade_db - most_db).abs() <= 1.0,
-            "{}: {with_fade_db}",
-            model.id
+            "{id}: {with_fade_db}"
         );
     }
 }
@@ -93,22 +97,19 @@ fn a_ridge_is_in_the_way_unless_somebody_above_it_passes_things_on() {
     )];
     let behind = node([0.0, 300.0], 15.0);
     let above = node([0.0, 160.0], 90.0);
-    let mesh = radio("r_wifi24", true);
-    let ground = mesh.ground();
-    let open_db = mesh.margin_db(&ground, &behind, &[]);
-    let hidden_db = mesh.margin_db(&ground, &behind, &zones);
+    let ground = ground();
+    let open_db = margin_db(&ground, &behind, &[]);
+    let hidden_db = margin_db(&ground, &behind, &zones);
     // One edge 53 m above the path, 155 m from one end and 145 m from the other, at 12.3 cm.
     let v = 52.5 * f64::sqrt(2.0 * 300.0 / (0.123 * 150.0 * 150.0));
     assert!(
         (open_db - hidden_db - knife_edge_db(v)).abs() < 1.0,
         "{open_db} {hidden_db}"
     );
-    let alone = mesh.best_db(&[behind, ground], &zones);
-    let relayed = mesh.best_db(&[behind, above, ground], &zones);
+    let alone = best_db(&[behind, ground], &zones);
+    let relayed = best_db(&[behind, above, ground], &zones);
     assert!((alone[0] - hidden_db).abs() < 1e-9);
-    let legs = mesh
-        .margin_db(&ground, &above, &zones)
-        .min(mesh.margin_db(&above, &behind, &zones));
+    let legs = margin_db(&ground, &above, &zones).min(margin_db(&above, &behind, &zones));
     assert!(
         (relayed[0] - legs).abs() < 1e-9 && relayed[0] > 15.0,
         "{relayed:?}"
@@ -118,20 +119,19 @@ fn a_ridge_is_in_the_way_unless_somebody_above_it_passes_things_on() {
         relays: false,
         ..above
     };
-    let useless = mesh.best_db(&[behind, deaf, ground], &zones);
+    let useless = best_db(&[behind, deaf, ground], &zones);
     assert!((useless[0] - alone[0]).abs() < 1e-9);
 }
 
 #[test]
 fn two_hops_reach_where_one_does_not() {
-    let mesh = radio("r_wifi24", true);
     let chain: Vec<Node> = [3000.0, 2000.0, 1000.0]
         .map(|north| node([0.0, north], 60.0))
         .to_vec();
     let with = |nodes: &[Node]| {
         let mut nodes = nodes.to_vec();
-        nodes.push(mesh.ground());
-        mesh.best_db(&nodes, &[])[0]
+        nodes.push(ground());
+        best_db(&nodes, &[])[0]
     };
     let (alone, one, two) = (with(&chain[..1]), with(&[chain[0], chain[2]]), with(&chain));
     assert!(alone < one && one < two, "{alone} {one} {two}");
@@ -143,11 +143,10 @@ fn noise_and_walls_weaken_whoever_is_in_them() {
         center: [0.0, 200.0],
         radius_m: 50.0,
     };
-    let radio = radio("r_wifi24", false);
-    let ground = radio.ground();
+    let ground = ground();
     let margin = |north: f64, kind| {
-        radio.margin_db(&ground, &node([0.0, north], 30.0), &[(&circle, kind)])
-            - radio.margin_db(&ground, &node([0.0, north], 30.0), &[])
+        margin_db(&ground, &node([0.0, north], 30.0), &[(&circle, kind)])
+            - margin_db(&ground, &node([0.0, north], 30.0), &[])
     };
     let noise = ZoneKind::RadioJam {
         noise_db: 20.0,

@@ -185,7 +185,7 @@ fn the_guide_has_every_name_that_a_mission_may_use() {
         }
     }
     wanted.extend(SENSORS.iter().map(|sensor| sensor.id));
-    wanted.extend(MODELS.iter().map(|model| model.id));
+    wanted.extend(Model::all().map(|model| model.id));
     wanted.extend(Standard::names());
     wanted.extend(FaultKind::ALL.iter().map(|(name, ..)| *name));
     wanted.extend(Element::ALL.iter().map(|(name, ..)| *name));

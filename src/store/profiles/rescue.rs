@@ -62,7 +62,7 @@ pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
         .iter()
         .map(|name| beside(path, name))
         .find(|copy| copy.exists() && damage(copy).is_none());
-    super::private(path)?;
+    drop(super::private(path)?);
     if let Some(copy) = &copy {
         fs::write(path, fs::read(copy)?)?;
     }
@@ -93,18 +93,18 @@ fn damage(path: &Path) -> Option<String> {
     }
 }
 
-/// Copies the database as it is now. The copy is whole before it takes the place of the last one.
+/// Copies the database as it is now. The copy is whole before it takes the place of the last one. Where another console is
+/// at it, this one leaves it alone.
 pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<()> {
     let [newest, before] = COPIES.map(|name| beside(path, name));
     let fresh = beside(path, "backup-new");
     let io = |error: io::Error| rusqlite::Error::ToSqlConversionFailure(Box::new(error));
-    // What is left of a copy that was interrupted.
-    if let Err(error) = fs::remove_file(&fresh)
-        && error.kind() != io::ErrorKind::NotFound
-    {
-        return Err(io(error));
+    let file = super::private(&fresh).map_err(io)?;
+    if file.try_lock().is_err() {
+        return Ok(());
     }
-    super::private(&fresh).map_err(io)?;
+    // What is left of a copy that was interrupted.
+    file.set_len(0).map_err(io)?;
     connection.backup("main", &fresh, None)?;
     if newest.exists() {
         fs::rename(&newest, &before).map_err(io)?;

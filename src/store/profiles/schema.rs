@@ -8,7 +8,7 @@ const STEPS: [&str; 1] = ["
         key INTEGER PRIMARY KEY,
         name TEXT NOT NULL UNIQUE COLLATE NOCASE,
         since TEXT NOT NULL,
-        lang TEXT
+        settings TEXT NOT NULL
     ) STRICT;
     CREATE TABLE entries (
         number INTEGER PRIMARY KEY,

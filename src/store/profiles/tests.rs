@@ -3,8 +3,8 @@ use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::{Profile, ProfileError, ProfileFile, Profiles, RunEntry};
-use crate::campaign::{Course, Entry, Flight, Offer, Refusal, Stake, Standing};
+use super::{Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, RunEntry};
+use crate::campaign::{Aids, Course, Entry, Flight, Offer, Refusal, Stake, Standing};
 use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::{Mission, Requires};
@@ -93,11 +93,12 @@ fn a_profile_is_found_by_its_name_in_any_case_and_made_once() {
             "{name:?}"
         );
     }
-    profiles.set_lang(&anna, Some("uk")).expect("stored");
-    assert_eq!(
-        profiles.find("Anna").expect("there").lang.as_deref(),
-        Some("uk")
-    );
+    let settings = ProfileSettings {
+        lang: Some("uk".to_owned()),
+        aids: Aids::None,
+    };
+    profiles.set_settings(&anna, &settings).expect("stored");
+    assert_eq!(profiles.find("Anna").expect("there").settings, settings);
     profiles.delete(&anna).expect("gone");
     assert_eq!(profiles.list().expect("readable"), []);
 }

@@ -1,14 +1,21 @@
 //! A profile as a file, to carry it to another machine.
 
+use std::fs::File;
+use std::io::Read as _;
+use std::path::Path;
+
 use rusqlite::{TransactionBehavior, params};
 use serde::{Deserialize, Serialize};
 
-use super::{Profile, ProfileError, Profiles, RunRow, checked_name, json};
+use super::flights::RunRow;
+use super::{Profile, ProfileError, ProfileSettings, Profiles, checked_name, json};
 use crate::campaign::Entry;
 use crate::scoring::Report;
 
 /// The version of the format.
 const SCHEMA: u32 = 1;
+/// A file longer than this is no profile.
+const LARGEST: u64 = 256 * 1024 * 1024;
 
 /// A profile with all that it has.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,7 +26,7 @@ pub struct ProfileFile {
     /// The name that it had.
     pub name: String,
     since: String,
-    lang: Option<String>,
+    settings: ProfileSettings,
     entries: Vec<EntryDocument>,
     runs: Vec<RunDocument>,
     designs: Vec<DesignDocument>,
@@ -48,6 +55,25 @@ struct DesignDocument {
 }
 
 impl ProfileFile {
+    /// Reads the file of an exported profile.
+    ///
+    /// # Errors
+    /// It cannot be read, or is none; the error names the file.
+    pub fn open(path: &Path) -> Result<Self, ProfileError> {
+        let shown = path.display();
+        let mut text = String::new();
+        let read = File::open(path).and_then(|file| file.take(LARGEST).read_to_string(&mut text));
+        read.map_err(|error| ProfileError::NoProfile {
+            fault: format!("{shown}: {error}"),
+        })?;
+        Self::read(&text).map_err(|error| match error {
+            ProfileError::NoProfile { fault } => ProfileError::NoProfile {
+                fault: format!("{shown}: {fault}"),
+            },
+            other => other,
+        })
+    }
+
     /// Reads an exported profile.
     ///
     /// # Errors
@@ -81,7 +107,7 @@ impl Profiles {
             sortie_profile: SCHEMA,
             name: profile.name.clone(),
             since: profile.since.clone(),
-            lang: profile.lang.clone(),
+            settings: profile.settings.clone(),
             entries: self.entry_rows(profile)?,
             runs: self.run_rows(profile)?,
             designs: self.design_rows(profile)?,
@@ -172,8 +198,8 @@ fn import(
 ) -> rusqlite::Result<()> {
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
     transaction.execute(
-        "INSERT INTO profiles (name, since, lang) VALUES (?1, ?2, ?3)",
-        params![name, file.since, file.lang],
+        "INSERT INTO profiles (name, since, settings) VALUES (?1, ?2, ?3)",
+        params![name, file.since, json(&file.settings)],
     )?;
     let key = transaction.last_insert_rowid();
     for row in &file.entries {

@@ -11,15 +11,15 @@ const END: &str = "{\"end\":{\"t\":100,\"end\":{\"score\":812,\"medal\":\"silver
 fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let runs = Runs::within(&folder.path().join("data"));
-    assert!(runs.tries("01-a").is_empty() && runs.newest().is_none());
+    assert!(runs.tries_at(None, "01-a", 1).is_empty() && runs.newest().is_none());
     for end in [END, "{\"tick\":{\"t\":"] {
         let mut run = runs.begin("01-a", "2026-11-20T14:03:22Z").expect("created");
         run.append(HEAD).expect("written");
         run.append(end).expect("written");
     }
-    let all = runs.all_tries();
+    let all = runs.all_tries(None);
     assert_eq!(all.keys().collect::<Vec<_>>(), ["01-a"]);
-    assert_eq!(all["01-a"], runs.tries("01-a"));
+    assert_eq!(all["01-a"], runs.tries_at(None, "01-a", 1));
     let run = runs.begin("01-b", "2026-11-20T14:03:23Z").expect("created");
     let mode = fs::metadata(run.path())
         .expect("there")
@@ -27,7 +27,7 @@ fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
         .mode();
     assert_eq!(mode & 0o777, 0o600);
     assert_eq!(runs.newest().as_deref(), Some(run.path()));
-    let tries = runs.tries("01-a");
+    let tries = runs.tries_at(None, "01-a", 1);
     let scores: Vec<Option<u16>> = tries.iter().map(|one| one.score).collect();
     assert_eq!(scores, [Some(812), None]);
     assert_eq!(
@@ -132,5 +132,5 @@ fn a_folder_that_cannot_be_made_is_an_error_and_nothing_worse() {
     let file = folder.path().join("file");
     fs::write(&file, "x").expect("written");
     assert!(Runs::at(file.join("runs")).begin("01-a", "x").is_err());
-    assert!(Runs::at(&file).tries("01-a").is_empty());
+    assert!(Runs::at(&file).tries_at(None, "01-a", 1).is_empty());
 }

@@ -39,8 +39,23 @@ const fn radio(
         air_dbi,
         ground_dbi,
         losses_db,
+        relays: false,
     };
     equipment(id, Spec::Radio(spec), power_w, price)
+}
+
+/// Each of them passes on what others of its kind send.
+const fn mesh(part: Part) -> Part {
+    match part.spec {
+        Spec::Radio(radio) => Part {
+            spec: Spec::Radio(Radio {
+                relays: true,
+                ..radio
+            }),
+            ..part
+        },
+        _ => part,
+    }
 }
 
 /// Watts; grams and credits.
@@ -100,13 +115,13 @@ pub(super) static RADIOS: [Part; 8] = [
         0.4,
         (8.0, 25),
     ),
-    radio(
+    mesh(radio(
         "r_mesh24",
         (30.0, 2450.0, -96.0),
         (3.0, 5.0, 6.0),
         6.0,
         (60.0, 1010),
-    ),
+    )),
     radio(
         "r_lte",
         (23.0, 800.0, -110.0),
@@ -117,7 +132,9 @@ pub(super) static RADIOS: [Part; 8] = [
 ];
 
 /// Watts; grams and credits.
-pub(super) static PAYLOADS: [Part; 20] = [
+///
+/// The sprayer's tank holds what it gives in 15 seconds: a kilogram of liquid beside a pump with its hose.
+pub(super) static PAYLOADS: [Part; 21] = [
     equipment("s_rgb", Spec::Payload, 3.0, (60.0, 120)),
     equipment("s_rgbg", Spec::Payload, 5.0, (95.0, 300)),
     equipment("s_zoom", Spec::Payload, 12.0, (380.0, 640)),
@@ -137,5 +154,6 @@ pub(super) static PAYLOADS: [Part; 20] = [
     equipment("s_ball", Spec::Load, 0.0, (500.0, 60)),
     equipment("s_med", Spec::Load, 0.0, (450.0, 25)),
     equipment("s_node", Spec::Load, 0.0, (90.0, 60)),
+    equipment("s_spray", Spec::Payload, 2.0, (1450.0, 120)),
     equipment("s_relay", Spec::Payload, 4.0, (150.0, 400)),
 ];

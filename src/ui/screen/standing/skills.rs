@@ -12,19 +12,23 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of, titled, width};
 
 /// Columns of a skill's name, of its bar, and of where its owner stands with it.
-const NAME: usize = 30;
+const NAME: usize = 34;
 const BAR: usize = 10;
-const MASTERY: usize = 12;
+const MASTERY: usize = 16;
+/// Columns of everything but the name.
+const REST: usize = 54;
 
 /// Draws the list, and below it what moved the skill under the cursor.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = subject.pane(Pane::Skills, &look.say("standing-skills"), area, buffer);
     let cursor = subject.state.rooms.standing.skill;
+    let name = usize::from(inner.width).saturating_sub(REST).min(NAME);
     for (row, skill) in Skill::ALL.into_iter().enumerate() {
         let under_cursor = row == cursor;
         let row = row as u16;
-        put(buffer, inner, row, &line(subject, skill, under_cursor));
+        let line = line(subject, skill, (under_cursor, name));
+        put(buffer, inner, row, &line);
         if under_cursor && subject.has_cursor(Pane::Skills) {
             buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
         }
@@ -38,15 +42,15 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     );
 }
 
-fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool) -> Line<'static> {
+fn line(subject: &Subject<'_>, skill: Skill, (under_cursor, name): (bool, usize)) -> Line<'static> {
     let (look, day) = (subject.look, subject.career.day);
     let known = subject.career.standing.skill(skill);
     let chance = known.chance(day);
-    let (word, role) = match known.mastery(day) {
-        Mastery::Unknown => ("mastery-unknown", Role::Muted),
-        Mastery::Learning => ("mastery-learning", Role::Text),
-        Mastery::Mastered => ("mastery-mastered", Role::Ok),
-        Mastery::Due => ("mastery-due", Role::Warning),
+    let role = match known.mastery(day) {
+        Mastery::Unknown => Role::Muted,
+        Mastery::Learning => Role::Text,
+        Mastery::Mastered => Role::Ok,
+        Mastery::Due => Role::Warning,
     };
     let due = known
         .due_day()
@@ -62,7 +66,7 @@ fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool) -> Line<'static
     let head = format!(
         "{mark} {:<4}{} ",
         skill.code(),
-        aligned(&look.text(&skill.title()), NAME, false)
+        aligned(&look.text(&skill.title()), name, false)
     );
     let filled = (chance * BAR as f64).round() as usize;
     let end_role = if is_next { Role::Accent } else { Role::Muted };
@@ -71,7 +75,10 @@ fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool) -> Line<'static
         Span::styled("█".repeat(filled), look.style(role)),
         Span::styled("·".repeat(BAR - filled.min(BAR)), look.style(Role::Muted)),
         Span::raw(format!(" {:>3.0} % ", chance * 100.0)),
-        Span::styled(aligned(&look.say(word), MASTERY, false), look.style(role)),
+        Span::styled(
+            aligned(&look.text(&known.mastery(day).title()), MASTERY, false),
+            look.style(role),
+        ),
         Span::styled(end, look.style(end_role)),
     ])
 }

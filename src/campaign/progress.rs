@@ -1,0 +1,262 @@
+//! How far somebody has come, as tables: per mission and per skill.
+
+use serde::Serialize;
+
+use super::{Course, Entry, Flight, Mastery, Offer, Reason, Skill, Stage, Stake, Standing};
+use crate::scoring::Medal;
+use crate::text::Text;
+
+/// Own progress on a day.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Progress {
+    /// Credits to spend.
+    pub credits: u32,
+    /// Experience so far.
+    pub experience: u64,
+    /// The level that it makes.
+    pub level: u32,
+    /// Experience that the next level needs.
+    pub next_level_experience: u64,
+    /// How many drones may be flown at a time.
+    pub licence: u8,
+    /// Finished flights.
+    pub flights: u32,
+    /// What to train next, and where.
+    pub next: Option<Advice>,
+    /// The missions, in the order of the course; those that are not in it and were flown come last.
+    pub missions: Vec<MissionProgress>,
+    /// The skills, in their order.
+    pub skills: Vec<SkillProgress>,
+}
+
+/// What to train next.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Advice {
+    /// The skill.
+    pub skill: Skill,
+    /// Its name for people.
+    pub skill_title: Text,
+    /// Id of the mission that trains it best.
+    pub mission: String,
+    /// Its name for people.
+    pub mission_title: Text,
+}
+
+/// How far a mission has come.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MissionProgress {
+    /// Its id.
+    pub id: String,
+    /// Its name for people.
+    pub title: Text,
+    /// How many drones it takes.
+    pub vehicles: u8,
+    /// Where it stands.
+    pub state: MissionState,
+    /// Why it is locked, if it is.
+    pub reasons: Vec<Text>,
+    /// All flights, practice among them.
+    pub tries: usize,
+    /// The best score of flights that count.
+    pub best: Option<u16>,
+    /// The best medal.
+    pub medal: Option<Medal>,
+    /// The score of the first flight.
+    pub first: Option<u16>,
+    /// The score of the last flight.
+    pub last: Option<u16>,
+    /// Points per try, by least squares over all flights; `None` for fewer than two.
+    pub trend: Option<f64>,
+}
+
+/// Where a mission stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MissionState {
+    /// Not on offer yet.
+    Locked,
+    /// On offer, not passed.
+    Open,
+    /// Passed.
+    Passed,
+}
+
+/// How far a skill has come.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SkillProgress {
+    /// Which.
+    pub skill: Skill,
+    /// Its name for people.
+    pub title: Text,
+    /// How likely it is there today, in percent.
+    pub percent: u8,
+    /// Where its owner stands with it.
+    pub mastery: Mastery,
+    /// How often it could be shown.
+    pub opportunities: u32,
+    /// In how many missions it was shown.
+    pub missions: usize,
+    /// The day on which it will be due, in days since 1970 (UTC), if it was mastered once.
+    pub due_day: Option<i64>,
+}
+
+impl Progress {
+    /// Where a history leads on a course, seen from a day.
+    pub fn of(course: &Course, history: &[Entry], day: i64) -> Self {
+        let standing = Standing::of(history);
+        let (experience, level, next_level_experience) = standing.experience();
+        let flights: Vec<&Flight> = history
+            .iter()
+            .filter_map(|entry| match entry {
+                Entry::Flight(flight) => Some(flight),
+                Entry::Purchase(_) => None,
+            })
+            .collect();
+        let next = course.next(&standing, day).map(|(skill, offer)| Advice {
+            skill,
+            skill_title: skill.title(),
+            mission: offer.id.clone(),
+            mission_title: offer.title.clone(),
+        });
+        Self {
+            credits: standing.credits(),
+            experience,
+            level,
+            next_level_experience,
+            licence: standing.licence(),
+            flights: standing.flights(),
+            next,
+            missions: missions(course, &standing, &flights, day),
+            skills: Skill::ALL
+                .map(|skill| SkillProgress::of(skill, &standing, day))
+                .into(),
+        }
+    }
+
+    /// How likely skills are mastered on average, in percent.
+    pub fn mean_skill_percent(&self) -> f64 {
+        let sum: u32 = self.skills.iter().map(|it| u32::from(it.percent)).sum();
+        f64::from(sum) / self.skills.len().max(1) as f64
+    }
+}
+
+fn missions(
+    course: &Course,
+    standing: &Standing,
+    flights: &[&Flight],
+    day: i64,
+) -> Vec<MissionProgress> {
+    let of_course = course.offers().iter().map(|offer| {
+        let stage = course.stage(offer, standing, day);
+        MissionProgress::of_offer(offer, stage, flights)
+    });
+    let mut others: Vec<&Flight> = Vec::new();
+    for flight in flights {
+        let is_known = others.iter().any(|known| known.mission == flight.mission);
+        if course.offer(&flight.mission).is_none() && !is_known {
+            others.push(flight);
+        }
+    }
+    let others = others.into_iter().map(|flight| {
+        let title = Text::verbatim(flight.mission.clone());
+        let state = if standing.has_passed(&flight.mission) {
+            MissionState::Passed
+        } else {
+            MissionState::Open
+        };
+        MissionProgress::new(&flight.mission, title, (flight.vehicles, state), flights)
+    });
+    of_course.chain(others).collect()
+}
+
+impl MissionProgress {
+    fn of_offer(offer: &Offer, stage: Stage, flights: &[&Flight]) -> Self {
+        let (state, reasons) = match stage {
+            Stage::Locked(reasons) => (
+                MissionState::Locked,
+                reasons.iter().map(Reason::text).collect(),
+            ),
+            Stage::Open => (MissionState::Open, Vec::new()),
+            Stage::Passed(_) => (MissionState::Passed, Vec::new()),
+        };
+        Self {
+            reasons,
+            ..Self::new(
+                &offer.id,
+                offer.title.clone(),
+                (offer.vehicles, state),
+                flights,
+            )
+        }
+    }
+
+    fn new(
+        id: &str,
+        title: Text,
+        (vehicles, state): (u8, MissionState),
+        flights: &[&Flight],
+    ) -> Self {
+        let flights: Vec<&&Flight> = flights.iter().filter(|it| it.mission == id).collect();
+        let scores: Vec<u16> = flights.iter().map(|it| it.score).collect();
+        let counting = || flights.iter().filter(|it| it.stake != Stake::Practice);
+        Self {
+            id: id.to_owned(),
+            title,
+            vehicles,
+            state,
+            reasons: Vec::new(),
+            tries: scores.len(),
+            best: counting().map(|it| it.score).max(),
+            medal: counting().filter_map(|it| it.medal).max(),
+            first: scores.first().copied(),
+            last: scores.last().copied(),
+            trend: trend(&scores),
+        }
+    }
+}
+
+impl SkillProgress {
+    fn of(skill: Skill, standing: &Standing, day: i64) -> Self {
+        let known = standing.skill(skill);
+        Self {
+            skill,
+            title: skill.title(),
+            percent: (known.chance(day) * 100.0).round() as u8,
+            mastery: known.mastery(day),
+            opportunities: known.opportunities(),
+            missions: known.missions(),
+            due_day: known.due_day(),
+        }
+    }
+}
+
+/// The slope of the line through scores that fits best, in points per try, to a tenth.
+fn trend(scores: &[u16]) -> Option<f64> {
+    let count = scores.len() as f64;
+    if scores.len() < 2 {
+        return None;
+    }
+    let mean_try = (count - 1.0) / 2.0;
+    let mean_score = scores.iter().map(|it| f64::from(*it)).sum::<f64>() / count;
+    let (mut covariance, mut variance) = (0.0, 0.0);
+    for (index, score) in scores.iter().enumerate() {
+        let from_mean = index as f64 - mean_try;
+        covariance += from_mean * (f64::from(*score) - mean_score);
+        variance += from_mean * from_mean;
+    }
+    Some((covariance / variance * 10.0).round() / 10.0 + 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trend_is_the_slope_of_the_line_that_fits_best() {
+        assert_eq!(trend(&[]), None);
+        assert_eq!(trend(&[700]), None);
+        assert_eq!(trend(&[500, 600, 700]), Some(100.0));
+        assert_eq!(trend(&[700, 500, 600]), Some(-50.0));
+        assert_eq!(trend(&[800, 800, 800]), Some(0.0));
+    }
+}

@@ -1,0 +1,280 @@
+//! `sortie profile`: who trains here, and what they may do.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::SystemTime;
+
+use clap::{Args, Subcommand};
+use serde::Serialize;
+
+use super::settings::Settings;
+use super::{Failure, progress, trainee};
+use crate::campaign::{Progress, Standing};
+use crate::store::{self, Profile, ProfileError, ProfileFile, Profiles, day_of, utc};
+use crate::text;
+use crate::text::{Locale, Text};
+use crate::workshop::part;
+
+/// Options of `sortie profile`.
+#[derive(Debug, Args)]
+pub(super) struct ProfileArguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Makes a profile.
+    Create {
+        /// The trainee's name: one line of at most 40 letters.
+        name: String,
+    },
+    /// Who trains here.
+    List {
+        /// One JSON document instead of a table.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Credits, level, licence, missions, skills, and what to train next.
+    Show {
+        /// Whose; that of the settings or the only one where none is named.
+        name: Option<String>,
+        /// One JSON document instead of tables.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Writes a profile with all its flights as JSON, to carry it to another machine.
+    #[command(after_help = "Examples:\n  \
+                            sortie profile export anna > anna.json\n  \
+                            sortie profile export anna --output anna.json")]
+    Export {
+        /// Whose; that of the settings or the only one where none is named.
+        name: Option<String>,
+        /// Write to this file instead of standard output.
+        #[arg(long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Takes in an exported profile.
+    #[command(after_help = "Examples:\n  \
+                            sortie profile import anna.json\n  \
+                            sortie profile import anna.json --name anna-2")]
+    Import {
+        /// What `sortie profile export` has written.
+        file: PathBuf,
+        /// The name that it gets here; its own where none is given.
+        #[arg(long)]
+        name: Option<String>,
+    },
+    /// Removes a profile with all its flights and designs; recordings stay.
+    Delete {
+        /// Whose.
+        name: String,
+        /// Do not ask.
+        #[arg(long)]
+        yes: bool,
+    },
+    /// Buys the right to use a part, with the credits of the profile of `--profile`.
+    #[command(after_help = "Examples:\n  \
+                            sortie workshop parts radio\n  \
+                            sortie profile buy r_rfd900 --profile anna")]
+    Buy {
+        /// Id of the part; `sortie workshop parts` lists them.
+        part: String,
+    },
+}
+
+/// Does what was asked for.
+pub(super) fn profile(
+    options: &ProfileArguments,
+    settings: &Settings,
+) -> Result<ExitCode, Failure> {
+    let locale = Locale::new(settings.language());
+    let mut desk = Desk {
+        profiles: trainee::open(settings, &locale)?,
+        settings,
+        locale,
+    };
+    match &options.command {
+        Command::Create { name } => desk.create(name),
+        Command::List { json } => desk.list(*json),
+        Command::Show { name, json } => desk.show(name.as_deref(), *json),
+        Command::Export { name, output } => desk.export(name.as_deref(), output.as_deref()),
+        Command::Import { file, name } => desk.import(file, name.as_deref()),
+        Command::Delete { name, yes } => desk.delete(name, *yes),
+        Command::Buy { part } => desk.buy(part),
+    }
+}
+
+/// Where profiles are looked after.
+struct Desk<'a> {
+    profiles: Profiles,
+    settings: &'a Settings,
+    locale: Locale,
+}
+
+/// A line of the list.
+#[derive(Debug, Serialize)]
+struct Member {
+    name: String,
+    since: String,
+    credits: u32,
+    level: u32,
+    licence: u8,
+    flights: u32,
+}
+
+/// A profile as a document.
+#[derive(Debug, Serialize)]
+struct Shown<'a> {
+    name: &'a str,
+    since: &'a str,
+    lang: Option<&'a str>,
+    aids: &'static str,
+    #[serde(flatten)]
+    progress: &'a Progress,
+}
+
+impl Desk<'_> {
+    fn refused(&self, error: &ProfileError) -> Failure {
+        trainee::refused(error, &self.locale)
+    }
+
+    fn of(&self, name: Option<&str>) -> Result<Profile, Failure> {
+        trainee::choose(&self.profiles, name, self.settings, &self.locale)
+    }
+
+    fn progress(&self, profile: &Profile) -> Result<Progress, Failure> {
+        let history = self.profiles.history(profile);
+        let history = history.map_err(|error| self.refused(&error))?;
+        let today = day_of(SystemTime::now());
+        Ok(Progress::of(&store::course(), &history, today))
+    }
+
+    fn create(&self, name: &str) -> Result<ExitCode, Failure> {
+        let made = self.profiles.create(name, &utc(SystemTime::now()));
+        let profile = made.map_err(|error| self.refused(&error))?;
+        let text = text!("profile-created", name = profile.name);
+        trainee::done(&text, &self.locale)
+    }
+
+    fn list(&self, json: bool) -> Result<ExitCode, Failure> {
+        let mut members = Vec::new();
+        for profile in self.profiles.list().map_err(|error| self.refused(&error))? {
+            let history = self.profiles.history(&profile);
+            let standing = Standing::of(&history.map_err(|error| self.refused(&error))?);
+            members.push(Member {
+                credits: standing.credits(),
+                level: standing.experience().1,
+                licence: standing.licence(),
+                flights: standing.flights(),
+                name: profile.name,
+                since: profile.since,
+            });
+        }
+        if json {
+            say!("{}", serde_json::to_string_pretty(&members)?)?;
+        } else if members.is_empty() {
+            say!("{}", self.locale.text(&text!("profile-none")))?;
+        } else {
+            for member in &members {
+                let line = text!(
+                    "profile-member",
+                    name = member.name.as_str(),
+                    credits = member.credits,
+                    level = member.level,
+                    licence = member.licence,
+                    flights = member.flights
+                );
+                say!("{}", self.locale.text(&line))?;
+            }
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn show(&self, name: Option<&str>, json: bool) -> Result<ExitCode, Failure> {
+        let profile = self.of(name)?;
+        let progress = self.progress(&profile)?;
+        let aids = profile.settings.aids;
+        if json {
+            let shown = Shown {
+                name: &profile.name,
+                since: &profile.since,
+                lang: profile.settings.lang.as_deref(),
+                aids: aids.code(),
+                progress: &progress,
+            };
+            say!("{}", serde_json::to_string_pretty(&shown)?)?;
+            return Ok(ExitCode::SUCCESS);
+        }
+        let words = |text: &Text| self.locale.text(text);
+        say!("{}", profile.name)?;
+        for line in progress::heading(&progress) {
+            say!("  {}", words(&line))?;
+        }
+        let level = aids.title();
+        say!("  {}", words(&text!("progress-aids", aids = level)))?;
+        say!("\n{}", words(&text!("progress-missions")))?;
+        say!(
+            "{}",
+            progress::missions(&progress, &self.locale)
+                .plain()
+                .trim_end()
+        )?;
+        say!("\n{}", words(&text!("progress-skills")))?;
+        say!(
+            "{}",
+            progress::skills(&progress, &self.locale).plain().trim_end()
+        )?;
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn export(&self, name: Option<&str>, output: Option<&Path>) -> Result<ExitCode, Failure> {
+        let profile = self.of(name)?;
+        let file = self.profiles.export(&profile);
+        let text = file.map_err(|error| self.refused(&error))?.write();
+        match output {
+            Some(path) => store::write(path, &text, true)?,
+            None => say!("{}", text.trim_end())?,
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn import(&mut self, path: &Path, name: Option<&str>) -> Result<ExitCode, Failure> {
+        let file = ProfileFile::open(path).map_err(|error| self.refused(&error))?;
+        let name = name.unwrap_or(&file.name);
+        let taken_in = self.profiles.import(&file, name);
+        let profile = taken_in.map_err(|error| self.refused(&error))?;
+        let flights = self.progress(&profile)?.flights;
+        let text = text!("profile-imported", name = profile.name, flights = flights);
+        trainee::done(&text, &self.locale)
+    }
+
+    fn delete(&self, name: &str, yes: bool) -> Result<ExitCode, Failure> {
+        let profile = self.of(Some(name))?;
+        let name = profile.name.as_str();
+        if !yes {
+            let flights = self.progress(&profile)?.flights;
+            let text = text!("profile-delete", name = name, flights = flights);
+            return Err(trainee::invalid(&text, &self.locale));
+        }
+        let deleted = self.profiles.delete(&profile);
+        deleted.map_err(|error| self.refused(&error))?;
+        trainee::done(&text!("profile-deleted", name = name), &self.locale)
+    }
+
+    fn buy(&mut self, id: &str) -> Result<ExitCode, Failure> {
+        let profile = self.of(None)?;
+        let when = utc(SystemTime::now());
+        let bought = self.profiles.buy(&profile, id, &store::course(), &when);
+        let purchase = bought.map_err(|error| self.refused(&error))?;
+        let left = self.progress(&profile)?.credits;
+        let name = part(id).map_or_else(|| Text::verbatim(id), crate::workshop::Part::name);
+        let text = text!(
+            "profile-bought",
+            part = name,
+            price = purchase.credits,
+            left = left
+        );
+        trainee::done(&text, &self.locale)
+    }
+}

@@ -1,0 +1,147 @@
+//! Own progress as tables, for `sortie profile show` and `sortie report`.
+
+use super::table::{Side, Table};
+use crate::campaign::{MissionState, Progress, Stake};
+use crate::scoring::Medal;
+use crate::store::{PastRun, utc};
+use crate::text;
+use crate::text::{Locale, Text};
+
+/// The day in words: `2026-11-20`.
+pub(super) fn date(day: i64) -> String {
+    let seconds = u64::try_from(day).unwrap_or_default() * 24 * 60 * 60;
+    let time = std::time::UNIX_EPOCH + std::time::Duration::from_secs(seconds);
+    utc(time).chars().take(10).collect()
+}
+
+/// Credits, level, licence, and what to train next.
+pub(super) fn heading(progress: &Progress) -> Vec<Text> {
+    let mut lines = vec![text!(
+        "progress-standing",
+        credits = progress.credits,
+        level = progress.level,
+        experience = progress.experience,
+        next = progress.next_level_experience,
+        licence = progress.licence,
+        flights = progress.flights
+    )];
+    let next = progress.next.as_ref();
+    lines.extend(next.map(|next| {
+        let (skill, mission) = (&next.skill_title, &next.mission_title);
+        text!("progress-next", skill = skill, mission = mission)
+    }));
+    lines
+}
+
+/// Where each mission stands.
+pub(super) fn missions(progress: &Progress, locale: &Locale) -> Table {
+    let columns = [
+        (text!("progress-mission"), Side::Left),
+        (text!("progress-state"), Side::Left),
+        (text!("progress-medal"), Side::Left),
+        (text!("progress-best"), Side::Right),
+        (text!("progress-tries"), Side::Right),
+        (text!("progress-first"), Side::Right),
+        (text!("progress-last"), Side::Right),
+        (text!("progress-trend"), Side::Right),
+        (text!("progress-why"), Side::Left),
+    ];
+    let mut table = Table::new(locale, &columns);
+    for mission in &progress.missions {
+        let reasons = Text::joined("; ", mission.reasons.clone());
+        table.push(vec![
+            mission.id.clone(),
+            locale.text(&state(mission.state)),
+            medal(mission.medal, locale),
+            figure(mission.best),
+            mission.tries.to_string(),
+            figure(mission.first),
+            figure(mission.last),
+            mission
+                .trend
+                .map_or_else(String::new, |it| format!("{it:.1}")),
+            locale.text(&reasons),
+        ]);
+    }
+    table
+}
+
+/// Where each skill stands.
+pub(super) fn skills(progress: &Progress, locale: &Locale) -> Table {
+    let columns = [
+        (text!("progress-skill"), Side::Left),
+        (text!("progress-chance"), Side::Right),
+        (text!("progress-mastery"), Side::Left),
+        (text!("progress-shown"), Side::Right),
+        (text!("progress-due"), Side::Left),
+    ];
+    let mut table = Table::new(locale, &columns);
+    for skill in &progress.skills {
+        table.push(vec![
+            locale.text(&skill.title),
+            format!("{} %", skill.percent),
+            locale.text(&skill.mastery.title()),
+            skill.opportunities.to_string(),
+            skill.due_day.map(date).unwrap_or_default(),
+        ]);
+    }
+    table
+}
+
+/// What was flown, oldest first.
+pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> Table {
+    let columns = [
+        (text!("progress-ended"), Side::Left),
+        (text!("progress-mission"), Side::Left),
+        (text!("progress-score"), Side::Right),
+        (text!("progress-medal"), Side::Left),
+        (text!("progress-passed"), Side::Left),
+        (text!("progress-stake"), Side::Left),
+        (text!("progress-seed"), Side::Right),
+        (text!("progress-recording"), Side::Left),
+    ];
+    let mut table = Table::new(locale, &columns);
+    for run in runs {
+        let passed = if run.flight.passed {
+            text!("answer-yes")
+        } else {
+            text!("answer-no")
+        };
+        table.push(vec![
+            run.when.clone(),
+            run.flight.mission.clone(),
+            run.flight.score.to_string(),
+            medal(run.flight.medal, locale),
+            locale.text(&passed),
+            locale.text(&stake(run.flight.stake)),
+            run.seed.to_string(),
+            run.recording.clone().unwrap_or_default(),
+        ]);
+    }
+    table
+}
+
+fn state(state: MissionState) -> Text {
+    match state {
+        MissionState::Locked => text!("mission-state-locked"),
+        MissionState::Open => text!("mission-state-open"),
+        MissionState::Passed => text!("mission-state-passed"),
+    }
+}
+
+fn stake(stake: Stake) -> Text {
+    match stake {
+        Stake::Graded => text!("stake-graded"),
+        Stake::Practice => text!("stake-practice"),
+        Stake::Exam => text!("stake-exam"),
+        Stake::Daily => text!("stake-daily"),
+    }
+}
+
+fn medal(medal: Option<Medal>, locale: &Locale) -> String {
+    medal.map_or_else(|| "-".to_owned(), |medal| locale.text(&medal.title()))
+}
+
+fn figure(score: Option<u16>) -> String {
+    score.map_or_else(String::new, |score| score.to_string())
+}

@@ -1,0 +1,115 @@
+//! `sortie report`: own progress as a document.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::SystemTime;
+
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+use super::settings::Settings;
+use super::{Failure, progress, trainee};
+use crate::campaign::Progress;
+use crate::store::{self, PastRun, Profile, day_of};
+use crate::text;
+use crate::text::Locale;
+
+/// Options of `sortie report`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie report --profile anna\n  \
+    sortie report --format json --output anna.json\n  \
+    sortie report --format csv --table missions > missions.csv")]
+pub(super) struct ReportArguments {
+    /// What it is written as.
+    #[arg(long, value_enum, default_value = "md")]
+    format: Format,
+    /// Which table goes into a CSV file.
+    #[arg(long, value_enum, default_value = "runs")]
+    table: Which,
+    /// Write it to this file instead of standard output.
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Markdown.
+    Md,
+    /// Comma-separated values: one table.
+    Csv,
+    /// One JSON document.
+    Json,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Which {
+    /// Where each mission stands.
+    Missions,
+    /// Where each skill stands.
+    Skills,
+    /// Every flight.
+    Runs,
+}
+
+/// The document.
+#[derive(Debug, Serialize)]
+struct Document<'a> {
+    profile: &'a str,
+    since: &'a str,
+    #[serde(flatten)]
+    progress: &'a Progress,
+    runs: &'a [PastRun],
+}
+
+/// Writes the report of a profile.
+pub(super) fn report(options: &ReportArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+    let locale = Locale::new(settings.language());
+    let profiles = trainee::open(settings, &locale)?;
+    let profile = trainee::choose(&profiles, None, settings, &locale)?;
+    let refused = |error| trainee::refused(&error, &locale);
+    let history = profiles.history(&profile).map_err(refused)?;
+    let runs = profiles.runs(&profile).map_err(refused)?;
+    let progress = Progress::of(&store::course(), &history, day_of(SystemTime::now()));
+    let text = match options.format {
+        Format::Md => markdown(&profile, &progress, &runs, &locale),
+        Format::Csv => match options.table {
+            Which::Missions => progress::missions(&progress, &locale).csv(),
+            Which::Skills => progress::skills(&progress, &locale).csv(),
+            Which::Runs => progress::runs(&runs, &locale).csv(),
+        },
+        Format::Json => {
+            let document = Document {
+                profile: &profile.name,
+                since: &profile.since,
+                progress: &progress,
+                runs: &runs,
+            };
+            serde_json::to_string_pretty(&document)? + "\n"
+        }
+    };
+    match &options.output {
+        Some(path) => store::write(path, &text, true)?,
+        None => say!("{}", text.trim_end_matches('\n'))?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn markdown(profile: &Profile, progress: &Progress, runs: &[PastRun], locale: &Locale) -> String {
+    let words = |text| locale.text(&text);
+    let lines = progress::heading(progress);
+    let lines: Vec<String> = lines.iter().map(|line| locale.text(line)).collect();
+    let day: String = profile.since.chars().take(10).collect();
+    format!(
+        "# {}\n\n{}\n\n{}\n\n## {}\n\n{}\n## {}\n\n{}\n## {}\n\n{}",
+        words(text!("progress-title", name = profile.name.as_str())),
+        words(text!("progress-since", day = day)),
+        lines.join("\n\n"),
+        words(text!("progress-missions")),
+        progress::missions(progress, locale).markdown(),
+        words(text!("progress-skills")),
+        progress::skills(progress, locale).markdown(),
+        words(text!("progress-runs")),
+        progress::runs(runs, locale).markdown(),
+    )
+}

@@ -1,0 +1,69 @@
+//! The flags of every command.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+/// Options of every command.
+#[derive(Debug, Default, Args)]
+pub(in crate::cli) struct Common {
+    /// Read this configuration instead of the one in the folder of the user.
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
+    pub config: Option<PathBuf>,
+    /// Keep profiles and recorded runs in this folder instead of the one of the user.
+    #[arg(long, global = true, value_name = "DIR", help_heading = "Settings")]
+    pub data: Option<PathBuf>,
+    /// Whose career it is, by the name of a profile.
+    #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
+    profile: Option<String>,
+    /// The language: en, uk.
+    #[arg(
+        long,
+        global = true,
+        value_name = "LANGUAGE",
+        help_heading = "Settings"
+    )]
+    lang: Option<String>,
+    /// The theme: dark, light, high-contrast, monochrome, or one of your own.
+    #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
+    theme: Option<String>,
+    /// Frames per second at most.
+    #[arg(long, global = true, value_name = "N", help_heading = "Settings")]
+    fps: Option<String>,
+    /// What curves and maps are drawn with: braille, block, ascii.
+    #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
+    symbols: Option<String>,
+    /// Listen to the mouse: its wheel moves the cursor.
+    #[arg(
+        long,
+        global = true,
+        num_args = 0,
+        default_missing_value = "true",
+        help_heading = "Settings"
+    )]
+    mouse: Option<String>,
+    /// Write a log to FILE.
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
+    log: Option<String>,
+    /// What goes into the log: error, warn, info, debug or trace, also of single parts: `warn,sortie::link=debug`.
+    #[arg(long, global = true, value_name = "LEVELS", help_heading = "Settings")]
+    log_level: Option<String>,
+}
+
+impl Common {
+    /// The flags that were given: setting, flag, value.
+    pub fn flags(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
+        let flags = [
+            ("profile", "--profile", &self.profile),
+            ("lang", "--lang", &self.lang),
+            ("theme", "--theme", &self.theme),
+            ("fps", "--fps", &self.fps),
+            ("symbols", "--symbols", &self.symbols),
+            ("mouse", "--mouse", &self.mouse),
+            ("log.file", "--log", &self.log),
+            ("log.level", "--log-level", &self.log_level),
+        ];
+        let given = flags.into_iter();
+        given.filter_map(|(setting, flag, value)| Some((setting, flag, value.as_deref()?)))
+    }
+}

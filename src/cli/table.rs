@@ -1,0 +1,176 @@
+//! Rows of words in columns: for people, as Markdown, and for spreadsheets.
+
+use unicode_width::UnicodeWidthStr;
+
+use crate::text::{Locale, Text};
+
+/// A table of words. Columns of figures stand to the right.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Table {
+    columns: Vec<(String, Side)>,
+    rows: Vec<Vec<String>>,
+}
+
+/// Where the words of a column stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// Words.
+    Left,
+    /// Figures.
+    Right,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new(locale: &Locale, columns: &[(Text, Side)]) -> Self {
+        let named = columns.iter();
+        Self {
+            columns: named
+                .map(|(name, side)| (locale.text(name), *side))
+                .collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, row: Vec<String>) {
+        self.rows.push(row);
+    }
+
+    /// In columns as wide as they need to be.
+    pub fn plain(&self) -> String {
+        let widths: Vec<usize> = (0..self.columns.len())
+            .map(|at| {
+                self.column(at)
+                    .map(UnicodeWidthStr::width)
+                    .max()
+                    .unwrap_or(0)
+            })
+            .collect();
+        let line = |cells: &mut dyn Iterator<Item = &str>| {
+            let cells = cells.zip(&widths).zip(&self.columns);
+            let cells: Vec<String> = cells
+                .map(|((cell, width), (_, side))| {
+                    let space = " ".repeat(width.saturating_sub(cell.width()));
+                    match side {
+                        Side::Left => format!("{cell}{space}"),
+                        Side::Right => format!("{space}{cell}"),
+                    }
+                })
+                .collect();
+            format!("  {}", cells.join("  ")).trim_end().to_owned() + "\n"
+        };
+        let mut text = line(&mut self.columns.iter().map(|(name, _)| name.as_str()));
+        for row in &self.rows {
+            text += &line(&mut row.iter().map(String::as_str));
+        }
+        text
+    }
+
+    /// As a Markdown table.
+    pub fn markdown(&self) -> String {
+        let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+        let named = self.columns.iter();
+        let mut text = line(named.clone().map(|(name, _)| escaped(name)).collect());
+        text += &line(
+            named
+                .map(|(_, side)| match side {
+                    Side::Left => "---".to_owned(),
+                    Side::Right => "---:".to_owned(),
+                })
+                .collect(),
+        );
+        for row in &self.rows {
+            text += &line(row.iter().map(|cell| escaped(cell)).collect());
+        }
+        text
+    }
+
+    /// As comma-separated values (RFC 4180). What a spreadsheet would take for a formula is kept from being one.
+    pub fn csv(&self) -> String {
+        let names = self.columns.iter().map(|(name, _)| field(name, Side::Left));
+        let mut text = names.collect::<Vec<_>>().join(",") + "\r\n";
+        for row in &self.rows {
+            let cells = row.iter().zip(&self.columns);
+            let cells = cells.map(|(cell, (_, side))| field(cell, *side));
+            text += &(cells.collect::<Vec<_>>().join(",") + "\r\n");
+        }
+        text
+    }
+
+    fn column(&self, at: usize) -> impl Iterator<Item = &str> {
+        let cells = self.rows.iter().filter_map(move |row| row.get(at));
+        std::iter::once(self.columns[at].0.as_str()).chain(cells.map(String::as_str))
+    }
+}
+
+/// What would end a cell or begin markup is written out.
+fn escaped(cell: &str) -> String {
+    let mut text = String::new();
+    for c in cell.chars() {
+        if matches!(c, '|' | '\\' | '*' | '_' | '`' | '<' | '[') {
+            text.push('\\');
+        }
+        text.push(if c.is_control() { ' ' } else { c });
+    }
+    text
+}
+
+fn field(cell: &str, side: Side) -> String {
+    // Figures may begin with a minus.
+    let is_figure = side == Side::Right && cell.parse::<f64>().is_ok();
+    let is_formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_figure;
+    let cell = if is_formula {
+        format!("'{cell}")
+    } else {
+        cell.to_owned()
+    };
+    if cell.contains(['"', ',', '\n', '\r']) {
+        format!("\"{}\"", cell.replace('"', "\"\""))
+    } else {
+        cell
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Language;
+
+    fn table(cells: &[&str]) -> Table {
+        let locale = Locale::new(Language::English);
+        let columns = [("word".into(), Side::Left), ("n".into(), Side::Right)];
+        let mut table = Table::new(&locale, &columns);
+        table.push(cells.iter().map(|cell| (*cell).to_owned()).collect());
+        table
+    }
+
+    #[test]
+    fn columns_are_as_wide_as_they_need_to_be() {
+        assert_eq!(
+            table(&["їжак", "-1.5"]).plain(),
+            "  word     n\n  їжак  -1.5\n"
+        );
+    }
+
+    #[test]
+    fn nothing_becomes_a_formula_and_commas_stay_inside() {
+        for (cell, written) in [
+            ("=1+1", "'=1+1"),
+            ("@x", "'@x"),
+            ("-rm", "'-rm"),
+            ("+\"a\",b", "\"'+\"\"a\"\",b\""),
+            ("plain", "plain"),
+        ] {
+            let csv = table(&[cell, "-1.5"]).csv();
+            assert_eq!(csv, format!("word,n\r\n{written},-1.5\r\n"));
+        }
+        assert!(table(&["a", "-x"]).csv().contains("'-x"), "a figure is one");
+    }
+
+    #[test]
+    fn a_cell_ends_no_row_of_markdown() {
+        let text = table(&["a|b\nc", "1"]).markdown();
+        assert_eq!(text, "| word | n |\n| --- | ---: |\n| a\\|b c | 1 |\n");
+    }
+}

@@ -1,0 +1,72 @@
+//! Profiles as commands need them: opened, found by name, and what is wrong told.
+
+use std::process::ExitCode;
+
+use super::Failure;
+use super::settings::Settings;
+use crate::store::{Profile, ProfileError, Profiles, open_profiles};
+use crate::text;
+use crate::text::{Locale, Text};
+
+/// The profiles of the data folder; what was damaged or made up for is told.
+///
+/// # Errors
+/// They cannot be had.
+pub(super) fn open(settings: &Settings, locale: &Locale) -> Result<Profiles, Failure> {
+    let Some(data) = &settings.data else {
+        return Err(invalid(&text!("career-nowhere"), locale));
+    };
+    let (profiles, told) = open_profiles(data).map_err(|error| refused(&error, locale))?;
+    for text in told {
+        eprintln!("sortie: {}", locale.text(&text));
+    }
+    Ok(profiles)
+}
+
+/// The profile of a name; without one, that of the settings, or the only one there is.
+///
+/// # Errors
+/// There is none of this name, or nobody says which.
+pub(super) fn choose(
+    profiles: &Profiles,
+    name: Option<&str>,
+    settings: &Settings,
+    locale: &Locale,
+) -> Result<Profile, Failure> {
+    if let Some(name) = name.or(settings.config.profile.as_deref()) {
+        return profiles.find(name).map_err(|error| refused(&error, locale));
+    }
+    let all = profiles.list().map_err(|error| refused(&error, locale))?;
+    match &all[..] {
+        [only] => Ok(only.clone()),
+        [] => Err(invalid(&text!("profile-none"), locale)),
+        several => {
+            let names: Vec<&str> = several.iter().map(|it| it.name.as_str()).collect();
+            let text = text!("profile-choose", known = names.join(", "));
+            Err(invalid(&text, locale))
+        }
+    }
+}
+
+/// A fault of profiles as a command's: a wrong name or file is one of usage.
+pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
+    let words = locale.text(&error.text());
+    match error {
+        ProfileError::Unknown { .. }
+        | ProfileError::Exists { .. }
+        | ProfileError::Name
+        | ProfileError::NoProfile { .. } => Failure::Invalid(format!("sortie: {words}")),
+        _ => Failure::Failed(anyhow::anyhow!(words)),
+    }
+}
+
+/// A fault of usage.
+pub(super) fn invalid(text: &Text, locale: &Locale) -> Failure {
+    Failure::Invalid(format!("sortie: {}", locale.text(text)))
+}
+
+/// Says something, and that all went well.
+pub(super) fn done(text: &Text, locale: &Locale) -> Result<ExitCode, Failure> {
+    say!("{}", locale.text(text))?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,230 @@
+//! What was flown: the history of a career, and the runs that it came from.
+
+use std::collections::BTreeSet;
+
+use rusqlite::{Connection, TransactionBehavior, params};
+use serde::Serialize;
+
+use super::{Profile, ProfileError, Profiles, json};
+use crate::campaign::{Entry, Flight};
+use crate::scoring::{Report, TryReport};
+
+/// A finished run, to be stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunEntry {
+    /// What no other run is called: its recording's name.
+    pub id: String,
+    /// When it ended, in UTC.
+    pub when: String,
+    /// What it means to the career.
+    pub flight: Flight,
+    /// Everything about it: revision, seed, ledger, events, score.
+    pub report: Report,
+    /// The airframes that flew, a TOML design for each drone that was built; empty for the mission's own drones.
+    pub airframes: Vec<String>,
+    /// The recorded run's file, if it was recorded.
+    pub recording: Option<String>,
+}
+
+/// A run that a profile has.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PastRun {
+    /// What no other run is called.
+    pub id: String,
+    /// When it ended, in UTC.
+    pub when: String,
+    /// Revision of the mission.
+    pub revision: u32,
+    /// Seed of hazards and sensors.
+    pub seed: u64,
+    /// What flew: `embedded` or `ardupilot`.
+    pub backend: String,
+    /// The recorded run's file, if it was recorded.
+    pub recording: Option<String>,
+    /// What it means to the career.
+    pub flight: Flight,
+}
+
+impl PastRun {
+    /// The same as one of the tries at its mission, counted from 1.
+    pub fn as_try(&self, attempt: u32) -> TryReport {
+        TryReport {
+            attempt,
+            when: self.when.clone(),
+            score: Some(self.flight.score),
+            medal: self.flight.medal,
+            passed: self.flight.passed,
+            seed: self.seed,
+            revision: self.revision,
+        }
+    }
+}
+
+impl Profiles {
+    /// What a profile's career consists of, oldest first.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn history(&self, profile: &Profile) -> Result<Vec<Entry>, ProfileError> {
+        let mut query = self.ask("SELECT entry FROM entries WHERE profile = ?1 ORDER BY number")?;
+        let rows = query
+            .query_map([profile.key], |row| row.get::<_, String>(0))
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>);
+        let rows = rows.map_err(|error| self.fault(error))?;
+        rows.iter().map(|json| self.read(json)).collect()
+    }
+
+    /// The reports of a profile's runs of one mission, or of all, oldest first.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn reports(
+        &self,
+        profile: &Profile,
+        mission: Option<&str>,
+    ) -> Result<Vec<(String, Report)>, ProfileError> {
+        let mut query = self.ask(
+            "SELECT runs.ended, runs.report FROM runs JOIN entries USING (profile, id)
+             WHERE profile = ?1 AND (?2 IS NULL OR mission = ?2) ORDER BY number",
+        )?;
+        let rows = query
+            .query_map(params![profile.key, mission], |row| {
+                Ok((row.get::<_, String>(0)?, row.get::<_, String>(1)?))
+            })
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>);
+        let rows = rows.map_err(|error| self.fault(error))?;
+        rows.into_iter()
+            .map(|(when, json)| Ok((when, self.read(&json)?)))
+            .collect()
+    }
+
+    /// A profile's runs without their reports, oldest first.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn runs(&self, profile: &Profile) -> Result<Vec<PastRun>, ProfileError> {
+        let mut query = self.ask(
+            "SELECT id, ended, revision, seed, backend, recording, entry
+             FROM runs JOIN entries USING (profile, id) WHERE profile = ?1 ORDER BY number",
+        )?;
+        let rows = query
+            .query_map([profile.key], |row| {
+                let seed: i64 = row.get(3)?;
+                let run = (row.get(0)?, row.get(1)?, row.get(2)?, seed as u64);
+                Ok((run, row.get(4)?, row.get(5)?, row.get::<_, String>(6)?))
+            })
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>);
+        let mut runs = Vec::new();
+        for ((id, when, revision, seed), backend, recording, entry) in
+            rows.map_err(|error| self.fault(error))?
+        {
+            if let Entry::Flight(flight) = self.read(&entry)? {
+                runs.push(PastRun {
+                    id,
+                    when,
+                    revision,
+                    seed,
+                    backend,
+                    recording,
+                    flight,
+                });
+            }
+        }
+        Ok(runs)
+    }
+
+    /// A profile's tries at a revision of a mission, oldest first: those that compare with each other.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn tries(
+        &self,
+        profile: &Profile,
+        mission: &str,
+        revision: u32,
+    ) -> Result<Vec<TryReport>, ProfileError> {
+        let mut runs = self.runs(profile)?;
+        runs.retain(|run| run.flight.mission == mission && run.revision == revision);
+        let tries = runs.iter().zip(1..);
+        Ok(tries.map(|(run, attempt)| run.as_try(attempt)).collect())
+    }
+
+    /// The ids of all runs of all profiles.
+    pub(in crate::store) fn run_ids(&self) -> Result<BTreeSet<String>, ProfileError> {
+        let mut query = self.ask("SELECT DISTINCT id FROM runs")?;
+        let rows = query
+            .query_map([], |row| row.get(0))
+            .and_then(Iterator::collect);
+        rows.map_err(|error| self.fault(error))
+    }
+
+    /// Stores a finished run. Handed in again it changes nothing; tells whether it was new.
+    ///
+    /// # Errors
+    /// The database cannot be written; nothing of the run is stored then.
+    pub fn store(&mut self, profile: &Profile, run: &RunEntry) -> Result<bool, ProfileError> {
+        let path = self.path.clone();
+        let fault = |error| ProfileError::Database {
+            path: path.clone(),
+            error,
+        };
+        let entry = json(&Entry::Flight(run.flight.clone()));
+        let transaction = self
+            .connection
+            .transaction_with_behavior(TransactionBehavior::Immediate)
+            .map_err(fault)?;
+        let is_new = transaction
+            .execute(
+                "INSERT INTO entries (profile, id, at, entry) VALUES (?1, ?2, ?3, ?4) ON CONFLICT DO NOTHING",
+                params![profile.key, run.id, run.when, entry],
+            )
+            .map_err(fault)?
+            > 0;
+        if is_new {
+            let row = RunRow {
+                id: &run.id,
+                ended: &run.when,
+                airframes: &run.airframes,
+                recording: run.recording.as_deref(),
+                report: &run.report,
+            };
+            row.insert(&transaction, profile.key).map_err(fault)?;
+        }
+        transaction.commit().map_err(fault)?;
+        Ok(is_new)
+    }
+}
+
+/// A finished run as the tables have it.
+pub(super) struct RunRow<'a> {
+    pub id: &'a str,
+    pub ended: &'a str,
+    pub airframes: &'a [String],
+    pub recording: Option<&'a str>,
+    pub report: &'a Report,
+}
+
+impl RunRow<'_> {
+    pub fn insert(&self, connection: &Connection, profile: i64) -> rusqlite::Result<usize> {
+        let report = self.report;
+        connection.execute(
+            "INSERT INTO runs (profile, id, ended, mission, revision, seed, backend, score, passed, airframes, report, recording)
+             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)",
+            params![
+                profile,
+                self.id,
+                self.ended,
+                report.mission,
+                report.revision,
+                // SQLite has no unsigned integers; the bits are the same.
+                report.seed as i64,
+                report.backend,
+                report.score,
+                report.passed,
+                json(&self.airframes),
+                json(report),
+                self.recording,
+            ],
+        )
+    }
+}

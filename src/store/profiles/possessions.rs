@@ -1,0 +1,94 @@
+//! What somebody has: the rights to use parts, and designs.
+
+use rusqlite::params;
+
+use super::{Profile, ProfileError, Profiles, json};
+use crate::campaign::{Course, Entry, Purchase, Standing};
+use crate::workshop::Design;
+
+impl Profiles {
+    /// Buys the right to use a part. Two consoles cannot spend the same credits.
+    ///
+    /// # Errors
+    /// Why it cannot be bought, or that the database cannot be written; nothing is paid then.
+    pub fn buy(
+        &mut self,
+        profile: &Profile,
+        part: &str,
+        course: &Course,
+        when: &str,
+    ) -> Result<Purchase, ProfileError> {
+        let path = self.path.clone();
+        let fault = |error| ProfileError::Database {
+            path: path.clone(),
+            error,
+        };
+        self.connection
+            .execute_batch("BEGIN IMMEDIATE")
+            .map_err(fault)?;
+        let bought = self.buy_within(profile, part, course, when);
+        let end = if bought.is_ok() { "COMMIT" } else { "ROLLBACK" };
+        self.connection.execute_batch(end).map_err(fault)?;
+        bought
+    }
+
+    fn buy_within(
+        &self,
+        profile: &Profile,
+        part: &str,
+        course: &Course,
+        when: &str,
+    ) -> Result<Purchase, ProfileError> {
+        let standing = Standing::of(&self.history(profile)?);
+        let purchase = standing.buy(part, course).map_err(ProfileError::Refused)?;
+        let entry = json(&Entry::Purchase(purchase.clone()));
+        let added = self.connection.execute(
+            "INSERT INTO entries (profile, id, at, entry) VALUES (?1, ?2, ?3, ?4)",
+            params![profile.key, format!("part {part}"), when, entry],
+        );
+        added.map_err(|error| self.fault(error))?;
+        Ok(purchase)
+    }
+
+    /// A profile's designs, by name.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn designs(&self, profile: &Profile) -> Result<Vec<Design>, ProfileError> {
+        let mut query = self.ask("SELECT design FROM designs WHERE profile = ?1 ORDER BY name")?;
+        let rows = query
+            .query_map([profile.key], |row| row.get::<_, String>(0))
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>);
+        let rows = rows.map_err(|error| self.fault(error))?;
+        // A design with a part that this version does not know is left out here, and stays in the file.
+        Ok(rows
+            .iter()
+            .filter_map(|toml| Design::from_toml(toml).ok())
+            .collect())
+    }
+
+    /// Keeps a design, in place of one of the same name.
+    ///
+    /// # Errors
+    /// The database cannot be written.
+    pub fn keep_design(&self, profile: &Profile, design: &Design) -> Result<(), ProfileError> {
+        let kept = self.connection.execute(
+            "INSERT INTO designs (profile, name, design) VALUES (?1, ?2, ?3)
+             ON CONFLICT (profile, name) DO UPDATE SET name = excluded.name, design = excluded.design",
+            params![profile.key, design.name, design.to_toml()],
+        );
+        kept.map(drop).map_err(|error| self.fault(error))
+    }
+
+    /// Removes a design.
+    ///
+    /// # Errors
+    /// The database cannot be written.
+    pub fn drop_design(&self, profile: &Profile, name: &str) -> Result<(), ProfileError> {
+        let removed = self.connection.execute(
+            "DELETE FROM designs WHERE profile = ?1 AND name = ?2",
+            params![profile.key, name],
+        );
+        removed.map(drop).map_err(|error| self.fault(error))
+    }
+}
