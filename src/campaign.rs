@@ -8,6 +8,7 @@ mod aids;
 mod course;
 mod daily;
 mod economy;
+mod flown;
 mod growth;
 mod knowledge;
 mod progress;

@@ -24,6 +24,7 @@ mod bench;
 mod check;
 mod config;
 mod debrief;
+mod designs;
 mod doctor;
 mod fly;
 mod hangar;

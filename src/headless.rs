@@ -14,11 +14,13 @@ use crate::sim::{Airframe, PortId, World};
 
 mod crew;
 mod live;
+mod playthrough;
 #[cfg(test)]
 mod tests;
 
 use crew::Crew;
 pub use live::Live;
+pub use playthrough::{Lap, Playthrough};
 
 /// How often sessions look at their deadlines.
 const SESSION_POLL: Duration = Duration::from_millis(50);

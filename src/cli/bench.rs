@@ -7,6 +7,7 @@ use clap::Subcommand;
 use super::Failure;
 use super::settings::Settings;
 
+mod campaign;
 mod decode;
 mod fidelity;
 mod frame;
@@ -18,6 +19,8 @@ mod sim;
 /// What to measure.
 #[derive(Debug, Subcommand)]
 pub(super) enum Bench {
+    /// The course played through by the reference pilots: scores, credits, level, licence and skills, flight by flight.
+    Campaign(campaign::CampaignArguments),
     /// Decoding and model update per message, beside a floor that only finds frames.
     Decode(decode::DecodeArguments),
     /// The embedded simulator beside recordings of the real vehicle, manoeuvre by manoeuvre.
@@ -37,6 +40,7 @@ pub(super) enum Bench {
 /// Measures and prints.
 pub(super) fn bench(bench: &Bench, settings: &Settings) -> Result<ExitCode, Failure> {
     match bench {
+        Bench::Campaign(options) => campaign::campaign(options),
         Bench::Decode(options) => decode::decode(options),
         Bench::Fidelity(options) => fidelity::fidelity(options),
         Bench::Frame(options) => frame::frame(options),

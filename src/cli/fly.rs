@@ -7,6 +7,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use super::backend::{self, BackendArguments};
+use super::designs::DesignArguments;
 use super::settings::Settings;
 use super::{Failure, parse_speedup, runtime};
 use crate::console::{self, Opening, Options, Preferences};
@@ -25,6 +26,7 @@ const VEHICLES: u8 = 4;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     sortie fly 01\n  \
+    sortie fly 05 --design searcher\n  \
     sortie fly --vehicles 8 --speedup 4\n  \
     sortie fly missions/my-mission.toml --seed 7\n  \
     sortie fly 01 --backend ardupilot --arducopter build/sitl/bin/arducopter")]
@@ -46,6 +48,8 @@ pub(super) struct FlyArguments {
     /// Lines of text instead of a screen: for screen readers and pipes.
     #[arg(long)]
     plain: bool,
+    #[command(flatten)]
+    designs: DesignArguments,
     #[command(flatten)]
     backend: BackendArguments,
 }
@@ -84,7 +88,9 @@ pub(super) fn fly(arguments: &FlyArguments, settings: Settings) -> Result<ExitCo
         _ if !arguments.connect.is_empty() => Opening::Connect(arguments.connect.clone()),
         Some(mission) => {
             // Faults are shown here, with the lines around them, rather than inside the console.
-            Opening::Mission(Arc::new(super::run::load_mission(mission)?))
+            let mission = super::run::load_mission(mission)?;
+            let locale = Locale::new(settings.language());
+            Opening::Mission(Arc::new(arguments.designs.equip(mission, &locale)?))
         }
         None => Opening::Free,
     };

@@ -25,17 +25,24 @@ pub(super) struct ProfileArguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Makes a profile.
+    #[command(
+        after_help = "Examples:\n  sortie profile create anna\n  sortie profile create 'Anna K.'"
+    )]
     Create {
         /// The trainee's name: one line of at most 40 letters.
         name: String,
     },
     /// Who trains here.
+    #[command(
+        after_help = "Examples:\n  sortie profile list\n  sortie profile list --json --data /srv/course"
+    )]
     List {
         /// One JSON document instead of a table.
         #[arg(long)]
         json: bool,
     },
     /// Credits, level, licence, missions, skills, and what to train next.
+    #[command(after_help = "Examples:\n  sortie profile show anna\n  sortie profile show --json")]
     Show {
         /// Whose; that of the settings or the only one where none is named.
         name: Option<String>,
@@ -66,6 +73,9 @@ enum Command {
         name: Option<String>,
     },
     /// Removes a profile with all its flights and designs; recordings stay.
+    #[command(after_help = "Examples:\n  \
+                            sortie profile export anna --output anna.json\n  \
+                            sortie profile delete anna --yes")]
     Delete {
         /// Whose.
         name: String,

@@ -3,28 +3,34 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Instant, SystemTime};
 
 use clap::Args;
+use serde::Serialize;
 
 use super::backend::BackendArguments;
+use super::designs::DesignArguments;
 use super::settings::Settings;
-use super::{Failure, parse_speedup};
+use super::{Failure, parse_speedup, trainee};
+use crate::campaign::Stake;
 use crate::debrief;
 use crate::diagnostic::Diagnostic;
 use crate::hangar::Backend;
 use crate::headless::{Exercise, Live};
 use crate::language::{Context, Script};
+use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
-use crate::store::{self, Source, StoreError};
+use crate::store::{self, Runs, Source, StoreError, utc};
 use crate::text;
 use crate::text::Locale;
 use crate::vehicle::VehicleId;
 
 mod ardupilot;
+mod career;
 mod witness;
 
-use witness::Witness;
+use career::{CareerDocument, Terms, Trainee};
+use witness::{Assignment, Witness};
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
@@ -32,6 +38,8 @@ use witness::Witness;
     sortie run 01 --pilot 01-air-sample\n  \
     sortie run my.toml --pilot my.pilot --json --no-timing\n  \
     sortie run 01 --pilot my.pilot --seed 3 --speedup 10\n  \
+    sortie run 01 --pilot 01-air-sample --design starter\n  \
+    sortie run 01 --pilot 01-air-sample --profile anna\n  \
     sortie run 01 --pilot 01-air-sample --backend ardupilot")]
 pub(super) struct RunArguments {
     /// A mission file, or the name or number of an embedded mission.
@@ -42,19 +50,30 @@ pub(super) struct RunArguments {
     /// One JSON document instead of the debrief.
     #[arg(long)]
     json: bool,
-    /// What varies the mission's world.
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
+    /// What varies the mission's world; without it 1, and with --profile another one for each try. With --profile, a seed
+    /// that is named makes the flight practice.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Fly the seed of the day (UTC), which everybody has in common.
+    #[arg(long, conflicts_with_all = ["seed", "exam"])]
+    daily: bool,
+    /// Fly the seed of the exam, without hints and pauses.
+    #[arg(long, conflicts_with = "seed")]
+    exam: bool,
     /// Simulated seconds per second, or `max`: as fast as the embedded simulator can, as fast as all of ArduPilot's
     /// SITL processes keep together (20 on a processor of its own).
     #[arg(long, default_value = "max", value_parser = speedup_or_max)]
     speedup: Speedup,
     #[command(flatten)]
+    designs: DesignArguments,
+    #[command(flatten)]
     backend: BackendArguments,
-    /// Which try at the mission it is: on the first one, hints are free.
-    #[arg(long = "try", value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=9999))]
-    attempt: u32,
-    /// Record the run in this folder, for `sortie debrief`; what is in it stays.
+    /// Which try at the mission it is: on the first one, which it is unless this says otherwise, hints are free. With
+    /// --profile, tries are counted.
+    #[arg(long = "try", value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=9999))]
+    attempt: Option<u32>,
+    /// Record the run in this folder, for `sortie debrief`; what is in it stays. With --profile, runs are recorded in the
+    /// folder of its data.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
     /// Leave out how long it took, so that equal runs print equal bytes.
@@ -97,54 +116,135 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
         .map_err(|expected| format!("{expected}, or `max`"))
 }
 
+/// What is printed as JSON.
+#[derive(Debug, Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    report: &'a Report,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    career: Option<CareerDocument>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wall_time_s: Option<f64>,
+}
+
 /// Flies and prints. The exit code tells whether the mission was passed.
 pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCode, Failure> {
-    let mission = Arc::new(load_mission(&options.mission)?);
+    let started = Instant::now();
+    let locale = Locale::new(settings.language());
+    let mission = load_mission(&options.mission)?;
+    let mission = options.designs.equip(mission, &locale)?;
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
-    let locale = Locale::new(settings.language());
-    let started = Instant::now();
-    let mut witness = Witness::new(options, &locale, &mission.id);
-    let mut report = match &backend.ardupilot {
-        None => fly(options, &backend, mission, script, &mut witness),
-        Some(source) => {
-            let speedup = options.speedup.of_sitl(mission.vehicles);
-            let launches = backend.launches(mission.world(options.seed), speedup);
-            let mut live = Live::new(mission, options.seed, script, speedup);
-            witness.prepare(live.flight_mut(), backend.name());
-            ardupilot::fly(source, launches, live, &mut witness)?
-        }
-    };
+    let mut trainee = Trainee::named(settings, &locale)?;
+    let (mission, terms) = agreed(options, mission, trainee.as_ref(), &locale)?;
+    let assignment = assignment(options, (&mission, terms), backend.name(), trainee.as_ref())?;
+    let mut witness = Witness::new(assignment, &mission.id, &locale);
+    let mut report = fly(
+        options,
+        &backend,
+        (&mission, terms.seed),
+        script,
+        &mut witness,
+    )?;
     report.drill = store::drill_of(&report.mission);
     backend.name().clone_into(&mut report.backend);
+    let outcome = trainee
+        .as_mut()
+        .map(|trainee| trainee.store(&mission, &mut report, witness.landing()));
+    let is_done = report.passed && outcome.as_ref().is_none_or(|outcome| outcome.is_stored);
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
-        report.wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
-        say!("{}", serde_json::to_string_pretty(&report)?)?;
+        let wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
+        let document = Document {
+            report: &report,
+            career: outcome.map(career::Outcome::document),
+            wall_time_s,
+        };
+        say!("{}", serde_json::to_string_pretty(&document)?)?;
     } else {
         say!("{}", debrief::text(&report, &locale).trim_end())?;
+        if let Some(outcome) = outcome {
+            say!("\n{}", outcome.text(&locale))?;
+        }
     }
-    Ok(if report.passed {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::from(1)
+    Ok(ExitCode::from(u8::from(!is_done)))
+}
+
+/// The mission as it is flown, and how it counts.
+fn agreed(
+    options: &RunArguments,
+    mission: Mission,
+    trainee: Option<&Trainee<'_>>,
+    locale: &Locale,
+) -> Result<(Arc<Mission>, Terms), Failure> {
+    let mut terms = Terms::of(options, &mission, trainee.is_some());
+    if let Some(trainee) = trainee {
+        if options.record.is_some() || options.attempt.is_some() {
+            return Err(trainee::invalid(&text!("profile-record"), locale));
+        }
+        terms = trainee.admit(&mission, terms)?;
+    }
+    let mission = match terms.stake {
+        Stake::Exam => mission.for_exam(),
+        _ => mission,
+    };
+    Ok((Arc::new(mission), terms))
+}
+
+/// What a witness is to do: which try it is, and where and as what it is recorded.
+fn assignment(
+    options: &RunArguments,
+    (mission, terms): (&Mission, Terms),
+    backend: &str,
+    trainee: Option<&Trainee<'_>>,
+) -> Result<Assignment, Failure> {
+    let (attempt, runs) = match trainee {
+        Some(trainee) => (trainee.attempt(mission)?, Some(trainee.runs().clone())),
+        None => (
+            options.attempt.unwrap_or(1),
+            options.record.as_ref().map(Runs::at),
+        ),
+    };
+    Ok(Assignment {
+        is_heard: !options.json,
+        attempt,
+        runs,
+        occasion: Occasion {
+            when: utc(SystemTime::now()),
+            backend: backend.to_owned(),
+            profile: trainee.map(|trainee| trainee.name().to_owned()),
+            stake: terms.stake,
+        },
     })
 }
 
-/// Flies in the embedded simulator.
+/// Flies on whatever backend was chosen.
 fn fly(
     options: &RunArguments,
     backend: &Backend,
-    mission: Arc<Mission>,
+    (mission, seed): (&Arc<Mission>, u64),
     script: Script,
     witness: &mut Witness<'_>,
-) -> Report {
+) -> Result<Report, Failure> {
+    let Some(source) = &backend.ardupilot else {
+        let mission = Arc::clone(mission);
+        let exercise = Exercise::new(mission, seed, script, backend.airframes.clone());
+        return Ok(fly_embedded(exercise, options.speedup, witness));
+    };
+    let speedup = options.speedup.of_sitl(mission.vehicles);
+    let launches = backend.launches(mission.world(seed), speedup);
+    let mut live = Live::new(Arc::clone(mission), seed, script, speedup);
+    witness.prepare(live.flight_mut());
+    Ok(ardupilot::fly(source, launches, live, witness)?)
+}
+
+/// Flies in the embedded simulator.
+fn fly_embedded(mut exercise: Exercise, speedup: Speedup, witness: &mut Witness<'_>) -> Report {
     let started = Instant::now();
-    let mut exercise = Exercise::new(mission, options.seed, script, backend.airframes.clone());
-    witness.prepare(exercise.flight_mut(), backend.name());
+    witness.prepare(exercise.flight_mut());
     while !exercise.is_over() {
         exercise.step();
-        if let Speedup::Times(times) = options.speedup {
+        if let Speedup::Times(times) = speedup {
             let due = exercise.now().div_f64(times);
             std::thread::sleep(due.saturating_sub(started.elapsed()));
         }

@@ -294,6 +294,14 @@ impl Settings {
         }
     }
 
+    /// Whether the command line or the environment sets it.
+    pub fn is_named(&self, setting: &str) -> bool {
+        matches!(
+            self.layers.origin(setting),
+            Origin::Flag(_) | Origin::Environment(_)
+        )
+    }
+
     fn is_of_file(&self, setting: &str) -> bool {
         matches!(self.layers.origin(setting), Origin::File { .. })
     }

@@ -8,6 +8,7 @@ use serde_json::Value;
 use unicode_width::UnicodeWidthStr as _;
 
 use super::Failure;
+use super::designs::find;
 use super::settings::Settings;
 use crate::mission::Mission;
 use crate::store;
@@ -135,18 +136,6 @@ pub(super) fn workshop(
         }
         Command::Export { design, to } => export(&find(design, &locale)?, to, &locale),
     }
-}
-
-fn find(name: &str, locale: &Locale) -> Result<Design, Failure> {
-    store::design(name).map_err(|error| match &error {
-        store::StoreError::Faulty { file, faults } => {
-            let lines = faults
-                .iter()
-                .map(|fault| fault.one_line(&file.name, &file.text));
-            Failure::Invalid(lines.collect::<Vec<_>>().join("\n"))
-        }
-        _ => Failure::Invalid(format!("sortie: {}", locale.text(&Text::from(&error)))),
-    })
 }
 
 fn list_parts(slot: Option<&str>, locale: &Locale) -> Result<ExitCode, Failure> {

@@ -251,8 +251,10 @@ impl Console {
         let Some(careers) = &mut self.careers else {
             return;
         };
+        let runs = self.options.preferences.runs.as_ref();
         let landing = Landing {
             id: finished.run_id.clone(),
+            is_recorded: runs.is_some_and(|runs| runs.has(&finished.run_id)),
             when: SystemTime::now(),
             stake: finished.occasion.stake,
         };
@@ -331,6 +333,7 @@ mod tests {
         let script = Script::parse("", &Context::default()).expect("nothing to do");
         let report = Exercise::new(Arc::clone(&mission), 1, script, Vec::new()).report();
         let landing = Landing {
+            is_recorded: true,
             id: "a".to_owned(),
             when: SystemTime::UNIX_EPOCH,
             stake: Stake::Graded,

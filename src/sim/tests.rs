@@ -2,6 +2,7 @@
 
 mod airframes;
 mod booting;
+mod designs;
 mod failsafes;
 mod faults;
 mod files;

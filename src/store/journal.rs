@@ -8,7 +8,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
-use crate::campaign::{Evidence, Flight, Flown, Stake, wear};
+use crate::campaign::{Flight, Stake};
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::scoring::Report;
@@ -24,6 +24,8 @@ const DAY_S: u64 = 24 * 60 * 60;
 pub struct Landing {
     /// What no other run is called: [`RunFile::id`](super::RunFile::id).
     pub id: String,
+    /// Whether its record is whole.
+    pub is_recorded: bool,
     /// When it ended.
     pub when: SystemTime,
     /// How it counts.
@@ -41,20 +43,7 @@ impl RunEntry {
     pub fn of(mission: &Mission, report: &Report, landing: Landing) -> Self {
         Self {
             when: utc(landing.when),
-            flight: Flight {
-                mission: mission.id.clone(),
-                drill_of: mission.drill_of.clone(),
-                tier: mission.rewards.xp_tier,
-                reward: mission.rewards.credits,
-                vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX),
-                stake: landing.stake,
-                day: day_of(landing.when),
-                score: report.score,
-                passed: report.passed,
-                medal: report.medal,
-                evidence: Evidence::of(report, mission),
-                wear: wear(flown(mission, report)),
-            },
+            flight: Flight::of(mission, report, landing.stake, day_of(landing.when)),
             // What the shell adds belongs to the moment at which it is shown.
             report: Report {
                 drill: None,
@@ -63,20 +52,10 @@ impl RunEntry {
                 ..report.clone()
             },
             airframes: mission.fleet().iter().map(Design::to_toml).collect(),
-            recording: Some(format!("{}{ENDING}", landing.id)),
+            recording: (landing.is_recorded).then(|| format!("{}{ENDING}", landing.id)),
             id: landing.id,
         }
     }
-}
-
-/// The trainee's own drones on a flight. Those of the mission are lent.
-fn flown<'a>(mission: &'a Mission, report: &'a Report) -> impl Iterator<Item = Flown<'a>> {
-    let seats = mission.fleet().iter().zip(&report.usage);
-    seats.map(|(design, used)| Flown {
-        design,
-        airborne_s: used.airborne_s,
-        has_crashed: used.crashed,
-    })
 }
 
 /// A run that was finished and recorded, but not stored.
@@ -154,6 +133,7 @@ fn left_behind<'a>(path: &Path, everybody: &'a [Profile]) -> Option<(&'a Profile
     let mission = stored.head.flown().ok()?;
     let landing = Landing {
         id: run_id(path).to_owned(),
+        is_recorded: true,
         when,
         stake: head.stake,
     };

@@ -128,6 +128,11 @@ fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'stati
             "WPNAV_SPEED",
             (70.0 * figures.top_speed_m_s).min(1000.0).round(),
         ),
+        // Hundredths of a degree; autopilots take 10 degrees at least.
+        (
+            "ANGLE_MAX",
+            (figures.most_lean_deg.max(10.0) * 100.0).floor(),
+        ),
         ("ATC_RAT_PIT_P", rate),
         ("ATC_RAT_PIT_I", rate),
         ("ATC_RAT_PIT_D", damping),

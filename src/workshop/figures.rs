@@ -91,6 +91,8 @@ pub struct Figures {
     pub range_m: f64,
     /// Level, as far as lean and thrust allow.
     pub top_speed_m_s: f64,
+    /// How far it may lean for that, in degrees.
+    pub most_lean_deg: f64,
     /// Battery capacity, in ampere hours.
     pub capacity_ah: f64,
     /// Nominal energy of the battery, in watt hours.
@@ -197,13 +199,16 @@ impl<'a> Bench<'a> {
         self.pack.lasts(power_w, self.pack.usable, needed_v).0
     }
 
-    fn top_speed_m_s(&self) -> f64 {
+    /// As far as its thrust still holds it up; none where it cannot.
+    fn most_lean_deg(&self) -> f64 {
         let weight_n = self.mass_kg() * GRAVITY_M_S2;
         let thrust_n = CONTROL_SHARE * self.max_thrust_n(MIDDLE_CHARGE);
-        if thrust_n <= weight_n {
-            return 0.0;
-        }
-        let lean_deg = (weight_n / thrust_n).acos().to_degrees().min(MOST_LEAN_DEG);
+        let share = (weight_n / thrust_n).min(1.0);
+        share.acos().to_degrees().min(MOST_LEAN_DEG)
+    }
+
+    fn top_speed_m_s(&self) -> f64 {
+        let lean_deg = self.most_lean_deg();
         speeds()
             .take_while(|speed| self.forward.at(*speed).lean_deg <= lean_deg)
             .last()
@@ -257,6 +262,7 @@ impl<'a> Bench<'a> {
             range_speed_m_s,
             range_m,
             top_speed_m_s: self.top_speed_m_s(),
+            most_lean_deg: self.most_lean_deg(),
             capacity_ah: self.pack.capacity_ah,
             energy_wh: self.pack.energy_wh(),
             max_current_a: self.pack.max_current_a,

@@ -19,6 +19,7 @@ mod inspector;
 mod layering;
 mod missions;
 mod processes;
+mod profiles;
 mod pty;
 mod recordings;
 mod records;

@@ -21,7 +21,7 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 /// Names that no table has: of things, of keys, of figures, and words that are typed.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
-    "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB UTF",
+    "AHRS ASCII failsafe ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 MAVLink NAT RC RTK RX SITL TCP TX UDP USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok",
     // Keys.
     "Ctrl Enter Esc Tab R1 w3 p3",
@@ -38,7 +38,7 @@ const NAMES: &[&str] = &[
     // Words of filters, and of the plain console.
     "air alert bat invert status peak",
     // Words in files of the user's: themes, keymaps, missions.
-    "dark dumb false filter id inherits light none objectives off one roles rrggbb true two red",
+    "dark dumb false filter id inherits light none objectives off one profile record roles rrggbb true try two red yes",
 ];
 
 /// The words of the tables: what is typed stays the same in every language.

@@ -2,22 +2,34 @@
 
 use std::time::{Duration, SystemTime};
 
-use super::RunArguments;
 use crate::mission::Flight;
 use crate::mission::record::Occasion;
 use crate::notice::Notice;
-use crate::store::{RunFile, Runs, StoreError, utc};
+use crate::store::{Landing, RunFile, Runs, StoreError};
 use crate::text;
 use crate::text::{Locale, Text};
 
 /// A record is written in pieces of this length, so that a fast run does not write a line at a time.
 const PIECE_LEN: usize = 16 * 1024;
 
+/// What a witness is to do.
+pub(super) struct Assignment {
+    /// Whether what is said is said aloud.
+    pub is_heard: bool,
+    /// Which try it is.
+    pub attempt: u32,
+    /// Where it is recorded, if it is.
+    pub runs: Option<Runs>,
+    /// What the record says of it.
+    pub occasion: Occasion,
+}
+
 /// Watches a run.
 pub(super) struct Witness<'a> {
-    options: &'a RunArguments,
+    assignment: Assignment,
     locale: &'a Locale,
-    when: String,
+    /// What no other run is called.
+    id: String,
     file: Option<RunFile>,
     /// What is not written yet.
     piece: String,
@@ -25,32 +37,44 @@ pub(super) struct Witness<'a> {
 
 impl<'a> Witness<'a> {
     /// Begins the record, if one is wanted. A folder that cannot be written is told and harms nothing.
-    pub fn new(options: &'a RunArguments, locale: &'a Locale, mission: &str) -> Self {
+    pub fn new(assignment: Assignment, mission: &str, locale: &'a Locale) -> Self {
+        let when = &assignment.occasion.when;
+        let begun = assignment.runs.as_ref();
+        let begun = begun.map(|runs| runs.begin(mission, when));
+        let process = std::process::id();
         let mut witness = Self {
-            options,
+            id: format!("{}_{mission}_{process}", when.replace(':', "-")),
+            assignment,
             locale,
-            when: utc(SystemTime::now()),
             file: None,
             piece: String::new(),
         };
-        if let Some(folder) = &options.record {
-            match Runs::at(folder).begin(mission, &witness.when) {
-                Ok(file) => witness.file = Some(file),
-                Err(error) => witness.complain(&error),
+        match begun {
+            Some(Ok(file)) => {
+                file.id().clone_into(&mut witness.id);
+                witness.file = Some(file);
             }
+            Some(Err(error)) => witness.complain(&error),
+            None => {}
         }
         witness
     }
 
     /// Makes a flight ready for it.
-    pub fn prepare(&self, flight: &mut Flight, backend: &str) {
-        flight.set_attempt(self.options.attempt);
+    pub fn prepare(&self, flight: &mut Flight) {
+        flight.set_attempt(self.assignment.attempt);
         if self.file.is_some() {
-            flight.start_record(&Occasion {
-                when: self.when.clone(),
-                backend: backend.to_owned(),
-                ..Occasion::default()
-            });
+            flight.start_record(&self.assignment.occasion);
+        }
+    }
+
+    /// What the run is called, now that it has ended.
+    pub fn landing(&self) -> Landing {
+        Landing {
+            id: self.id.clone(),
+            is_recorded: self.file.is_some(),
+            when: SystemTime::now(),
+            stake: self.assignment.occasion.stake,
         }
     }
 
@@ -62,7 +86,7 @@ impl<'a> Witness<'a> {
         };
         let at = clock(notice.at);
         tracing::info!("{at} {words}");
-        if !self.options.json {
+        if self.assignment.is_heard {
             eprintln!("{at} {}", self.locale.text(&words));
         }
     }

@@ -1,1 +1,161 @@
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, UNIX_EPOCH};
 
+use super::*;
+use crate::campaign::{Entry, Evidence, Standing};
+use crate::headless::Exercise;
+use crate::language::{Context, Script};
+use crate::mission::record::Occasion;
+use crate::workshop::part;
+
+const BEGUN: &str = "2026-11-20T14:03:22Z";
+
+fn profiles(data: &Path) -> Profiles {
+    Profiles::open(data).expect("a folder of our own").0
+}
+
+/// Records a flight in which nothing is commanded, up to its end or without it; returns the mission and the report.
+fn recorded(
+    runs: &Runs,
+    profile: Option<&str>,
+    is_finished: bool,
+) -> (String, Arc<Mission>, Report) {
+    let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
+    let mission = Arc::new(Mission::parse(source).expect("no faults"));
+    let script = Script::parse("all guided\nall arm\n", &Context::default());
+    let script = script.expect("two commands");
+    let mut exercise = Exercise::new(Arc::clone(&mission), 1, script, Vec::new());
+    let mut file = runs.begin(&mission.id, BEGUN).expect("writable");
+    exercise.flight_mut().start_record(&Occasion {
+        when: BEGUN.to_owned(),
+        backend: "embedded".to_owned(),
+        profile: profile.map(str::to_owned),
+        stake: Stake::Graded,
+    });
+    while exercise.now() < Duration::from_secs(12) {
+        exercise.step();
+    }
+    exercise.flight_mut().abandon();
+    let mut record = exercise.flight_mut().take_record();
+    let report = exercise.close();
+    if is_finished {
+        record += &exercise.flight_mut().take_record();
+    }
+    file.append(&record).expect("writable");
+    (file.id().to_owned(), mission, report)
+}
+
+#[test]
+fn a_finished_record_that_nobody_stored_is_made_up_for_once() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    let anna = profiles.create("Anna", BEGUN).expect("new");
+    let (id, mission, report) = recorded(&runs, Some("anna"), true);
+    recorded(&runs, Some("Anna"), false);
+    recorded(&runs, Some("Borys"), true);
+    recorded(&runs, None, true);
+    let recovered = recover(&mut profiles, &runs).expect("writable");
+    assert_eq!(recovered.len(), 1, "{recovered:?}");
+    assert_eq!(
+        (recovered[0].profile.as_str(), recovered[0].score),
+        ("Anna", report.score)
+    );
+    assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
+    let stored = profiles.runs(&anna).expect("readable");
+    assert_eq!(stored.len(), 1);
+    let landing = Landing {
+        id,
+        is_recorded: true,
+        when: UNIX_EPOCH,
+        stake: Stake::Graded,
+    };
+    let run = RunEntry::of(&mission, &report, landing);
+    // The same as if it had been stored when it ended, but for the day: texts are compared in English.
+    let json = |evidence: &[Evidence]| serde_json::to_string(evidence).expect("plain");
+    let flight = &stored[0].flight;
+    assert_eq!(json(&flight.evidence), json(&run.flight.evidence));
+    let expected = Flight {
+        day: flight.day,
+        evidence: flight.evidence.clone(),
+        ..run.flight.clone()
+    };
+    assert_eq!(*flight, expected);
+    assert!(
+        !profiles.store(&anna, &run).expect("known"),
+        "it counts once"
+    );
+}
+
+#[test]
+fn a_profile_that_is_younger_than_a_record_does_not_get_it() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    profiles
+        .create("Anna", "2026-11-20T14:03:23Z")
+        .expect("new");
+    recorded(&runs, Some("Anna"), true);
+    assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
+}
+
+#[test]
+fn a_record_that_was_cut_or_changed_harms_nobody() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    profiles.create("Anna", BEGUN).expect("new");
+    let (id, ..) = recorded(&runs, Some("Anna"), true);
+    let path = runs.folder().join(format!("{id}{ENDING}"));
+    let whole = fs::read_to_string(&path).expect("just written");
+    let middle = whole.len() / 2;
+    for broken in [
+        &whole[..middle],
+        "",
+        "{}\n",
+        &whole.replacen("\"t\":", "\"x\":", 3),
+    ] {
+        fs::write(&path, broken).expect("writable");
+        assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
+    }
+    fs::write(&path, &whole).expect("writable");
+    assert_eq!(recover(&mut profiles, &runs).expect("writable").len(), 1);
+}
+
+#[test]
+fn own_drones_wear_and_lent_ones_do_not() {
+    let source = include_str!("../../../missions/00-first-flight.toml");
+    let mission = || Mission::parse(source).expect("no faults");
+    let script = Script::parse("", &Context::default()).expect("nothing to do");
+    let mut report = Exercise::new(Arc::new(mission()), 1, script, Vec::new()).report();
+    report.usage = vec![crate::scoring::UseReport {
+        vehicle: 1,
+        airborne_s: 600.0,
+        productive_s: 600.0,
+        idle_s: 0.0,
+        crashed: true,
+    }];
+    let starter = crate::campaign::STARTER_PARTS.iter();
+    let starter = starter.fold(Design::new("Starter"), |it, id| {
+        it.with(part(id).expect("known"))
+    });
+    let entry = |mission: &Mission| {
+        let landing = Landing {
+            id: "a".to_owned(),
+            is_recorded: false,
+            when: UNIX_EPOCH,
+            stake: Stake::Graded,
+        };
+        RunEntry::of(mission, &report, landing)
+    };
+    let lent = entry(&mission());
+    assert_eq!((lent.flight.wear, lent.airframes.len()), (0, 0));
+    let own = mission().with_fleet(vec![starter]).expect("it flies");
+    let own = entry(&own);
+    assert!(own.flight.wear > 100, "{}", own.flight.wear);
+    assert_eq!((own.airframes.len(), own.recording), (1, None));
+    let standing = Standing::of(&[Entry::Flight(own.flight)]);
+    assert!(standing.credits() < 500);
+}

@@ -3,6 +3,9 @@ use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 use std::sync::Arc;
 
+use proptest::prelude::*;
+use proptest::sample::select;
+
 use super::{Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, RunEntry};
 use crate::campaign::{Aids, Course, Entry, Flight, Offer, Refusal, Stake, Standing};
 use crate::headless::Exercise;
@@ -29,10 +32,14 @@ fn report() -> Report {
 }
 
 fn run(id: &str, mission: &str, score: u16) -> RunEntry {
+    run_with(report(), id, mission, score)
+}
+
+fn run_with(report: Report, id: &str, mission: &str, score: u16) -> RunEntry {
     let report = Report {
         mission: mission.to_owned(),
         score,
-        ..report()
+        ..report
     };
     RunEntry {
         id: id.to_owned(),
@@ -293,4 +300,65 @@ fn a_folder_that_cannot_be_written_is_named() {
     fs::write(&data, "no folder").expect("writable");
     let refused = Profiles::open(&data).expect_err("no folder");
     assert!(refused.to_string().contains("profiles.sqlite"), "{refused}");
+}
+
+/// Something that a console can do to a profile.
+#[derive(Debug, Clone)]
+enum Deed {
+    Fly(u8, u16, u32),
+    Buy(&'static str),
+    Keep(&'static str),
+}
+
+fn any_deed() -> impl Strategy<Value = Deed> {
+    let parts = vec!["r_rfd900", "s_gpr", "gps_crpa", "no_such_part", "fc_h7"];
+    let names = vec!["Scout", "scout", "Їжак", "a,b\"c"];
+    prop_oneof![
+        (0u8..6, 0u16..=1000, 0u32..900).prop_map(|(id, score, wear)| Deed::Fly(id, score, wear)),
+        select(parts).prop_map(Deed::Buy),
+        select(names).prop_map(Deed::Keep),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn whatever_is_done_runs_count_once_and_an_export_is_the_whole_profile(deeds in proptest::collection::vec(any_deed(), 0..14)) {
+        let data = tempfile::tempdir().expect("a folder");
+        let mut profiles = open(data.path());
+        let anna = anna(&profiles);
+        let report = report();
+        let mut flown = std::collections::BTreeSet::new();
+        for deed in &deeds {
+            match deed {
+                Deed::Fly(id, score, wear) => {
+                    let flown_before = flown.contains(id);
+                    let mut run = run_with(report.clone(), &id.to_string(), "one", *score);
+                    run.flight.wear = *wear;
+                    let is_new = profiles.store(&anna, &run).expect("stored");
+                    prop_assert_eq!(is_new, !flown_before);
+                    flown.insert(*id);
+                }
+                Deed::Buy(part) => {
+                    let before = Standing::of(&profiles.history(&anna).expect("readable")).credits();
+                    let bought = profiles.buy(&anna, part, &course(), WHEN);
+                    let after = Standing::of(&profiles.history(&anna).expect("readable")).credits();
+                    let paid = bought.map_or(0, |purchase| purchase.credits);
+                    prop_assert_eq!(before - after, paid, "what was bought is paid, and nothing else");
+                }
+                Deed::Keep(name) => {
+                    let design = Design::new(*name).with(part("fr_5q_226").expect("known"));
+                    profiles.keep_design(&anna, &design).expect("kept");
+                }
+            }
+        }
+        prop_assert_eq!(profiles.runs(&anna).expect("readable").len(), flown.len());
+        let exported = profiles.export(&anna).expect("readable");
+        let read = ProfileFile::read(&exported.write()).expect("just written");
+        let copy = profiles.import(&read, "Copy").expect("free");
+        let again = profiles.export(&copy).expect("readable");
+        prop_assert_eq!(again.write(), exported.write().replacen("Anna", "Copy", 1));
+        prop_assert_eq!(profiles.history(&copy).expect("readable"), profiles.history(&anna).expect("readable"));
+    }
 }

@@ -1,0 +1,35 @@
+//! What a finished flight means to a career.
+
+use super::{Evidence, Flight, Flown, Stake, wear};
+use crate::mission::Mission;
+use crate::scoring::Report;
+
+impl Flight {
+    /// A flight of a mission, as it was flown, that ended on a day (since 1970, UTC).
+    pub fn of(mission: &Mission, report: &Report, stake: Stake, day: i64) -> Self {
+        Self {
+            mission: mission.id.clone(),
+            drill_of: mission.drill_of.clone(),
+            tier: mission.rewards.xp_tier,
+            reward: mission.rewards.credits,
+            vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX),
+            stake,
+            day,
+            score: report.score,
+            passed: report.passed,
+            medal: report.medal,
+            evidence: Evidence::of(report, mission),
+            wear: wear(own(mission, report)),
+        }
+    }
+}
+
+/// The trainee's own drones on a flight. Those of the mission are lent.
+fn own<'a>(mission: &'a Mission, report: &'a Report) -> impl Iterator<Item = Flown<'a>> {
+    let seats = mission.fleet().iter().zip(&report.usage);
+    seats.map(|(design, used)| Flown {
+        design,
+        airborne_s: used.airborne_s,
+        has_crashed: used.crashed,
+    })
+}

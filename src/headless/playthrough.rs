@@ -1,0 +1,176 @@
+//! A career flown by pilot scripts: whether a course can be played through from nothing to its end.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use super::Exercise;
+use crate::campaign::{
+    Course, Entry, Flight, Offer, PartState, Progress, Stage, Stake, Standing, licence_price,
+};
+use crate::language::Script;
+use crate::mission::Mission;
+use crate::scoring::Medal;
+use crate::workshop::part;
+
+/// Flights of one day.
+const FLIGHTS_A_DAY: usize = 4;
+/// A mission that was flown so lately is left alone for a while, if there is another one.
+const TIRED_FOR: usize = 2;
+/// Credits that are kept when parts are bought.
+const RESERVE_CREDITS: u32 = 200;
+
+/// Somebody who flies as the pilot scripts do, what the campaign advises, and buys what it puts on sale.
+pub struct Playthrough {
+    course: Course,
+    pilots: BTreeMap<String, (Arc<Mission>, Script)>,
+    history: Vec<Entry>,
+    standing: Standing,
+    flown: Vec<String>,
+    first_day: i64,
+    seed: u64,
+}
+
+/// A flight of it, and what it left.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Lap {
+    /// Id of the mission.
+    pub mission: String,
+    /// The day of the flight, in days since 1970.
+    pub day: i64,
+    /// What varied it.
+    pub seed: u64,
+    /// 0 to 1000.
+    pub score: u16,
+    /// Whether the mission was passed.
+    pub passed: bool,
+    /// The medal, if one was won.
+    pub medal: Option<Medal>,
+    /// Parts that were bought afterwards, by id.
+    pub bought: Vec<String>,
+    /// Credits after that.
+    pub credits: u32,
+    /// The level.
+    pub level: u32,
+    /// How many drones may be flown at a time.
+    pub licence: u8,
+    /// How likely skills are there, on average, in percent.
+    pub mean_skill_percent: f64,
+}
+
+impl Playthrough {
+    /// A career on these missions, with a pilot for each; each flight has a seed of its own, counted from this one.
+    pub fn new(
+        pilots: impl IntoIterator<Item = (Mission, Script)>,
+        first_day: i64,
+        seed: u64,
+    ) -> Self {
+        let pilots: Vec<(Mission, Script)> = pilots.into_iter().collect();
+        let course = Course::new(pilots.iter().map(|(mission, _)| Offer::of(mission)));
+        let pilots = pilots.into_iter();
+        Self {
+            course,
+            pilots: pilots
+                .map(|(mission, script)| (mission.id.clone(), (Arc::new(mission), script)))
+                .collect(),
+            history: Vec::new(),
+            standing: Standing::default(),
+            flown: Vec::new(),
+            first_day,
+            seed,
+        }
+    }
+
+    /// Everything flown and bought so far.
+    pub fn history(&self) -> &[Entry] {
+        &self.history
+    }
+
+    /// Whether all missions are passed; drills need not be.
+    pub fn is_complete(&self) -> bool {
+        let mut missions = self.course.offers().iter();
+        missions.all(|offer| offer.drill_of.is_some() || self.standing.has_passed(&offer.id))
+    }
+
+    /// The next flight; `None` if nothing may be flown.
+    pub fn fly(&mut self) -> Option<Lap> {
+        let day = self.first_day + (self.flown.len() / FLIGHTS_A_DAY) as i64;
+        let id = self.choose(day)?;
+        let (mission, script) = self.pilots.get(&id)?.clone();
+        let seed = self.seed + self.flown.len() as u64;
+        let mut exercise = Exercise::new(Arc::clone(&mission), seed, script, Vec::new());
+        while !exercise.is_over() {
+            exercise.step();
+            exercise.take_notices();
+        }
+        let flight = Flight::of(&mission, &exercise.report(), Stake::Graded, day);
+        self.enter(Entry::Flight(flight.clone()));
+        self.flown.push(id.clone());
+        let bought = self.shop();
+        let progress = Progress::of(&self.course, &self.history, day);
+        Some(Lap {
+            mission: id,
+            day,
+            seed,
+            score: flight.score,
+            passed: flight.passed,
+            medal: flight.medal,
+            bought,
+            credits: progress.credits,
+            level: progress.level,
+            licence: progress.licence,
+            mean_skill_percent: progress.mean_skill_percent(),
+        })
+    }
+
+    /// What the campaign advises; else, or if that was flown just now, a mission that is open, then one with a medal to win.
+    fn choose(&self, day: i64) -> Option<String> {
+        let stage = |offer: &Offer| self.course.stage(offer, &self.standing, day);
+        let offers = || self.course.offers().iter();
+        let advised = self.course.next(&self.standing, day);
+        let advised = advised.map(|(_, offer)| offer);
+        let open = offers().filter(|offer| stage(offer) == Stage::Open);
+        let improvable = offers().filter(
+            |offer| matches!(stage(offer), Stage::Passed(medal) if medal < Some(Medal::Gold)),
+        );
+        let flown = self.flown.iter().rev().take(TIRED_FOR);
+        let is_fresh = |offer: &&Offer| !flown.clone().any(|id| *id == offer.id);
+        let mut wanted = advised.into_iter().chain(open).chain(improvable);
+        let mission = wanted.find(is_fresh).or(advised)?;
+        Some(mission.id.clone())
+    }
+
+    /// Buys what passed missions have put on sale, the cheapest first, as far as credits go.
+    fn shop(&mut self) -> Vec<String> {
+        let offers = self.course.offers().iter();
+        let passed = offers.filter(|offer| self.standing.has_passed(&offer.id));
+        let parts = passed.flat_map(|offer| &offer.parts);
+        let mut parts: Vec<_> = parts.filter_map(|id| part(id)).collect();
+        parts.sort_by_key(|part| part.credits);
+        let mut bought = Vec::new();
+        for part in parts {
+            let is_for_sale = matches!(
+                self.standing.part_state(part, &self.course),
+                PartState::ForSale(_)
+            );
+            let price = licence_price(part.credits);
+            if is_for_sale
+                && self.standing.credits() >= price + RESERVE_CREDITS
+                && let Ok(purchase) = self.standing.buy(part.id, &self.course)
+            {
+                self.enter(Entry::Purchase(purchase));
+                bought.push(part.id.to_owned());
+            }
+        }
+        bought
+    }
+
+    fn enter(&mut self, entry: Entry) {
+        self.standing.enter(&entry);
+        self.history.push(entry);
+    }
+}
+
+#[cfg(test)]
+mod tests;

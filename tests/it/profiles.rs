@@ -1,0 +1,320 @@
+//! Profiles on the command line, and what becomes of them when programs are killed, disks are full and files are damaged.
+
+mod kills;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use nix::unistd::Uid;
+use rusqlite::Connection;
+use serde_json::Value;
+
+use crate::terminal::program;
+
+/// A mission of two minutes that the reference pilot passes: nobody has to wait long for it.
+const SHORT: [&str; 4] = ["run", "d00-arm-and-hover", "--pilot", "d00-arm-and-hover"];
+
+/// The program with a data folder, as a command that is still to be run.
+fn command(data: &Path, arguments: &[&str]) -> Command {
+    let program = program();
+    let mut command = Command::new(&program[0]);
+    command
+        .args(&program[1..])
+        .args(arguments)
+        .arg("--data")
+        .arg(data)
+        .env("XDG_CONFIG_HOME", data.join("config"))
+        .env("XDG_STATE_HOME", data.join("state"))
+        .env("XDG_DATA_HOME", data.join("share"))
+        .env_remove("SORTIE_PROFILE")
+        .env("LC_ALL", "C.UTF-8")
+        .env("NO_COLOR", "1")
+        .stdin(Stdio::null());
+    command
+}
+
+fn sortie(data: &Path, arguments: &[&str]) -> Output {
+    command(data, arguments).output().expect("the program runs")
+}
+
+/// What a command prints that does well.
+fn said(data: &Path, arguments: &[&str]) -> String {
+    let output = sortie(data, arguments);
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {out}{err}");
+    out
+}
+
+/// What a command complains of that ends with a code.
+fn refused(data: &Path, arguments: &[&str], code: i32) -> String {
+    let output = sortie(data, arguments);
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert_eq!(
+        output.status.code(),
+        Some(code),
+        "{arguments:?}: {out}{err}"
+    );
+    err
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).expect("one document")
+}
+
+/// A data folder in which Anna trains.
+fn folder_of_anna() -> tempfile::TempDir {
+    let data = tempfile::tempdir().expect("a folder");
+    said(data.path(), &["profile", "create", "Anna"]);
+    data
+}
+
+/// How many flights of Anna's are stored.
+fn flights(data: &Path) -> u64 {
+    let shown = json(&said(data, &["profile", "show", "Anna", "--json"]));
+    shown["flights"].as_u64().expect("a number")
+}
+
+fn with<'a>(arguments: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
+    [arguments, more].concat()
+}
+
+#[test]
+fn a_run_for_a_profile_is_stored_and_tells_what_it_brought() {
+    let data = folder_of_anna();
+    let data = data.path();
+    let run = with(&SHORT, &["--profile", "anna"]);
+    let told = said(data, &run);
+    for line in ["Career", "credits", "experience +", "checks and arming"] {
+        assert!(told.contains(line), "{line} in {told}");
+    }
+    // A chosen layout is practice.
+    let practice = said(data, &with(&run, &["--seed", "1", "--json", "--no-timing"]));
+    let practice = json(&practice);
+    assert_eq!(practice["career"]["stake"], "practice");
+    assert_eq!(practice["career"]["experience"], 0);
+    assert_eq!(practice["career"]["stored"], true);
+    assert_eq!(
+        (practice["seed"].as_u64(), practice["attempt"].as_u64()),
+        (Some(1), Some(2))
+    );
+    let shown = json(&said(data, &["profile", "show", "--json"]));
+    let missions = shown["missions"].as_array().expect("a table");
+    let drill = missions.iter().find(|it| it["id"] == "d00-arm-and-hover");
+    let drill = drill.expect("it is one of the course");
+    assert_eq!(
+        (&drill["tries"], &drill["state"]),
+        (&Value::from(2), &Value::from("passed"))
+    );
+    let records = fs::read_dir(data.join("runs")).expect("recorded").count();
+    assert_eq!(records, 2);
+}
+
+#[test]
+fn what_may_not_be_flown_is_refused_with_the_reason() {
+    let data = folder_of_anna();
+    let data = data.path();
+    let of_anna = |mission, more: &[&str]| {
+        let run = ["run", mission, "--pilot", mission, "--profile", "Anna"];
+        refused(data, &[&run[..], more].concat(), 2)
+    };
+    let locked = of_anna("02-formation", &[]);
+    assert!(locked.contains("licence for 3 drones"), "{locked}");
+    let recorded = of_anna("00-first-flight", &["--record", "here"]);
+    assert!(recorded.contains("--record"), "{recorded}");
+    let unknown = refused(data, &with(&SHORT, &["--profile", "Borys"]), 2);
+    assert!(unknown.contains("there are: Anna"), "{unknown}");
+    let part = refused(data, &["profile", "buy", "s_gpr"], 1);
+    assert!(part.contains("pass"), "{part}");
+    assert_eq!(flights(data), 0);
+}
+
+#[test]
+fn a_profile_is_made_listed_exported_imported_bought_for_and_deleted() {
+    let data = folder_of_anna();
+    let data = data.path();
+    let twice = refused(data, &["profile", "create", "anna"], 2);
+    assert!(twice.contains("anna"), "{twice}");
+    let bought = said(data, &["profile", "buy", "r_rfd900", "--profile", "Anna"]);
+    assert!(bought.contains("credits left"), "{bought}");
+    let file = data.join("anna.json");
+    let file = file.to_str().expect("a path of ours");
+    said(data, &["profile", "export", "Anna", "--output", file]);
+    let exported = said(data, &["profile", "export", "Anna"]);
+    assert_eq!(exported, fs::read_to_string(file).expect("written"));
+    let taken = refused(data, &["profile", "import", file], 2);
+    assert!(taken.contains("Anna"), "{taken}");
+    said(data, &["profile", "import", file, "--name", "Olha"]);
+    let copy = said(data, &["profile", "export", "Olha"]);
+    assert_eq!(copy, exported.replacen("\"Anna\"", "\"Olha\"", 1));
+    let list = json(&said(data, &["profile", "list", "--json"]));
+    assert_eq!(list[0]["credits"], list[1]["credits"]);
+    let asked = refused(data, &["profile", "show"], 2);
+    assert!(asked.contains("Anna, Olha"), "{asked}");
+    let asked = refused(data, &["profile", "delete", "Olha"], 2);
+    assert!(asked.contains("--yes"), "{asked}");
+    said(data, &["profile", "delete", "Olha", "--yes"]);
+    let list = json(&said(data, &["profile", "list", "--json"]));
+    assert_eq!(list.as_array().map(Vec::len), Some(1));
+    fs::write(file, "{\"sortie_profile\": 1").expect("writable");
+    let broken = refused(data, &["profile", "import", file, "--name", "X"], 2);
+    assert!(broken.contains("anna.json"), "{broken}");
+}
+
+#[test]
+fn a_report_has_missions_skills_and_flights_in_every_format() {
+    let data = folder_of_anna();
+    let data = data.path();
+    said(data, &with(&SHORT, &["--profile", "Anna"]));
+    let markdown = said(data, &["report"]);
+    for part in [
+        "# Progress of Anna",
+        "## Missions",
+        "## Skills",
+        "## Flights",
+        "| d00-arm-and-hover |",
+    ] {
+        assert!(markdown.contains(part), "{part} in {markdown}");
+    }
+    let csv = said(data, &["report", "--format", "csv"]);
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 2, "{csv}");
+    assert_eq!(lines[0].split(',').count(), lines[1].split(',').count());
+    let skills = said(data, &["report", "--format", "csv", "--table", "skills"]);
+    assert_eq!(skills.lines().count(), 13, "{skills}");
+    let file = data.join("report.json");
+    let written = file.to_str().expect("a path of ours");
+    said(data, &["report", "--format", "json", "--output", written]);
+    let report = json(&fs::read_to_string(&file).expect("written"));
+    assert_eq!(report["profile"], "Anna");
+    assert_eq!(report["runs"][0]["flight"]["mission"], "d00-arm-and-hover");
+    let empty = tempfile::tempdir().expect("a folder");
+    let nobody = refused(empty.path(), &["report"], 2);
+    assert!(nobody.contains("sortie profile create"), "{nobody}");
+}
+
+#[test]
+fn two_programs_write_one_profile_at_the_same_time_and_nothing_is_lost() {
+    let data = folder_of_anna();
+    let data = data.path();
+    let run = with(&SHORT, &["--profile", "Anna", "--json"]);
+    let mut programs: Vec<_> = (0..3)
+        .map(|_| {
+            let mut command = command(data, &run);
+            command.stdout(Stdio::null()).stderr(Stdio::null());
+            command.spawn().expect("the program runs")
+        })
+        .collect();
+    for program in &mut programs {
+        assert!(program.wait().expect("it ends").success());
+    }
+    assert_eq!(flights(data), 3);
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named_and_nothing_is_flown() {
+    let file = tempfile::NamedTempFile::new().expect("a file");
+    let refusal = refused(file.path(), &with(&SHORT, &["--profile", "Anna"]), 1);
+    assert!(refusal.contains("profiles.sqlite"), "{refusal}");
+    // Permissions mean nothing to the superuser.
+    if !Uid::effective().is_root() {
+        use std::os::unix::fs::PermissionsExt as _;
+        let data = tempfile::tempdir().expect("a folder");
+        fs::set_permissions(data.path(), fs::Permissions::from_mode(0o500)).expect("ours");
+        let refusal = refused(data.path(), &["profile", "list"], 1);
+        assert!(refusal.contains("profiles.sqlite"), "{refusal}");
+    }
+}
+
+#[test]
+fn a_database_of_a_newer_version_is_left_as_it_is() {
+    let data = folder_of_anna();
+    let file = data.path().join("profiles.sqlite");
+    let database = Connection::open(&file).expect("it is one");
+    database
+        .execute_batch("PRAGMA user_version = 99")
+        .expect("writable");
+    drop(database);
+    let before = fs::read(&file).expect("readable");
+    let refusal = refused(data.path(), &["profile", "list"], 1);
+    assert!(refusal.contains("newer version"), "{refusal}");
+    assert_eq!(fs::read(&file).expect("readable"), before);
+}
+
+#[test]
+fn a_truncated_file_is_told_set_aside_and_restored_with_all_that_was_recorded() {
+    let data = folder_of_anna();
+    let data = data.path();
+    said(data, &with(&SHORT, &["--profile", "Anna"]));
+    said(data, &with(&SHORT, &["--profile", "Anna"]));
+    // The copy is that of the first flight; the second one is made up for from its record.
+    let copies =
+        ["backup", "backup-before"].map(|name| data.join(format!("profiles.sqlite.{name}")));
+    fs::rename(&copies[1], &copies[0]).expect("there are two");
+    let file = data.join("profiles.sqlite");
+    let whole = fs::read(&file).expect("readable");
+    for log in ["-wal", "-shm"] {
+        drop(fs::remove_file(data.join(format!("profiles.sqlite{log}"))));
+    }
+    fs::write(&file, &whole[..whole.len() / 2 + 100]).expect("writable");
+    let output = sortie(data, &["profile", "show", "Anna", "--json"]);
+    let told = text(&output.stderr);
+    assert!(
+        told.contains("damaged") && told.contains("restored"),
+        "{told}"
+    );
+    assert!(told.contains("had not been stored"), "{told}");
+    assert_eq!(json(&text(&output.stdout))["flights"], 2);
+    assert_eq!(flights(data), 2, "and only once");
+}
+
+#[test]
+fn what_a_hand_has_written_into_the_database_is_told() {
+    let data = folder_of_anna();
+    let data = data.path();
+    said(data, &with(&SHORT, &["--profile", "Anna"]));
+    let database = Connection::open(data.join("profiles.sqlite")).expect("it is one");
+    let edited = database.execute("UPDATE entries SET entry = '{\"credits\": 1000000}'", []);
+    assert_eq!(edited.expect("writable"), 1);
+    drop(database);
+    let refusal = refused(data, &["profile", "show", "Anna"], 1);
+    assert!(refusal.contains("did not write"), "{refusal}");
+}
+
+#[test]
+fn on_a_full_disk_the_score_is_said_and_the_flight_is_made_up_for() {
+    let data = folder_of_anna();
+    let data = data.path();
+    let run = command(data, &with(&SHORT, &["--profile", "Anna"]));
+    let quoted = std::iter::once(run.get_program())
+        .chain(run.get_args())
+        .map(|word| format!("'{}'", word.to_string_lossy()))
+        .collect::<Vec<_>>();
+    // No file grows beyond 40 blocks of 512 bytes: neither the database nor the record of a flight.
+    let script = format!("trap '' XFSZ; ulimit -f 40; exec {}", quoted.join(" "));
+    let output = Command::new("sh")
+        .args(["-c", &script])
+        .envs(
+            run.get_envs()
+                .filter_map(|(name, value)| Some((name, value?))),
+        )
+        .output()
+        .expect("a shell");
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert_eq!(output.status.code(), Some(1), "{out}{err}");
+    assert!(
+        out.contains("Career") && out.contains("experience +"),
+        "{out}"
+    );
+    assert!(
+        err.contains("not stored") || err.contains("not recorded"),
+        "{err}"
+    );
+    assert_eq!(flights(data), 0);
+    said(data, &with(&SHORT, &["--profile", "Anna"]));
+    assert_eq!(flights(data), 1, "the profile is as good as before");
+}
