@@ -44,6 +44,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
         Room::Mission => screen::mission::draw(state, look, body, buffer),
         Room::Debrief => screen::debrief::draw(state, look, body, buffer),
         Room::Standing => screen::standing::draw(state, look, body, buffer),
+        Room::Workshop => screen::workshop::draw(state, look, body, buffer),
     }
     widget::footer::draw(state, look, area, buffer);
     let cursor = match &state.overlay {

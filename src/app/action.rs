@@ -137,6 +137,44 @@ pub enum Action {
     RestartProcess,
     /// End the process under the cursor.
     StopProcess,
+    /// To the other list.
+    OtherPane,
+    /// Take out the part, the design or the choice under the cursor.
+    TakeOut,
+    /// Buy the right to use the part under the cursor.
+    BuyPart,
+    /// Take back the last change.
+    Undo,
+    /// Do again what was taken back.
+    Redo,
+    /// Begin a new design.
+    NewDesign,
+    /// Keep the design under a name.
+    SaveDesign,
+    /// Show all designs, or the bench again.
+    Designs,
+    /// Compare the design on the bench with another one.
+    CompareDesign,
+    /// Keep a copy of the design.
+    CopyDesign,
+    /// Give the design another name.
+    RenameDesign,
+    /// Write the design to a file.
+    ExportDesign,
+    /// Read a design from a file.
+    ImportDesign,
+    /// Show something else beside the lists.
+    NextView,
+    /// Build for the mission before.
+    MissionBefore,
+    /// Build for the mission after.
+    MissionAfter,
+    /// Show the seats of the mission's fleet, or the bench again.
+    Seats,
+    /// Choose the design for all seats.
+    AllSeats,
+    /// Fly the mission with the drones that were chosen.
+    FlyFleet,
     /// Leave the program.
     Quit,
 }
@@ -177,6 +215,7 @@ impl Action {
         ("mission", Self::Show(Room::Mission)),
         ("debrief", Self::Show(Room::Debrief)),
         ("standing", Self::Show(Room::Standing)),
+        ("workshop", Self::Show(Room::Workshop)),
         ("command-line", Self::CommandLine),
         ("help", Self::Help),
         ("look-back-notices", Self::Notices),
@@ -249,6 +288,25 @@ impl Action {
         ("own-vehicles", Self::OwnVehicles),
         ("restart-process", Self::RestartProcess),
         ("stop-process", Self::StopProcess),
+        ("other-pane", Self::OtherPane),
+        ("take-out", Self::TakeOut),
+        ("buy-part", Self::BuyPart),
+        ("undo", Self::Undo),
+        ("redo", Self::Redo),
+        ("new-design", Self::NewDesign),
+        ("save-design", Self::SaveDesign),
+        ("designs", Self::Designs),
+        ("compare-design", Self::CompareDesign),
+        ("copy-design", Self::CopyDesign),
+        ("rename-design", Self::RenameDesign),
+        ("export-design", Self::ExportDesign),
+        ("import-design", Self::ImportDesign),
+        ("next-view", Self::NextView),
+        ("mission-before", Self::MissionBefore),
+        ("mission-after", Self::MissionAfter),
+        ("seats", Self::Seats),
+        ("all-seats", Self::AllSeats),
+        ("fly-fleet", Self::FlyFleet),
         ("quit", Self::Quit),
     ];
 

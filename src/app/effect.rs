@@ -108,6 +108,20 @@ pub enum Effect {
     KeepDesign(Design),
     /// Remove the trainee's own design of this name.
     DropDesign(String),
+    /// Read a design file.
+    ReadDesign {
+        /// Its path, as it was written.
+        path: String,
+    },
+    /// Write a design file.
+    WriteDesign {
+        /// Its path, as it was written.
+        path: String,
+        /// What it shall say.
+        text: String,
+        /// Whether it may take the place of one that is there.
+        replace: bool,
+    },
     /// Start free flight with simulated vehicles.
     StartFree,
     /// Start free flight with vehicles that ArduPilot's SITL simulates.

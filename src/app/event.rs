@@ -72,6 +72,25 @@ pub enum Event {
         /// What would be written.
         text: String,
     },
+    /// A design file was read.
+    DesignRead {
+        /// Its path, as it was written.
+        path: String,
+        /// What it says.
+        text: String,
+    },
+    /// A design file was written.
+    DesignWritten {
+        /// Its path, as it was written.
+        path: String,
+    },
+    /// A design file was not written because there is one already.
+    DesignExists {
+        /// Its path, as it was written.
+        path: String,
+        /// What would be written.
+        text: String,
+    },
     /// Something to tell.
     Notice(Notice),
     /// So many notices were dropped so far because the console was busy.

@@ -19,6 +19,7 @@ pub mod mission;
 pub mod parameters;
 pub mod standing;
 pub mod vehicle;
+pub mod workshop;
 
 /// A room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -48,11 +49,13 @@ pub enum Room {
     Debrief,
     /// How far the trainee has come.
     Standing,
+    /// Where drones are built.
+    Workshop,
 }
 
 impl Room {
     /// Every room, in the order of the help.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Home,
         Self::Fly,
         Self::Vehicle,
@@ -65,6 +68,7 @@ impl Room {
         Self::Mission,
         Self::Debrief,
         Self::Standing,
+        Self::Workshop,
     ];
 
     /// The key that leads there from anywhere.
@@ -82,6 +86,7 @@ impl Room {
             Self::Mission => 'B',
             Self::Debrief => 'D',
             Self::Standing => 'T',
+            Self::Workshop => 'W',
         }
     }
 
@@ -100,6 +105,7 @@ impl Room {
             Self::Mission => "mission",
             Self::Debrief => "debrief",
             Self::Standing => "standing",
+            Self::Workshop => "workshop",
         }
     }
 
@@ -151,6 +157,8 @@ pub struct Rooms {
     pub debrief: Option<debrief::Debrief>,
     /// How far the trainee has come.
     pub standing: standing::Standing,
+    /// Where drones are built.
+    pub workshop: workshop::Workshop,
 }
 
 impl Rooms {
@@ -160,6 +168,7 @@ impl Rooms {
             home: std::mem::take(&mut self.home),
             standing: std::mem::take(&mut self.standing),
             map: self.map.for_next_session(),
+            workshop: std::mem::take(&mut self.workshop),
             ..Self::default()
         };
     }
@@ -180,6 +189,7 @@ pub fn keys(room: Room) -> &'static [Row] {
         Room::Mission => mission::KEYS,
         Room::Debrief => debrief::KEYS,
         Room::Standing => standing::KEYS,
+        Room::Workshop => workshop::KEYS,
     }
 }
 
@@ -198,6 +208,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Room::Mission => mission::act(state, action),
         Room::Debrief => debrief::act(state, action),
         Room::Standing => standing::act(state, action),
+        Room::Workshop => workshop::act(state, action),
     }
 }
 
@@ -219,6 +230,11 @@ pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<V
         }
         Purpose::SaveParameters => parameters::save(state, entered),
         Purpose::LoadParameters | Purpose::CompareParameters => parameters::load(state, entered),
+        Purpose::SaveDesign => workshop::saved_as(state, entered),
+        Purpose::CopyDesign(of) => workshop::copied(state, of, entered),
+        Purpose::RenameDesign(old) => workshop::renamed(state, old, entered),
+        Purpose::ExportDesign => workshop::exported(state, entered),
+        Purpose::ImportDesign => workshop::imported(entered),
     }
 }
 

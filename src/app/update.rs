@@ -2,7 +2,7 @@
 
 use super::effect::Effect;
 use super::event::Event;
-use super::room::parameters;
+use super::room::{parameters, workshop};
 use super::state::State;
 use crate::ledger::Entry;
 
@@ -30,6 +30,7 @@ pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
         state.hush();
     }
     effects.extend(telemetry::signals(state));
+    workshop::weigh(state);
     effects
 }
 
@@ -63,6 +64,9 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::ParametersRead { path, text } => parameters::read(state, path, &text),
         Event::ParametersSaved { path } => parameters::saved(state, &path),
         Event::ParametersExist { path, text } => parameters::exists(state, path, text),
+        Event::DesignRead { path, text } => return workshop::read(state, &path, &text),
+        Event::DesignWritten { path } => parameters::saved(state, &path),
+        Event::DesignExists { path, text } => workshop::exists(state, path, text),
         Event::Row(row) => {
             let ledger = &mut state.session.ledger;
             let was_over = ledger.entry(row.entry).is_none_or(Entry::is_final);
@@ -86,7 +90,10 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Mission(progress) => telemetry::progress(state, *progress),
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Profiles(names) => state.profiles = names,
-        Event::Career(career) => profiles::arrived(state, career.map(|career| *career)),
+        Event::Career(career) => {
+            profiles::arrived(state, career.map(|career| *career));
+            workshop::heard(state);
+        }
         Event::Tries(tries) => state.tries = tries,
         Event::Rewarded(reward) => state.reward = Some(*reward),
         Event::Failed(text) => telemetry::failed(state, text),

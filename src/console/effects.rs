@@ -32,7 +32,9 @@ impl Console {
             Effect::SetFps(fps) => return self.fps = Some(fps),
             Effect::FetchParameters(_)
             | Effect::ReadParameters { .. }
-            | Effect::SaveParameters { .. } => return self.parameters(effect),
+            | Effect::SaveParameters { .. }
+            | Effect::ReadDesign { .. }
+            | Effect::WriteDesign { .. } => return self.files(effect),
             Effect::AbandonMission => return self.abandon(),
             Effect::Inject(name) => return self.inject(&name),
             Effect::Pause => return self.pause(),

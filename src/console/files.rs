@@ -1,4 +1,4 @@
-//! Files that the console reads and writes for its user: parameters, and the history of the command line.
+//! Files that the console reads and writes for its user: parameters, designs, and the history of the command line.
 
 use super::Console;
 use crate::app::effect::Effect;
@@ -8,8 +8,8 @@ use crate::store::{self, Source, StoreError};
 use crate::text::Text;
 
 impl Console {
-    /// Asks for parameters, or reads or writes a file of them. What comes of it is never an effect.
-    pub(super) fn parameters(&mut self, effect: Effect) {
+    /// Asks for parameters, or reads or writes a file of them, or of a design. What comes of it is never an effect.
+    pub(super) fn files(&mut self, effect: Effect) {
         let event = match effect {
             Effect::FetchParameters(vehicles) => {
                 return self
@@ -30,6 +30,21 @@ impl Console {
             } => match store::write(&store::user_path(&path), &text, replace) {
                 Ok(()) => Event::ParametersSaved { path },
                 Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
+                Err(error) => Event::Failed(Text::from(&error)),
+            },
+            Effect::ReadDesign { path } => {
+                match store::read(&store::user_path(&path), "file-design") {
+                    Ok(Source { text, .. }) => Event::DesignRead { path, text },
+                    Err(error) => Event::Failed(Text::from(&error)),
+                }
+            }
+            Effect::WriteDesign {
+                path,
+                text,
+                replace,
+            } => match store::write(&store::user_path(&path), &text, replace) {
+                Ok(()) => Event::DesignWritten { path },
+                Err(StoreError::Exists { .. }) => Event::DesignExists { path, text },
                 Err(error) => Event::Failed(Text::from(&error)),
             },
             _ => return,

@@ -16,6 +16,7 @@ macro_rules! catalogue {
 catalogue! {
     "alerts",
     "basics",
+    "bench",
     "campaign",
     "career",
     "common",

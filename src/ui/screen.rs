@@ -13,3 +13,4 @@ pub mod parameters;
 pub mod small;
 pub mod standing;
 pub mod vehicle;
+pub mod workshop;

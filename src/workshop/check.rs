@@ -1,6 +1,6 @@
 //! What speaks against a design, and why.
 
-use super::design::{Design, Drive};
+use super::design::Design;
 use super::figures::{Air, Figures};
 use super::part::{Slot, Spec};
 use crate::text;
@@ -38,18 +38,22 @@ pub struct Finding {
 impl Design {
     /// Everything that speaks against it, faults first. A design without faults flies.
     pub fn findings(&self, air: Air) -> Vec<Finding> {
+        self.findings_with(self.figures(air).as_ref())
+    }
+
+    /// The same where its figures are known already.
+    pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<Finding> {
         let mut found = Found::default();
         for slot in Slot::ALL {
             if slot.is_required() && self.in_slot(slot).is_empty() {
                 found.fault(slot, text!("finding-missing", slot = slot.name()));
             }
         }
-        if let Some(drive) = self.drive() {
-            found.fits(&drive);
-            if let Some(figures) = self.figures(air) {
-                found.flies(&figures);
-                found.feeds(self, &figures);
-            }
+        found.turns(self);
+        found.bears(self);
+        if let Some(figures) = figures {
+            found.flies(figures);
+            found.feeds(self, figures);
         }
         found
             .0
@@ -85,47 +89,76 @@ impl Found {
         });
     }
 
-    /// Whether the parts go together at all.
-    fn fits(&mut self, drive: &Drive<'_>) {
-        let diameter = drive.propeller.diameter_in;
-        let clearance = drive.clearance_in();
+    /// Whether the propellers have the room to turn.
+    fn turns(&mut self, design: &Design) {
+        let (Some(Spec::Frame(frame)), Some(Spec::Propeller(propeller))) =
+            (design.spec(Slot::Frame), design.spec(Slot::Propeller))
+        else {
+            return;
+        };
+        let clearance = frame.clearance_in();
         // Both are stated in tenths of an inch.
-        if diameter > clearance + 0.05 {
+        if propeller.diameter_in > clearance + 0.05 {
             let text = text!(
                 "finding-propeller",
-                diameter = tenths(diameter),
+                diameter = tenths(propeller.diameter_in),
                 most = tenths(clearance)
             );
             self.fault(Slot::Propeller, text);
         }
-        let cells = drive.battery.cells;
-        let (fewest, most) = drive.motor.cells;
-        if !(fewest..=most).contains(&cells) {
+    }
+
+    /// Whether motors, speed controllers and battery go together; two of them are enough to tell.
+    fn bears(&mut self, design: &Design) {
+        let motor = match design.spec(Slot::Motor) {
+            Some(Spec::Motor(motor)) => Some(motor),
+            _ => None,
+        };
+        let esc = match design.spec(Slot::Esc) {
+            Some(Spec::Esc(esc)) => Some(esc),
+            _ => None,
+        };
+        if let (Some(motor), Some(cells)) = (motor, design.cells())
+            && !(motor.cells.0..=motor.cells.1).contains(&cells)
+        {
             let text = text!(
                 "finding-motor-cells",
                 cells = u32::from(cells),
-                fewest = u32::from(fewest),
-                most = u32::from(most)
+                fewest = u32::from(motor.cells.0),
+                most = u32::from(motor.cells.1)
             );
             self.fault(Slot::Battery, text);
         }
-        if cells > drive.esc.max_cells {
+        if let (Some(esc), Some(cells)) = (esc, design.cells())
+            && cells > esc.max_cells
+        {
             let text = text!(
                 "finding-esc-cells",
                 cells = u32::from(cells),
-                most = u32::from(drive.esc.max_cells)
+                most = u32::from(esc.max_cells)
             );
             self.fault(Slot::Esc, text);
         }
-        let wanted_a = ESC_ROOM * drive.motor.max_current_a;
-        if drive.esc.max_current_a < drive.motor.max_current_a {
+        if let (Some(motor), Some(esc)) = (motor, esc)
+            && esc.max_current_a < motor.max_current_a
+        {
             let text = text!(
                 "finding-esc-current",
-                current = tenths(drive.esc.max_current_a),
-                peak = tenths(drive.motor.max_current_a),
-                wanted = tenths(wanted_a)
+                current = tenths(esc.max_current_a),
+                peak = tenths(motor.max_current_a),
+                wanted = tenths(ESC_ROOM * motor.max_current_a)
             );
             self.warning(Slot::Esc, text);
+        }
+        if let (Some(Spec::Power(module)), Some(cells)) = (design.spec(Slot::Power), design.cells())
+            && cells > module.max_cells
+        {
+            let text = text!(
+                "finding-power-cells",
+                cells = u32::from(cells),
+                most = u32::from(module.max_cells)
+            );
+            self.fault(Slot::Power, text);
         }
     }
 
@@ -174,22 +207,11 @@ impl Found {
         }
     }
 
-    /// Whether the power module bears it.
+    /// Whether the power module bears the hover.
     fn feeds(&mut self, design: &Design, figures: &Figures) {
-        let Some(part) = design.in_slot(Slot::Power).first() else {
+        let Some(Spec::Power(module)) = design.spec(Slot::Power) else {
             return;
         };
-        let (Spec::Power(module), Some(drive)) = (&part.spec, design.drive()) else {
-            return;
-        };
-        if drive.battery.cells > module.max_cells {
-            let text = text!(
-                "finding-power-cells",
-                cells = u32::from(drive.battery.cells),
-                most = u32::from(module.max_cells)
-            );
-            self.fault(Slot::Power, text);
-        }
         if figures.hover_current_a > module.max_current_a {
             let text = text!(
                 "finding-power-current",

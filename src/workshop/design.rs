@@ -5,6 +5,7 @@ mod file;
 use std::collections::BTreeMap;
 
 use super::part::{Battery, Esc, Frame, Motor, Part, Propeller, Radio, Slot, Spec};
+use crate::text::Text;
 
 pub use file::DesignError;
 
@@ -45,6 +46,24 @@ impl Design {
             name: name.into(),
             slots: BTreeMap::new(),
         }
+    }
+
+    /// The same under another name.
+    ///
+    /// # Errors
+    /// It is no name: nothing, too long, or more than one line.
+    pub fn named(&self, name: &str) -> Result<Self, Text> {
+        let name = name.trim();
+        file::checked_name(name)?;
+        Ok(Self {
+            name: name.to_owned(),
+            slots: self.slots.clone(),
+        })
+    }
+
+    /// Whether nothing is built in.
+    pub fn is_empty(&self) -> bool {
+        self.slots.is_empty()
     }
 
     /// The parts in a slot.
@@ -138,6 +157,19 @@ impl Design {
         parts + OTHER_POWER_W
     }
 
+    /// What the first part of a slot is.
+    pub(super) fn spec(&self, slot: Slot) -> Option<&'static Spec> {
+        self.in_slot(slot).first().map(|part| &part.spec)
+    }
+
+    /// Cells of its battery in series.
+    pub(super) fn cells(&self) -> Option<u8> {
+        match self.spec(Slot::Battery)? {
+            Spec::Battery(battery) => Some(battery.cells),
+            _ => None,
+        }
+    }
+
     /// What its antenna gains beside that of its radio, in dBi: a relay on board brings a better one.
     pub fn antenna_gain_dbi(&self) -> f64 {
         if self.has(RELAY) { RELAY_DBI } else { 0.0 }
@@ -145,13 +177,12 @@ impl Design {
 
     /// Its drive, once it has a part in each of those slots.
     pub(super) fn drive(&self) -> Option<Drive<'static>> {
-        let spec = |slot| self.in_slot(slot).first().map(|part| &part.spec);
         match (
-            spec(Slot::Frame)?,
-            spec(Slot::Motor)?,
-            spec(Slot::Propeller)?,
-            spec(Slot::Esc)?,
-            spec(Slot::Battery)?,
+            self.spec(Slot::Frame)?,
+            self.spec(Slot::Motor)?,
+            self.spec(Slot::Propeller)?,
+            self.spec(Slot::Esc)?,
+            self.spec(Slot::Battery)?,
         ) {
             (
                 Spec::Frame(frame),
@@ -173,11 +204,9 @@ impl Design {
 
     /// Its radio.
     pub(super) fn radio(&self) -> Option<&'static Radio> {
-        self.in_slot(Slot::Radio)
-            .first()
-            .and_then(|part| match &part.spec {
-                Spec::Radio(radio) => Some(radio),
-                _ => None,
-            })
+        match self.spec(Slot::Radio)? {
+            Spec::Radio(radio) => Some(radio),
+            _ => None,
+        }
     }
 }

@@ -47,12 +47,6 @@ impl Drive<'_> {
         f64::from(self.frame.motors)
     }
 
-    /// The largest propellers that turn without touching each other, in inches (5 % apart), or that the frame allows.
-    pub fn clearance_in(&self) -> f64 {
-        let between_m = self.frame.wheelbase_m * (std::f64::consts::PI / self.motors()).sin();
-        (between_m / 1.05 / INCH_M).min(self.frame.largest_propeller_in)
-    }
-
     /// One motor giving a thrust in air of a density: the propeller's coefficients give speed and torque, the torque
     /// constant `30 / (pi Kv)` the current, resistance and back-EMF the voltage.
     pub fn turning(&self, thrust_n: f64, density: f64) -> Turning {

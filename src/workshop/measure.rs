@@ -152,18 +152,29 @@ impl Measure {
         .filter(|value| value.is_finite())
     }
 
+    /// A value without its unit.
+    pub fn figure(self, value: f64) -> String {
+        let decimals = self.decimals();
+        format!("{value:.decimals$}")
+    }
+
     /// A value with its unit.
     pub fn shown(self, value: f64) -> String {
+        with_unit(self.figure(value), self.unit())
+    }
+
+    /// A change with its sign, without its unit; `None` where it rounds to nothing.
+    pub fn difference(self, before: f64, after: f64) -> Option<String> {
         let decimals = self.decimals();
-        with_unit(format!("{value:.decimals$}"), self.unit())
+        let change = format!("{:+.decimals$}", after - before);
+        let is_nothing = change.chars().all(|c| !c.is_ascii_digit() || c == '0');
+        (!is_nothing).then_some(change)
     }
 
     /// A change with its sign and unit; `None` where it rounds to nothing.
     pub fn change(self, before: f64, after: f64) -> Option<String> {
-        let decimals = self.decimals();
-        let change = format!("{:+.decimals$}", after - before);
-        let is_nothing = change.chars().all(|c| !c.is_ascii_digit() || c == '0');
-        (!is_nothing).then(|| with_unit(change, self.unit()))
+        let change = self.difference(before, after)?;
+        Some(with_unit(change, self.unit()))
     }
 
     /// Whether a change is for the better; `None` where that depends, or nothing changes.

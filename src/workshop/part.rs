@@ -3,6 +3,8 @@
 use crate::text;
 use crate::text::Text;
 
+const INCH_M: f64 = 0.0254;
+
 /// A place of a drone that parts go into. The order is that of building.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Slot {
@@ -280,6 +282,14 @@ impl Part {
         } else {
             text!("part-propeller", size = size)
         }
+    }
+}
+
+impl Frame {
+    /// The largest propellers that turn without touching each other, in inches (5 % apart), or that the frame allows.
+    pub(super) fn clearance_in(&self) -> f64 {
+        let between_m = self.wheelbase_m * (std::f64::consts::PI / f64::from(self.motors)).sin();
+        (between_m / 1.05 / INCH_M).min(self.largest_propeller_in)
     }
 }
 

@@ -4,6 +4,8 @@ use std::process::Command;
 
 use crate::terminal::Terminal;
 
+mod workshop;
+
 /// Free flight from the home screen, with everybody ready to arm.
 fn free_flight(columns: u16, rows: u16) -> Terminal {
     let mut terminal = Terminal::start(&["fly", "--speedup", "5"], columns, rows);

@@ -22,6 +22,7 @@ mod mission;
 mod parameters;
 mod rooms;
 mod vehicle;
+mod workshop;
 
 const SIZES: [(u16, u16); 2] = [(80, 24), (200, 50)];
 

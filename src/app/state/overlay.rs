@@ -12,6 +12,7 @@ use crate::ledger::Risk;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::workshop::Design;
 
 /// An overlay. It takes the keys while it is there.
 #[derive(Debug, Clone)]
@@ -110,6 +111,8 @@ pub enum Consequence {
     Effect(Effect),
     /// Parameters are set one after the other.
     Parameters(Vec<Setting>),
+    /// A design takes the place of the one on the workshop's bench.
+    Design(Design),
 }
 
 /// A command with its targets, ready to go out.
@@ -192,6 +195,16 @@ pub enum Purpose {
     LoadParameters,
     /// The file or the vehicle that parameters are compared with.
     CompareParameters,
+    /// The name under which the workshop's design is kept.
+    SaveDesign,
+    /// The name of a copy of the design of this name.
+    CopyDesign(String),
+    /// Another name for the design of this name.
+    RenameDesign(String),
+    /// The file that a design is written to.
+    ExportDesign,
+    /// The file that a design is read from.
+    ImportDesign,
 }
 
 impl Purpose {

@@ -47,6 +47,7 @@ pub fn show(state: &mut State, room: Room) {
     match room {
         Room::Ledger => room::ledger::entered(state),
         Room::Hangar => room::hangar::entered(state),
+        Room::Workshop => room::workshop::entered(state),
         _ => {}
     }
 }
@@ -63,6 +64,11 @@ pub fn brief(state: &mut State) {
 
 /// Leaves the program; asks first where something would be lost.
 pub fn quit(state: &mut State) -> Vec<Effect> {
+    if loss(state).is_none() && !room::workshop::is_saved(state) {
+        let name = state.rooms.workshop.bench.design().name.clone();
+        let reason = text!("bench-ask-quit-reason", name = name);
+        return ask(state, text!("ask-quit"), reason, Effect::Quit);
+    }
     guarded(state, text!("ask-quit"), Effect::Quit)
 }
 

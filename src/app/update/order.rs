@@ -3,7 +3,7 @@
 use super::act;
 use crate::app::effect::Effect;
 use crate::app::lines;
-use crate::app::room::parameters;
+use crate::app::room::{parameters, workshop};
 use crate::app::state::{Asked, Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::commands::Deed;
 use crate::diagnostic::Diagnostic;
@@ -100,6 +100,10 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
             return vec![effect];
         }
         Consequence::Parameters(settings) => return parameters::begin(state, settings),
+        Consequence::Design(design) => {
+            workshop::lay(state, design);
+            return Vec::new();
+        }
     };
     let now = state.now;
     let given = Given {

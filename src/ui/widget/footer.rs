@@ -4,9 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::room::workshop::Page;
 use crate::app::state::{Room, State};
 use crate::ui::look::Look;
-use crate::ui::screen::{hangar, links, messages, parameters};
+use crate::ui::screen::{hangar, links, messages, parameters, workshop};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role};
 
@@ -17,6 +18,7 @@ const HOME: &[(&str, &str)] = &[
     ("?", "hint-help"),
     ("u", "hint-trainee"),
     ("T", "room-standing"),
+    ("W", "room-workshop"),
     ("q", "hint-quit"),
 ];
 const STANDING: &[(&str, &str)] = &[
@@ -96,6 +98,7 @@ const BRIEF: &[(&str, &str)] = &[
     ("?", "hint-help"),
     ("j k", "hint-scroll"),
     ("Enter", "hint-fly"),
+    ("W", "room-workshop"),
     ("Esc", "hint-back"),
 ];
 const MISSION: &[(&str, &str)] = &[
@@ -193,6 +196,12 @@ fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
             parameters::COMPARISON_HINTS
         }
         Room::Parameters => parameters::HINTS,
+        Room::Workshop => match state.rooms.workshop.page {
+            Page::Bench => workshop::HINTS,
+            Page::Designs => workshop::SHELF_HINTS,
+            Page::Compare => workshop::COMPARISON_HINTS,
+            Page::Fleet => workshop::FLEET_HINTS,
+        },
         Room::Mission if state.session.activity.is_none() => BRIEF,
         Room::Mission => MISSION,
         Room::Fly if state.flown_mission().is_some() => FLY_MISSION,

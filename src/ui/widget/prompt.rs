@@ -85,6 +85,11 @@ fn title(purpose: &Purpose, look: &Look) -> String {
         Purpose::SaveParameters => look.say("prompt-save-parameters"),
         Purpose::LoadParameters => look.say("prompt-load-parameters"),
         Purpose::CompareParameters => look.say("prompt-compare-parameters"),
+        Purpose::SaveDesign => look.say("prompt-save-design"),
+        Purpose::CopyDesign(of) => look.text(&text!("prompt-copy-design", name = of)),
+        Purpose::RenameDesign(old) => look.text(&text!("prompt-rename-design", name = old)),
+        Purpose::ExportDesign => look.say("prompt-export-design"),
+        Purpose::ImportDesign => look.say("prompt-import-design"),
     }
 }
 
@@ -99,6 +104,11 @@ fn advice(purpose: &Purpose) -> &'static str {
         Purpose::SaveParameters => "prompt-save-advice",
         Purpose::LoadParameters => "prompt-load-advice",
         Purpose::CompareParameters => "prompt-compare-advice",
+        Purpose::SaveDesign | Purpose::CopyDesign(_) | Purpose::RenameDesign(_) => {
+            "prompt-design-advice"
+        }
+        Purpose::ExportDesign => "prompt-save-advice",
+        Purpose::ImportDesign => "prompt-import-advice",
     }
 }
 

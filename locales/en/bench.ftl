@@ -1,0 +1,123 @@
+# The room of the workshop: the bench, designs, comparison, the seats of a fleet.
+room-workshop = workshop
+action-workshop = where drones are built
+action-other-pane = to the other list
+action-take-out = take out the part, the design, the choice
+action-buy-part = buy the right to use the part
+action-undo = take back the last change
+action-redo = do again what was taken back
+action-new-design = begin a new design
+action-save-design = keep the design under a name
+action-designs = all designs, or the bench again
+action-compare-design = compare with another design
+action-copy-design = keep a copy of the design
+action-rename-design = give the design another name
+action-export-design = write the design to a file
+action-import-design = read a design from a file
+action-next-view = figures, power, payload, the mission
+action-mission-before = build for the mission before
+action-mission-after = build for the mission after
+action-seats = the seats of the fleet, or the bench again
+action-all-seats = choose the design for all seats
+action-fly-fleet = fly the mission with these drones
+
+bench-hint-lists = lists
+bench-hint-put-in = put in
+bench-hint-take-out = take out
+bench-hint-undo = undo
+bench-hint-save = save
+bench-hint-designs = designs
+bench-hint-view = view
+bench-hint-fleet = fleet
+bench-hint-buy = buy
+bench-hint-compare = compare
+bench-hint-new = new
+bench-hint-mission = mission
+bench-hint-files = files
+bench-hint-open = onto the bench
+bench-hint-copy = copy
+bench-hint-rename = rename
+bench-hint-delete = delete
+bench-hint-other = another one
+bench-hint-assign = this design for the seat
+bench-hint-all = for all seats
+bench-hint-lend = lent ones again
+bench-hint-fly = fly
+
+bench-not-saved = not saved
+bench-new-name = New drone
+bench-none-yet = none yet
+bench-missing = still missing: { $slots }
+bench-add-payload = add ...
+bench-locked = locked
+bench-part = { $name }: { $mass } g, { $price } cr a piece
+bench-misfit = does not fit: { $reason }
+bench-for-sale = not yours yet: b buys the right to use it for { $price } cr
+bench-locked-by = on sale once "{ $mission }" is passed
+bench-on-board = { $count ->
+    [one] on board
+   *[other] { $count } on board
+}
+bench-radio = reach by link budget: 20 dB of fade margin, at 50 m of height
+bench-part-for-sale = { $part }: not yours yet, b buys it for { $price } cr
+bench-part-locked = { $part }: on sale once "{ $mission }" is passed
+bench-figures-change = with this part (▲ better, ▼ worse)
+bench-payload = hover time by payload
+bench-payload-about = to a thrust of 1.3 times the weight; { $spare } kg more leave 1.8 times
+bench-polar-about = longest in the air at { $longest } m/s, farthest at { $farthest } m/s
+bench-no-curve = frame, motors, propellers, speed controllers and a battery make a curve
+
+bench-no-mission = no mission chosen
+bench-choose-mission = [ and ] choose a mission to build for.
+bench-mission-flown = the mission is being flown
+bench-seats = { $count ->
+    [one] { $count } drone
+   *[other] { $count } drones
+}
+bench-budget = the fleet costs { $cost } of { $budget } cr
+bench-no-budget = the fleet costs { $cost } cr; there is no limit
+bench-fleet = the fleet for "{ $mission }"
+bench-fleet-about = on the bench: { $name }
+bench-lent = lent by the mission
+bench-seat-taken = seat { $seat }: { $name }
+bench-seats-taken = all seats: { $name }
+bench-seats-lent = the mission lends its drones again
+bench-does-not-fly = it does not fly: { $reason }
+bench-lacks-licence = { $part } is not yours yet: buy the right to use it first
+bench-over-budget = the fleet costs { $cost } cr, the budget is { $budget } cr
+
+bench-designs = designs
+bench-no-designs = no designs yet
+bench-own = yours
+bench-stock = sortie's
+bench-not-own = it is one of sortie's: copy it to change it
+bench-comparison = from another design to the one on the bench (▲ better, ▼ worse)
+bench-compared = design
+bench-differs = differs
+bench-choose-compared = choose a design and press d to compare
+
+bench-no-more = nothing to add: it is there already, or the slot is full
+bench-not-on-board = it is not on board
+bench-nothing-to-undo = nothing to take back
+bench-nothing-to-redo = nothing to do again
+bench-nobody-buys = without a profile every part is free to try
+bench-nobody-saves = designs are kept in a profile, and there is none: e writes the design to a file
+bench-saved = kept: { $name }
+bench-name-taken = there is a design { $name } already
+bench-ask-buy = buy the right to use { $part } for { $price } cr
+bench-ask-buy-reason = you have { $credits } cr, { $left } cr are left then
+bench-ask-replace = replace { $name } on the bench
+bench-ask-replace-reason = its changes are not saved (u brings it back)
+bench-ask-overwrite = replace your design { $name }
+bench-ask-overwrite-reason = there is another one of this name
+bench-ask-delete = delete your design { $name }
+bench-ask-delete-reason = what lies on the bench stays there
+bench-ask-quit-reason = { $name } on the bench is not saved
+
+prompt-save-design = keep the design as
+prompt-copy-design = keep a copy of { $name } as
+prompt-rename-design = another name for { $name }
+prompt-export-design = write the design to the file
+prompt-import-design = read a design from the file
+prompt-design-advice = a name of your own; it appears in the list of designs
+prompt-import-advice = a path to a design file (TOML); ~/ is your home folder

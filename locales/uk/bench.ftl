@@ -1,0 +1,124 @@
+# Кімната майстерні: верстак, проєкти, порівняння, місця флоту.
+room-workshop = майстерня
+action-workshop = де складають дрони
+action-other-pane = до іншого списку
+action-take-out = вийняти деталь, проєкт, вибір
+action-buy-part = купити право на деталь
+action-undo = скасувати останню зміну
+action-redo = повторити скасоване
+action-new-design = почати новий проєкт
+action-save-design = зберегти проєкт під назвою
+action-designs = усі проєкти або знову верстак
+action-compare-design = порівняти з іншим проєктом
+action-copy-design = зберегти копію проєкту
+action-rename-design = дати проєкту іншу назву
+action-export-design = записати проєкт у файл
+action-import-design = прочитати проєкт із файлу
+action-next-view = показники, потужність, вантаж, завдання
+action-mission-before = складати для попереднього завдання
+action-mission-after = складати для наступного завдання
+action-seats = місця флоту або знову верстак
+action-all-seats = обрати проєкт для всіх місць
+action-fly-fleet = летіти завдання цими дронами
+
+bench-hint-lists = списки
+bench-hint-put-in = вставити
+bench-hint-take-out = вийняти
+bench-hint-undo = скасувати
+bench-hint-save = зберегти
+bench-hint-designs = проєкти
+bench-hint-view = вигляд
+bench-hint-fleet = флот
+bench-hint-buy = купити
+bench-hint-compare = порівняти
+bench-hint-new = новий
+bench-hint-mission = завдання
+bench-hint-files = файли
+bench-hint-open = на верстак
+bench-hint-copy = копія
+bench-hint-rename = назва
+bench-hint-delete = видалити
+bench-hint-other = інший
+bench-hint-assign = цей проєкт на місце
+bench-hint-all = на всі місця
+bench-hint-lend = знову позичені
+bench-hint-fly = летіти
+
+bench-not-saved = не збережено
+bench-new-name = Новий дрон
+bench-none-yet = ще немає
+bench-missing = ще бракує: { $slots }
+bench-add-payload = додати ...
+bench-locked = закрито
+bench-part = { $name }: { $mass } g, { $price } cr за штуку
+bench-misfit = не підходить: { $reason }
+bench-for-sale = ще не ваше: b купує право на деталь за { $price } cr
+bench-locked-by = продається після завдання «{ $mission }»
+bench-on-board = { $count ->
+    [one] на борту
+   *[other] на борту { $count }
+}
+bench-radio = дальність за енергетичним бюджетом: запас на завмирання 20 dB, висота 50 m
+bench-part-for-sale = { $part }: ще не ваше, b купує за { $price } cr
+bench-part-locked = { $part }: продається після завдання «{ $mission }»
+bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
+bench-payload = час зависання за вантажем
+bench-payload-about = до тяги 1.3 ваги; ще { $spare } kg лишають 1.8 ваги
+bench-polar-about = найдовше в повітрі за { $longest } m/s, найдалі за { $farthest } m/s
+bench-no-curve = крива буде, коли є рама, мотори, пропелери, регулятори й акумулятор
+
+bench-no-mission = завдання не обрано
+bench-choose-mission = [ і ] обирають завдання, для якого складати.
+bench-mission-flown = завдання вже летить
+bench-seats = { $count ->
+    [one] { $count } дрон
+    [few] { $count } дрони
+   *[many] { $count } дронів
+}
+bench-budget = флот коштує { $cost } з { $budget } cr
+bench-no-budget = флот коштує { $cost } cr; обмеження немає
+bench-fleet = флот для «{ $mission }»
+bench-fleet-about = на верстаку: { $name }
+bench-lent = позичає завдання
+bench-seat-taken = місце { $seat }: { $name }
+bench-seats-taken = усі місця: { $name }
+bench-seats-lent = завдання знову позичає свої дрони
+bench-does-not-fly = не літає: { $reason }
+bench-lacks-licence = { $part } ще не ваше: спершу купіть право на деталь
+bench-over-budget = флот коштує { $cost } cr, бюджет { $budget } cr
+
+bench-designs = проєкти
+bench-no-designs = проєктів ще немає
+bench-own = ваш
+bench-stock = від sortie
+bench-not-own = це проєкт від sortie: скопіюйте, щоб змінити
+bench-comparison = від іншого проєкту до того, що на верстаку (▲ краще, ▼ гірше)
+bench-compared = проєкт
+bench-differs = інакше
+bench-choose-compared = оберіть проєкт і натисніть d, щоб порівняти
+
+bench-no-more = нема чого додати: вже на борту, або місце повне
+bench-not-on-board = цього немає на борту
+bench-nothing-to-undo = нема чого скасувати
+bench-nothing-to-redo = нема чого повторити
+bench-nobody-buys = без профілю можна пробувати кожну деталь
+bench-nobody-saves = проєкти зберігає профіль, а його немає: e записує проєкт у файл
+bench-saved = збережено: { $name }
+bench-name-taken = проєкт { $name } уже є
+bench-ask-buy = купити право на { $part } за { $price } cr
+bench-ask-buy-reason = у вас { $credits } cr, лишиться { $left } cr
+bench-ask-replace = замінити { $name } на верстаку
+bench-ask-replace-reason = зміни не збережено (u повертає його)
+bench-ask-overwrite = замінити ваш проєкт { $name }
+bench-ask-overwrite-reason = є інший із такою назвою
+bench-ask-delete = видалити ваш проєкт { $name }
+bench-ask-delete-reason = те, що на верстаку, лишається там
+bench-ask-quit-reason = { $name } на верстаку не збережено
+
+prompt-save-design = зберегти проєкт як
+prompt-copy-design = зберегти копію { $name } як
+prompt-rename-design = інша назва для { $name }
+prompt-export-design = записати проєкт у файл
+prompt-import-design = прочитати проєкт із файлу
+prompt-design-advice = ваша назва; з'явиться у списку проєктів
+prompt-import-advice = шлях до файлу проєкту; ~/ — домашня тека

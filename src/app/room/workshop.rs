@@ -1,0 +1,321 @@
+//! The workshop: a drone on the bench, the parts that could go into it and what each would change; the designs that
+//! there are; two designs side by side; and the seats of a mission's fleet.
+//!
+//! Everything may be tried on the bench. What a career does not own yet has to be bought before it flies. What lies on
+//! the bench stays there when the room is left; what was changed is only replaced after a question, and even then it
+//! can be brought back.
+
+use crossterm::event::KeyCode;
+
+use crate::app::action::{Action, Step};
+use crate::app::effect::Effect;
+use crate::app::keymap::{ENTER, ESCAPE, Press, Row, does, key};
+use crate::app::room::Room;
+use crate::app::room::home::{self, HomeItem};
+use crate::app::state::State;
+use crate::app::update::act::show;
+use crate::campaign::STARTER_PARTS;
+use crate::mission::Listing;
+use crate::text;
+use crate::vehicle::Severity;
+use crate::workshop::{Air, Design, Part, Sheet};
+
+mod bench;
+mod files;
+mod fit;
+mod fleet;
+mod licence;
+mod shelf;
+#[cfg(test)]
+mod tests;
+
+pub use bench::{Bench, Candidate, SlotRow, rows};
+pub use files::{copied, exists, exported, imported, read, renamed, saved_as};
+pub use fit::{Fit, Stand, weigh};
+pub use fleet::{Seat, bill, seats};
+pub use licence::{Licence, lacking, licence};
+pub use shelf::{Stored, heard, is_saved, lay, stored};
+
+/// What the room remembers.
+#[derive(Debug, Clone, Default)]
+pub struct Workshop {
+    /// What lies on the bench.
+    pub bench: Bench,
+    /// What is shown.
+    pub page: Page,
+    /// Which list of the bench has the cursor.
+    pub pane: Pane,
+    /// What is shown beside the lists.
+    pub view: View,
+    /// The line under the cursor of the list of designs.
+    pub shelf: usize,
+    /// The seat under the cursor.
+    pub seat: usize,
+    /// The first line of the comparison.
+    pub scroll: usize,
+    /// What the bench is compared with.
+    pub compared: Option<(Design, Sheet)>,
+    /// How the bench stands to what the mission needs.
+    pub fit: Option<Fit>,
+}
+
+/// What is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Page {
+    /// The bench.
+    #[default]
+    Bench,
+    /// All designs.
+    Designs,
+    /// Another design beside the one on the bench.
+    Compare,
+    /// The seats of a mission's fleet.
+    Fleet,
+}
+
+/// A list of the bench.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pane {
+    /// What is built in.
+    #[default]
+    Slots,
+    /// What could be.
+    Parts,
+}
+
+/// What is shown beside the lists.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum View {
+    /// Figures, and what speaks against the design.
+    #[default]
+    Figures,
+    /// Power by speed.
+    Polar,
+    /// Hover time by payload.
+    Payload,
+    /// What the mission needs, and what the design has.
+    Mission,
+}
+
+impl View {
+    fn next(self) -> Self {
+        match self {
+            Self::Figures => Self::Polar,
+            Self::Polar => Self::Payload,
+            Self::Payload => Self::Mission,
+            Self::Mission => Self::Figures,
+        }
+    }
+}
+
+/// Its keys.
+pub const KEYS: &[Row] = &[
+    does(ENTER, Action::Submit),
+    does(ESCAPE, Action::Escape),
+    does(Press::Plain(KeyCode::Tab), Action::OtherPane),
+    does(Press::Plain(KeyCode::Right), Action::OtherPane),
+    does(Press::Plain(KeyCode::Left), Action::OtherPane),
+    does(key('x'), Action::TakeOut),
+    does(Press::Plain(KeyCode::Delete), Action::TakeOut),
+    does(key('b'), Action::BuyPart),
+    does(key('u'), Action::Undo),
+    does(Press::Control('r'), Action::Redo),
+    does(key('n'), Action::NewDesign),
+    does(key('s'), Action::SaveDesign),
+    does(key('o'), Action::Designs),
+    does(key('d'), Action::CompareDesign),
+    does(key('y'), Action::CopyDesign),
+    does(key('r'), Action::RenameDesign),
+    does(key('e'), Action::ExportDesign),
+    does(key('i'), Action::ImportDesign),
+    does(key('v'), Action::NextView),
+    does(key('['), Action::MissionBefore),
+    does(key(']'), Action::MissionAfter),
+    does(key('f'), Action::Seats),
+    does(key('*'), Action::AllSeats),
+    does(key('g'), Action::FlyFleet),
+];
+
+/// The air that figures are stated for.
+pub fn air() -> Air {
+    Air::default()
+}
+
+/// The mission that is built for: the one that is flown, else the one under the cursor of the home screen.
+pub fn mission(state: &State) -> Option<&Listing> {
+    super::mission::shown(state)
+}
+
+/// The room is entered: there is always something to work on.
+pub fn entered(state: &mut State) {
+    if state.rooms.workshop.bench.is_untouched() {
+        let own = state.career.as_ref().and_then(|it| it.designs.first());
+        let is_simple = |design: &&Design| {
+            let mut parts = design.pieces();
+            parts.all(|(part, _)| STARTER_PARTS.contains(&part.id))
+        };
+        let first = own.or_else(|| state.stock.iter().find(is_simple));
+        if let Some(design) = first.cloned() {
+            let origin = own.map(|own| own.name.clone());
+            state.rooms.workshop.bench.open(design, origin, air());
+            return;
+        }
+    }
+    state.rooms.workshop.bench.renew(air());
+}
+
+/// What its actions do.
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let page = state.rooms.workshop.page;
+    let own = match page {
+        Page::Bench => on_bench(state, action),
+        Page::Designs => shelf::act(state, action),
+        Page::Compare => on_comparison(state, action),
+        Page::Fleet => fleet::act(state, action),
+    };
+    own.or_else(|| anywhere(state, action))
+}
+
+/// What actions do on every page that gives them no meaning of its own.
+fn anywhere(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Designs => turn(state, Page::Designs),
+        Action::Seats => turn(state, Page::Fleet),
+        Action::NewDesign => return Some(shelf::begin(state)),
+        Action::SaveDesign => files::ask_save(state),
+        Action::ExportDesign => files::ask_export(state),
+        Action::ImportDesign => files::ask_import(state),
+        Action::CompareDesign => shelf::compare_or_choose(state),
+        Action::MissionBefore => other_mission(state, Step::Up),
+        Action::MissionAfter => other_mission(state, Step::Down),
+        Action::FlyFleet => return Some(fleet::fly(state)),
+        Action::Escape => escape(state),
+        // What another page knows.
+        Action::OtherPane
+        | Action::TakeOut
+        | Action::BuyPart
+        | Action::Undo
+        | Action::Redo
+        | Action::CopyDesign
+        | Action::RenameDesign
+        | Action::NextView
+        | Action::AllSeats => {}
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+/// Shows a page, or the bench again.
+fn turn(state: &mut State, page: Page) {
+    let room = &mut state.rooms.workshop;
+    room.page = if room.page == page { Page::Bench } else { page };
+}
+
+fn on_bench(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let room = &mut state.rooms.workshop;
+    match (action, room.pane) {
+        (Action::Move(step), Pane::Slots) => room.bench.move_row(step, air()),
+        (Action::Move(step), Pane::Parts) => room.bench.move_part(step),
+        (Action::Submit, Pane::Slots) | (Action::OtherPane, Pane::Slots) => room.pane = Pane::Parts,
+        (Action::OtherPane | Action::Escape, Pane::Parts) => room.pane = Pane::Slots,
+        (Action::Submit, Pane::Parts) => put_in(state),
+        (Action::TakeOut, _) => take_out(state),
+        (Action::BuyPart, _) => return Some(licence::buy(state)),
+        (Action::Undo, _) if room.bench.undo(air()) => {}
+        (Action::Redo, _) if room.bench.redo(air()) => {}
+        (Action::Undo, _) => state.say(Severity::Notice, text!("bench-nothing-to-undo")),
+        (Action::Redo, _) => state.say(Severity::Notice, text!("bench-nothing-to-redo")),
+        (Action::NextView, _) => next_view(state),
+        (Action::CopyDesign, _) => files::ask_copy(state, None),
+        (Action::RenameDesign, _) => files::ask_rename(state, None),
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+fn on_comparison(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let Action::Move(step) = action else {
+        return None;
+    };
+    let room = &mut state.rooms.workshop;
+    let most = crate::workshop::Measure::ALL.len() + 2 * crate::workshop::Slot::ALL.len();
+    room.scroll = step.apply(room.scroll, most);
+    Some(Vec::new())
+}
+
+/// The part that a deed of the bench is about: the one under the cursor.
+fn part_under_cursor(state: &State) -> Option<&'static Part> {
+    let room = &state.rooms.workshop;
+    match room.pane {
+        Pane::Slots => room.bench.rows().get(room.bench.row())?.part,
+        Pane::Parts => room.bench.candidate().map(|candidate| candidate.part),
+    }
+}
+
+fn put_in(state: &mut State) {
+    let room = &mut state.rooms.workshop;
+    let misfit = room.bench.candidate().and_then(|it| it.misfit.clone());
+    let slot = room.bench.slot();
+    let was_empty = room.bench.design().in_slot(slot).is_empty();
+    if !room.bench.put_in(air()) {
+        return state.say(Severity::Notice, text!("bench-no-more"));
+    }
+    // What was missing is settled, and a slot with room for one; of others, more may be wanted.
+    if slot.room() == 1 || (was_empty && slot.is_required()) {
+        room.pane = Pane::Slots;
+        if was_empty {
+            room.bench.move_to_empty(air());
+        }
+    }
+    if let Some(reason) = misfit {
+        state.say(Severity::Warning, reason);
+    }
+}
+
+fn take_out(state: &mut State) {
+    let part = part_under_cursor(state);
+    let is_out = part.is_some_and(|part| state.rooms.workshop.bench.take_out(part, air()));
+    if !is_out {
+        state.say(Severity::Notice, text!("bench-not-on-board"));
+    }
+}
+
+/// Goes on to the next view; on a wide screen figures and mission are always there.
+fn next_view(state: &mut State) {
+    let room = &mut state.rooms.workshop;
+    room.view = if state.size.0 < WIDE {
+        room.view.next()
+    } else if room.view == View::Payload {
+        View::Polar
+    } else {
+        View::Payload
+    };
+}
+
+/// From this width on everything is shown at a time.
+pub const WIDE: u16 = 150;
+
+/// Builds for the mission before or after.
+fn other_mission(state: &mut State, step: Step) {
+    if state.session.activity.is_some() {
+        return state.say(Severity::Notice, text!("bench-mission-flown"));
+    }
+    let items = home::items(state);
+    let is_mission = |item: &&HomeItem| matches!(item, HomeItem::Mission(_));
+    let missions = items.iter().filter(is_mission).count();
+    let at = state.rooms.home.cursor.min(missions.saturating_sub(1));
+    state.rooms.home.cursor = step.apply(at, missions);
+    state.rooms.mission.scroll = 0;
+}
+
+/// Back to the bench; from there to where the room was entered from.
+fn escape(state: &mut State) {
+    state.hush();
+    if state.rooms.workshop.page != Page::Bench {
+        state.rooms.workshop.page = Page::Bench;
+    } else if state.session.activity.is_some() {
+        show(state, Room::Fly);
+    } else {
+        show(state, Room::Home);
+    }
+}

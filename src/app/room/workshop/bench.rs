@@ -1,0 +1,345 @@
+//! What lies on the bench: a design, everything that follows from it, and what each part for a slot would change.
+//! Figures take a moment to compute, so they are kept until the design or the slot changes; drawing computes nothing.
+
+use crate::app::action::Step;
+use crate::text::Text;
+use crate::workshop::{Air, Design, Finding, Part, Severity, Sheet, Slot, parts_for};
+
+/// Changes that can be taken back.
+const MOST_UNDONE: usize = 200;
+
+/// A design at work.
+#[derive(Debug, Clone)]
+pub struct Bench {
+    design: Design,
+    origin: Option<String>,
+    done: Vec<Kept>,
+    undone: Vec<Kept>,
+    row: usize,
+    part: Option<&'static str>,
+    sheet: Sheet,
+    findings: Vec<Finding>,
+    polar: Vec<(f64, f64)>,
+    endurance: Vec<(f64, f64)>,
+    candidates: Vec<Candidate>,
+}
+
+/// A design as it was, with the name under which it is kept.
+type Kept = (Design, Option<String>);
+
+/// A line of the list of slots: parts of one kind in one slot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlotRow {
+    /// The slot.
+    pub slot: Slot,
+    /// What is in it; `None` where something could be added.
+    pub part: Option<&'static Part>,
+    /// How many of it the slot holds.
+    pub count: usize,
+}
+
+/// A part that could go into the slot under the cursor.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// The part.
+    pub part: &'static Part,
+    /// How many of it the slot holds already.
+    pub on_board: usize,
+    /// What the design would be with it; that of the design itself where nothing would change.
+    pub sheet: Sheet,
+    /// Why it does not fit: the fault that the design would have in this slot, or the one elsewhere that it does not
+    /// have now.
+    pub misfit: Option<Text>,
+}
+
+impl Default for Bench {
+    fn default() -> Self {
+        let design = Design::default();
+        Self {
+            sheet: Sheet::of(&design, Air::default()),
+            design,
+            origin: None,
+            done: Vec::new(),
+            undone: Vec::new(),
+            row: 0,
+            part: None,
+            findings: Vec::new(),
+            polar: Vec::new(),
+            endurance: Vec::new(),
+            candidates: Vec::new(),
+        }
+    }
+}
+
+impl Bench {
+    /// The design.
+    pub fn design(&self) -> &Design {
+        &self.design
+    }
+
+    /// The name of the trainee's own design that it was, or grew out of.
+    pub fn origin(&self) -> Option<&str> {
+        self.origin.as_deref()
+    }
+
+    /// Its figures.
+    pub fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// What speaks against it.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// Power in watts by speed.
+    pub fn polar(&self) -> &[(f64, f64)] {
+        &self.polar
+    }
+
+    /// Hover time in seconds by kilograms of payload added.
+    pub fn endurance(&self) -> &[(f64, f64)] {
+        &self.endurance
+    }
+
+    /// The parts for the slot under the cursor; those that do not fit come last.
+    pub fn candidates(&self) -> &[Candidate] {
+        &self.candidates
+    }
+
+    /// Whether nothing has been built or opened yet.
+    pub fn is_untouched(&self) -> bool {
+        self.design.is_empty() && self.done.is_empty() && self.undone.is_empty()
+    }
+
+    /// The lines of the list of slots.
+    pub fn rows(&self) -> Vec<SlotRow> {
+        rows(&self.design)
+    }
+
+    /// The place of the cursor among them.
+    pub fn row(&self) -> usize {
+        self.row
+    }
+
+    /// The slot under the cursor.
+    pub fn slot(&self) -> Slot {
+        let rows = self.rows();
+        rows.get(self.row).map_or(Slot::Frame, |row| row.slot)
+    }
+
+    /// The place of the cursor among the candidates.
+    pub fn at(&self) -> usize {
+        let mut all = self.candidates.iter();
+        let known = all.position(|candidate| Some(candidate.part.id) == self.part);
+        known.unwrap_or(0)
+    }
+
+    /// The part under the cursor among the candidates.
+    pub fn candidate(&self) -> Option<&Candidate> {
+        self.candidates.get(self.at())
+    }
+
+    /// The worst finding about a slot.
+    pub fn severity(&self, slot: Slot) -> Option<Severity> {
+        let about = self.findings.iter().filter(|finding| finding.slot == slot);
+        about.map(|finding| finding.severity).max()
+    }
+
+    /// Moves the cursor over the slots.
+    pub fn move_row(&mut self, step: Step, air: Air) {
+        let before = self.slot();
+        self.row = step.apply(self.row, self.rows().len());
+        if self.slot() != before {
+            self.list(air);
+            self.find_part();
+        }
+    }
+
+    /// Moves the cursor to the next slot that needs a part and has none, if there is one.
+    pub fn move_to_empty(&mut self, air: Air) {
+        let rows = self.rows();
+        let is_empty = |row: &SlotRow| row.part.is_none() && row.slot.is_required();
+        let next = (self.row + 1..rows.len()).chain(0..self.row);
+        if let Some(at) = next.into_iter().find(|&at| is_empty(&rows[at])) {
+            self.row = at;
+            self.list(air);
+            self.find_part();
+        }
+    }
+
+    /// Moves the cursor over the candidates.
+    pub fn move_part(&mut self, step: Step) {
+        let at = step.apply(self.at(), self.candidates.len());
+        self.part = self.candidates.get(at).map(|candidate| candidate.part.id);
+    }
+
+    /// Puts the part under the cursor in. False if that changes nothing.
+    pub fn put_in(&mut self, air: Air) -> bool {
+        let changed = self.candidate().map(|it| self.design.with(it.part));
+        changed.is_some_and(|changed| self.change(changed, air))
+    }
+
+    /// Takes one piece of a part out. False if there is none.
+    pub fn take_out(&mut self, part: &Part, air: Air) -> bool {
+        self.change(self.design.without(part), air)
+    }
+
+    /// Goes back by one change; false if there was none.
+    pub fn undo(&mut self, air: Air) -> bool {
+        let Some(before) = self.done.pop() else {
+            return false;
+        };
+        self.undone.push(self.kept());
+        self.lay(before, air);
+        true
+    }
+
+    /// Does again what was taken back last; false if there is nothing.
+    pub fn redo(&mut self, air: Air) -> bool {
+        let Some(after) = self.undone.pop() else {
+            return false;
+        };
+        self.done.push(self.kept());
+        self.lay(after, air);
+        true
+    }
+
+    /// Puts another design on the bench; what lay there can be brought back.
+    pub fn open(&mut self, design: Design, origin: Option<String>, air: Air) {
+        if !self.is_untouched() {
+            self.remember();
+        }
+        self.row = 0;
+        self.part = None;
+        self.lay((design, origin), air);
+        self.find_part();
+    }
+
+    /// Takes the same design under another name, and the name under which it is kept.
+    pub fn rename(&mut self, design: Design, origin: Option<String>) {
+        (self.design, self.origin) = (design, origin);
+    }
+
+    /// Computes everything anew.
+    pub fn renew(&mut self, air: Air) {
+        self.sheet = Sheet::of(&self.design, air);
+        self.findings = self.design.findings_with(self.sheet.figures.as_ref());
+        self.polar = self.design.polar(air);
+        self.endurance = self.design.endurance_by_payload(air);
+        self.list(air);
+    }
+
+    fn change(&mut self, design: Design, air: Air) -> bool {
+        if design == self.design {
+            return false;
+        }
+        self.remember();
+        let origin = self.origin.take();
+        self.lay((design, origin), air);
+        true
+    }
+
+    fn remember(&mut self) {
+        self.done.push(self.kept());
+        if self.done.len() > MOST_UNDONE {
+            self.done.remove(0);
+        }
+        self.undone.clear();
+    }
+
+    fn kept(&self) -> Kept {
+        (self.design.clone(), self.origin.clone())
+    }
+
+    fn lay(&mut self, (design, origin): Kept, air: Air) {
+        let slot = self.slot();
+        (self.design, self.origin) = (design, origin);
+        // The slots below have moved by as many lines as a payload came or went.
+        let rows = self.rows();
+        if rows.get(self.row).is_none_or(|row| row.slot != slot) {
+            let at = rows.iter().rposition(|row| row.slot == slot);
+            self.row = at.unwrap_or_default();
+        }
+        self.renew(air);
+    }
+
+    /// Puts the cursor on what the row under the cursor holds, else on the first candidate.
+    fn find_part(&mut self) {
+        let rows = self.rows();
+        let there = rows.get(self.row).and_then(|row| row.part);
+        let first = self.candidates.first().map(|candidate| candidate.part);
+        self.part = there.or(first).map(|part| part.id);
+    }
+
+    fn list(&mut self, air: Air) {
+        let slot = self.slot();
+        let mut candidates: Vec<Candidate> = parts_for(slot)
+            .map(|part| self.consider(part, air))
+            .collect();
+        candidates.sort_by_key(|candidate| candidate.misfit.is_some());
+        self.candidates = candidates;
+    }
+
+    fn consider(&self, part: &'static Part, air: Air) -> Candidate {
+        let there = self.design.in_slot(part.slot()).iter();
+        let on_board = there.filter(|other| other.id == part.id).count();
+        let changed = self.design.with(part);
+        if changed == self.design {
+            return Candidate {
+                part,
+                on_board,
+                sheet: self.sheet.clone(),
+                misfit: None,
+            };
+        }
+        let sheet = Sheet::of(&changed, air);
+        let findings = changed.findings_with(sheet.figures.as_ref());
+        Candidate {
+            part,
+            on_board,
+            sheet,
+            misfit: self.misfit(part.slot(), &findings),
+        }
+    }
+
+    /// The first fault that a change of a slot has to answer for.
+    fn misfit(&self, slot: Slot, after: &[Finding]) -> Option<Text> {
+        let mut faults = after.iter().filter(|it| it.severity == Severity::Fault);
+        let was_there = |fault: &Finding| {
+            let mut before = self.findings.iter();
+            before.any(|it| it.slot == fault.slot && it.text.id() == fault.text.id())
+        };
+        let fault = faults.find(|fault| fault.slot == slot || !was_there(fault))?;
+        Some(fault.text.clone())
+    }
+}
+
+/// The lines of a design's list of slots: kinds of parts, and a line for one more payload.
+pub fn rows(design: &Design) -> Vec<SlotRow> {
+    let mut rows: Vec<SlotRow> = Vec::new();
+    for slot in Slot::ALL {
+        let there = design.in_slot(slot);
+        let first = rows.len();
+        for &part in there {
+            let same = |row: &&mut SlotRow| row.part.is_some_and(|it| it.id == part.id);
+            match rows[first..].iter_mut().find(same) {
+                Some(row) => row.count += 1,
+                None => rows.push(SlotRow {
+                    slot,
+                    part: Some(part),
+                    count: 1,
+                }),
+            }
+        }
+        let takes_more = slot == Slot::Payload && there.len() < slot.room();
+        if there.is_empty() || takes_more {
+            rows.push(SlotRow {
+                slot,
+                part: None,
+                count: 0,
+            });
+        }
+    }
+    rows
+}

@@ -1,0 +1,231 @@
+//! Designs by name, and designs in files.
+
+use super::shelf;
+use crate::app::effect::Effect;
+use crate::app::state::{Confirm, Consequence, Overlay, Prompt, Purpose, State};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+use crate::workshop::Design;
+
+/// Asks under which name the bench is kept.
+pub(super) fn ask_save(state: &mut State) {
+    if state.career.is_none() {
+        return state.say(Severity::Warning, text!("bench-nobody-saves"));
+    }
+    let name = state.rooms.workshop.bench.design().name.clone();
+    ask(state, Purpose::SaveDesign, name);
+}
+
+/// Asks what a copy is called: of a design of the list, else of the bench.
+pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
+    if state.career.is_none() {
+        return state.say(Severity::Warning, text!("bench-nobody-saves"));
+    }
+    let bench = &state.rooms.workshop.bench;
+    let name = design.unwrap_or_else(|| bench.design().clone()).name;
+    let entered = format!("{name} 2");
+    ask(state, Purpose::CopyDesign(name), entered);
+}
+
+/// Asks for another name: of a design of the list, else of the bench.
+pub(super) fn ask_rename(state: &mut State, design: Option<Design>) {
+    let bench = &state.rooms.workshop.bench;
+    let name = design.unwrap_or_else(|| bench.design().clone()).name;
+    ask(state, Purpose::RenameDesign(name.clone()), name);
+}
+
+/// Asks for the file that the bench is written to.
+pub(super) fn ask_export(state: &mut State) {
+    let name = &state.rooms.workshop.bench.design().name;
+    let letter = |c: char| {
+        if c.is_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '-'
+        }
+    };
+    let path = format!("{}.toml", name.chars().map(letter).collect::<String>());
+    ask(state, Purpose::ExportDesign, path);
+}
+
+/// Asks for a file to read a design from.
+pub(super) fn ask_import(state: &mut State) {
+    ask(state, Purpose::ImportDesign, String::new());
+}
+
+fn ask(state: &mut State, purpose: Purpose, entered: String) {
+    state.overlay = Some(Overlay::Prompt(Prompt {
+        input: entered.into(),
+        ..Prompt::new(purpose)
+    }));
+}
+
+/// Keeps the bench under a name. Another design of that name is only replaced after a question.
+///
+/// # Errors
+/// It is no name.
+pub fn saved_as(state: &mut State, name: &str) -> Result<Vec<Effect>, Text> {
+    let design = state.rooms.workshop.bench.design().named(name)?;
+    let bench = &mut state.rooms.workshop.bench;
+    let origin = bench.origin().map(str::to_owned);
+    let is_other = origin.as_deref() != Some(design.name.as_str());
+    bench.rename(design.clone(), origin);
+    if is_other && is_taken(state, &design.name) {
+        ask_overwrite(state, design);
+        return Ok(Vec::new());
+    }
+    state.say(
+        Severity::Notice,
+        text!("bench-saved", name = design.name.as_str()),
+    );
+    Ok(vec![Effect::KeepDesign(design)])
+}
+
+/// Keeps a copy of the design of a name under another one, and goes on with the copy where the bench was copied.
+///
+/// # Errors
+/// It is no name, or one that is taken.
+pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Vec<Effect>, Text> {
+    let bench = &state.rooms.workshop.bench;
+    let is_listed = state.rooms.workshop.page == super::Page::Designs;
+    let listed = named(state, of).filter(|_| is_listed).cloned();
+    let is_bench = listed.is_none();
+    let copy = listed
+        .unwrap_or_else(|| bench.design().clone())
+        .named(name)?;
+    if is_taken(state, &copy.name) {
+        return Err(text!("bench-name-taken", name = copy.name.as_str()));
+    }
+    if is_bench {
+        state.rooms.workshop.bench.rename(copy.clone(), None);
+    }
+    let name = copy.name.as_str();
+    state.say(Severity::Notice, text!("bench-saved", name = name));
+    Ok(vec![Effect::KeepDesign(copy)])
+}
+
+/// Gives a design another name: one of the trainee's own where it is kept, and the bench if it is that one.
+///
+/// # Errors
+/// It is no name, or one that is taken.
+pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Vec<Effect>, Text> {
+    let bench = &state.rooms.workshop.bench;
+    let is_listed = state.rooms.workshop.page == super::Page::Designs;
+    let is_bench = bench.design().name == old;
+    let kept = if is_listed { Some(old) } else { bench.origin() };
+    let kept = kept.and_then(|kept| own(state, kept)).cloned();
+    let design = bench.design().named(name)?;
+    let name = design.name.clone();
+    let is_same = kept.as_ref().is_some_and(|kept| same(&kept.name, &name));
+    if !is_same && is_taken(state, &name) {
+        return Err(text!("bench-name-taken", name = name));
+    }
+    if is_bench {
+        let origin = kept.as_ref().map(|_| name.clone());
+        state.rooms.workshop.bench.rename(design, origin);
+    }
+    let Some(kept) = kept.filter(|kept| kept.name != name) else {
+        return Ok(Vec::new());
+    };
+    let mut effects = vec![Effect::KeepDesign(kept.named(&name)?)];
+    if !is_same {
+        effects.push(Effect::DropDesign(kept.name));
+    }
+    Ok(effects)
+}
+
+/// Has the bench written to a file.
+///
+/// # Errors
+/// There is no name.
+pub fn exported(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
+    Ok(vec![Effect::WriteDesign {
+        path: path_of(path)?,
+        text: state.rooms.workshop.bench.design().to_toml(),
+        replace: false,
+    }])
+}
+
+/// Has a design read from a file.
+///
+/// # Errors
+/// There is no name.
+pub fn imported(path: &str) -> Result<Vec<Effect>, Text> {
+    Ok(vec![Effect::ReadDesign {
+        path: path_of(path)?,
+    }])
+}
+
+/// A file has been read: its design goes onto the bench, or the first fault is told.
+pub fn read(state: &mut State, path: &str, content: &str) -> Vec<Effect> {
+    match Design::from_toml(content) {
+        Ok(design) => shelf::open(state, design),
+        Err(faults) => {
+            let lines = faults.iter().map(|fault| fault.text(path, content));
+            if let Some(first) = lines.into_iter().next() {
+                state.say(Severity::Error, first);
+            }
+            Vec::new()
+        }
+    }
+}
+
+/// There is such a file already: it is replaced only if the user says so.
+pub fn exists(state: &mut State, path: String, text: String) {
+    confirm(
+        state,
+        text!("parameters-ask-replace", path = &path),
+        text!("parameters-ask-replace-reason"),
+        Effect::WriteDesign {
+            path,
+            text,
+            replace: true,
+        },
+    );
+}
+
+/// The design of a name: an own one before one that everybody has.
+fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
+    let mut all = shelf::stored(state).into_iter();
+    all.find(|it| it.design.name == name).map(|it| it.design)
+}
+
+fn own<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
+    let career = state.career.as_ref()?;
+    career.designs.iter().find(|it| same(&it.name, name))
+}
+
+fn is_taken(state: &State, name: &str) -> bool {
+    own(state, name).is_some()
+}
+
+/// Profiles keep one design of a name, however it is written.
+fn same(one: &str, other: &str) -> bool {
+    one.eq_ignore_ascii_case(other)
+}
+
+fn ask_overwrite(state: &mut State, design: Design) {
+    let question = text!("bench-ask-overwrite", name = design.name.as_str());
+    let reason = text!("bench-ask-overwrite-reason");
+    confirm(state, question, reason, Effect::KeepDesign(design));
+}
+
+fn confirm(state: &mut State, question: Text, reason: Text, effect: Effect) {
+    state.overlay = Some(Overlay::Confirm(Confirm {
+        question,
+        reason,
+        answer: "y".to_owned(),
+        typed: String::new(),
+        cancelled: false,
+        then: Consequence::Effect(effect),
+    }));
+}
+
+fn path_of(entered: &str) -> Result<String, Text> {
+    let path = entered.trim();
+    if path.is_empty() {
+        return Err(text!("parameters-no-path"));
+    }
+    Ok(path.to_owned())
+}

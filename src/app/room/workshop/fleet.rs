@@ -1,0 +1,129 @@
+//! The seats of a mission's fleet. The mission lends drones for all of them, or all are built: one design for each.
+
+use super::{lacking, mission};
+use crate::app::action::Action;
+use crate::app::effect::Effect;
+use crate::app::state::State;
+use crate::app::update::mission as flight;
+use crate::mission::Listing;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity as Weight;
+use crate::workshop::{Design, Severity};
+
+/// A place in a fleet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seat<'a> {
+    /// Its number, from 1.
+    pub number: usize,
+    /// The drone that was chosen for it; `None` where the mission lends one.
+    pub design: Option<&'a Design>,
+}
+
+/// The seats of a mission.
+pub fn seats<'a>(state: &'a State, mission: &Listing) -> Vec<Seat<'a>> {
+    let fleet = state.fleets.get(&mission.id);
+    let chosen = |seat: usize| match fleet.map(Vec::as_slice)? {
+        [all] => Some(all),
+        each => each.get(seat),
+    };
+    let seats = 0..mission.vehicles;
+    seats
+        .map(|seat| Seat {
+            number: seat + 1,
+            design: chosen(seat),
+        })
+        .collect()
+}
+
+/// What the chosen drones cost together, in credits.
+pub fn bill(state: &State, mission: &Listing) -> u32 {
+    let seats = seats(state, mission).into_iter();
+    seats
+        .filter_map(|seat| seat.design)
+        .map(Design::credits)
+        .sum()
+}
+
+/// What actions do.
+pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let count = mission(state).map_or(0, |mission| mission.vehicles);
+    match action {
+        Action::Move(step) => {
+            let seat = &mut state.rooms.workshop.seat;
+            *seat = step.apply((*seat).min(count.saturating_sub(1)), count);
+        }
+        Action::Submit => {
+            let seat = state.rooms.workshop.seat;
+            assign(state, Some(seat.min(count.saturating_sub(1))));
+        }
+        Action::AllSeats => assign(state, None),
+        Action::TakeOut => give_back(state),
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+/// Chooses the design on the bench for a seat, or for all. The first choice is for all: a mission does not lend a part
+/// of a fleet.
+fn assign(state: &mut State, seat: Option<usize>) {
+    if let Err(reason) = check(state) {
+        return state.say(Weight::Warning, reason);
+    }
+    let Some(mission) = mission(state) else {
+        return state.say(Weight::Notice, text!("bench-no-mission"));
+    };
+    let (id, count) = (mission.id.clone(), mission.vehicles);
+    let design = state.rooms.workshop.bench.design().clone();
+    let before: Vec<Design> = seats(state, mission)
+        .into_iter()
+        .filter_map(|seat| seat.design.cloned())
+        .collect();
+    let mut fleet = before;
+    match seat {
+        Some(seat) if fleet.len() == count && seat < count => fleet[seat] = design,
+        _ => fleet = vec![design; count],
+    }
+    let name = fleet[seat.unwrap_or_default()].name.clone();
+    state.fleets.insert(id, fleet);
+    let text = match seat {
+        Some(seat) => text!("bench-seat-taken", seat = seat + 1, name = name),
+        None => text!("bench-seats-taken", name = name),
+    };
+    state.say(Weight::Notice, text);
+}
+
+/// Why the design on the bench cannot be chosen.
+fn check(state: &State) -> Result<(), Text> {
+    let bench = &state.rooms.workshop.bench;
+    let fault = |it: &&crate::workshop::Finding| it.severity == Severity::Fault;
+    if let Some(fault) = bench.findings().iter().find(fault) {
+        return Err(text!("bench-does-not-fly", reason = fault.text.clone()));
+    }
+    match lacking(state, bench.design()).first() {
+        Some(part) => Err(text!("bench-lacks-licence", part = part.name())),
+        None => Ok(()),
+    }
+}
+
+fn give_back(state: &mut State) {
+    let id = mission(state).map(|mission| mission.id.clone());
+    if id.is_some_and(|id| state.fleets.remove(&id).is_some()) {
+        state.say(Weight::Notice, text!("bench-seats-lent"));
+    }
+}
+
+/// Flies the mission with the fleet, if it is within the budget.
+pub(super) fn fly(state: &mut State) -> Vec<Effect> {
+    let Some(mission) = mission(state) else {
+        state.say(Weight::Notice, text!("bench-no-mission"));
+        return Vec::new();
+    };
+    let (id, cost) = (mission.id.clone(), bill(state, mission));
+    if let Some(budget) = mission.outlay.budget.filter(|budget| cost > *budget) {
+        let text = text!("bench-over-budget", cost = cost, budget = budget);
+        state.say(Weight::Warning, text);
+        return Vec::new();
+    }
+    flight::start(state, state.launch(&id))
+}

@@ -1,0 +1,87 @@
+//! What of the parts a trainee may fly, and buying the right to fly more.
+
+use super::part_under_cursor;
+use crate::app::effect::Effect;
+use crate::app::state::State;
+use crate::app::update::act;
+use crate::campaign::{PartState, Refusal};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+use crate::workshop::{Design, Part};
+
+/// Whether a part may be flown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Licence {
+    /// It may; without a career everything may.
+    Held,
+    /// After paying so many credits.
+    ForSale(u32),
+    /// After passing a mission of this title.
+    Locked(Text),
+}
+
+/// Whether the trainee may fly a part.
+pub fn licence(state: &State, part: &Part) -> Licence {
+    let Some(career) = &state.career else {
+        return Licence::Held;
+    };
+    match career.standing.part_state(part, &career.course) {
+        PartState::Owned => Licence::Held,
+        PartState::ForSale(price) => Licence::ForSale(price),
+        PartState::Locked(mission) => Licence::Locked(title(state, &mission)),
+    }
+}
+
+/// The parts of a design that the trainee may not fly yet, each once.
+pub fn lacking(state: &State, design: &Design) -> Vec<&'static Part> {
+    let mut parts: Vec<&'static Part> = Vec::new();
+    for (part, _) in design.pieces() {
+        let is_listed = parts.iter().any(|other| other.id == part.id);
+        if !is_listed && licence(state, part) != Licence::Held {
+            parts.push(part);
+        }
+    }
+    parts
+}
+
+/// Asks before the right to use the part under the cursor is bought.
+pub(super) fn buy(state: &mut State) -> Vec<Effect> {
+    let Some(part) = part_under_cursor(state) else {
+        return Vec::new();
+    };
+    let Some(career) = &state.career else {
+        state.say(Severity::Notice, text!("bench-nobody-buys"));
+        return Vec::new();
+    };
+    match career.standing.buy(part.id, &career.course) {
+        Ok(purchase) => {
+            let credits = career.standing.credits();
+            let left = credits.saturating_sub(purchase.credits);
+            let question = text!(
+                "bench-ask-buy",
+                part = part.name(),
+                price = purchase.credits
+            );
+            let reason = text!("bench-ask-buy-reason", credits = credits, left = left);
+            act::ask(state, question, reason, Effect::BuyPart(part.id.to_owned()))
+        }
+        Err(refusal) => {
+            let text = match refusal {
+                Refusal::Locked(mission) => {
+                    text!("bench-locked-by", mission = title(state, &mission))
+                }
+                other => other.text(),
+            };
+            state.say(Severity::Warning, text);
+            Vec::new()
+        }
+    }
+}
+
+/// The title of a mission by its id.
+fn title(state: &State, mission: &str) -> Text {
+    let career = state.career.as_ref();
+    let offer = career.and_then(|career| career.course.offer(mission));
+    offer.map_or_else(|| Text::verbatim(mission), |offer| offer.title.clone())
+}

@@ -1,0 +1,144 @@
+//! All designs: the trainee's own, and those that everybody has.
+
+use super::{Page, air};
+use crate::app::action::Action;
+use crate::app::effect::Effect;
+use crate::app::state::{Confirm, Consequence, Overlay, State};
+use crate::app::update::act;
+use crate::text;
+use crate::vehicle::Severity;
+use crate::workshop::{Design, Sheet};
+
+/// A design that is kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stored<'a> {
+    /// The design.
+    pub design: &'a Design,
+    /// Whether it is the trainee's own.
+    pub is_own: bool,
+}
+
+/// All designs, own ones first.
+pub fn stored(state: &State) -> Vec<Stored<'_>> {
+    let own = state.career.iter().flat_map(|career| &career.designs);
+    let own = own.map(|design| Stored {
+        design,
+        is_own: true,
+    });
+    let stock = state.stock.iter().map(|design| Stored {
+        design,
+        is_own: false,
+    });
+    own.chain(stock).collect()
+}
+
+/// Whether what lies on the bench is kept somewhere as it is, or nothing.
+pub fn is_saved(state: &State) -> bool {
+    let design = state.rooms.workshop.bench.design();
+    design.is_empty() || stored(state).iter().any(|it| it.design == design)
+}
+
+/// The trainee's own designs have changed: the bench may be one of them now.
+pub fn heard(state: &mut State) {
+    let bench = &mut state.rooms.workshop.bench;
+    let own = state.career.iter().flat_map(|career| &career.designs);
+    if own.into_iter().any(|design| design == bench.design()) {
+        let design = bench.design().clone();
+        let origin = Some(design.name.clone());
+        bench.rename(design, origin);
+    }
+}
+
+/// Lays a design onto the bench. Asks first where something would be replaced that is kept nowhere.
+pub fn open(state: &mut State, design: Design) -> Vec<Effect> {
+    if is_saved(state) {
+        lay(state, design);
+        return Vec::new();
+    }
+    let name = state.rooms.workshop.bench.design().name.clone();
+    state.overlay = Some(Overlay::Confirm(Confirm {
+        question: text!("bench-ask-replace", name = name),
+        reason: text!("bench-ask-replace-reason"),
+        answer: "y".to_owned(),
+        typed: String::new(),
+        cancelled: false,
+        then: Consequence::Design(design),
+    }));
+    Vec::new()
+}
+
+/// Lays a design onto the bench.
+pub fn lay(state: &mut State, design: Design) {
+    let career = state.career.as_ref();
+    let is_own = career.is_some_and(|it| it.designs.contains(&design));
+    let origin = is_own.then(|| design.name.clone());
+    let room = &mut state.rooms.workshop;
+    room.bench.open(design, origin, air());
+    room.page = Page::Bench;
+    room.pane = super::Pane::Slots;
+}
+
+/// A new design.
+pub(super) fn begin(state: &mut State) -> Vec<Effect> {
+    let name = state.locale.say("bench-new-name");
+    open(state, Design::new(name))
+}
+
+/// Compares with the design under the cursor of the list; from elsewhere, shows the list to choose from, or the bench
+/// again.
+pub(super) fn compare_or_choose(state: &mut State) {
+    let room = &mut state.rooms.workshop;
+    match room.page {
+        Page::Compare => room.page = Page::Bench,
+        Page::Bench | Page::Fleet => {
+            room.page = Page::Designs;
+            state.say(Severity::Notice, text!("bench-choose-compared"));
+        }
+        Page::Designs => compare(state),
+    }
+}
+
+/// What actions do in the list.
+pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    let count = stored(state).len();
+    let at = state.rooms.workshop.shelf.min(count.saturating_sub(1));
+    let listed = stored(state).get(at).copied();
+    let listed = listed.map(|it| (it.design.clone(), it.is_own));
+    match (action, listed) {
+        (Action::Move(step), _) => state.rooms.workshop.shelf = step.apply(at, count),
+        (Action::Submit, Some((design, _))) => return Some(open(state, design)),
+        (Action::CopyDesign, Some((design, _))) => super::files::ask_copy(state, Some(design)),
+        (Action::RenameDesign, Some((design, true))) => {
+            super::files::ask_rename(state, Some(design));
+        }
+        (Action::TakeOut, Some((design, true))) => return Some(ask_drop(state, &design)),
+        (Action::TakeOut | Action::RenameDesign, Some((_, false))) => {
+            state.say(Severity::Notice, text!("bench-not-own"));
+        }
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+fn compare(state: &mut State) {
+    let all = stored(state);
+    let at = state.rooms.workshop.shelf.min(all.len().saturating_sub(1));
+    let Some(design) = all.get(at).map(|it| it.design.clone()) else {
+        return;
+    };
+    let sheet = Sheet::of(&design, air());
+    let room = &mut state.rooms.workshop;
+    room.compared = Some((design, sheet));
+    room.page = Page::Compare;
+    room.scroll = 0;
+}
+
+fn ask_drop(state: &mut State, design: &Design) -> Vec<Effect> {
+    let name = design.name.as_str();
+    act::ask(
+        state,
+        text!("bench-ask-delete", name = name),
+        text!("bench-ask-delete-reason"),
+        Effect::DropDesign(name.to_owned()),
+    )
+}

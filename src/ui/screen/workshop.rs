@@ -1,0 +1,184 @@
+//! The workshop: the bench with its lists, figures and charts; all designs; two designs side by side; a fleet's seats.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::Line;
+
+use crate::app::room::workshop::{Page, Pane, View, WIDE};
+use crate::app::state::State;
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, columns, put, row_of, upper, wrap};
+use crate::workshop::Measure;
+
+mod chart;
+mod compare;
+mod figures;
+mod findings;
+mod fleet;
+mod mission;
+mod parts;
+mod shelf;
+mod slots;
+
+/// Keys for the last line of the screen, and the messages that say what they do.
+pub const HINTS: &[(&str, &str)] = &[
+    ("Tab", "bench-hint-lists"),
+    ("Enter", "bench-hint-put-in"),
+    ("x", "bench-hint-take-out"),
+    ("u", "bench-hint-undo"),
+    ("s", "bench-hint-save"),
+    ("o", "bench-hint-designs"),
+    ("v", "bench-hint-view"),
+    ("f", "bench-hint-fleet"),
+    ("?", "hint-help"),
+    ("b", "bench-hint-buy"),
+    ("d", "bench-hint-compare"),
+    ("n", "bench-hint-new"),
+    ("[ ]", "bench-hint-mission"),
+    ("e i", "bench-hint-files"),
+];
+/// The same for the list of designs.
+pub const SHELF_HINTS: &[(&str, &str)] = &[
+    ("Enter", "bench-hint-open"),
+    ("d", "bench-hint-compare"),
+    ("y", "bench-hint-copy"),
+    ("r", "bench-hint-rename"),
+    ("x", "bench-hint-delete"),
+    ("Esc", "hint-back"),
+    ("?", "hint-help"),
+];
+/// For two designs side by side.
+pub const COMPARISON_HINTS: &[(&str, &str)] = &[
+    ("j k", "hint-scroll"),
+    ("o", "bench-hint-other"),
+    ("Esc", "hint-back"),
+    ("?", "hint-help"),
+];
+/// For the seats of a fleet.
+pub const FLEET_HINTS: &[(&str, &str)] = &[
+    ("Enter", "bench-hint-assign"),
+    ("*", "bench-hint-all"),
+    ("x", "bench-hint-lend"),
+    ("g", "bench-hint-fly"),
+    ("[ ]", "bench-hint-mission"),
+    ("Esc", "hint-back"),
+    ("?", "hint-help"),
+];
+
+/// Rows from which on both lists are shown below each other.
+const TALL: u16 = 34;
+/// Columns of the list of slots and of the figures on a wide screen.
+const WIDE_SLOTS: u16 = 52;
+const WIDE_FIGURES: u16 = 56;
+/// Rows of the figures with their title.
+const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
+/// Rows of what speaks against a design, where something follows below.
+const FINDINGS_ROWS: u16 = 10;
+
+/// Draws the room.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    match state.rooms.workshop.page {
+        Page::Bench if area.width >= WIDE => draw_wide(state, look, area, buffer),
+        Page::Bench => draw_narrow(state, look, area, buffer),
+        Page::Designs => shelf::draw(state, look, area, buffer),
+        Page::Compare => compare::draw(state, look, area, buffer),
+        Page::Fleet => fleet::draw(state, look, area, buffer),
+    }
+}
+
+/// Everything at a time, in three columns.
+fn draw_wide(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let middle = area.width - WIDE_SLOTS - WIDE_FIGURES - 2;
+    let left = columns(area, 0, WIDE_SLOTS);
+    let slots = state.rooms.workshop.bench.rows().len() as u16 + 2;
+    let slots = slots.min(area.height.saturating_sub(FINDINGS_ROWS));
+    slots::draw(state, look, upper(left, slots), buffer);
+    findings::draw(state, look, below(left, slots), buffer);
+    parts::draw(state, look, columns(area, WIDE_SLOTS + 1, middle), buffer);
+    let right = columns(area, WIDE_SLOTS + middle + 2, WIDE_FIGURES);
+    figures::draw(state, look, upper(right, FIGURES_ROWS + 1), buffer);
+    let rest = below(right, FIGURES_ROWS + 1);
+    let half = rest.height / 2;
+    chart::draw(state, look, upper(rest, half), buffer);
+    mission::draw(state, look, below(rest, half), buffer);
+}
+
+/// The lists to the left, and what the user wants to see to the right.
+fn draw_narrow(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let room = &state.rooms.workshop;
+    let width = area.width * 45 / 100;
+    let left = columns(area, 0, width);
+    let right = columns(area, width + 1, area.width - width - 1);
+    if area.height >= TALL {
+        let slots = room.bench.rows().len() as u16 + 2;
+        let slots = slots.min(area.height / 2);
+        slots::draw(state, look, upper(left, slots), buffer);
+        parts::draw(state, look, below(left, slots), buffer);
+    } else if room.pane == Pane::Slots {
+        slots::draw(state, look, left, buffer);
+    } else {
+        parts::draw(state, look, left, buffer);
+    }
+    let is_tall = area.height >= TALL;
+    let (figures, rest) = if is_tall || room.view == View::Figures {
+        (upper(right, FIGURES_ROWS), below(right, FIGURES_ROWS))
+    } else {
+        (upper(right, 0), right)
+    };
+    figures::draw(state, look, figures, buffer);
+    match room.view {
+        View::Figures => findings::draw(state, look, rest, buffer),
+        View::Polar | View::Payload => chart::draw(state, look, rest, buffer),
+        View::Mission => mission::draw(state, look, rest, buffer),
+    }
+}
+
+/// The first line of a list that is shown, so that the one under the cursor is.
+fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
+    let rows = usize::from(rows);
+    cursor
+        .saturating_sub(rows / 2)
+        .min(count.saturating_sub(rows))
+}
+
+/// Shows which line the cursor is on; of the list that does not have the keys only with a mark.
+fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
+    if has_keys {
+        buffer.set_style(row_of(place, 0), look.style(Role::Cursor));
+    } else if let Some(cell) = buffer.cell_mut((place.x, place.y)) {
+        cell.set_char('>').set_style(look.style(Role::Accent));
+    }
+}
+
+/// Texts below each other, wrapped; returns what is left.
+fn put_wrapped(texts: &[(String, Style)], area: Rect, buffer: &mut Buffer) -> Rect {
+    let mut row = 0;
+    for (text, style) in texts {
+        for line in wrap(text, usize::from(area.width)) {
+            put(buffer, area, row, &Line::styled(line, *style));
+            row += 1;
+        }
+    }
+    below(area, row)
+}
+
+/// A change with the sign that says whether it is for the better, so that no colour has to.
+fn change(measure: Measure, before: f64, after: f64) -> Option<(String, Role)> {
+    let difference = measure.difference(before, after)?;
+    let (sign, role) = match measure.is_gain(before, after) {
+        Some(true) => ('▲', Role::Ok),
+        Some(false) => ('▼', Role::Warning),
+        None => (' ', Role::Text),
+    };
+    Some((format!("{sign}{difference}"), role))
+}
+
+/// What a mission is called.
+fn mission_title(state: &State, look: &Look) -> String {
+    let mission = crate::app::room::workshop::mission(state);
+    let title = mission.map_or_else(|| text!("bench-no-mission"), |it| it.title.clone());
+    look.text(&title)
+}

@@ -1,0 +1,59 @@
+//! What speaks against the design, and what of it may not be flown yet.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use super::put_wrapped;
+use crate::app::room::workshop::{Licence, lacking, licence};
+use crate::app::state::State;
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{columns, titled};
+use crate::workshop::{Finding, Severity};
+
+/// Draws a sentence for each, faults first.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    if area.height < 2 {
+        return;
+    }
+    let inner = titled(&look.say("workshop-findings"), look, area, buffer);
+    let inner = columns(inner, 1, inner.width.saturating_sub(1));
+    let bench = &state.rooms.workshop.bench;
+    let is_missing = |it: &&Finding| it.text.id() == Some("finding-missing");
+    let missing = bench.findings().iter().filter(is_missing);
+    let missing: Vec<Text> = missing.map(|it| it.slot.name()).collect();
+    let mut texts: Vec<(String, Style)> = Vec::new();
+    if !missing.is_empty() {
+        let text = text!("bench-missing", slots = Text::joined(", ", missing));
+        let text = format!("x {}", look.text(&text));
+        texts.push((text, look.style(Role::Danger)));
+    }
+    for finding in bench.findings().iter().filter(|it| !is_missing(it)) {
+        let (mark, role) = match finding.severity {
+            Severity::Fault => ('x', Role::Danger),
+            Severity::Warning => ('!', Role::Warning),
+        };
+        let text = format!("{mark} {}", look.text(&finding.text));
+        texts.push((text, look.style(role)));
+    }
+    if texts.is_empty() {
+        texts.push((look.say("workshop-none"), look.style(Role::Ok)));
+    }
+    for part in lacking(state, bench.design()) {
+        let text = match licence(state, part) {
+            Licence::ForSale(price) => {
+                text!("bench-part-for-sale", part = part.name(), price = price)
+            }
+            Licence::Locked(mission) => {
+                text!("bench-part-locked", part = part.name(), mission = mission)
+            }
+            Licence::Held => continue,
+        };
+        let text = format!("$ {}", look.text(&text));
+        texts.push((text, look.style(Role::Accent)));
+    }
+    put_wrapped(&texts, inner, buffer);
+}

@@ -1,0 +1,228 @@
+//! The parts for the slot under the cursor, and what each would change.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+
+use super::{change, first_shown, put_wrapped, show_cursor};
+use crate::app::room::workshop::{Candidate, Licence, Pane, licence};
+use crate::app::state::State;
+use crate::text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, below, columns, put, row_of, titled, upper, wrap};
+use crate::workshop::{Measure, Sheet, Slot};
+
+/// Columns of what a part would cost, or why it cannot be had.
+const LICENCE: usize = 8;
+/// Columns of a change; more where there is room for the name of the measure.
+const CHANGE: usize = 8;
+const WIDE_CHANGE: usize = 12;
+/// Columns of a name at least, and of one that is not cut.
+const NAME: usize = 16;
+const LONG_NAME: usize = 34;
+/// Rows of what is told of the part under the cursor.
+const DETAIL: u16 = 5;
+
+/// Draws the list, and below it what there is to know about the part under the cursor.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let bench = &state.rooms.workshop.bench;
+    let layout = Layout::new(state, area.width);
+    let title = match layout.shown.as_slice() {
+        [only] => format!(
+            "{}: {}",
+            look.text(&bench.slot().name()),
+            look.text(&only.name())
+        ),
+        _ => look.text(&bench.slot().name()),
+    };
+    let mut inner = titled(&title, look, area, buffer);
+    if layout.shown.len() > 1 {
+        let style = look.style(Role::Muted);
+        put(buffer, inner, 0, &Line::styled(layout.heading(look), style));
+        inner = below(inner, 1);
+    }
+    let candidates = bench.candidates();
+    let most = inner.height.saturating_sub(DETAIL);
+    let list = upper(inner, most.min(candidates.len() as u16 + 1));
+    let cursor = bench.at();
+    let first = first_shown(cursor, candidates.len(), list.height);
+    let shown = candidates.iter().enumerate().skip(first);
+    for (at, candidate) in shown.take(usize::from(list.height)) {
+        let place = row_of(list, (at - first) as u16);
+        put(
+            buffer,
+            place,
+            0,
+            &layout.line(state, candidate, bench.sheet(), look),
+        );
+        if at == cursor {
+            let has_keys = state.rooms.workshop.pane == Pane::Parts;
+            show_cursor(look, has_keys, place, buffer);
+        }
+    }
+    if let Some(candidate) = bench.candidate() {
+        let place = columns(below(inner, list.height), 1, inner.width.saturating_sub(1));
+        draw_detail(state, candidate, look, place, buffer);
+    }
+}
+
+/// Which columns the list has.
+struct Layout {
+    name: usize,
+    licence: usize,
+    change: usize,
+    shown: Vec<Measure>,
+    width: usize,
+}
+
+impl Layout {
+    fn new(state: &State, columns: u16) -> Self {
+        let bench = &state.rooms.workshop.bench;
+        let width = usize::from(columns);
+        let licence = if state.career.is_some() { LICENCE } else { 0 };
+        let flies = |sheet: &Sheet| sheet.figures.is_some();
+        let has_figures =
+            flies(bench.sheet()) || bench.candidates().iter().any(|it| flies(&it.sheet));
+        let telling = telling(bench.slot(), has_figures);
+        let room = width.saturating_sub(2 + licence);
+        let wide = room >= LONG_NAME + 2 * WIDE_CHANGE;
+        let (change, least) = if wide {
+            (WIDE_CHANGE, LONG_NAME)
+        } else {
+            (CHANGE, NAME)
+        };
+        let count = if wide {
+            room.saturating_sub(least) / change
+        } else {
+            1
+        };
+        let shown: Vec<Measure> = telling.iter().copied().take(count).collect();
+        let name = room.saturating_sub(change * shown.len());
+        let name = if wide { name.min(LONG_NAME + 6) } else { name };
+        Self {
+            name,
+            licence,
+            change,
+            shown,
+            width,
+        }
+    }
+
+    fn heading(&self, look: &Look) -> String {
+        let before = " ".repeat(2 + self.name + self.licence);
+        let names = self.shown.iter().map(|measure| {
+            let name = look.text(&measure.name());
+            format!(" {}", aligned(&name, self.change - 1, true))
+        });
+        before + &names.collect::<String>()
+    }
+
+    fn line(
+        &self,
+        state: &State,
+        candidate: &Candidate,
+        before: &Sheet,
+        look: &Look,
+    ) -> Line<'static> {
+        let (mark, role) = match (candidate.on_board, &candidate.misfit) {
+            (1.., _) => ('●', Role::Accent),
+            (0, Some(_)) => ('×', Role::Muted),
+            (0, None) => (' ', Role::Text),
+        };
+        let name = look.text(&candidate.part.name());
+        let mut spans = vec![Span::styled(
+            format!(" {mark}{}", aligned(&name, self.name, false)),
+            look.style(role),
+        )];
+        if self.licence > 0 {
+            let (words, role) = short(&licence(state, candidate.part), look);
+            let words = aligned(&words, self.licence, true);
+            spans.push(Span::styled(words, look.style(role)));
+        }
+        match &candidate.misfit {
+            Some(reason) if self.shown.len() > 1 => {
+                let used = 2 + self.name + self.licence;
+                let room = self.width.saturating_sub(used + 2);
+                let reason = aligned(&look.text(reason), room, false);
+                spans.push(Span::styled(format!("  {reason}"), look.style(Role::Muted)));
+            }
+            _ => spans.extend(self.changes(&candidate.sheet, before, look)),
+        }
+        Line::from(spans)
+    }
+
+    fn changes(&self, after: &Sheet, before: &Sheet, look: &Look) -> Vec<Span<'static>> {
+        let cell = |measure: &Measure| {
+            let (text, role) = match (measure.of(before), measure.of(after)) {
+                (Some(before), Some(after)) => {
+                    change(*measure, before, after).unwrap_or_else(|| ("=".to_owned(), Role::Muted))
+                }
+                (None, Some(after)) => (measure.figure(after), Role::Text),
+                (_, None) => ("-".to_owned(), Role::Muted),
+            };
+            let text = aligned(&text, self.change, true);
+            Span::styled(text, look.style(role))
+        };
+        self.shown.iter().map(cell).collect()
+    }
+}
+
+/// The measures that tell most about a choice for a slot.
+fn telling(slot: Slot, has_figures: bool) -> &'static [Measure] {
+    use Measure::{Cost, HoverTime, Mass, RadioReach, Range, Ratio, Spare, TopSpeed};
+    match slot {
+        Slot::Radio if has_figures => &[RadioReach, HoverTime, Mass, Cost],
+        Slot::Radio => &[RadioReach, Mass, Cost],
+        _ if !has_figures => &[Mass, Cost],
+        Slot::Battery => &[HoverTime, Ratio, Range, TopSpeed, Mass, Cost],
+        Slot::Frame | Slot::Motor | Slot::Propeller | Slot::Esc => {
+            &[HoverTime, Ratio, TopSpeed, Range, Mass, Cost]
+        }
+        _ => &[HoverTime, Ratio, Range, Spare, Mass, Cost],
+    }
+}
+
+/// Whether a part may be flown, in a word.
+fn short(licence: &Licence, look: &Look) -> (String, Role) {
+    match licence {
+        Licence::Held => (String::new(), Role::Muted),
+        Licence::ForSale(price) => (format!("{price} cr"), Role::Accent),
+        Licence::Locked(_) => (look.say("bench-locked"), Role::Muted),
+    }
+}
+
+/// The part's whole name, what it costs, whether it may be flown, and why it does not fit.
+fn draw_detail(state: &State, candidate: &Candidate, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let part = candidate.part;
+    let whole = text!(
+        "bench-part",
+        name = part.name(),
+        mass = format!("{:.0}", part.mass_g),
+        price = part.credits
+    );
+    let mut texts: Vec<(String, Style)> = vec![(look.text(&whole), look.style(Role::Title))];
+    if let Some(reason) = &candidate.misfit {
+        let reason = text!("bench-misfit", reason = reason.clone());
+        texts.push((look.text(&reason), look.style(Role::Danger)));
+    }
+    let held = match licence(state, part) {
+        Licence::Held => None,
+        Licence::ForSale(price) => Some(text!("bench-for-sale", price = price)),
+        Licence::Locked(mission) => Some(text!("bench-locked-by", mission = mission)),
+    };
+    texts.extend(held.map(|held| (look.text(&held), look.style(Role::Accent))));
+    if candidate.on_board > 0 {
+        let text = text!("bench-on-board", count = candidate.on_board);
+        texts.push((look.text(&text), look.style(Role::Muted)));
+    }
+    if part.slot() == Slot::Radio {
+        texts.push((look.say("bench-radio"), look.style(Role::Muted)));
+    }
+    let rows = |(text, _): &(String, Style)| wrap(text, usize::from(area.width)).len();
+    while texts.iter().map(rows).sum::<usize>() > usize::from(area.height) && texts.len() > 2 {
+        texts.pop();
+    }
+    put_wrapped(&texts, area, buffer);
+}

@@ -1,0 +1,58 @@
+//! All designs, own ones first.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+
+use super::{first_shown, show_cursor};
+use crate::app::room::workshop::{Stored, stored};
+use crate::app::state::State;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, below, clip, put, row_of, titled};
+
+/// Columns of whose a design is, of mass and price.
+const WHOSE: usize = 10;
+const MASS: usize = 9;
+const PRICE: usize = 10;
+const NAME: usize = 28;
+
+/// Draws the list.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let inner = titled(&look.say("bench-designs"), look, area, buffer);
+    let all = stored(state);
+    if all.is_empty() {
+        let line = Line::styled(look.say("bench-no-designs"), look.style(Role::Muted));
+        put(buffer, inner, 0, &line);
+        return;
+    }
+    let cursor = state.rooms.workshop.shelf.min(all.len() - 1);
+    let first = first_shown(cursor, all.len(), inner.height);
+    for (at, stored) in all.iter().enumerate().skip(first) {
+        let place = row_of(below(inner, (at - first) as u16), 0);
+        if place.height == 0 {
+            break;
+        }
+        put(buffer, place, 0, &line(*stored, look, inner.width));
+        if at == cursor {
+            show_cursor(look, true, place, buffer);
+        }
+    }
+}
+
+fn line(Stored { design, is_own }: Stored<'_>, look: &Look, width: u16) -> Line<'static> {
+    let whose = look.say(if is_own { "bench-own" } else { "bench-stock" });
+    let name = look.text(&Text::verbatim(design.name.clone()));
+    let parts = design.pieces().map(|(part, _)| part.name());
+    let parts: Vec<String> = parts.map(|name| look.text(&name)).collect();
+    let head = format!(
+        " {}{}{}{}  ",
+        aligned(&name, NAME, false),
+        aligned(&whose, WHOSE, false),
+        aligned(&format!("{:.2} kg", design.mass_kg()), MASS, true),
+        aligned(&format!("{} cr", design.credits()), PRICE, true),
+    );
+    let room = usize::from(width).saturating_sub(crate::ui::widget::width(&head));
+    Line::raw(head + &clip(&parts.join(", "), room))
+}

@@ -1,0 +1,137 @@
+//! What is built in, slot by slot.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::{first_shown, show_cursor};
+use crate::app::room::workshop::{Pane, SlotRow, is_saved};
+use crate::app::state::State;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, put, row_of, titled};
+use crate::workshop::{Design, Severity, Slot};
+
+/// Columns of a slot's name.
+const NAME: usize = 12;
+const WIDE_NAME: usize = 18;
+/// Columns from which on mass and price are shown too.
+const ROOMY: usize = 50;
+/// Columns of mass and price.
+const MASS: usize = 8;
+const PRICE: usize = 8;
+
+/// Draws the list.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let room = &state.rooms.workshop;
+    let name = look.text(&Text::verbatim(room.bench.design().name.clone()));
+    let title = if is_saved(state) {
+        name
+    } else {
+        format!("{name} ({})", look.say("bench-not-saved"))
+    };
+    let inner = titled(&title, look, area, buffer);
+    let rows = room.bench.rows();
+    let cursor = room.bench.row();
+    let first = first_shown(cursor, rows.len(), inner.height);
+    let shown = rows.iter().enumerate().skip(first);
+    for (at, row) in shown.take(usize::from(inner.height)) {
+        let place = row_of(inner, (at - first) as u16);
+        let is_first = at == 0 || rows[at - 1].slot != row.slot;
+        let severity = room.bench.severity(row.slot).filter(|_| is_first);
+        let width = usize::from(inner.width);
+        let wide = width >= ROOMY;
+        let line = Row {
+            row,
+            is_first,
+            severity,
+            wide,
+            width,
+        };
+        put(buffer, place, 0, &line.drawn(room.bench.design(), look));
+        if at == cursor {
+            show_cursor(look, room.pane == Pane::Slots, place, buffer);
+        }
+    }
+}
+
+struct Row<'a> {
+    row: &'a SlotRow,
+    is_first: bool,
+    severity: Option<Severity>,
+    wide: bool,
+    width: usize,
+}
+
+impl Row<'_> {
+    fn drawn(&self, design: &Design, look: &Look) -> Line<'static> {
+        let slot = if self.is_first {
+            look.text(&self.row.slot.name())
+        } else {
+            String::new()
+        };
+        let (mark, role) = match self.severity {
+            Some(Severity::Fault) => ("x", Role::Danger),
+            Some(Severity::Warning) => ("!", Role::Warning),
+            None => (" ", Role::Muted),
+        };
+        let name = if self.wide { WIDE_NAME } else { NAME };
+        let figures = if self.wide { MASS + PRICE } else { 0 };
+        let rest = self.width.saturating_sub(name + 4 + figures);
+        let (words, part_role) = self.part(design, look);
+        let mut spans = vec![
+            Span::raw(" "),
+            Span::styled(mark, look.style(role)),
+            Span::styled(
+                format!("{} ", aligned(&slot, name, false)),
+                look.style(Role::Muted),
+            ),
+            Span::styled(aligned(&words, rest, false), look.style(part_role)),
+        ];
+        if self.wide
+            && let Some((mass_g, credits)) = self.whole(design)
+        {
+            let mass = aligned(&format!("{mass_g:.0} g"), MASS, true);
+            let price = aligned(&format!("{credits} cr"), PRICE, true);
+            spans.push(Span::raw(mass + &price));
+        }
+        Line::from(spans)
+    }
+
+    /// How many pieces of the part the drone has.
+    fn pieces(&self, design: &Design) -> u32 {
+        let count = self.row.count as u32;
+        if self.row.slot.is_per_motor() {
+            count * u32::from(design.motors())
+        } else {
+            count
+        }
+    }
+
+    fn part(&self, design: &Design, look: &Look) -> (String, Role) {
+        let Some(part) = self.row.part else {
+            let (words, role) = if self.row.slot == Slot::Payload {
+                ("bench-add-payload", Role::Muted)
+            } else {
+                ("bench-none-yet", Role::Danger)
+            };
+            return (look.say(words), role);
+        };
+        let name = look.text(&part.name());
+        let pieces = self.pieces(design);
+        let words = if pieces > 1 {
+            format!("{pieces} x {name}")
+        } else {
+            name
+        };
+        (words, Role::Text)
+    }
+
+    /// Mass in grams and price of all pieces.
+    fn whole(&self, design: &Design) -> Option<(f64, u32)> {
+        let part = self.row.part?;
+        let pieces = self.pieces(design);
+        Some((part.mass_g * f64::from(pieces), part.credits * pieces))
+    }
+}

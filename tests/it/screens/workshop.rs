@@ -1,0 +1,138 @@
+//! The workshop: bench, designs, comparison and fleet.
+
+use std::sync::Arc;
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use sortie::app::event::Event;
+use sortie::app::state::Career;
+use sortie::campaign::Course;
+use sortie::config::Symbols;
+use sortie::text::{Language, Locale};
+use sortie::ui::{self, Look};
+use sortie::workshop::Design;
+
+use super::SIZES;
+use crate::harness::Console;
+
+fn design(source: &str) -> Design {
+    Design::from_toml(source).expect("it is good")
+}
+
+/// At the bench, with a career that owns little and has two designs.
+fn workshop(language: Language) -> Console {
+    let mut console = Console::new();
+    console.state.locale = Arc::new(Locale::new(language));
+    let scout = design(include_str!("../../../designs/scout.toml"));
+    let starter = design(include_str!("../../../designs/starter.toml"));
+    let mut career = Career::new("Olena", Vec::new(), Course::default());
+    career.designs = vec![starter.named("Mine").expect("a name")];
+    console.state.stock = vec![scout, starter];
+    console.hear(Event::Career(Some(Box::new(career))));
+    console.press("W");
+    console
+}
+
+/// The cursor on the batteries, one of them being looked at.
+fn looking(language: Language) -> Console {
+    let mut console = workshop(language);
+    for _ in 0..4 {
+        console.press("j");
+    }
+    console.press("tab").press("j");
+    console
+}
+
+fn check(name: &str, console: &Console) {
+    for (width, height) in SIZES {
+        let name = format!("workshop_{name}_{width}x{height}");
+        insta::assert_snapshot!(name, console.screen(width, height));
+    }
+}
+
+#[test]
+fn the_bench_with_its_slots() {
+    check("slots", &workshop(Language::English));
+}
+
+#[test]
+fn the_parts_say_what_they_would_change() {
+    for language in Language::ALL {
+        let console = looking(language);
+        check(&format!("parts_{}", language.code()), &console);
+    }
+}
+
+#[test]
+fn a_design_from_nothing_says_what_is_missing_and_what_does_not_fit() {
+    let mut console = workshop(Language::English);
+    console.press("n").press("tab").press("down").press("down");
+    console
+        .press("enter")
+        .press("tab")
+        .press("down")
+        .press("down");
+    console.press("tab").press("end");
+    check("new", &console);
+}
+
+#[test]
+fn charts_take_turns() {
+    let mut console = workshop(Language::English);
+    for name in ["polar", "payload", "mission"] {
+        console.press("v");
+        let name = format!("workshop_{name}_80x24");
+        insta::assert_snapshot!(name, console.screen(80, 24));
+    }
+}
+
+#[test]
+fn designs_a_comparison_and_a_fleet() {
+    for language in Language::ALL {
+        let code = language.code();
+        let mut console = workshop(language);
+        check(&format!("designs_{code}"), console.press("o"));
+        check(&format!("compare_{code}"), console.press("j").press("d"));
+        console.press("esc").press("f");
+        check(&format!("fleet_lent_{code}"), &console);
+        check(&format!("fleet_{code}"), console.press("enter"));
+    }
+}
+
+#[test]
+fn plain_characters_say_the_same() {
+    let console = looking(Language::English);
+    let mut terminal = Terminal::new(TestBackend::new(80, 24)).expect("a test terminal");
+    let look = Look {
+        symbols: Symbols::Ascii,
+        ..Look::default()
+    };
+    terminal
+        .draw(|frame| ui::draw(&console.state, &look, frame))
+        .expect("a test terminal");
+    let cells = terminal.backend().buffer().content.chunks(80);
+    let line = |row: &[ratatui::buffer::Cell]| -> String {
+        row.iter().map(ratatui::buffer::Cell::symbol).collect()
+    };
+    let lines: Vec<String> = cells.map(|row| line(row).trim_end().to_owned()).collect();
+    let screen = lines.join("\n");
+    assert!(screen.is_ascii());
+    insta::assert_snapshot!("workshop_ascii_80x24", screen);
+}
+
+#[test]
+fn no_size_of_terminal_panics_in_the_workshop() {
+    let mut consoles = vec![workshop(Language::English), looking(Language::Ukrainian)];
+    for keys in [["o", "j"], ["f", "*"], ["d", "d"], ["v", "v"], ["n", "v"]] {
+        let mut console = workshop(Language::Ukrainian);
+        console.press(keys[0]).press(keys[1]);
+        consoles.push(console);
+    }
+    for console in &consoles {
+        for width in [80, 81, 97, 120, 149, 150, 160, 200, 250] {
+            for height in [24, 25, 33, 36, 37, 50, 80] {
+                console.screen(width, height);
+            }
+        }
+    }
+}
