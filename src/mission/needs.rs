@@ -139,7 +139,7 @@ impl Mission {
 }
 
 /// The parts for some loads. Pieces hang on a dropper.
-fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static str, u32)> {
+pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static str, u32)> {
     let mut parts = Vec::new();
     let mut drops = false;
     for (load, count) in loads {
