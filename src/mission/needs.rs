@@ -6,6 +6,7 @@ use super::event::Action;
 use super::fleet::{DROPPER, TANK_S};
 use super::hazard::Load;
 use super::report::distance_m;
+use super::sensor::Sensor;
 use super::world::World;
 use super::zone::ZoneKind;
 use super::{Mission, Point};
@@ -160,11 +161,13 @@ impl Need {
     /// How a design stands to it: what has to be on board first, then what its figures have to be. Figures are missing
     /// as long as parts of the drive are.
     pub fn fit(&self, design: &Design) -> Vec<FitLine> {
-        let sensors = self.sensors.iter().map(|id| (*id, 1));
-        let mounted = sensors.chain(self.loads.iter().copied());
-        let mut lines: Vec<FitLine> = mounted
-            .map(|(id, count)| mounted_line(design, id, count))
-            .collect();
+        let sensors = self.sensors.iter().map(|id| sensor_line(design, id));
+        let loads = self.loads.iter();
+        let loads = loads.map(|&(id, count)| {
+            let pieces = design.pieces().filter(|(part, _)| part.id == id);
+            mounted_line(id, pieces.map(|(_, pieces)| pieces).sum(), count)
+        });
+        let mut lines: Vec<FitLine> = sensors.chain(loads).collect();
         if let Some(figures) = design.figures(self.air) {
             lines.extend([
                 self.radius(&figures),
@@ -246,9 +249,20 @@ impl Need {
     }
 }
 
-fn mounted_line(design: &Design, id: &'static str, count: u32) -> FitLine {
-    let pieces = design.pieces().filter(|(part, _)| part.id == id);
-    let has: u32 = pieces.map(|(_, pieces)| pieces).sum();
+/// A sensor, or one that does the same.
+fn sensor_line(design: &Design, id: &'static str) -> FitLine {
+    let wanted = Sensor::by_id(id);
+    let does_it = |part: &Part| {
+        let mounted = Sensor::by_id(part.id);
+        mounted
+            .zip(wanted)
+            .is_some_and(|(one, wanted)| one.stands_in_for(wanted))
+    };
+    let fitting = design.pieces().filter(|(part, _)| does_it(part));
+    mounted_line(id, fitting.map(|(_, pieces)| pieces).sum(), 1)
+}
+
+fn mounted_line(id: &'static str, has: u32, count: u32) -> FitLine {
     FitLine {
         what: part(id).map_or_else(|| Text::verbatim(id), Part::name),
         required: Text::verbatim(count.to_string()),

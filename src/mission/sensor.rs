@@ -55,6 +55,19 @@ impl Sensor {
         self.detector().map(|spec| spec.swath_m(height_m))
     }
 
+    /// Whether it does what another one is for. Cameras that see the same light do, whatever they resolve: with a finer
+    /// one things are seen from higher up.
+    pub fn stands_in_for(&self, other: &Self) -> bool {
+        match (self.detector(), other.detector()) {
+            (Some(DetectorSpec::Camera(one)), Some(DetectorSpec::Camera(other))) => {
+                let inspects = one.inspects_to_m.is_some() || other.inspects_to_m.is_none();
+                let finds_mines = one.mines.is_some() || other.mines.is_none();
+                one.band == other.band && inspects && finds_mines
+            }
+            _ => self.id == other.id,
+        }
+    }
+
     /// The sensor of an id.
     pub fn by_id(id: &str) -> Option<&'static Self> {
         SENSORS.iter().find(|sensor| sensor.id == id)

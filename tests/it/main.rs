@@ -2,6 +2,7 @@
 
 mod arducopter;
 mod bench_scale;
+mod budgets;
 mod catalogue;
 mod clients;
 mod command_line;

@@ -1,0 +1,64 @@
+//! The embedded missions' budgets: every mission can be flown with drones that somebody builds for it.
+
+use sortie::mission::{Mission, Need};
+use sortie::store;
+use sortie::workshop::{Design, part};
+
+fn stock() -> Vec<Design> {
+    let designs = store::designs();
+    let designs = designs.iter().map(|source| Design::from_toml(&source.text));
+    designs
+        .map(|design| design.expect("a good design"))
+        .collect()
+}
+
+/// A design without what it carries, and with what is needed instead.
+fn equipped(design: &Design, need: &Need) -> Option<Design> {
+    let carried: Vec<_> = design
+        .pieces()
+        .filter(|(part, _)| part.slot().key() == "payload")
+        .collect();
+    let bare = carried
+        .iter()
+        .fold(design.clone(), |design, (part, pieces)| {
+            (0..*pieces).fold(design, |design, _| design.without(part))
+        });
+    let sensors = need.sensors.iter().map(|id| (*id, 1));
+    sensors
+        .chain(need.loads.iter().copied())
+        .try_fold(bare, |design, (id, pieces)| {
+            let part = part(id)?;
+            Some((0..pieces).fold(design, |design, _| design.with(part)))
+        })
+}
+
+/// The cheapest drone of the stock that does what is needed.
+fn cheapest(need: &Need) -> Option<Design> {
+    let equipped = stock().into_iter().filter_map(|it| equipped(&it, need));
+    equipped
+        .filter(|design| design.is_airworthy(need.air))
+        .filter(|design| need.fit(design).iter().all(|line| !line.is_block))
+        .min_by_key(Design::credits)
+}
+
+#[test]
+fn every_mission_can_be_flown_with_built_drones_within_its_budget() {
+    for source in store::missions() {
+        let mission = Mission::parse(&source.text).expect("no faults");
+        let (id, budget) = (mission.id.clone(), mission.outlay.budget);
+        let mut fleet = vec![Design::new("none"); mission.vehicles];
+        for need in mission.needs() {
+            let Some(design) = cheapest(&need) else {
+                panic!("{id}: nothing flies on seats {:?}", need.seats);
+            };
+            for seat in &need.seats {
+                fleet[usize::from(*seat) - 1] = design.clone();
+            }
+        }
+        let cost: u32 = fleet.iter().map(Design::credits).sum();
+        println!("{id}: {cost} of {budget:?} cr, {}", fleet[0].name);
+        if let Err(reasons) = mission.with_fleet(fleet) {
+            panic!("{id}: {reasons:?}");
+        }
+    }
+}
