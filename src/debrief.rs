@@ -23,12 +23,18 @@ use layout::{clock, fit, pieces, right};
 const WIDTH: usize = 80;
 /// The debrief of a report, in the words of a language.
 pub fn text(report: &Report, locale: &Locale) -> String {
+    text_with(report, &[], locale)
+}
+
+/// The same with what the flight brought to a career, if anything, before what moved the score.
+pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
     let mut page = Page {
         words: String::new(),
         locale,
     };
     page.head(report);
     page.objectives(report);
+    page.career(career);
     page.components(report);
     page.timeline(report);
     page.improvements(report);
@@ -277,6 +283,17 @@ impl Page<'_> {
             let lead = fit(&format!("  {}", self.locale.say("debrief-good")), 8);
             let words = vec![good.name.clone(), good.moved_by.clone()];
             self.wrapped(&lead, &Text::joined(": ", words));
+        }
+        self.gap();
+    }
+
+    fn career(&mut self, lines: &[Text]) {
+        if lines.is_empty() {
+            return;
+        }
+        self.heading("debrief-career");
+        for line in lines {
+            self.wrapped("  ", line);
         }
         self.gap();
     }

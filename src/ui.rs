@@ -43,6 +43,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
         Room::Parameters => screen::parameters::draw(state, look, body, buffer),
         Room::Mission => screen::mission::draw(state, look, body, buffer),
         Room::Debrief => screen::debrief::draw(state, look, body, buffer),
+        Room::Standing => screen::standing::draw(state, look, body, buffer),
         Room::Workshop => screen::workshop::draw(state, look, body, buffer),
     }
     widget::footer::draw(state, look, area, buffer);

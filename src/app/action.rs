@@ -37,6 +37,16 @@ pub enum Action {
     NextMission,
     /// Fly the short exercise for a mission.
     Drill,
+    /// Fly a mission with the seed of the day.
+    Daily,
+    /// Fly a mission's exam.
+    Exam,
+    /// Fly a mission for practice, with a seed of one's own.
+    Practise,
+    /// Choose who trains here.
+    Profiles,
+    /// Have more or less advice come by itself.
+    Aids,
     /// Let the mission stand still, or go on.
     PauseMission,
     /// End the mission now.
@@ -204,6 +214,7 @@ impl Action {
         ("parameters", Self::Show(Room::Parameters)),
         ("mission", Self::Show(Room::Mission)),
         ("debrief", Self::Show(Room::Debrief)),
+        ("standing", Self::Show(Room::Standing)),
         ("workshop", Self::Show(Room::Workshop)),
         ("command-line", Self::CommandLine),
         ("help", Self::Help),
@@ -227,6 +238,11 @@ impl Action {
         ("again-alike", Self::AgainAlike),
         ("next-mission", Self::NextMission),
         ("drill", Self::Drill),
+        ("daily", Self::Daily),
+        ("exam", Self::Exam),
+        ("practise", Self::Practise),
+        ("profiles", Self::Profiles),
+        ("aids", Self::Aids),
         ("pause-mission", Self::PauseMission),
         ("abandon", Self::Abandon),
         ("truth-map", Self::TruthMap),

@@ -1,6 +1,6 @@
 //! What the shell has to do.
 
-use crate::campaign::Stake;
+use crate::campaign::{Aids, Stake};
 use crate::commands::{Command, Deed, Manoeuvre};
 use crate::language::Verb;
 use crate::ledger::EntryId;
@@ -100,6 +100,8 @@ pub enum Effect {
     CreateProfile(String),
     /// Go on without a profile: nothing that is flown from now on is kept.
     LeaveProfile,
+    /// Have so much advice come by itself from now on, and remember it for the trainee.
+    SetAids(Aids),
     /// Buy the right to use a part, by id.
     BuyPart(String),
     /// Keep a design among the trainee's own; it takes the place of one of the same name.

@@ -26,6 +26,8 @@ pub enum Place {
     Prompt,
     /// On overlays that are read.
     Reader,
+    /// On lists that something is chosen from.
+    List,
 }
 
 impl Place {
@@ -34,7 +36,7 @@ impl Place {
         let rooms = Room::ALL.into_iter().map(Self::In);
         std::iter::once(Self::Anywhere)
             .chain(rooms)
-            .chain([Self::Prompt, Self::Reader])
+            .chain([Self::Prompt, Self::Reader, Self::List])
     }
 
     /// Its name in keymap files.
@@ -44,6 +46,7 @@ impl Place {
             Self::In(room) => room.name(),
             Self::Prompt => "prompt",
             Self::Reader => "reader",
+            Self::List => "list",
         }
     }
 
@@ -54,6 +57,7 @@ impl Place {
             Self::In(room) => text!("keys-room", room = room.title()),
             Self::Prompt => text!("keys-prompt"),
             Self::Reader => text!("keys-reader"),
+            Self::List => text!("keys-list"),
         }
     }
 }
@@ -165,6 +169,8 @@ impl Default for Keymap {
         add(Place::Prompt, PROMPT);
         add(Place::Reader, READER);
         add(Place::Reader, MOVES);
+        add(Place::List, LIST);
+        add(Place::List, MOVES);
         Self {
             bindings,
             silent: Vec::new(),
@@ -224,6 +230,13 @@ const READER: &[Row] = &[
     does(key('q'), Action::Escape),
     does(key('?'), Action::Escape),
     does(ENTER, Action::Escape),
+    does(Press::Control('c'), Action::Escape),
+];
+
+const LIST: &[Row] = &[
+    does(ENTER, Action::Submit),
+    does(ESCAPE, Action::Escape),
+    does(key('q'), Action::Escape),
     does(Press::Control('c'), Action::Escape),
 ];
 

@@ -4,6 +4,7 @@ use super::action::Action;
 use super::effect::Effect;
 use super::keymap::Row;
 use super::state::{Purpose, State};
+use super::update::profiles;
 use crate::text::Text;
 
 pub mod debrief;
@@ -16,6 +17,7 @@ pub mod map;
 pub mod messages;
 pub mod mission;
 pub mod parameters;
+pub mod standing;
 pub mod vehicle;
 pub mod workshop;
 
@@ -45,13 +47,15 @@ pub enum Room {
     Mission,
     /// What the flight was worth.
     Debrief,
+    /// How far the trainee has come.
+    Standing,
     /// Where drones are built.
     Workshop,
 }
 
 impl Room {
     /// Every room, in the order of the help.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Home,
         Self::Fly,
         Self::Vehicle,
@@ -63,6 +67,7 @@ impl Room {
         Self::Parameters,
         Self::Mission,
         Self::Debrief,
+        Self::Standing,
         Self::Workshop,
     ];
 
@@ -80,6 +85,7 @@ impl Room {
             Self::Parameters => 'P',
             Self::Mission => 'B',
             Self::Debrief => 'D',
+            Self::Standing => 'T',
             Self::Workshop => 'W',
         }
     }
@@ -98,6 +104,7 @@ impl Room {
             Self::Parameters => "parameters",
             Self::Mission => "mission",
             Self::Debrief => "debrief",
+            Self::Standing => "standing",
             Self::Workshop => "workshop",
         }
     }
@@ -148,6 +155,8 @@ pub struct Rooms {
     pub mission: mission::Mission,
     /// What the last flight was worth.
     pub debrief: Option<debrief::Debrief>,
+    /// How far the trainee has come.
+    pub standing: standing::Standing,
     /// Where drones are built.
     pub workshop: workshop::Workshop,
 }
@@ -157,6 +166,7 @@ impl Rooms {
     pub fn forget_session(&mut self) {
         *self = Self {
             home: std::mem::take(&mut self.home),
+            standing: std::mem::take(&mut self.standing),
             map: self.map.for_next_session(),
             workshop: std::mem::take(&mut self.workshop),
             ..Self::default()
@@ -178,6 +188,7 @@ pub fn keys(room: Room) -> &'static [Row] {
         Room::Parameters => parameters::KEYS,
         Room::Mission => mission::KEYS,
         Room::Debrief => debrief::KEYS,
+        Room::Standing => standing::KEYS,
         Room::Workshop => workshop::KEYS,
     }
 }
@@ -196,6 +207,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Room::Parameters => parameters::act(state, action),
         Room::Mission => mission::act(state, action),
         Room::Debrief => debrief::act(state, action),
+        Room::Standing => standing::act(state, action),
         Room::Workshop => workshop::act(state, action),
     }
 }
@@ -207,6 +219,8 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 pub fn prompted(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
+        Purpose::NewProfile => profiles::created(state, entered),
+        Purpose::Seed(mission) => home::practise(state, mission, entered),
         Purpose::Filter(room) => {
             filter(state, *room, entered);
             Ok(Vec::new())

@@ -28,6 +28,7 @@ mod ids;
 mod links;
 mod notices;
 mod overlay;
+mod profiles;
 mod session;
 mod time;
 
@@ -47,6 +48,7 @@ pub use ids::{parse_ranges, ranges};
 pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Asked, Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
+pub use profiles::Trainee;
 pub use session::{Activity, Session};
 pub use time::MissionTime;
 

@@ -15,6 +15,7 @@ pub(super) mod mission;
 mod offer;
 pub(super) mod order;
 mod palette;
+pub(super) mod profiles;
 mod swarm;
 mod telemetry;
 
@@ -91,7 +92,7 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::MissionEnded(report) => telemetry::ended(state, report),
         Event::Profiles(names) => state.profiles = names,
         Event::Career(career) => {
-            state.career = career.map(|career| *career);
+            profiles::arrived(state, career.map(|career| *career));
             workshop::heard(state);
         }
         Event::Tries(tries) => state.tries = tries,

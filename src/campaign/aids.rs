@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::text;
 use crate::text::Text;
 
+/// A hint of the level fades out once the skill is this likely; whoever has reached the last needs none.
+const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
+
 /// A level of difficulty: it changes what helps, never the physics and never the score.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -36,12 +39,79 @@ impl Aids {
         Self::ALL.into_iter().find(|aids| aids.code() == code)
     }
 
-    /// In a word.
+    /// The one after this, in a circle.
+    #[must_use]
+    pub fn next(self) -> Self {
+        match self {
+            Self::Full => Self::Fading,
+            Self::Fading => Self::None,
+            Self::None => Self::Full,
+        }
+    }
+
+    /// Its name for people.
     pub fn title(self) -> Text {
         match self {
             Self::Full => text!("aids-full"),
             Self::Fading => text!("aids-fading"),
             Self::None => text!("aids-none"),
+        }
+    }
+
+    /// What it means.
+    pub fn explained(self) -> Text {
+        match self {
+            Self::Full => text!("aids-full-about"),
+            Self::Fading => text!("aids-fading-about"),
+            Self::None => text!("aids-none-about"),
+        }
+    }
+
+    /// Whether a hint comes by itself: its level, from 1 (the routine) to 3 (the whole way), and how likely the skill
+    /// is that it is about, 0 to 1.
+    pub fn shows_hint(self, level: u8, chance: f64) -> bool {
+        match self {
+            Self::Full => true,
+            Self::Fading => {
+                let at = usize::from(level.clamp(1, 3)) - 1;
+                chance < FADES_AT[at]
+            }
+            Self::None => false,
+        }
+    }
+
+    /// Whether the line of feedback is shown. It tells what came of what was done, so it does not fade.
+    pub fn shows_feedback(self) -> bool {
+        self != Self::None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hints_fade_with_the_skill_the_plain_ones_first() {
+        let shown = |aids: Aids, chance| [1, 2, 3].map(|level| aids.shows_hint(level, chance));
+        for (chance, expected) in [
+            (0.20, [true, true, true]),
+            (0.39, [true, true, true]),
+            (0.40, [false, true, true]),
+            (0.65, [false, false, true]),
+            (0.85, [false, false, false]),
+        ] {
+            assert_eq!(shown(Aids::Fading, chance), expected, "{chance}");
+            assert_eq!(shown(Aids::Full, chance), [true; 3], "{chance}");
+            assert_eq!(shown(Aids::None, chance), [false; 3], "{chance}");
+        }
+    }
+
+    #[test]
+    fn every_level_is_found_by_its_code_and_reached_by_the_key() {
+        for aids in Aids::ALL {
+            assert_eq!(Aids::of(aids.code()), Some(aids));
+            assert_eq!(aids.next().next().next(), aids);
+            assert_ne!(aids.next(), aids);
         }
     }
 }

@@ -11,9 +11,11 @@ use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::state::Career;
 use crate::app::update;
-use crate::campaign::{Course, Entry, Reward, Standing};
+use crate::campaign::{Aids, Course, Entry, Reward, Standing};
 use crate::scoring::TryReport;
-use crate::store::{self, Landing, Profile, ProfileError, Profiles, RunEntry, day_of, utc};
+use crate::store::{
+    self, Landing, Profile, ProfileError, ProfileSettings, Profiles, RunEntry, day_of, utc,
+};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
@@ -63,6 +65,19 @@ impl Careers {
 
     fn create(&mut self, name: &str) -> Result<(), ProfileError> {
         self.current = Some(self.profiles.create(name, &utc(SystemTime::now()))?);
+        Ok(())
+    }
+
+    fn set_aids(&mut self, aids: Aids) -> Result<(), ProfileError> {
+        let Some(profile) = &mut self.current else {
+            return Ok(());
+        };
+        let settings = ProfileSettings {
+            aids,
+            ..profile.settings.clone()
+        };
+        self.profiles.set_settings(profile, &settings)?;
+        profile.settings = settings;
         Ok(())
     }
 
@@ -132,6 +147,7 @@ impl Careers {
         Ok(Some(Career {
             designs: self.profiles.designs(profile)?,
             day: today(),
+            aids: profile.settings.aids,
             ..Career::new(&profile.name, history, self.course.clone())
         }))
     }
@@ -198,6 +214,7 @@ impl Console {
                 careers.current = None;
                 Ok(())
             }
+            Effect::SetAids(aids) => careers.set_aids(aids),
             Effect::BuyPart(part) => careers.buy(&part),
             Effect::KeepDesign(design) => careers.keep(&design),
             Effect::DropDesign(name) => careers.drop(&name),

@@ -61,6 +61,7 @@ impl Console {
             Effect::ChooseProfile(_)
             | Effect::CreateProfile(_)
             | Effect::LeaveProfile
+            | Effect::SetAids(_)
             | Effect::BuyPart(_)
             | Effect::KeepDesign(_)
             | Effect::DropDesign(_) => return self.change_career(effect),

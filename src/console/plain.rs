@@ -407,7 +407,9 @@ impl Plain {
         let mut passed = !is_mission && (self.is_person || !failed);
         if let Some(debrief) = debrief {
             passed = debrief.report.passed;
-            for line in &debrief.lines(&self.console.state.locale) {
+            let state = &self.console.state;
+            let lines = debrief.lines(state.reward.as_ref(), &state.locale);
+            for line in &lines {
                 self.say(&Text::from(line.as_str()));
             }
         }

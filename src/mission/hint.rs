@@ -27,6 +27,16 @@ pub enum Phase {
     Done,
 }
 
+impl Phase {
+    /// How much its advice gives away: 1 is the routine that every flight begins with, 2 what this mission asks for.
+    pub fn level(self) -> u8 {
+        match self {
+            Self::Ground | Self::Armed => 1,
+            Self::Air | Self::Done => 2,
+        }
+    }
+}
+
 /// Advice that has to be asked for, and costs points by its level from the second try on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clue {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Area, Inject, MoverKind, OpenAlert, Pledge};
+use super::{Area, Inject, MoverKind, OpenAlert, Phase, Pledge};
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::scoring::SwarmFigures;
@@ -30,6 +30,8 @@ pub struct Progress {
     pub loads: Vec<LoadLeft>,
     /// What sensors have found, for waits.
     pub findings: Findings,
+    /// How far the flight has come.
+    pub phase: Phase,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
     /// The one line of feedback: the newest thing that matters, at most one new in 5 s unless it is critical.

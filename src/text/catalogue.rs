@@ -37,6 +37,7 @@ catalogue! {
     "plain",
     "rooms",
     "scoring",
+    "standing",
     "swarm",
     "terminal",
     "threats",

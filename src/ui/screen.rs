@@ -11,5 +11,6 @@ pub mod messages;
 pub mod mission;
 pub mod parameters;
 pub mod small;
+pub mod standing;
 pub mod vehicle;
 pub mod workshop;

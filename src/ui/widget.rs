@@ -10,10 +10,12 @@ use ratatui::widgets::{Block, Clear, Widget};
 use super::look::Look;
 use super::theme::Role;
 use crate::ledger::RowState;
+use crate::scoring::Medal;
 pub use crate::text::{reflow, wrap};
 use crate::vehicle::Severity;
 
 pub mod alerts;
+pub mod bars;
 pub mod curve;
 pub mod footer;
 pub mod header;
@@ -24,6 +26,7 @@ pub mod mission;
 pub mod notices;
 pub mod overlay;
 pub mod palette;
+pub mod profiles;
 pub mod prompt;
 pub mod swarm;
 pub mod telemetry;
@@ -194,6 +197,16 @@ pub fn severity_role(severity: Severity) -> Role {
         Severity::Notice => Role::Accent,
         Severity::Info => Role::Info,
         Severity::Debug => Role::Muted,
+    }
+}
+
+/// A medal in stars: three are gold.
+pub fn stars(medal: Option<Medal>) -> &'static str {
+    match medal {
+        Some(Medal::Gold) => "***",
+        Some(Medal::Silver) => "**",
+        Some(Medal::Bronze) => "*",
+        None => "",
     }
 }
 

@@ -9,6 +9,7 @@ use crate::fixtures;
 use crate::harness::Console;
 
 mod alerts;
+mod career;
 mod command_line;
 mod commands;
 pub mod hangar;

@@ -5,8 +5,8 @@ use std::time::Duration;
 use sortie::geo::LatLon;
 use sortie::language::Findings;
 use sortie::mission::{
-    Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Pledge, Progress,
-    Reading,
+    Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Phase, Pledge,
+    Progress, Reading,
 };
 use sortie::scoring::{
     ComponentReport, EventReport, ObjectiveReport, Report, SwarmFigures, TruthReport,
@@ -15,6 +15,8 @@ use sortie::vehicle::{
     Attitude, Battery, Ekf, EkfFlags, FixType, GlobalPosition, Gps, Health, Heartbeat, LandedState,
     LinkQuality, Place, SystemStatus, Vehicle, VehicleClass,
 };
+
+pub mod career;
 
 pub const HOME: LatLon = LatLon::new(50.4501, 30.5234);
 pub const BRIEF: &str = "A tank at the yard has leaked. Before anybody walks in, the air has to be \
@@ -181,6 +183,7 @@ pub fn progress() -> Progress {
             unit: "ppm",
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
+        phase: Phase::Air,
         feedback: None,
         clues: ClueProgress {
             given: Vec::new(),

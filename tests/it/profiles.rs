@@ -140,7 +140,7 @@ fn a_profile_is_made_listed_exported_imported_bought_for_and_deleted() {
     let twice = refused(data, &["profile", "create", "anna"], 2);
     assert!(twice.contains("anna"), "{twice}");
     let bought = said(data, &["profile", "buy", "r_rfd900", "--profile", "Anna"]);
-    assert!(bought.contains("credits left"), "{bought}");
+    assert!(bought.contains("448 left"), "{bought}");
     let file = data.join("anna.json");
     let file = file.to_str().expect("a path of ours");
     said(data, &["profile", "export", "Anna", "--output", file]);
@@ -294,8 +294,15 @@ fn on_a_full_disk_the_score_is_said_and_the_flight_is_made_up_for() {
         .chain(run.get_args())
         .map(|word| format!("'{}'", word.to_string_lossy()))
         .collect::<Vec<_>>();
-    // No file grows beyond 40 blocks of 512 bytes: neither the database nor the record of a flight.
-    let script = format!("trap '' XFSZ; ulimit -f 40; exec {}", quoted.join(" "));
+    // Another console is at the database, whose log is nearly as long as a file may be. That has room for the record.
+    let other = Connection::open(data.join("profiles.sqlite")).expect("it is one");
+    let filled = other.execute_batch(
+        "PRAGMA wal_autocheckpoint = 0; CREATE TABLE filler (x);
+         INSERT INTO filler VALUES (zeroblob(8000)); BEGIN; SELECT count(*) FROM filler;",
+    );
+    filled.expect("writable");
+    // In blocks of 512 bytes.
+    let script = format!("trap '' XFSZ; ulimit -f 66; exec {}", quoted.join(" "));
     let output = Command::new("sh")
         .args(["-c", &script])
         .envs(
@@ -310,11 +317,10 @@ fn on_a_full_disk_the_score_is_said_and_the_flight_is_made_up_for() {
         out.contains("Career") && out.contains("experience +"),
         "{out}"
     );
-    assert!(
-        err.contains("not stored") || err.contains("not recorded"),
-        "{err}"
-    );
-    assert_eq!(flights(data), 0);
-    said(data, &with(&SHORT, &["--profile", "Anna"]));
-    assert_eq!(flights(data), 1, "the profile is as good as before");
+    assert!(err.contains("the flight is not stored"), "{err}");
+    drop(other);
+    let told = sortie(data, &["profile", "list"]);
+    let told = text(&told.stderr);
+    assert!(told.contains("had not been stored and is now"), "{told}");
+    assert_eq!(flights(data), 1);
 }

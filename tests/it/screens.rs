@@ -10,6 +10,7 @@ use sortie::vehicle::{Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
+mod career;
 mod crowded;
 mod debrief;
 mod fly;

@@ -8,9 +8,10 @@ use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::keymap::{ESCAPE, Press, Row, does, key};
 use crate::app::room::home::fly_drill;
-use crate::app::state::State;
+use crate::app::state::{Career, State};
 use crate::app::update::act::leave;
 use crate::app::update::mission;
+use crate::campaign::Reward;
 use crate::debrief;
 use crate::mission::Listing;
 use crate::notice::sanitised;
@@ -41,9 +42,10 @@ pub struct Debrief {
 }
 
 impl Debrief {
-    /// The result as text, line by line, in the words of a language.
-    pub fn lines(&self, locale: &Locale) -> Vec<String> {
-        let text = debrief::text(&self.report, locale);
+    /// The result as text, with what the flight brought to a career, line by line, in the words of a language.
+    pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<String> {
+        let reward = reward.map_or_else(Vec::new, Reward::lines);
+        let text = debrief::text_with(&self.report, &reward, locale);
         text.lines().map(sanitised).collect()
     }
 
@@ -116,7 +118,7 @@ fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     // The header and the footer take a row each.
     let rows = usize::from(state.size.1).saturating_sub(2);
     if let Some(debrief) = &mut state.rooms.debrief {
-        let lines = debrief.lines(&state.locale);
+        let lines = debrief.lines(state.reward.as_ref(), &state.locale);
         let positions = (lines.len() + 1).saturating_sub(rows).max(1);
         let sections = lines
             .iter()
@@ -132,8 +134,13 @@ pub fn is_section(line: &str) -> bool {
     line.starts_with(' ') && line.chars().skip(1).take(2).all(char::is_uppercase)
 }
 
-/// Flies the mission after the one that was flown.
+/// Flies what the trainee does best to fly next; where nobody's flights are kept, the mission after the one that was
+/// flown.
 fn next_mission(state: &mut State) -> Vec<Effect> {
+    if let Some(next) = state.career.as_ref().and_then(Career::next_mission) {
+        let launch = state.launch(next);
+        return mission::start(state, launch);
+    }
     let flown = state.rooms.debrief.as_ref();
     let flown = flown.map(|debrief| debrief.report.mission.as_str());
     let of = |it: &Listing| it.drill_of.clone().unwrap_or_else(|| it.id.clone());

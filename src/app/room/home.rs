@@ -1,15 +1,20 @@
 //! Where to begin: missions, free flight, vehicles elsewhere.
 
 use crate::app::action::Action;
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, Launch};
 use crate::app::keymap::{ENTER, Row, does, key};
 use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act::{guarded, quit};
 use crate::app::update::mission;
+use crate::campaign::Stake;
 use crate::mission::Listing;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+
+mod facts;
+
+pub use facts::{Fact, facts, unlocked};
 
 /// What the home screen remembers.
 #[derive(Debug, Clone, Default)]
@@ -37,8 +42,15 @@ pub enum HomeItem {
 pub const KEYS: &[Row] = &[
     does(ENTER, Action::Submit),
     does(key('t'), Action::Drill),
+    does(key('d'), Action::Daily),
+    does(key('e'), Action::Exam),
+    does(key('p'), Action::Practise),
+    does(key('u'), Action::Profiles),
     does(key('q'), Action::Quit),
 ];
+
+/// The seed of a practice flight where none is chosen.
+const PRACTICE_SEED: u64 = 1;
 
 /// What the home screen offers, from the top.
 pub fn items(state: &State) -> Vec<HomeItem> {
@@ -87,13 +99,9 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
             state.rooms.mission.scroll = 0;
             Some(Vec::new())
         }
-        Action::Drill => {
-            let item = items(state).get(state.rooms.home.cursor).copied();
-            let Some(HomeItem::Mission(at)) = item else {
-                return Some(Vec::new());
-            };
-            let id = state.missions[at].id.clone();
-            Some(fly_drill(state, &id))
+        Action::Drill | Action::Daily | Action::Exam | Action::Practise => {
+            let id = under_cursor(state).map(|mission| mission.id.clone());
+            Some(id.map_or_else(Vec::new, |id| fly_otherwise(state, action, &id)))
         }
         Action::Submit => {
             let item = items(state).get(state.rooms.home.cursor).copied();
@@ -101,6 +109,66 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         }
         _ => None,
     }
+}
+
+/// The mission under the cursor.
+pub fn under_cursor(state: &State) -> Option<&Listing> {
+    match items(state).get(state.rooms.home.cursor) {
+        Some(HomeItem::Mission(at)) => state.missions.get(*at),
+        _ => None,
+    }
+}
+
+/// Puts the cursor on a mission, or on the first line where it is not listed.
+pub fn point_at(state: &mut State, mission: Option<&str>) {
+    let is_it = |item: &HomeItem| match item {
+        HomeItem::Mission(at) => Some(state.missions[*at].id.as_str()) == mission,
+        _ => false,
+    };
+    state.rooms.home.cursor = items(state).iter().position(is_it).unwrap_or(0);
+    state.rooms.mission.scroll = 0;
+}
+
+/// Flies the mission's drill, with the seed of the day, its exam, or for practice.
+fn fly_otherwise(state: &mut State, how: Action, mission: &str) -> Vec<Effect> {
+    match how {
+        Action::Drill => fly_drill(state, mission),
+        Action::Daily => {
+            let launch = Launch {
+                stake: Stake::Daily,
+                ..state.launch(mission)
+            };
+            mission::start(state, launch)
+        }
+        Action::Exam => mission::start_exam(state, mission),
+        _ => {
+            match state.lock(mission) {
+                Some(reason) => state.say(Severity::Warning, reason),
+                None => {
+                    let purpose = Purpose::Seed(mission.to_owned());
+                    state.overlay = Some(Overlay::Prompt(Prompt::new(purpose)));
+                }
+            }
+            Vec::new()
+        }
+    }
+}
+
+/// Flies a mission for practice with the seed that was entered.
+///
+/// # Errors
+/// It is no seed.
+pub fn practise(state: &mut State, mission: &str, entered: &str) -> Result<Vec<Effect>, Text> {
+    let seed = match entered.trim() {
+        "" => PRACTICE_SEED,
+        written => written.parse().map_err(|_| text!("home-seed-none"))?,
+    };
+    let launch = Launch {
+        stake: Stake::Practice,
+        seed: Some(seed),
+        ..Launch::graded(mission)
+    };
+    Ok(mission::start(state, launch))
 }
 
 /// Takes the addresses that were entered. The prompt stays until the session has started, or says there why

@@ -5,7 +5,7 @@ use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::keymap::{ENTER, ESCAPE, Row, does, key, writes};
 use crate::app::room::Room;
-use crate::app::room::home::{self, HomeItem};
+use crate::app::room::home;
 use crate::app::state::State;
 use crate::app::update::act::show;
 use crate::mission::{Listing, Progress};
@@ -52,10 +52,7 @@ pub fn shown(state: &State) -> Option<&Listing> {
     if state.session.activity.is_some() {
         return state.flown_mission();
     }
-    match home::items(state).get(state.rooms.home.cursor) {
-        Some(HomeItem::Mission(at)) => state.missions.get(*at),
-        _ => None,
-    }
+    home::under_cursor(state)
 }
 
 /// What its actions do.

@@ -1,9 +1,11 @@
 //! The career of the trainee who sits here, as the console shows it.
 
-use crate::campaign::{Course, Entry, Reason, Stage, Standing};
+use crate::campaign::{Aids, Course, Entry, Growth, Reason, Stage, Standing};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
+
+mod outlook;
 
 /// Who trains here, and how far they have come. The shell hands in a new one after every change.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,12 +16,16 @@ pub struct Career {
     pub history: Vec<Entry>,
     /// What the history amounts to.
     pub standing: Standing,
+    /// How it came to that.
+    pub growth: Growth,
     /// The missions that a career consists of.
     pub course: Course,
     /// The trainee's own designs, by name.
     pub designs: Vec<Design>,
     /// Today: days since 1970 in UTC.
     pub day: i64,
+    /// How much advice comes by itself.
+    pub aids: Aids,
 }
 
 impl Career {
@@ -28,10 +34,12 @@ impl Career {
         Self {
             name: name.into(),
             standing: Standing::of(&history),
+            growth: Growth::of(&history),
             history,
             course,
             designs: Vec::new(),
             day: 0,
+            aids: Aids::default(),
         }
     }
 

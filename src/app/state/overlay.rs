@@ -23,6 +23,11 @@ pub enum Overlay {
     Confirm(Confirm),
     /// A line that is asked for.
     Prompt(Prompt),
+    /// Who trains here.
+    Profiles {
+        /// The line under the cursor.
+        cursor: usize,
+    },
     /// Keys and verbs.
     Help {
         /// The first line shown.
@@ -171,6 +176,10 @@ impl Prompt {
 pub enum Purpose {
     /// The addresses of vehicles, with blanks between them.
     Connect,
+    /// The name of a new profile.
+    NewProfile,
+    /// The seed of a practice flight of the mission with this id.
+    Seed(String),
     /// What the names of a room's list have to contain.
     Filter(Room),
     /// A parameter's new value.

@@ -1,6 +1,6 @@
 //! What actions mean where a room has no meaning of its own for them.
 
-use super::{mission, order, palette};
+use super::{mission, order, palette, profiles};
 use crate::app::action::Action;
 use crate::app::effect::Effect;
 use crate::app::room::{self, Room, fly};
@@ -32,6 +32,7 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::PauseMission => return mission::turn(state),
         Action::Abandon => return mission::abandon(state),
         Action::Leave => return leave(state),
+        Action::Profiles => profiles::open(state),
         Action::Quit => return quit(state),
         // Only prompts and single rooms know the others.
         _ => {}
@@ -117,7 +118,7 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
 }
 
 /// What would be lost by ending the session now; a mission that is over loses nothing.
-fn loss(state: &State) -> Option<Text> {
+pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
     // What has not begun is only cancelled.
     let has_not_begun = session.is_starting() && session.armed() == 0;

@@ -3,7 +3,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
-use super::{act, order, palette};
+use super::{act, order, palette, profiles};
 use crate::app::action::Action;
 use crate::app::console;
 use crate::app::effect::Effect;
@@ -26,6 +26,7 @@ pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
         Some(Overlay::Palette(line)) => palette::key(state, line, key),
         Some(Overlay::Confirm(question)) => confirm(state, question, key),
         Some(Overlay::Prompt(prompt)) => prompt_key(state, prompt, key),
+        Some(Overlay::Profiles { cursor }) => profiles::key(state, cursor, key),
         Some(reader) => read(state, reader, key),
         None => on_screen(state, key),
     }

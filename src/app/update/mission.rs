@@ -1,8 +1,9 @@
 //! The course of a session: pause, end, once more.
 
-use super::act::{ask, guarded};
+use super::act::{ask, guarded, loss};
 use crate::app::effect::{Effect, Launch};
 use crate::app::state::{Activity, State};
+use crate::campaign::Stake;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -69,6 +70,28 @@ pub fn start(state: &mut State, launch: Launch) -> Vec<Effect> {
         return Vec::new();
     }
     guarded(state, text!("ask-start"), Effect::StartMission(launch))
+}
+
+/// Starts the exam of a mission, after a question: it is not like other flights.
+pub fn start_exam(state: &mut State, mission: &str) -> Vec<Effect> {
+    if let Some(reason) = state.lock(mission) {
+        state.say(Severity::Warning, reason);
+        return Vec::new();
+    }
+    let reason = match loss(state) {
+        Some(lost) => Text::joined("; ", vec![lost, text!("ask-exam-reason")]),
+        None => text!("ask-exam-reason"),
+    };
+    let launch = Launch {
+        stake: Stake::Exam,
+        ..state.launch(mission)
+    };
+    ask(
+        state,
+        text!("ask-exam"),
+        reason,
+        Effect::StartMission(launch),
+    )
 }
 
 /// Flies the same mission again, `alike` if chance is to play the same again; asks first where something would be

@@ -127,8 +127,11 @@ pub fn notice(state: &mut State, notice: &Notice) {
     }
 }
 
-pub fn progress(state: &mut State, progress: Progress) {
+pub fn progress(state: &mut State, mut progress: Progress) {
     if state.session.activity.is_some() {
+        if let (Some(career), Some(mission)) = (&state.career, state.flown_mission()) {
+            career.fade(&mission.id, &mut progress);
+        }
         let mission_time = &mut state.session.mission_time;
         mission_time.note(state.now, progress.elapsed);
         state.rooms.mission.hear(&progress);

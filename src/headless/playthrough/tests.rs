@@ -4,10 +4,11 @@ use crate::language::Context;
 
 fn pilot(mission: &str, script: &str) -> (Mission, Script) {
     let mission = Mission::parse(mission).expect("no faults");
-    let places = mission.places();
+    let (places, areas) = (mission.places_to_name(), mission.named_areas());
     let vehicles: Vec<u16> = (1..=mission.vehicles as u16).collect();
     let context = Context {
         places: Some(&places),
+        areas: Some(&areas),
         vehicles: &vehicles,
         ..Context::default()
     };

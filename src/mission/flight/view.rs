@@ -44,6 +44,7 @@ impl Flight {
             readings: self.readings(),
             loads: self.loads_left(),
             findings: self.findings(),
+            phase: self.phase(&standings),
             hint: self.hint(&standings),
             feedback: self.feedback.line().cloned(),
             clues: self.clue_progress(),

@@ -19,7 +19,15 @@ fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
     }
     let all = runs.all_tries(None);
     assert_eq!(all.keys().collect::<Vec<_>>(), ["01-a"]);
-    assert_eq!(all["01-a"], runs.tries_at(None, "01-a", 1));
+    assert_eq!(all["01-a"], runs.tries_at(None, "01-a", 2));
+    assert!(
+        runs.tries_at(None, "01-a", 1).is_empty(),
+        "another revision"
+    );
+    assert!(
+        runs.tries_at(Some("Anna"), "01-a", 2).is_empty(),
+        "nobody's"
+    );
     let run = runs.begin("01-b", "2026-11-20T14:03:23Z").expect("created");
     let mode = fs::metadata(run.path())
         .expect("there")
@@ -27,7 +35,7 @@ fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
         .mode();
     assert_eq!(mode & 0o777, 0o600);
     assert_eq!(runs.newest().as_deref(), Some(run.path()));
-    let tries = runs.tries_at(None, "01-a", 1);
+    let tries = runs.tries_at(None, "01-a", 2);
     let scores: Vec<Option<u16>> = tries.iter().map(|one| one.score).collect();
     assert_eq!(scores, [Some(812), None]);
     assert_eq!(

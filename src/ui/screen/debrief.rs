@@ -30,7 +30,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     } else {
         area
     };
-    let (lines, scroll) = (debrief.lines(&look.locale), debrief.scroll);
+    let (lines, scroll) = (
+        debrief.lines(state.reward.as_ref(), &look.locale),
+        debrief.scroll,
+    );
     let column = centred(TEXT_WIDTH, area.height, area);
     let rows = usize::from(column.height);
     let first = scroll.min(lines.len().saturating_sub(rows));

@@ -48,17 +48,24 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 fn draw_line(line: &PageLine, look: &Look, place: Rect, buffer: &mut Buffer) {
-    let role = match line.tone {
-        Tone::Title => {
-            titled(&sanitised(&line.text), look, place, buffer);
-            return;
-        }
+    let text = sanitised(&line.text);
+    if line.tone == Tone::Title {
+        titled(&text, look, place, buffer);
+        return;
+    }
+    let style = look.style(tone_role(line.tone));
+    put(buffer, place, 0, &Line::styled(text, style));
+}
+
+/// The role of a tone.
+pub fn tone_role(tone: Tone) -> Role {
+    match tone {
+        Tone::Title => Role::Title,
         Tone::Plain => Role::Text,
         Tone::Muted => Role::Muted,
         Tone::Met => Role::Ok,
         Tone::Missed => Role::Danger,
+        Tone::Warning => Role::Warning,
         Tone::Hint => Role::Accent,
-    };
-    let text = sanitised(&line.text);
-    put(buffer, place, 0, &Line::styled(text, look.style(role)));
+    }
 }

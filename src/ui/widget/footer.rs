@@ -16,8 +16,20 @@ const HOME: &[(&str, &str)] = &[
     ("Enter", "hint-take"),
     (":", "hint-command"),
     ("?", "hint-help"),
+    ("u", "hint-trainee"),
+    ("T", "room-standing"),
     ("W", "room-workshop"),
     ("q", "hint-quit"),
+];
+const STANDING: &[(&str, &str)] = &[
+    ("j k", "hint-move"),
+    ("Tab", "hint-page"),
+    ("Enter", "hint-mission"),
+    ("a", "hint-aids"),
+    ("u", "hint-trainee"),
+    ("Esc", "hint-back"),
+    (":", "hint-command"),
+    ("?", "hint-help"),
 ];
 const FLY: &[(&str, &str)] = &[
     (":", "hint-command"),
@@ -171,6 +183,7 @@ fn is_of_use(state: &State, (_, what): &(&str, &str)) -> bool {
 fn hints(state: &State) -> &'static [(&'static str, &'static str)] {
     match state.room {
         Room::Home => HOME,
+        Room::Standing => STANDING,
         Room::Ledger => LEDGER,
         Room::Debrief if state.rooms.debrief.is_none() => NO_DEBRIEF,
         Room::Debrief => DEBRIEF,

@@ -16,6 +16,9 @@ const HELP_COLUMN: u16 = 74;
 pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &mut Buffer) {
     match overlay {
         Overlay::Confirm(question) => draw_confirm(question, look, area, buffer),
+        Overlay::Profiles { cursor } => {
+            super::profiles::draw(state, *cursor, look, area, buffer);
+        }
         Overlay::Help { scroll } => draw_help(state, *scroll, look, area, buffer),
         Overlay::Log { log, cursor } => {
             super::log::draw(state, (*log, *cursor), look, area, buffer);

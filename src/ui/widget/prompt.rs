@@ -74,6 +74,8 @@ fn long_fault(prompt: &Prompt, look: &Look) -> u16 {
 fn title(purpose: &Purpose, look: &Look) -> String {
     match purpose {
         Purpose::Connect => look.say("prompt-connect"),
+        Purpose::NewProfile => look.say("prompt-profile"),
+        Purpose::Seed(_) => look.say("prompt-seed"),
         Purpose::Filter(_) => look.say("prompt-filter"),
         Purpose::Parameter { name, vehicles } => look.text(&text!(
             "prompt-parameter",
@@ -95,6 +97,8 @@ fn title(purpose: &Purpose, look: &Look) -> String {
 fn advice(purpose: &Purpose) -> &'static str {
     match purpose {
         Purpose::Connect => "",
+        Purpose::NewProfile => "prompt-profile-advice",
+        Purpose::Seed(_) => "prompt-seed-advice",
         Purpose::Filter(_) => "prompt-filter-advice",
         Purpose::Parameter { .. } => "prompt-parameter-advice",
         Purpose::SaveParameters | Purpose::ExportDesign => "prompt-save-advice",

@@ -144,5 +144,8 @@ fn what_passing_brings_is_told_before() {
     let mut console = shipped(Language::English);
     let brief = console.press("B").screen(80, 60);
     assert!(brief.contains("for passing"), "{brief}");
-    assert!(brief.contains("300 credits, part s_pm25"), "{brief}");
+    assert!(
+        brief.contains("300 credits, part particle counter"),
+        "{brief}"
+    );
 }

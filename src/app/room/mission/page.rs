@@ -10,6 +10,7 @@ use crate::mission::{ClueProgress, Listing, ObjectiveState};
 use crate::text;
 use crate::text::{Locale, Text, reflow, wrap};
 
+mod career;
 mod fits;
 mod launch;
 mod rewards;
@@ -36,6 +37,8 @@ pub enum Tone {
     Met,
     /// An objective that was not reached.
     Missed,
+    /// What stands in the way.
+    Warning,
     /// What to do next.
     Hint,
 }
@@ -68,6 +71,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     first.brief();
     first.launch();
     first.tries();
+    first.career();
     if two {
         first.hints();
         let mut second = page();
@@ -309,16 +313,24 @@ impl Page<'_> {
 
     /// Names with what they stand for beside them.
     fn rows(&mut self, rows: &[(Text, Text)]) {
+        let plain = rows
+            .iter()
+            .map(|(name, what)| (name.clone(), what.clone(), Tone::Plain));
+        self.toned_rows(&plain.collect::<Vec<_>>());
+    }
+
+    /// The same, each in its own tone.
+    fn toned_rows(&mut self, rows: &[(Text, Text, Tone)]) {
         let names: Vec<String> = rows
             .iter()
-            .map(|(name, _)| self.locale.text(name))
+            .map(|(name, ..)| self.locale.text(name))
             .collect();
         let indent = names.iter().map(|name| name.width()).max().unwrap_or(0) + 2;
-        for (name, (_, what)) in names.iter().zip(rows) {
+        for (name, (_, what, tone)) in names.iter().zip(rows) {
             let what = self.locale.text(what);
             let mut lead = padded(name, indent);
             for line in wrap(&what, self.width.saturating_sub(indent)) {
-                self.add(Tone::Plain, lead + &line);
+                self.add(*tone, lead + &line);
                 lead = " ".repeat(indent);
             }
         }

@@ -1,0 +1,117 @@
+# Who trains here, how far they have come, and what comes next.
+
+room-standing = standing
+action-standing = own progress: skills, scores, credits
+action-daily = fly the mission with the seed of the day
+action-exam = fly the mission's exam
+action-practise = fly the mission for practice, with a seed
+action-profiles = choose who trains here
+action-aids = more or less advice that comes by itself
+keys-list = lists to choose from
+hint-trainee = who trains
+hint-mission = mission
+hint-aids = advice
+
+# The first line of the home screen.
+home-nobody = says who trains here: without a profile no flight is kept
+home-trainee = level { $level }   { $credits } cr   licence { $licence }
+home-next = next: { $skill } { $percent } %, { $mission }
+home-next-short = next: { $mission }
+home-career = for your career
+# At most 8 columns each.
+home-locked = locked
+home-is-next = next
+home-sign-passed = passed
+home-sign-next = next
+home-sign-due = passed, a skill is due
+home-sign-locked = locked
+home-daily = seed of the day
+home-exam = exam
+home-practise = practice
+home-seed-none = a seed is a whole number from 0 up
+ask-exam = EXAM
+ask-exam-reason = everybody's seed, no hints, no pause; the result counts
+
+# What a mission means to the career: names and what they say.
+mission-career = for your career
+fact-stage = state
+fact-locked = locked: { $why }
+fact-new = open, not flown yet
+fact-open = open, best { $score } points in { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+}
+fact-passed = passed, { $score } points, { $medal }, { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+}
+fact-next = next
+fact-next-is = trains { $skill }
+fact-next-drill = its drill trains { $skill }
+fact-review = due
+fact-trains = trains, %
+fact-skill = { $skill } { $percent }
+fact-skill-mastered = { $skill } { $percent } (mastered)
+fact-pays = pays
+fact-pays-first = up to { $credits } cr for the first pass
+fact-pays-left = { $left } of { $credits } cr left for a better score
+fact-opens = opens
+fact-drones = drones
+fact-drones-are = { $count }, your licence is for { $licence }
+fact-daily = today
+fact-daily-open = seed of the day not flown yet
+fact-daily-flown = seed of the day flown: again it is practice
+
+# The list of profiles.
+profiles-title = who trains here
+profiles-now = (now)
+profiles-new = somebody new ...
+profiles-nobody = nobody: flights are not kept
+profiles-keys = j k move   Enter takes   Esc back
+profiles-in-flight = a mission is under way: end it first, its result is yours
+profiles-nameless = write a name
+prompt-profile = your name
+prompt-profile-advice = flights, credits and designs are kept under it on this machine only
+prompt-seed = seed for practice
+prompt-seed-advice = a number; the same seed is the same flight. Enter alone takes 1. Practice earns nothing
+
+# Own progress.
+standing-nobody = Nobody trains here whose flights are kept. Press u to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.
+standing-nobody-yet = choose who trains here first: u
+standing-level = level { $level }
+standing-experience = { $experience }/{ $needed } xp
+standing-credits = { $credits } cr
+standing-licence = licence { $count }
+standing-flights = { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+}
+standing-aids-key = changes it
+standing-skills = skills: how likely each is mastered
+standing-next = next
+standing-review = review { $when }
+standing-why = why: { $skill }
+standing-why-nothing = nothing seen of it yet: fly a mission that trains it
+standing-moved = { $mission }: { $what } { $percent } %, { $when }
+standing-scores = scores by mission
+standing-scores-nothing = no flights yet
+standing-mission = { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+}, best { $best } { $medal }, last { $last } { $when }
+standing-chart = points, flight by flight: { $mission }   x not passed   p practice
+standing-wealth = credits and experience, flight by flight and purchase by purchase
+standing-wealth-nothing = no flights yet
+standing-curve = { $what }: { $now } now
+standing-curve-credits = credits
+standing-curve-experience = experience
+days-today = today
+days-ahead = in { $count } d
+days-ago = { $count } d ago
+
+# How much advice comes by itself.
+aids-full-about = advice: full; every hint and all feedback
+aids-fading-about = advice: fading; hints go as the skills of the mission grow
+aids-none-about = advice: none; only hints that you ask for
+
+debrief-career = CAREER

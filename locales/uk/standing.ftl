@@ -1,0 +1,105 @@
+# Хто тут тренується, чого досяг і що далі.
+
+room-standing = поступ
+action-standing = власний поступ: навички, бали, кредити
+action-daily = виконати завдання із зерном дня
+action-exam = скласти іспит із завдання
+action-practise = виконати завдання для вправи, із зерном
+action-profiles = вибрати, хто тренується
+action-aids = більше чи менше порад самих по собі
+keys-list = переліки для вибору
+hint-trainee = хто тут
+hint-mission = завдання
+hint-aids = поради
+
+# Перший рядок початкового екрана.
+home-nobody = скаже, хто тренується: без профілю польоти не зберігаються
+home-trainee = рівень { $level }   { $credits } cr   ліцензія { $licence }
+home-next = далі: { $skill } { $percent } %, { $mission }
+home-next-short = далі: { $mission }
+home-career = для вашої кар'єри
+# Щонайбільше 8 знаків кожне.
+home-locked = закрито
+home-is-next = далі
+home-sign-passed = пройдено
+home-sign-next = далі
+home-sign-due = пройдено, час повторити
+home-sign-locked = закрито
+home-daily = зерно дня
+home-exam = іспит
+home-practise = вправа
+home-seed-none = зерно - ціле число від 0
+ask-exam = ІСПИТ
+ask-exam-reason = спільне зерно, без підказок і пауз; результат враховується
+
+# Що завдання означає для кар'єри: назви й відомості.
+mission-career = для вашої кар'єри
+fact-stage = стан
+fact-locked = закрито: { $why }
+fact-new = відкрито, ще не виконувалося
+fact-open = відкрито, найкраще { $score } балів, польотів { $count }
+fact-passed = пройдено, { $score } балів, { $medal }, польотів { $count }
+fact-next = далі
+fact-next-is = тренує: { $skill }
+fact-next-drill = вправа до нього тренує: { $skill }
+fact-review = час повторити
+fact-trains = тренує, %
+fact-skill = { $skill } { $percent }
+fact-skill-mastered = { $skill } { $percent } (засвоєно)
+fact-pays = платить
+fact-pays-first = до { $credits } cr за перше проходження
+fact-pays-left = ще { $left } з { $credits } cr за кращі бали
+fact-opens = відкриває
+fact-drones = дрони
+fact-drones-are = { $count }, ваша ліцензія на { $licence }
+fact-daily = сьогодні
+fact-daily-open = із зерном дня ще не виконано
+fact-daily-flown = із зерном дня виконано: удруге це вправа
+
+# Перелік профілів.
+profiles-title = хто тренується
+profiles-now = (зараз)
+profiles-new = хтось новий ...
+profiles-nobody = ніхто: польоти не зберігаються
+profiles-keys = j k рухають   Enter бере   Esc назад
+profiles-in-flight = завдання триває: спершу завершіть його, результат ваш
+profiles-nameless = впишіть ім'я
+prompt-profile = ваше ім'я
+prompt-profile-advice = під ним зберігаються польоти, кредити й конструкції, лише на цій машині
+prompt-seed = зерно для вправи
+prompt-seed-advice = число; те саме зерно - той самий політ. Сам Enter бере 1. Вправа нічого не платить
+
+# Власний поступ.
+standing-nobody = Тут не тренується ніхто, чиї польоти зберігаються. Натисніть u, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
+standing-nobody-yet = спершу виберіть, хто тренується: u
+standing-level = рівень { $level }
+standing-experience = досвід { $experience }/{ $needed }
+standing-credits = { $credits } cr
+standing-licence = ліцензія { $count }
+standing-flights = польотів { $count }
+standing-aids-key = змінює
+standing-skills = навички: наскільки ймовірно засвоєні
+standing-next = далі
+standing-review = повторити { $when }
+standing-why = чому: { $skill }
+standing-why-nothing = її ще не видно: виконайте завдання, що її тренує
+standing-moved = { $mission }: { $what } { $percent } %, { $when }
+standing-scores = бали за завданнями
+standing-scores-nothing = польотів ще немає
+standing-mission = польотів { $count }, найкраще { $best } { $medal }, останнє { $last } { $when }
+standing-chart = бали за польотами: { $mission }   x не пройдено   p вправа
+standing-wealth = кредити й досвід за польотами та купівлями
+standing-wealth-nothing = польотів ще немає
+standing-curve = { $what }: зараз { $now }
+standing-curve-credits = кредити
+standing-curve-experience = досвід
+days-today = сьогодні
+days-ahead = за { $count } д
+days-ago = { $count } д тому
+
+# Скільки порад з'являється самих по собі.
+aids-full-about = поради: усі підказки та відгуки
+aids-fading-about = поради: згасають, коли зростають навички завдання
+aids-none-about = поради: лише підказки, про які ви просите
+
+debrief-career = КАР'ЄРА

@@ -1,0 +1,156 @@
+//! What a mission means to the trainee's career: where they stand with it, what it trains, pays and opens.
+
+use crate::app::room::mission::Tone;
+use crate::app::state::{Career, State};
+use crate::campaign::{Mastery, Offer, Reason, Skill, Stage};
+use crate::mission::{Listing, Unlock};
+use crate::scoring::Medal;
+use crate::text;
+use crate::text::Text;
+use crate::workshop::part;
+
+/// One fact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fact {
+    /// What it is about.
+    pub name: Text,
+    /// What it says.
+    pub what: Text,
+    /// How it looks.
+    pub tone: Tone,
+}
+
+/// What a mission means to the trainee, most important first; nothing without a profile.
+pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
+    let Some(career) = &state.career else {
+        return Vec::new();
+    };
+    let Some(offer) = career.course.offer(&mission.id) else {
+        return Vec::new();
+    };
+    let plain = |name, what| Fact {
+        name,
+        what,
+        tone: Tone::Plain,
+    };
+    let mut facts = vec![stage(career, offer)];
+    facts.extend(advice(career, &mission.id));
+    facts.extend(review(career, offer));
+    facts.push(plain(text!("fact-pays"), pay(career, offer)));
+    let unlock = &mission.rewards.unlock;
+    if !unlock.is_empty() {
+        let unlocked = unlock.iter().map(|unlock| unlocked(state, unlock));
+        let what = Text::joined(", ", unlocked.collect());
+        facts.push(plain(text!("fact-opens"), what));
+    }
+    facts.push(plain(text!("fact-trains"), skills(career, offer)));
+    let daily = if career.flew_daily(&mission.id) {
+        text!("fact-daily-flown")
+    } else {
+        text!("fact-daily-open")
+    };
+    facts.push(plain(text!("fact-daily"), daily));
+    let licence = career.standing.licence();
+    let drones = text!("fact-drones-are", count = offer.vehicles, licence = licence);
+    facts.push(plain(text!("fact-drones"), drones));
+    facts
+}
+
+/// What a mission opens: missions and parts by their names, all else by what it is called.
+pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
+    match unlock {
+        Unlock::Mission(id) => {
+            let mut missions = state.missions.iter();
+            let known = missions.find(|mission| mission.id == *id);
+            let title = known.map_or_else(|| id.as_str().into(), |it| it.title.clone());
+            text!("mission-reward-mission", title = title)
+        }
+        Unlock::Part(id) => {
+            let name = part(id).map_or_else(|| id.as_str().into(), |part| part.name());
+            text!("mission-reward-part", part = name)
+        }
+        Unlock::Threat(id) => text!("mission-reward-threat", threat = id),
+    }
+}
+
+/// Where the trainee stands with the mission, and why it is locked.
+fn stage(career: &Career, offer: &Offer) -> Fact {
+    let best = career.standing.best(&offer.id);
+    let (what, tone) = match career.course.stage(offer, &career.standing, career.day) {
+        Stage::Locked(reasons) => {
+            let reasons = reasons.iter().map(Reason::text).collect();
+            let why = Text::joined("; ", reasons);
+            (text!("fact-locked", why = why), Tone::Warning)
+        }
+        Stage::Open => match best {
+            Some(best) => (
+                text!("fact-open", score = best.score, count = best.tries),
+                Tone::Plain,
+            ),
+            None => (text!("fact-new"), Tone::Plain),
+        },
+        Stage::Passed(medal) => {
+            let medal = medal.map_or(text!("debrief-no-medal"), Medal::title);
+            let score = best.and_then(|best| best.passed).unwrap_or_default();
+            let count = best.map_or(0, |best| best.tries);
+            let what = text!("fact-passed", score = score, medal = medal, count = count);
+            (what, Tone::Met)
+        }
+    };
+    Fact {
+        name: text!("fact-stage"),
+        what,
+        tone,
+    }
+}
+
+/// Why this is the mission to fly next, if it is.
+fn advice(career: &Career, mission: &str) -> Option<Fact> {
+    let (skill, offer) = career.next()?;
+    let what = if offer.id == mission {
+        text!("fact-next-is", skill = skill.title())
+    } else if offer.drill_of.as_deref() == Some(mission) {
+        text!("fact-next-drill", skill = skill.title())
+    } else {
+        return None;
+    };
+    Some(Fact {
+        name: text!("fact-next"),
+        what,
+        tone: Tone::Hint,
+    })
+}
+
+fn review(career: &Career, offer: &Offer) -> Option<Fact> {
+    let due = career.due(offer);
+    let titles = due.into_iter().map(Skill::title).collect::<Vec<Text>>();
+    (!titles.is_empty()).then(|| Fact {
+        name: text!("fact-review"),
+        what: Text::joined(", ", titles),
+        tone: Tone::Warning,
+    })
+}
+
+/// The skills that it trains, with how likely each is.
+fn skills(career: &Career, offer: &Offer) -> Text {
+    let skill = |skill: &Skill| {
+        let known = career.standing.skill(*skill);
+        let percent = (known.chance(career.day) * 100.0).round() as u32;
+        let title = skill.title();
+        if known.mastery(career.day) == Mastery::Mastered {
+            text!("fact-skill-mastered", skill = title, percent = percent)
+        } else {
+            text!("fact-skill", skill = title, percent = percent)
+        }
+    };
+    Text::joined(", ", offer.skills.iter().map(skill).collect())
+}
+
+fn pay(career: &Career, offer: &Offer) -> Text {
+    let left = career.credits_left(offer);
+    if career.standing.has_passed(&offer.id) {
+        text!("fact-pays-left", left = left, credits = offer.credits)
+    } else {
+        text!("fact-pays-first", credits = offer.credits)
+    }
+}

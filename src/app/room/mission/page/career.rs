@@ -1,0 +1,19 @@
+//! What the mission means to the trainee's career.
+
+use super::Page;
+use crate::app::room::home::facts;
+use crate::text;
+
+impl Page<'_> {
+    /// Where the trainee stands with it, before it is flown; nothing without a profile.
+    pub(super) fn career(&mut self) {
+        let is_read = self.state.session.activity.is_none() || self.awaits_launch();
+        let facts = facts(self.state, self.mission);
+        if facts.is_empty() || !is_read {
+            return;
+        }
+        self.title(&text!("mission-career"));
+        let rows = facts.into_iter().map(|it| (it.name, it.what, it.tone));
+        self.toned_rows(&rows.collect::<Vec<_>>());
+    }
+}

@@ -1,0 +1,122 @@
+//! How far the trainee has come: skills and why they moved, scores by mission, credits and experience.
+
+use crossterm::event::KeyCode;
+
+use crate::app::action::{Action, Step};
+use crate::app::effect::Effect;
+use crate::app::keymap::{ENTER, ESCAPE, Press, Row, does, key};
+use crate::app::room::{Room, home};
+use crate::app::state::{Career, State};
+use crate::app::update::act::show;
+use crate::campaign::{Offer, Skill};
+use crate::text;
+use crate::vehicle::Severity;
+
+/// From this width and height on, everything is shown at the same time.
+const WIDE: (u16, u16) = (140, 40);
+
+/// What the room remembers.
+#[derive(Debug, Clone, Default)]
+pub struct Standing {
+    /// The pane that the cursor is in.
+    pub pane: Pane,
+    /// The line under the cursor in the list of skills.
+    pub skill: usize,
+    /// The line under the cursor in the list of missions.
+    pub mission: usize,
+}
+
+/// What is shown; small screens show one at a time.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Pane {
+    /// The skills, and what moved the one under the cursor.
+    #[default]
+    Skills,
+    /// The missions that were flown, and the scores of the one under the cursor.
+    Scores,
+    /// Credits and experience over time.
+    Wealth,
+}
+
+impl Pane {
+    fn next(self) -> Self {
+        match self {
+            Self::Skills => Self::Scores,
+            Self::Scores => Self::Wealth,
+            Self::Wealth => Self::Skills,
+        }
+    }
+}
+
+/// Its keys.
+pub const KEYS: &[Row] = &[
+    does(ENTER, Action::Submit),
+    does(ESCAPE, Action::Escape),
+    does(Press::Plain(KeyCode::Tab), Action::NextPage),
+    does(key('a'), Action::Aids),
+    does(key('u'), Action::Profiles),
+];
+
+/// Whether a screen of this size shows all panes.
+pub fn shows_all((width, height): (u16, u16)) -> bool {
+    width >= WIDE.0 && height >= WIDE.1
+}
+
+/// The missions and drills that the trainee has flown, in the order of the course.
+pub fn flown(career: &Career) -> Vec<&Offer> {
+    let offers = career.course.offers().iter();
+    offers
+        .filter(|offer| !career.growth.tries(&offer.id).is_empty())
+        .collect()
+}
+
+/// What its actions do.
+pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Move(step) => walk(state, step),
+        Action::NextPage => {
+            let pane = &mut state.rooms.standing.pane;
+            *pane = pane.next();
+        }
+        Action::Aids => return Some(change_aids(state)),
+        Action::Submit => to_mission(state),
+        Action::Escape => show(state, Room::Home),
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+fn walk(state: &mut State, step: Step) {
+    let missions = state.career.as_ref().map_or(0, |it| flown(it).len());
+    let room = &mut state.rooms.standing;
+    match room.pane {
+        Pane::Skills => room.skill = step.apply(room.skill, Skill::ALL.len()),
+        Pane::Scores => room.mission = step.apply(room.mission, missions),
+        Pane::Wealth => {}
+    }
+}
+
+/// The next level of advice; it holds from now on, also for the flight under way.
+fn change_aids(state: &mut State) -> Vec<Effect> {
+    let Some(career) = &state.career else {
+        state.say(Severity::Notice, text!("standing-nobody-yet"));
+        return Vec::new();
+    };
+    let aids = career.aids.next();
+    state.say(Severity::Notice, aids.explained());
+    vec![Effect::SetAids(aids)]
+}
+
+/// Shows the mission under the cursor on the home screen, from where it can be flown.
+fn to_mission(state: &mut State) {
+    let room = &state.rooms.standing;
+    let Some(career) = state.career.as_ref().filter(|_| room.pane == Pane::Scores) else {
+        return;
+    };
+    let Some(offer) = flown(career).get(room.mission).copied() else {
+        return;
+    };
+    let mission = offer.drill_of.clone().unwrap_or_else(|| offer.id.clone());
+    home::point_at(state, Some(&mission));
+    show(state, Room::Home);
+}

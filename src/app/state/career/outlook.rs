@@ -1,0 +1,72 @@
+//! What lies ahead: what to do next, what a mission would bring, and how much advice comes with it.
+
+use super::Career;
+use crate::campaign::{Entry, Flight, Mastery, Offer, Skill, Stage, Stake};
+use crate::mission::Progress;
+
+/// Points of a perfect flight.
+const PERFECT: u16 = 1000;
+
+impl Career {
+    /// Where the trainee stands with a mission, if it is one of the course.
+    pub fn stage(&self, mission: &str) -> Option<Stage> {
+        let offer = self.course.offer(mission)?;
+        Some(self.course.stage(offer, &self.standing, self.day))
+    }
+
+    /// What to train next, and the mission or drill that does it.
+    pub fn next(&self) -> Option<(Skill, &Offer)> {
+        self.course.next(&self.standing, self.day)
+    }
+
+    /// The mission to look at next: that of the drill, where a drill is next.
+    pub fn next_mission(&self) -> Option<&str> {
+        let (_, offer) = self.next()?;
+        let id = offer.drill_of.as_deref();
+        Some(id.unwrap_or(&offer.id))
+    }
+
+    /// The skills to be refreshed that a mission trains, if it was passed before.
+    pub fn due(&self, offer: &Offer) -> Vec<Skill> {
+        if !self.standing.has_passed(&offer.id) {
+            return Vec::new();
+        }
+        let is_due = |skill: &Skill| self.standing.skill(*skill).mastery(self.day) == Mastery::Due;
+        offer.skills.iter().copied().filter(is_due).collect()
+    }
+
+    /// Credits that a perfect flight of a mission would still bring.
+    pub fn credits_left(&self, offer: &Offer) -> u32 {
+        let best = self.standing.best(&offer.id).and_then(|best| best.passed);
+        let open = best.map_or(PERFECT, |best| PERFECT.saturating_sub(best));
+        (f64::from(offer.credits) * f64::from(open) / f64::from(PERFECT)).round() as u32
+    }
+
+    /// Whether a mission was flown today with the seed of the day.
+    pub fn flew_daily(&self, mission: &str) -> bool {
+        self.history.iter().rev().any(|entry| {
+            let Entry::Flight(flight) = entry else {
+                return false;
+            };
+            let Flight { stake, day, .. } = flight;
+            flight.mission == mission && *stake == Stake::Daily && *day == self.day
+        })
+    }
+
+    /// Takes away the advice that the trainee does without.
+    pub fn fade(&self, mission: &str, progress: &mut Progress) {
+        let offer = self.course.offer(mission);
+        let skills = offer.iter().flat_map(|offer| &offer.skills);
+        // Advice is about the whole mission: it stays as long as one of its skills needs it.
+        let chance = skills
+            .map(|skill| self.standing.skill(*skill).chance(self.day))
+            .fold(1.0, f64::min);
+        let chance = if offer.is_some() { chance } else { 0.0 };
+        if !self.aids.shows_hint(progress.phase.level(), chance) {
+            progress.hint = None;
+        }
+        if !self.aids.shows_feedback() {
+            progress.feedback = None;
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Who trains here: choosing, making and leaving a profile.
+
+use crossterm::event::KeyEvent;
+
+use crate::app::action::Action;
+use crate::app::effect::Effect;
+use crate::app::keymap::Place;
+use crate::app::room::home;
+use crate::app::state::{Activity, Career, Overlay, Prompt, Purpose, State, Trainee};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// Opens the list. Whoever has begun a mission ends it first: its result is theirs.
+pub fn open(state: &mut State) {
+    let is_mission = matches!(state.session.activity, Some(Activity::Mission { .. }));
+    if is_mission && !state.session.over {
+        state.say(Severity::Notice, text!("profiles-in-flight"));
+        return;
+    }
+    let cursor = if state.career.is_some() {
+        let mut trainees = state.trainees().into_iter();
+        trainees.position(|trainee| state.is_training(&trainee))
+    } else {
+        None
+    };
+    // Who has no profile is most likely to want one: the first that there is, or a new one.
+    let cursor = cursor.unwrap_or(0);
+    state.overlay = Some(Overlay::Profiles { cursor });
+}
+
+/// A key while the list is open.
+pub fn key(state: &mut State, cursor: usize, key: KeyEvent) -> Vec<Effect> {
+    let trainees = state.trainees();
+    let cursor = match state.keymap.action(key, Place::List) {
+        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Submit) => {
+            let trainee = trainees.get(cursor).cloned();
+            return trainee.map_or_else(Vec::new, |trainee| take(state, trainee));
+        }
+        Some(Action::Move(step)) => step.apply(cursor, trainees.len()),
+        _ => cursor,
+    };
+    state.overlay = Some(Overlay::Profiles { cursor });
+    Vec::new()
+}
+
+fn take(state: &mut State, trainee: Trainee) -> Vec<Effect> {
+    if state.is_training(&trainee) {
+        return Vec::new();
+    }
+    match trainee {
+        Trainee::Known(name) => vec![Effect::ChooseProfile(name)],
+        Trainee::Nobody => vec![Effect::LeaveProfile],
+        Trainee::New => {
+            state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::NewProfile)));
+            Vec::new()
+        }
+    }
+}
+
+/// Takes the name of a new profile. The prompt stays until the profile is there, or says there why it is not.
+///
+/// # Errors
+/// There is no name.
+pub fn created(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
+    let name = entered.trim();
+    if name.is_empty() {
+        return Err(text!("profiles-nameless"));
+    }
+    state.overlay = Some(Overlay::Prompt(Prompt {
+        input: entered.into(),
+        ..Prompt::new(Purpose::NewProfile)
+    }));
+    Ok(vec![Effect::CreateProfile(name.to_owned())])
+}
+
+/// Shows how far the trainee has come. Somebody else, or one more flight, puts the cursor of the home screen on what
+/// to do next.
+pub fn arrived(state: &mut State, career: Option<Career>) {
+    let seen = |career: &Career| (career.name.clone(), career.standing.flights());
+    let before = state.career.as_ref().map(seen);
+    let now = career.as_ref().map(seen);
+    let next = career.as_ref().and_then(Career::next_mission);
+    let next = next.map(str::to_owned);
+    state.career = career;
+    if before == now {
+        return;
+    }
+    home::point_at(state, next.as_deref());
+    let name = |seen: &Option<(String, u32)>| seen.as_ref().map(|(name, _)| name.clone());
+    if name(&before) != name(&now) {
+        // What was chosen for missions was somebody else's.
+        state.fleets.clear();
+        if is_asking(state) {
+            state.overlay = None;
+        }
+    }
+}
+
+fn is_asking(state: &State) -> bool {
+    match &state.overlay {
+        Some(Overlay::Prompt(prompt)) => prompt.purpose == Purpose::NewProfile,
+        _ => false,
+    }
+}

@@ -1,0 +1,198 @@
+//! How a career came to be what it is: the same history as [`Standing`], step by step, for charts and for the question
+//! why a skill moved.
+
+use std::collections::BTreeMap;
+
+use super::knowledge::Skills;
+use super::{Entry, Flight, Skill, Stake, Standing};
+use crate::scoring::Medal;
+use crate::text::Text;
+
+/// A career over time.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Growth {
+    wealth: Vec<Wealth>,
+    tries: BTreeMap<String, Vec<Try>>,
+    moves: BTreeMap<Skill, Vec<Move>>,
+}
+
+/// What there was after an entry.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wealth {
+    /// Credits to spend.
+    pub credits: u32,
+    /// Experience so far.
+    pub experience: u64,
+}
+
+/// A finished flight of a mission.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Try {
+    /// The day on which it ended, in days since 1970 (UTC).
+    pub day: i64,
+    /// 0 to 1000.
+    pub score: u16,
+    /// Whether all mandatory objectives were met.
+    pub passed: bool,
+    /// The medal.
+    pub medal: Option<Medal>,
+    /// What it was flown for.
+    pub stake: Stake,
+}
+
+/// How one opportunity moved a skill.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Move {
+    /// Id of the mission.
+    pub mission: String,
+    /// The day, in days since 1970 (UTC).
+    pub day: i64,
+    /// What was looked at.
+    pub what: Text,
+    /// How well it went, 0 to 1.
+    pub outcome: f64,
+    /// How likely the skill was on that day before, 0 to 1.
+    pub before: f64,
+    /// How likely it was afterwards.
+    pub after: f64,
+}
+
+impl Growth {
+    /// What a history was step by step, oldest entry first.
+    pub fn of<'a>(history: impl IntoIterator<Item = &'a Entry>) -> Self {
+        let mut growth = Self::default();
+        let mut standing = Standing::default();
+        let mut skills = Skills::new();
+        for entry in history {
+            standing.enter(entry);
+            growth.wealth.push(Wealth {
+                credits: standing.credits(),
+                experience: standing.experience().0,
+            });
+            if let Entry::Flight(flight) = entry {
+                growth.fly(flight, &mut skills);
+            }
+        }
+        growth
+    }
+
+    fn fly(&mut self, flight: &Flight, skills: &mut Skills) {
+        let tries = self.tries.entry(flight.mission.clone()).or_default();
+        tries.push(Try {
+            day: flight.day,
+            score: flight.score,
+            passed: flight.passed,
+            medal: flight.medal,
+            stake: flight.stake,
+        });
+        for evidence in &flight.evidence {
+            let known = skills.entry(evidence.skill).or_default();
+            let before = known.chance(flight.day);
+            known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
+            self.moves.entry(evidence.skill).or_default().push(Move {
+                mission: flight.mission.clone(),
+                day: flight.day,
+                what: evidence.what.clone(),
+                outcome: evidence.outcome,
+                before,
+                after: known.chance(flight.day),
+            });
+        }
+    }
+
+    /// What there was after each entry, oldest first.
+    pub fn wealth(&self) -> &[Wealth] {
+        &self.wealth
+    }
+
+    /// The flights of a mission, oldest first.
+    pub fn tries(&self, mission: &str) -> &[Try] {
+        self.tries.get(mission).map_or(&[], Vec::as_slice)
+    }
+
+    /// What moved a skill, oldest first.
+    pub fn moves(&self, skill: Skill) -> &[Move] {
+        self.moves.get(&skill).map_or(&[], Vec::as_slice)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Evidence, Purchase};
+    use super::*;
+
+    fn flight(mission: &str, day: i64, score: u16, outcomes: &[(Skill, f64)]) -> Entry {
+        let evidence = outcomes.iter().map(|&(skill, outcome)| Evidence {
+            skill,
+            outcome,
+            what: Text::default(),
+        });
+        Entry::Flight(Flight {
+            mission: mission.to_owned(),
+            drill_of: None,
+            tier: 1,
+            reward: 400,
+            vehicles: 1,
+            stake: Stake::Graded,
+            day,
+            score,
+            passed: score >= 550,
+            medal: None,
+            evidence: evidence.collect(),
+            wear: 0,
+        })
+    }
+
+    fn history() -> Vec<Entry> {
+        vec![
+            flight("one", 1, 500, &[(Skill::K3, 0.0), (Skill::K4, 1.0)]),
+            flight("one", 2, 800, &[(Skill::K3, 1.0), (Skill::K3, 0.5)]),
+            Entry::Purchase(Purchase {
+                part: "s_gas4".to_owned(),
+                credits: 100,
+            }),
+            flight("two", 9, 900, &[(Skill::K3, 1.0)]),
+        ]
+    }
+
+    #[test]
+    fn the_last_step_is_the_standing() {
+        let history = history();
+        let (growth, standing) = (Growth::of(&history), Standing::of(&history));
+        let last = growth.wealth().last().expect("there were entries");
+        assert_eq!(last.credits, standing.credits());
+        assert_eq!(last.experience, standing.experience().0);
+        assert_eq!(growth.wealth().len(), history.len());
+        for skill in [Skill::K3, Skill::K4] {
+            let last = growth.moves(skill).last().expect("it was shown");
+            let now = standing.skill(skill).chance(last.day);
+            assert!((last.after - now).abs() < 1e-12, "{skill:?}");
+        }
+    }
+
+    #[test]
+    fn every_opportunity_goes_on_from_the_one_before_less_what_was_forgotten() {
+        let growth = Growth::of(&history());
+        let moves = growth.moves(Skill::K3);
+        assert_eq!(moves.len(), 4);
+        assert!(
+            (moves[2].before - moves[1].after).abs() < 1e-12,
+            "the same day"
+        );
+        assert!(moves[3].before < moves[2].after, "a week later");
+        assert!(moves[1].after > moves[1].before && moves[3].after > moves[3].before);
+        assert_eq!(growth.moves(Skill::K9), []);
+    }
+
+    #[test]
+    fn tries_are_kept_by_mission() {
+        let growth = Growth::of(&history());
+        let scores = |mission| -> Vec<u16> {
+            let tries = growth.tries(mission).iter();
+            tries.map(|one| one.score).collect()
+        };
+        assert_eq!(scores("one"), [500, 800]);
+        assert_eq!(scores("two"), [900]);
+        assert!(scores("three").is_empty());
+    }
+}

@@ -1,0 +1,232 @@
+//! What the line under the cursor is about, what it means to the trainee's career, and its keys.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::name;
+use crate::app::room::home::{HomeItem, drill, facts, items};
+use crate::app::state::{Room, State};
+use crate::scoring::Medal;
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::screen::mission::tone_role;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, below, clip, columns, put, reflow, titled, upper, width, wrap};
+
+/// Lines that can be given as they stand, up to the one that takes a while.
+const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
+/// Lines that can be given once the drones are up.
+const FIRST_FLIGHT: [&str; 2] = ["all goto by n 50", "all rtl"];
+/// Lines of the text that are shown at least, whatever else there is to say.
+const LEAST_TEXT: usize = 7;
+
+/// A key with what it does.
+type KeyHint = (String, String);
+
+/// Draws the text with the keys below it; what the mission means to the career stands beside it, or between them where
+/// there is no room beside.
+pub(super) fn draw(
+    state: &State,
+    look: &Look,
+    (area, beside): (Rect, Option<Rect>),
+    buffer: &mut Buffer,
+) {
+    let Some(item) = items(state).get(state.rooms.home.cursor).copied() else {
+        return;
+    };
+    let inner = titled(&name(state, item, look), look, area, buffer);
+    let keys = key_lines(&keys(state, item, look), usize::from(inner.width), look);
+    let facts_width = beside.unwrap_or(inner).width;
+    let facts = fact_lines(state, item, look, usize::from(facts_width));
+    let mut below_text = vec![Vec::new(), keys];
+    if let Some(beside) = beside.filter(|_| !facts.is_empty()) {
+        let inner = titled(&look.say("home-career"), look, beside, buffer);
+        draw_lines(&facts, inner, buffer);
+    } else if !facts.is_empty() {
+        below_text.insert(0, facts);
+    } else if let Some(best) = best_words(state, item) {
+        let line = Line::styled(look.text(&best), look.style(Role::Accent));
+        below_text.insert(0, vec![line]);
+    }
+    let below_text: Vec<Vec<Line<'_>>> = below_text
+        .into_iter()
+        .filter(|lines| !lines.is_empty())
+        .collect();
+    draw_text(&about(state, item, look), &below_text, inner, buffer);
+}
+
+/// Draws the text and the groups of lines below it, with blank lines between. Where there is no room for all of it,
+/// the text is cut, then the groups before the last: the room of the mission has it all.
+fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buffer) {
+    let rows = usize::from(area.height);
+    let below_rows: usize = groups.iter().map(|group| group.len() + 1).sum();
+    let room = rows.saturating_sub(below_rows).max(LEAST_TEXT);
+    let mut lines = wrap(&reflow(text), usize::from(area.width));
+    if lines.len() > room {
+        lines.truncate(room);
+        if let Some(last) = lines.last_mut() {
+            *last = clip(&format!("{last} …"), usize::from(area.width));
+        }
+    }
+    let mut row = lines.len() as u16;
+    for (at, line) in lines.into_iter().enumerate() {
+        put(buffer, area, at as u16, &Line::raw(line));
+    }
+    let Some((last, before)) = groups.split_last() else {
+        return;
+    };
+    let bottom = area.height.saturating_sub(last.len() as u16);
+    for group in before {
+        let place = below(upper(area, bottom.saturating_sub(1)), row + 1);
+        draw_lines(group, place, buffer);
+        row += 1 + group.len() as u16;
+    }
+    draw_lines(last, below(area, (row + 1).min(bottom)), buffer);
+}
+
+/// Draws lines, with a mark at the end of the last one where not all fit.
+fn draw_lines(lines: &[Line<'_>], area: Rect, buffer: &mut Buffer) {
+    let rows = usize::from(area.height);
+    let is_cut = lines.len() > rows;
+    for (row, line) in lines.iter().enumerate().take(rows) {
+        let end = put(buffer, area, row as u16, line);
+        if let Some(end) = end.filter(|_| is_cut && row + 1 == rows) {
+            let x = end.min(area.right().saturating_sub(2)) - area.x;
+            let place = columns(area, x, 2);
+            put(buffer, place, row as u16, &Line::raw(" …"));
+        }
+    }
+}
+
+/// What the mission means to the career, name by name.
+fn fact_lines(state: &State, item: HomeItem, look: &Look, columns: usize) -> Vec<Line<'static>> {
+    let HomeItem::Mission(at) = item else {
+        return Vec::new();
+    };
+    let facts = facts(state, &state.missions[at]);
+    let names: Vec<String> = facts.iter().map(|fact| look.text(&fact.name)).collect();
+    let indent = names.iter().map(|name| width(name)).max().unwrap_or(0) + 2;
+    let mut lines = Vec::new();
+    for (name, fact) in names.iter().zip(&facts) {
+        let mut lead = aligned(name, indent, false);
+        for text in wrap(&look.text(&fact.what), columns.saturating_sub(indent)) {
+            lines.push(Line::from(vec![
+                Span::styled(lead, look.style(Role::Muted)),
+                Span::styled(text, look.style(tone_role(fact.tone))),
+            ]));
+            lead = " ".repeat(indent);
+        }
+    }
+    lines
+}
+
+fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
+    let mut keys = vec![("Enter".to_owned(), look.say(deed(item)))];
+    let HomeItem::Mission(at) = item else {
+        return keys;
+    };
+    let mission = &state.missions[at];
+    if state.lock(&mission.id).is_some() {
+        keys.clear();
+    }
+    if state.session.activity.is_none() {
+        let rules = look.say("home-mission-rules");
+        keys.push((Room::Mission.key().to_string(), rules));
+    }
+    if state.lock(&mission.id).is_some() {
+        return keys;
+    }
+    if let Some(drill) = drill(state, &mission.id) {
+        let about = text!(
+            "home-drill",
+            title = &drill.title,
+            seconds = drill.time_limit.as_secs()
+        );
+        keys.push(("t".to_owned(), look.text(&about)));
+    }
+    if state.career.is_some() {
+        for (key, what) in [
+            ("d", "home-daily"),
+            ("e", "home-exam"),
+            ("p", "home-practise"),
+        ] {
+            keys.push((key.to_owned(), look.say(what)));
+        }
+    }
+    keys
+}
+
+/// Keys in lines, as many to a line as fit.
+fn key_lines(keys: &[KeyHint], columns: usize, look: &Look) -> Vec<Line<'static>> {
+    let mut lines: Vec<Line<'static>> = Vec::new();
+    for (key, what) in keys {
+        let spans = [
+            Span::styled(key.clone(), look.style(Role::Key)),
+            Span::styled(format!(" {what}   "), look.style(Role::Muted)),
+        ];
+        let needed = width(key) + width(what) + 1;
+        match lines.last_mut() {
+            Some(line) if line.width() + needed <= columns => line.spans.extend(spans),
+            _ => lines.push(Line::from(spans.to_vec())),
+        }
+    }
+    lines
+}
+
+/// The best of the recorded tries, in words.
+fn best_words(state: &State, item: HomeItem) -> Option<Text> {
+    let HomeItem::Mission(at) = item else {
+        return None;
+    };
+    let id = &state.missions[at].id;
+    let best = state.best_try(id)?;
+    let medal = best.medal.map_or(text!("debrief-no-medal"), Medal::title);
+    let count = state.tries.get(id).map_or(0, Vec::len);
+    Some(text!(
+        "home-best",
+        score = best.score?,
+        medal = medal,
+        count = count
+    ))
+}
+
+fn about(state: &State, item: HomeItem, look: &Look) -> String {
+    match item {
+        HomeItem::Mission(at) => look.locale.text(&state.missions[at].brief),
+        HomeItem::Free => {
+            let (about, first) = (look.say("home-free-about"), look.say("home-free-first"));
+            let wait = look.say("home-free-wait");
+            let indented = |line: &str| format!("  {line}");
+            let climb = FIRST_CLIMB.map(indented).join("\n");
+            let flight = FIRST_FLIGHT.map(indented).join("\n");
+            format!("{about}\n\n{first}\n\n{climb}\n\n{wait}\n\n{flight}")
+        }
+        HomeItem::ArduPilot => look.say("home-ardupilot-about"),
+        HomeItem::Connect => look.say("home-connect-about"),
+        HomeItem::Quit => look.say("home-quit-about"),
+    }
+}
+
+fn deed(item: HomeItem) -> &'static str {
+    match item {
+        HomeItem::Mission(_) => "home-mission-deed",
+        HomeItem::Free | HomeItem::ArduPilot => "home-free-deed",
+        HomeItem::Connect => "home-connect-deed",
+        HomeItem::Quit => "home-quit-deed",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FIRST_CLIMB, FIRST_FLIGHT};
+    use crate::language::{Context, parse};
+
+    #[test]
+    fn the_first_flight_can_be_flown_as_it_is_written() {
+        for line in FIRST_CLIMB.into_iter().chain(FIRST_FLIGHT) {
+            assert!(parse(line, &Context::default()).is_ok(), "{line}");
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! The list: missions by tier with how far the trainee has come with each, then everything else.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+
+use super::name;
+use crate::app::room::home::{HomeItem, items};
+use crate::app::state::{Career, State};
+use crate::campaign::Stage;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, put, row_of, stars, titled, width};
+
+/// Headings of the missions by difficulty.
+const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
+/// Up to so many lines are set apart by blank ones.
+const FEW: usize = 12;
+/// What the signs before missions mean.
+const SIGNS: [(Sign, &str); 4] = [
+    (Sign::Passed, "home-sign-passed"),
+    (Sign::Next, "home-sign-next"),
+    (Sign::Due, "home-sign-due"),
+    (Sign::Locked, "home-sign-locked"),
+];
+
+/// How the trainee stands with a mission, most pressing first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sign {
+    /// It is what to fly next.
+    Next,
+    /// It was passed, and trains a skill that is due.
+    Due,
+    /// It was passed.
+    Passed,
+    /// It may not be flown yet.
+    Locked,
+    /// It may be flown.
+    Open,
+}
+
+/// Draws the list with its cursor in sight.
+pub(super) fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let cursor = state.rooms.home.cursor;
+    let lines = lines(state, look);
+    let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
+    let inner = titled("sortie", look, area, buffer);
+    let rows = usize::from(inner.height);
+    let middle = cursor_line.unwrap_or(0).saturating_sub(rows / 2);
+    let first = middle.min(lines.len().saturating_sub(rows));
+    let count = lines.len();
+    let items = items(state);
+    for (row, (at, text)) in lines.into_iter().skip(first).take(rows).enumerate() {
+        let row = row as u16;
+        let Some(at) = at else {
+            let heading = Line::styled(text, look.style(Role::Muted));
+            put(buffer, inner, row, &heading);
+            continue;
+        };
+        let (line, role) = item_line(state, items[at], (&text, at == cursor), look, inner.width);
+        put(buffer, inner, row, &Line::styled(line, look.style(role)));
+        if at == cursor {
+            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+        }
+    }
+    if state.career.is_some() && count + SIGNS.len() < rows {
+        draw_signs(look, inner, count as u16 + 1, buffer);
+    }
+}
+
+/// What the signs mean, where there is room for it.
+fn draw_signs(look: &Look, area: Rect, first: u16, buffer: &mut Buffer) {
+    for (row, (sign, meaning)) in SIGNS.into_iter().enumerate() {
+        let text = format!("  {} {}", sign.symbol(), look.say(meaning));
+        let line = Line::styled(text, look.style(Role::Muted));
+        put(buffer, area, first + row as u16, &line);
+    }
+}
+
+impl Sign {
+    fn of(career: &Career, mission: &str) -> Self {
+        let Some(offer) = career.course.offer(mission) else {
+            return Self::Open;
+        };
+        if career.next_mission() == Some(mission) {
+            return Self::Next;
+        }
+        match career.course.stage(offer, &career.standing, career.day) {
+            Stage::Locked(_) => Self::Locked,
+            Stage::Passed(_) if !career.due(offer).is_empty() => Self::Due,
+            Stage::Passed(_) => Self::Passed,
+            Stage::Open => Self::Open,
+        }
+    }
+
+    fn symbol(self) -> char {
+        match self {
+            Self::Next => '→',
+            Self::Due => '!',
+            Self::Passed => '✓',
+            Self::Locked => '×',
+            Self::Open => ' ',
+        }
+    }
+
+    fn role(self) -> Role {
+        match self {
+            Self::Next => Role::Accent,
+            Self::Due => Role::Warning,
+            Self::Locked => Role::Muted,
+            Self::Passed | Self::Open => Role::Text,
+        }
+    }
+}
+
+/// A line that can be taken: its cursor and sign, its name, and at the right the best score or the sign in a word.
+fn item_line(
+    state: &State,
+    item: HomeItem,
+    (text, under_cursor): (&str, bool),
+    look: &Look,
+    columns: u16,
+) -> (String, Role) {
+    let cursor = if under_cursor { '>' } else { ' ' };
+    let (sign, best) = match (item, &state.career) {
+        (HomeItem::Mission(at), Some(career)) => {
+            let id = &state.missions[at].id;
+            let sign = Sign::of(career, id);
+            (Some(sign), career_best(career, id, sign, look))
+        }
+        (HomeItem::Mission(at), None) => (None, recorded_best(state, &state.missions[at].id)),
+        _ => (None, String::new()),
+    };
+    let mark = sign.map_or(' ', Sign::symbol);
+    let room = usize::from(columns).saturating_sub(3 + width(&best));
+    let role = sign.map_or(Role::Text, Sign::role);
+    let text = aligned(text, room, false);
+    (format!("{cursor}{mark}{text}{best}"), role)
+}
+
+/// The best score of the flights that count, with its medal in stars; before the first one, the sign in a word.
+fn career_best(career: &Career, mission: &str, sign: Sign, look: &Look) -> String {
+    if let Some(best) = career.standing.best(mission) {
+        return format!(" {:>4} {:<3}", best.score, stars(best.medal));
+    }
+    match sign {
+        Sign::Locked => format!(" {:>8}", look.say("home-locked")),
+        Sign::Next => format!(" {:>8}", look.say("home-is-next")),
+        Sign::Due | Sign::Passed | Sign::Open => String::new(),
+    }
+}
+
+/// The best recorded score where nobody's career is kept.
+fn recorded_best(state: &State, mission: &str) -> String {
+    let best = state.best_try(mission);
+    let best = best.and_then(|best| Some((best.score?, best.medal)));
+    best.map_or(String::new(), |(score, medal)| {
+        format!(" {score:>4} {:<3}", stars(medal))
+    })
+}
+
+/// The lines of the list: items with their number, headings and blanks without.
+fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
+    let mut lines = Vec::new();
+    let items = items(state);
+    let tier = |item: &HomeItem| match item {
+        HomeItem::Mission(at) => Some(state.missions[*at].tier),
+        _ => None,
+    };
+    let (least, most) = (
+        items.first().and_then(tier),
+        items.iter().filter_map(tier).max(),
+    );
+    let mut before = None;
+    for (at, &item) in items.iter().enumerate() {
+        let heading = match (item, tier(&item)) {
+            (_, Some(now)) if before == Some(now) => None,
+            (_, Some(_)) if least == most => Some("home-missions"),
+            (_, Some(now)) => Some(TIERS[usize::from(now).min(TIERS.len() - 1)]),
+            (HomeItem::Free, _) => Some("home-others"),
+            _ => None,
+        };
+        if let Some(heading) = heading {
+            // A blank line is worth less than a line of a long list.
+            if at > 0 && items.len() <= FEW {
+                lines.push((None, String::new()));
+            }
+            lines.push((None, look.say(heading)));
+        }
+        lines.push((Some(at), listed(state, item, look)));
+        before = tier(&item);
+    }
+    lines
+}
+
+/// An item as the list has it: missions with the number that `fly` takes.
+fn listed(state: &State, item: HomeItem, look: &Look) -> String {
+    let name = name(state, item, look);
+    let HomeItem::Mission(at) = item else {
+        return name;
+    };
+    let number = state.missions[at].id.split('-').next().unwrap_or_default();
+    if number.is_empty() || !number.chars().all(|c| c.is_ascii_digit()) {
+        return name;
+    }
+    format!("{number} {name}")
+}

@@ -1,0 +1,126 @@
+//! Own progress: skills and why they moved, scores by mission, credits and experience.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::app::room::standing::{Pane, shows_all};
+use crate::app::state::{Career, State};
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{below, columns, put, titled, upper, wrap};
+
+mod scores;
+mod skills;
+mod wealth;
+
+/// Rows of credits and experience on a screen that shows everything.
+const WEALTH_ROWS: u16 = 12;
+
+/// What is drawn, and how.
+struct Subject<'a> {
+    state: &'a State,
+    career: &'a Career,
+    look: &'a Look,
+}
+
+/// Draws who it is about, and the pane that was chosen, or all where there is room.
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let Some(career) = &state.career else {
+        return draw_nobody(look, area, buffer);
+    };
+    let subject = Subject {
+        state,
+        career,
+        look,
+    };
+    draw_summary(&subject, area, buffer);
+    let area = below(area, 2);
+    if !shows_all(state.size) && !shows_all((area.width, area.height + 4)) {
+        match state.rooms.standing.pane {
+            Pane::Skills => skills::draw(&subject, area, buffer),
+            Pane::Scores => scores::draw(&subject, area, buffer),
+            Pane::Wealth => wealth::draw(&subject, area, buffer),
+        }
+        return;
+    }
+    let top = upper(area, area.height.saturating_sub(WEALTH_ROWS + 1));
+    let half = area.width / 2;
+    let left = columns(top, 0, half.saturating_sub(1));
+    skills::draw(&subject, left, buffer);
+    scores::draw(&subject, columns(top, half + 1, area.width), buffer);
+    wealth::draw(&subject, below(area, top.height + 1), buffer);
+}
+
+fn draw_nobody(look: &Look, area: Rect, buffer: &mut Buffer) {
+    let text = look.say("standing-nobody");
+    let lines = wrap(&text, usize::from(area.width.saturating_sub(2)).min(80));
+    for (row, line) in lines.into_iter().enumerate() {
+        let line = Line::styled(format!(" {line}"), look.style(Role::Muted));
+        put(buffer, below(area, 1), row as u16, &line);
+    }
+}
+
+/// Name, level, credits, licence and how much advice comes by itself.
+fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let standing = &subject.career.standing;
+    let (experience, level, needed) = standing.experience();
+    let parts = [
+        text!("standing-level", level = level),
+        text!(
+            "standing-experience",
+            experience = experience,
+            needed = needed
+        ),
+        text!("standing-credits", credits = standing.credits()),
+        text!("standing-licence", count = standing.licence()),
+        text!("standing-flights", count = standing.flights()),
+    ];
+    let name = crate::notice::sanitised(&subject.career.name);
+    let line = Line::from(vec![
+        Span::styled(format!(" {name}"), look.style(Role::Title)),
+        Span::raw(format!(
+            "   {}",
+            look.text(&Text::joined("   ", parts.to_vec()))
+        )),
+    ]);
+    put(buffer, area, 0, &line);
+    let aids = Line::from(vec![
+        Span::raw(format!(" {}", look.text(&subject.career.aids.explained()))),
+        Span::styled("   a", look.style(Role::Key)),
+        Span::styled(
+            format!(" {}", look.say("standing-aids-key")),
+            look.style(Role::Muted),
+        ),
+    ]);
+    put(buffer, area, 1, &aids);
+}
+
+impl Subject<'_> {
+    /// A pane's rule with its title; the one that the cursor is in has a mark.
+    fn pane(&self, pane: Pane, title: &str, area: Rect, buffer: &mut Buffer) -> Rect {
+        let mark = if self.state.rooms.standing.pane == pane {
+            "> "
+        } else {
+            ""
+        };
+        titled(&format!("{mark}{title}"), self.look, area, buffer)
+    }
+
+    /// Whether the cursor is in a pane.
+    fn has_cursor(&self, pane: Pane) -> bool {
+        self.state.rooms.standing.pane == pane
+    }
+}
+
+/// Days from today in words: today, in so many days, so many days ago.
+fn days(from_today: i64) -> Text {
+    match from_today {
+        0 => text!("days-today"),
+        1.. => text!("days-ahead", count = from_today),
+        _ => text!("days-ago", count = -from_today),
+    }
+}

@@ -1,0 +1,126 @@
+//! The missions that were flown, and the scores of the one under the cursor, try by try.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+
+use super::{Subject, days};
+use crate::app::room::standing::{Pane, flown};
+use crate::campaign::{Offer, Stake, Try};
+use crate::mission::Listing;
+use crate::scoring::{Medal, Medals};
+use crate::text;
+use crate::ui::theme::Role;
+use crate::ui::widget::bars::{Bar, Bars, draw as draw_bars};
+use crate::ui::widget::{aligned, below, put, row_of, stars, titled, upper};
+
+/// Rows of the chart at least, with its title and its axis.
+const CHART: u16 = 12;
+/// Columns of a mission's name at most, and of the rest of its line.
+const NAME: usize = 30;
+const FIGURES: usize = 36;
+/// Points of a perfect flight.
+const PERFECT: f64 = 1000.0;
+
+/// Draws the list, and below it the chart.
+pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let flown = flown(subject.career);
+    let list = upper(area, area.height.saturating_sub(CHART).max(4));
+    let inner = subject.pane(Pane::Scores, &look.say("standing-scores"), list, buffer);
+    let Some(last) = flown.len().checked_sub(1) else {
+        let text = look.say("standing-scores-nothing");
+        let line = Line::styled(text, look.style(Role::Muted));
+        put(buffer, inner, 0, &line);
+        return;
+    };
+    let cursor = subject.state.rooms.standing.mission.min(last);
+    let rows = usize::from(inner.height).min(flown.len());
+    let first = cursor.saturating_sub(rows / 2).min(flown.len() - rows);
+    for (row, at) in (first..flown.len()).take(rows).enumerate() {
+        let row = row as u16;
+        let mark = if at == cursor { '>' } else { ' ' };
+        let line = line(subject, flown[at], usize::from(inner.width));
+        put(buffer, inner, row, &Line::raw(format!("{mark} {line}")));
+        if at == cursor && subject.has_cursor(Pane::Scores) {
+            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+        }
+    }
+    let used = 2 + rows as u16;
+    draw_chart(subject, flown[cursor], below(area, used), buffer);
+}
+
+/// A mission with its tries, its best and its last score.
+fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
+    let look = subject.look;
+    let tries = subject.career.growth.tries(&offer.id);
+    let best = subject.career.standing.best(&offer.id);
+    let last = tries.last();
+    let figures = text!(
+        "standing-mission",
+        count = tries.len(),
+        best = best.map_or_else(|| "-".to_owned(), |best| best.score.to_string()),
+        medal = stars(best.and_then(|best| best.medal)),
+        last = last.map_or(0, |last| last.score),
+        when = last.map_or_else(Default::default, |last| days(last.day - subject.career.day))
+    );
+    let name = room.saturating_sub(FIGURES + 2).min(NAME);
+    let title = aligned(&look.text(&offer.title), name, false);
+    format!("{title} {}", look.text(&figures))
+}
+
+fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let title = text!("standing-chart", mission = offer.title.clone());
+    let inner = titled(&look.text(&title), look, area, buffer);
+    let mut missions = subject.state.missions.iter();
+    let listing = missions.find(|listing| listing.id == offer.id);
+    let tries = subject.career.growth.tries(&offer.id);
+    let bars: Vec<Bar> = tries
+        .iter()
+        .map(|one| bar(one, look.style(role(one))))
+        .collect();
+    let lines: Vec<(f64, String)> = listing
+        .map(|Listing { medals, .. }| medal_lines(medals))
+        .unwrap_or_default()
+        .into_iter()
+        .map(|(points, medal)| (points, format!("{} {points:.0}", look.text(&medal.title()))))
+        .collect();
+    let chart = Bars {
+        bars: &bars,
+        lines: &lines,
+        most: PERFECT,
+    };
+    draw_bars(&chart, look, inner, buffer);
+}
+
+/// The points that medals need.
+fn medal_lines(medals: &Medals) -> Vec<(f64, Medal)> {
+    vec![
+        (f64::from(medals.gold), Medal::Gold),
+        (f64::from(medals.silver), Medal::Silver),
+        (f64::from(medals.bronze), Medal::Bronze),
+    ]
+}
+
+/// A flight's bar: its points below it, with a sign where it did not pass or did not count.
+fn bar(one: &Try, style: ratatui::style::Style) -> Bar {
+    let sign = match (one.passed, one.stake) {
+        (false, _) => "x",
+        (true, Stake::Practice) => "p",
+        (true, _) => "",
+    };
+    Bar {
+        value: f64::from(one.score),
+        label: format!("{}{sign}", one.score),
+        style,
+    }
+}
+
+fn role(one: &Try) -> Role {
+    match (one.passed, one.stake) {
+        (false, _) => Role::Danger,
+        (true, Stake::Practice) => Role::Muted,
+        (true, _) => Role::Ok,
+    }
+}

@@ -1,0 +1,140 @@
+//! The skills as bars, and what moved the one under the cursor.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::{Subject, days};
+use crate::app::room::standing::Pane;
+use crate::campaign::{Mastery, Move, Skill};
+use crate::text;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, below, clip, put, row_of, titled, width};
+
+/// Columns of a skill's name, of its bar, and of where its owner stands with it.
+const NAME: usize = 34;
+const BAR: usize = 10;
+const MASTERY: usize = 16;
+/// Columns of everything but the name.
+const REST: usize = 54;
+
+/// Draws the list, and below it what moved the skill under the cursor.
+pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let inner = subject.pane(Pane::Skills, &look.say("standing-skills"), area, buffer);
+    let cursor = subject.state.rooms.standing.skill;
+    let name = usize::from(inner.width).saturating_sub(REST).min(NAME);
+    for (row, skill) in Skill::ALL.into_iter().enumerate() {
+        let under_cursor = row == cursor;
+        let row = row as u16;
+        let line = line(subject, skill, (under_cursor, name));
+        put(buffer, inner, row, &line);
+        if under_cursor && subject.has_cursor(Pane::Skills) {
+            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+        }
+    }
+    let skill = Skill::ALL.get(cursor).copied().unwrap_or(Skill::K1);
+    draw_moves(
+        subject,
+        skill,
+        below(inner, Skill::ALL.len() as u16),
+        buffer,
+    );
+}
+
+fn line(subject: &Subject<'_>, skill: Skill, (under_cursor, name): (bool, usize)) -> Line<'static> {
+    let (look, day) = (subject.look, subject.career.day);
+    let known = subject.career.standing.skill(skill);
+    let chance = known.chance(day);
+    let role = match known.mastery(day) {
+        Mastery::Unknown => Role::Muted,
+        Mastery::Learning => Role::Text,
+        Mastery::Mastered => Role::Ok,
+        Mastery::Due => Role::Warning,
+    };
+    let due = known
+        .due_day()
+        .filter(|_| known.mastery(day) == Mastery::Mastered)
+        .map(|due| look.text(&text!("standing-review", when = days(due - day))));
+    let is_next = subject.career.next().is_some_and(|(next, _)| next == skill);
+    let end = if is_next {
+        look.say("standing-next")
+    } else {
+        due.unwrap_or_default()
+    };
+    let mark = if under_cursor { '>' } else { ' ' };
+    let head = format!(
+        "{mark} {:<4}{} ",
+        skill.code(),
+        aligned(&look.text(&skill.title()), name, false)
+    );
+    let filled = (chance * BAR as f64).round() as usize;
+    let end_role = if is_next { Role::Accent } else { Role::Muted };
+    Line::from(vec![
+        Span::raw(head),
+        Span::styled("█".repeat(filled), look.style(role)),
+        Span::styled("·".repeat(BAR - filled.min(BAR)), look.style(Role::Muted)),
+        Span::raw(format!(" {:>3.0} % ", chance * 100.0)),
+        Span::styled(
+            aligned(&look.text(&known.mastery(day).title()), MASTERY, false),
+            look.style(role),
+        ),
+        Span::styled(end, look.style(end_role)),
+    ])
+}
+
+/// What moved a skill, the newest first.
+fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buffer) {
+    let look = subject.look;
+    let title = text!("standing-why", skill = skill.title());
+    let inner = titled(&look.text(&title), look, below(area, 1), buffer);
+    let moves = subject.career.growth.moves(skill);
+    if moves.is_empty() {
+        let text = look.say("standing-why-nothing");
+        let text = clip(&text, usize::from(inner.width));
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled(text, look.style(Role::Muted)),
+        );
+    }
+    let rows = usize::from(inner.height);
+    for (row, moved) in moves.iter().rev().take(rows).enumerate() {
+        let line = moved_line(subject, moved, usize::from(inner.width));
+        put(buffer, inner, row as u16, &line);
+    }
+}
+
+/// ` 48 -> 62 +14  Air sample: cells sampled 97 %, today`.
+fn moved_line(subject: &Subject<'_>, moved: &Move, room: usize) -> Line<'static> {
+    let look = subject.look;
+    let percent = |share: f64| (share * 100.0).round() as i64;
+    let (before, after) = (percent(moved.before), percent(moved.after));
+    let change = after - before;
+    let role = match change {
+        1.. => Role::Ok,
+        0 => Role::Muted,
+        _ => Role::Danger,
+    };
+    let figures = format!("{before:>3} -> {after:>3} % ");
+    let change = format!("{change:>+4} ");
+    let offer = subject.career.course.offer(&moved.mission);
+    let title = offer.map_or_else(
+        || moved.mission.as_str().into(),
+        |offer| offer.title.clone(),
+    );
+    let why = text!(
+        "standing-moved",
+        mission = title,
+        what = moved.what.clone(),
+        percent = percent(moved.outcome),
+        when = days(moved.day - subject.career.day)
+    );
+    let left = room.saturating_sub(width(&figures) + width(&change) + 1);
+    Line::from(vec![
+        Span::styled(figures, look.style(Role::Muted)),
+        Span::styled(change, look.style(role)),
+        Span::raw(format!(" {}", clip(&look.text(&why), left))),
+    ])
+}

@@ -1,0 +1,138 @@
+//! A chart of bars with lines across it: values one by one against marks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::Line;
+
+use super::{aligned, columns, put, width};
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+
+/// Eighths of a cell.
+const EIGHTHS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+/// Columns of a bar, and of a bar with the gap after it; its label fits into that.
+const BAR: usize = 4;
+const STEP: usize = 6;
+
+/// One bar.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bar {
+    /// How high it is.
+    pub value: f64,
+    /// What stands below it: five letters at most.
+    pub label: String,
+    /// How it looks.
+    pub style: Style,
+}
+
+/// A chart.
+#[derive(Debug, Clone, Copy)]
+pub struct Bars<'a> {
+    /// The bars from the left; the last ones are shown where not all fit.
+    pub bars: &'a [Bar],
+    /// Lines across the chart: their value and their name.
+    pub lines: &'a [(f64, String)],
+    /// The value at the top.
+    pub most: f64,
+}
+
+/// Draws the chart: names of lines at the left, labels in the last row.
+pub fn draw(chart: &Bars<'_>, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let rows = area.height.saturating_sub(1);
+    if rows == 0 {
+        return;
+    }
+    let names = chart.lines.iter().map(|(_, name)| width(name)).max();
+    let names = names.map_or(0, |names| names + 1);
+    let plot = columns(area, names as u16, area.width);
+    for (value, name) in chart.lines {
+        let row = chart.row(*value, rows);
+        let muted = look.style(Role::Muted);
+        let name = Line::styled(aligned(name, names, false), muted);
+        put(buffer, area, row, &name);
+        let rule = "┄".repeat(usize::from(plot.width));
+        put(buffer, plot, row, &Line::styled(rule, muted));
+    }
+    let fits = usize::from(plot.width) / STEP;
+    let hidden = chart.bars.len().saturating_sub(fits);
+    for (at, bar) in chart.bars.iter().skip(hidden).enumerate() {
+        let place = columns(plot, (at * STEP) as u16, STEP as u16);
+        let eighths = chart.eighths(bar.value, rows);
+        for row in 0..rows {
+            let here = eighths.saturating_sub(usize::from(row) * 8).min(8);
+            if here > 0 {
+                let text = EIGHTHS[here].to_string().repeat(BAR);
+                let line = Line::styled(text, bar.style);
+                put(buffer, place, rows - 1 - row, &line);
+            }
+        }
+        put(buffer, place, rows, &Line::raw(bar.label.clone()));
+    }
+}
+
+impl Bars<'_> {
+    /// How high a value stands in eighths of a row; what is there at all is seen.
+    fn eighths(&self, value: f64, rows: u16) -> usize {
+        let share = (value / self.most).clamp(0.0, 1.0);
+        ((share * f64::from(rows) * 8.0).round() as usize).max(1)
+    }
+
+    /// The row, from the top, that a value lies in.
+    fn row(&self, value: f64, rows: u16) -> u16 {
+        let eighths = self.eighths(value, rows).saturating_sub(1);
+        rows - 1 - (eighths / 8) as u16
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(values: &[f64], lines: &[(f64, String)], width: u16) -> Vec<String> {
+        let bars: Vec<Bar> = values
+            .iter()
+            .map(|value| Bar {
+                value: *value,
+                label: format!("{value:.0}"),
+                style: Style::new(),
+            })
+            .collect();
+        let area = Rect::new(0, 0, width, 5);
+        let mut buffer = Buffer::empty(area);
+        let chart = Bars {
+            bars: &bars,
+            lines,
+            most: 1000.0,
+        };
+        draw(&chart, &Look::default(), area, &mut buffer);
+        let rows = buffer.content.chunks(usize::from(width));
+        let line = |row: &[ratatui::buffer::Cell]| -> String {
+            let cells = row.iter().map(ratatui::buffer::Cell::symbol);
+            cells.collect::<String>().trim_end().to_owned()
+        };
+        rows.map(line).collect()
+    }
+
+    #[test]
+    fn bars_stand_on_their_points_and_lines_run_between_them() {
+        let lines = [(700.0, "silver".to_owned())];
+        assert_eq!(
+            drawn(&[250.0, 1000.0], &lines, 21),
+            [
+                "             ████",
+                "silver ┄┄┄┄┄┄████┄┄┄┄",
+                "             ████",
+                "       ████  ████",
+                "       250   1000"
+            ]
+        );
+    }
+
+    #[test]
+    fn the_newest_are_shown_where_not_all_fit_and_nothing_is_still_a_bar() {
+        let rows = drawn(&[900.0, 100.0, 0.0], &[], 12);
+        assert_eq!(rows[3], "▄▄▄▄  ▁▁▁▁");
+        assert_eq!(rows[4], "100   0");
+    }
+}

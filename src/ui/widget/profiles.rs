@@ -1,0 +1,58 @@
+//! The list of who trains here.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::Line;
+
+use crate::app::state::{State, Trainee};
+use crate::notice::sanitised;
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::ui::widget::{boxed, centred, clip, put, row_of};
+
+/// Columns of the list.
+const WIDTH: u16 = 60;
+/// Rows of the frame and of the advice below the list.
+const FRAME: u16 = 4;
+
+/// Draws the list with its cursor.
+pub fn draw(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let trainees = state.trainees();
+    let height = (trainees.len() as u16).saturating_add(FRAME);
+    let place = centred(WIDTH, height.min(area.height.saturating_sub(2)), area);
+    let inner = boxed(
+        &look.say("profiles-title"),
+        Role::Accent,
+        look,
+        place,
+        buffer,
+    );
+    let rows = usize::from(inner.height.saturating_sub(2));
+    let first = cursor.saturating_sub(rows.saturating_sub(1));
+    for (row, at) in (first..trainees.len()).take(rows).enumerate() {
+        let row = row as u16;
+        let (trainee, under_cursor) = (&trainees[at], at == cursor);
+        let mark = if under_cursor { '>' } else { ' ' };
+        let now = if state.is_training(trainee) {
+            look.say("profiles-now")
+        } else {
+            String::new()
+        };
+        let text = format!("{mark} {}  {now}", name(trainee, look));
+        let text = clip(&text, usize::from(inner.width));
+        put(buffer, inner, row, &Line::raw(text));
+        if under_cursor {
+            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+        }
+    }
+    let keys = Line::styled(look.say("profiles-keys"), look.style(Role::Muted));
+    put(buffer, inner, inner.height.saturating_sub(1), &keys);
+}
+
+fn name(trainee: &Trainee, look: &Look) -> String {
+    match trainee {
+        Trainee::Known(name) => sanitised(name),
+        Trainee::New => look.say("profiles-new"),
+        Trainee::Nobody => look.say("profiles-nobody"),
+    }
+}

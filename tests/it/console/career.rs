@@ -1,0 +1,371 @@
+//! Who trains here, and what they may fly.
+
+use sortie::app::effect::{Effect, Launch};
+use sortie::app::event::Event;
+use sortie::app::room::home;
+use sortie::app::state::{Activity, Career, Overlay, Purpose, Room, Trainee};
+use sortie::campaign::{Aids, Entry, Stake};
+use sortie::mission::Phase;
+
+use crate::fixtures;
+use crate::fixtures::career::{TODAY, campaign, career, flight, newcomer, nobody, trained_by};
+use crate::harness::Console;
+
+fn under_cursor(console: &Console) -> String {
+    let shown = home::under_cursor(&console.state);
+    shown.map_or_else(String::new, |shown| shown.id.clone())
+}
+
+fn said(console: &Console) -> String {
+    let message = console.state.message();
+    message.map_or_else(String::new, |message| message.text.to_string())
+}
+
+/// Puts the cursor on a mission.
+fn go_to(console: &mut Console, mission: &str) {
+    console.press("home");
+    for _ in 0..20 {
+        if under_cursor(console) == mission {
+            return;
+        }
+        console.press("j");
+    }
+    panic!("{mission} is not on the home screen");
+}
+
+fn in_flight(console: &mut Console) {
+    console.start(Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+    });
+}
+
+#[test]
+fn a_newcomer_flies_the_first_mission_with_the_first_key() {
+    for mut console in [nobody(), trained_by(newcomer())] {
+        console.press("enter");
+        let launch = Launch::graded("00-first-flight");
+        assert_eq!(console.effects, [Effect::StartMission(launch)]);
+    }
+}
+
+#[test]
+fn the_cursor_begins_where_there_is_most_to_learn_and_stays_where_it_was_put() {
+    let mut console = nobody();
+    let career = career();
+    let next = career.next_mission().expect("there is more").to_owned();
+    console.hear(Event::Career(Some(Box::new(career.clone()))));
+    assert_eq!(under_cursor(&console), next);
+    go_to(&mut console, "00-first-flight");
+    // A part was bought, or another console said something: nothing was flown.
+    console.hear(Event::Career(Some(Box::new(career.clone()))));
+    assert_eq!(under_cursor(&console), "00-first-flight");
+    let mut history = career.history.clone();
+    history.push(flight("00-first-flight", 0, 700, &[]));
+    let flown = Career {
+        day: TODAY,
+        ..Career::new("oksana", history, career.course)
+    };
+    let next = flown.next_mission().expect("there is more").to_owned();
+    console.hear(Event::Career(Some(Box::new(flown))));
+    assert_eq!(under_cursor(&console), next);
+}
+
+#[test]
+fn a_locked_mission_is_not_flown_in_any_way_and_says_why() {
+    for key in ["enter", "d", "e", "p"] {
+        let mut console = trained_by(newcomer());
+        go_to(&mut console, "01-air-sample");
+        console.press(key);
+        assert!(console.effects.is_empty(), "{key}: {:?}", console.effects);
+        assert!(console.state.overlay.is_none(), "{key}");
+        assert_eq!(
+            said(&console),
+            "Air sample is locked: pass First flight",
+            "{key}"
+        );
+    }
+}
+
+#[test]
+fn an_open_mission_is_flown_for_credits_with_the_seed_of_the_day_as_an_exam_or_for_practice() {
+    let start = |stake, seed| {
+        let launch = Launch {
+            stake,
+            seed,
+            ..Launch::graded("00-first-flight")
+        };
+        [Effect::StartMission(launch)]
+    };
+    let mut console = trained_by(newcomer());
+    console.press("enter");
+    assert_eq!(console.effects, start(Stake::Graded, None));
+    console.press("d");
+    assert_eq!(console.effects, start(Stake::Daily, None));
+    console.press("e");
+    assert!(console.effects.is_empty(), "the exam is asked for first");
+    console.press("y");
+    assert_eq!(console.effects, start(Stake::Exam, None));
+    console.press("p");
+    assert!(console.effects.is_empty(), "the seed is asked for first");
+    console.write("x7").press("enter");
+    assert!(console.effects.is_empty(), "x7 is no seed");
+    console.press("backspace").press("backspace");
+    console.write("77").press("enter");
+    assert_eq!(console.effects, start(Stake::Practice, Some(77)));
+    console.press("p").press("enter");
+    assert_eq!(console.effects, start(Stake::Practice, Some(1)));
+}
+
+#[test]
+fn practice_is_flown_with_lent_drones() {
+    let mut console = trained_by(newcomer());
+    let design = console.state.stock.first().cloned();
+    console.state.fleets.insert(
+        "00-first-flight".to_owned(),
+        design.into_iter().collect::<Vec<_>>(),
+    );
+    console.press("p").press("enter");
+    let [Effect::StartMission(launch)] = console.effects.as_slice() else {
+        panic!("{:?}", console.effects);
+    };
+    assert!(launch.fleet.is_empty());
+}
+
+#[test]
+fn an_exam_that_would_end_a_flight_says_so() {
+    let mut console = Console::new();
+    in_flight(&mut console);
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.press("H").press("e");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("mission"), "{screen}");
+    let Some(Overlay::Confirm(question)) = &console.state.overlay else {
+        panic!("{screen}");
+    };
+    let reason = question.reason.to_string();
+    assert!(
+        reason.contains("no hints, no pause") && reason.contains(';'),
+        "{reason}"
+    );
+}
+
+#[test]
+fn profiles_are_chosen_made_and_left() {
+    let names = |console: &Console| console.state.trainees();
+    let mut console = trained_by(career());
+    assert_eq!(
+        names(&console),
+        [
+            Trainee::Known("oksana".to_owned()),
+            Trainee::Known("taras".to_owned()),
+            Trainee::New,
+            Trainee::Nobody
+        ]
+    );
+    // The one that holds now is under the cursor, and taking it changes nothing.
+    console.press("u").press("enter");
+    assert!(console.effects.is_empty() && console.state.overlay.is_none());
+    console.press("u").press("j").press("enter");
+    assert_eq!(console.effects, [Effect::ChooseProfile("taras".to_owned())]);
+    console.press("u").press("end").press("enter");
+    assert_eq!(console.effects, [Effect::LeaveProfile]);
+    console.press("u").press("esc");
+    assert!(console.effects.is_empty() && console.state.overlay.is_none());
+    console.press("u").press("end").press("k").press("enter");
+    console.write("  ").press("enter");
+    assert!(console.effects.is_empty(), "a name has letters");
+    console.write("Лесь").press("enter");
+    assert_eq!(console.effects, [Effect::CreateProfile("Лесь".to_owned())]);
+}
+
+#[test]
+fn the_prompt_for_a_name_stays_with_the_reason_until_there_is_a_profile() {
+    let mut console = nobody();
+    console
+        .press("u")
+        .press("enter")
+        .write("oksana")
+        .press("enter");
+    assert_eq!(
+        console.effects,
+        [Effect::CreateProfile("oksana".to_owned())]
+    );
+    console.hear(Event::Failed("there is one already".into()));
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("there is one already"), "{screen}");
+    let is_prompt = |console: &Console| match &console.state.overlay {
+        Some(Overlay::Prompt(prompt)) => prompt.purpose == Purpose::NewProfile,
+        _ => false,
+    };
+    assert!(is_prompt(&console));
+    console.hear(Event::Career(None));
+    assert!(is_prompt(&console), "nobody has come");
+    console.hear(Event::Career(Some(Box::new(newcomer()))));
+    assert!(!is_prompt(&console));
+}
+
+#[test]
+fn nobody_takes_over_a_flight() {
+    let mut console = trained_by(career());
+    in_flight(&mut console);
+    console.press("H").press("u");
+    assert!(console.state.overlay.is_none());
+    assert!(
+        said(&console).contains("end it first"),
+        "{}",
+        said(&console)
+    );
+    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.at(5).press("H").press("u");
+    assert!(console.state.overlay.is_some(), "it is over");
+}
+
+#[test]
+fn what_was_chosen_for_missions_goes_with_who_chose_it() {
+    let mut console = trained_by(career());
+    let fleets = &mut console.state.fleets;
+    fleets.insert("01-air-sample".to_owned(), Vec::new());
+    console.hear(Event::Career(Some(Box::new(career()))));
+    assert_eq!(console.state.fleets.len(), 1);
+    console.hear(Event::Career(None));
+    assert!(console.state.fleets.is_empty());
+}
+
+#[test]
+fn advice_goes_round_and_is_kept() {
+    let mut console = trained_by(career());
+    console.press("T");
+    assert_eq!(console.state.room, Room::Standing);
+    for (now, next) in [
+        (Aids::Fading, Aids::None),
+        (Aids::None, Aids::Full),
+        (Aids::Full, Aids::Fading),
+    ] {
+        console.state.career.as_mut().expect("she trains").aids = now;
+        console.press("a");
+        assert_eq!(console.effects, [Effect::SetAids(next)]);
+    }
+    let mut console = nobody();
+    console.press("T").press("a");
+    assert!(console.effects.is_empty());
+    assert!(said(&console).contains("choose who trains here"));
+}
+
+#[test]
+fn hints_that_come_by_themselves_fade_and_those_that_are_asked_for_stay() {
+    let (_, course) = campaign();
+    let offer = course.offer("01-air-sample").expect("it is there").clone();
+    let mut progress = fixtures::progress();
+    progress.feedback = Some("3 cells".into());
+    progress.clues.given = vec![(1, "look at the wind".into())];
+    let seen = |aids, skill: f64, phase| {
+        let shown = offer.skills.iter();
+        let shown: Vec<_> = shown.map(|known| (*known, skill, "cells")).collect();
+        let career = Career {
+            aids,
+            day: TODAY,
+            ..Career::new(
+                "oksana",
+                vec![flight("01-air-sample", 0, 900, &shown); 2],
+                course.clone(),
+            )
+        };
+        let mut progress = progress.clone();
+        progress.phase = phase;
+        career.fade(&offer.id, &mut progress);
+        assert_eq!(progress.clues.given.len(), 1, "{aids:?}");
+        (progress.hint.is_some(), progress.feedback.is_some())
+    };
+    // Failed twice: still far from known. Met twice: well above the first steps.
+    for (aids, skill, phase, expected) in [
+        (Aids::Full, 1.0, Phase::Ground, (true, true)),
+        (Aids::Fading, 0.0, Phase::Ground, (true, true)),
+        (Aids::Fading, 1.0, Phase::Ground, (false, true)),
+        (Aids::Fading, 1.0, Phase::Air, (false, true)),
+        (Aids::Fading, 0.5, Phase::Air, (true, true)),
+        (Aids::None, 0.0, Phase::Ground, (false, false)),
+    ] {
+        assert_eq!(
+            seen(aids, skill, phase),
+            expected,
+            "{aids:?} {skill} {phase:?}"
+        );
+    }
+}
+
+#[test]
+fn a_flight_under_way_hears_of_it_in_every_room() {
+    let (missions, course) = campaign();
+    let mut console = nobody();
+    let career = Career {
+        aids: Aids::None,
+        ..Career::new("oksana", Vec::new(), course)
+    };
+    console.state.missions = missions;
+    console.hear(Event::Career(Some(Box::new(career))));
+    in_flight(&mut console);
+    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    let progress = console.state.session.mission.as_ref();
+    assert_eq!(progress.expect("it is flown").hint, None);
+    assert!(console.state.rooms.mission.hints.is_empty());
+}
+
+#[test]
+fn the_seed_of_the_day_is_told_once_it_was_flown() {
+    let mut career = career();
+    assert!(!career.flew_daily("00-first-flight"));
+    for (days_ago, stake, expected) in [
+        (1, Stake::Daily, false),
+        (0, Stake::Graded, false),
+        (0, Stake::Daily, true),
+    ] {
+        let Entry::Flight(mut flown) = flight("00-first-flight", days_ago, 700, &[]) else {
+            panic!("it is a flight");
+        };
+        flown.stake = stake;
+        career.history.push(Entry::Flight(flown));
+        assert_eq!(career.flew_daily("00-first-flight"), expected, "{stake:?}");
+        assert!(!career.flew_daily("01-air-sample"));
+    }
+}
+
+#[test]
+fn credits_are_left_as_long_as_the_best_flight_is_not_perfect() {
+    let (_, course) = campaign();
+    let offer = course
+        .offer("00-first-flight")
+        .expect("it is there")
+        .clone();
+    let left = |scores: &[u16]| {
+        let flights = scores.iter();
+        let flights = flights.map(|score| flight("00-first-flight", 0, *score, &[]));
+        Career::new("oksana", flights.collect(), course.clone()).credits_left(&offer)
+    };
+    assert_eq!(left(&[]), 200);
+    assert_eq!(left(&[400]), 200, "not passed");
+    assert_eq!(left(&[600, 800, 700]), 40);
+    assert_eq!(left(&[1000]), 0);
+}
+
+#[test]
+fn a_mission_of_ones_own_progress_is_found_on_the_home_screen() {
+    let mut console = trained_by(career());
+    console.press("T").press("tab").press("j").press("enter");
+    assert_eq!(console.state.room, Room::Home);
+    // The second line is the drill: it is flown from its mission.
+    assert_eq!(under_cursor(&console), "01-air-sample");
+}
+
+#[test]
+fn after_a_flight_the_key_for_the_next_mission_flies_what_is_next() {
+    let mut console = trained_by(career());
+    let next = career().next_mission().expect("there is more").to_owned();
+    in_flight(&mut console);
+    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.at(5).press("n");
+    assert_eq!(
+        console.effects,
+        [Effect::StartMission(Launch::graded(next))]
+    );
+}
