@@ -52,10 +52,8 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
     terminal.see("nothing: it flies").see("17.2 min");
 
     // The mission wants a sensor, which costs time in the air.
-    terminal
-        .press("vvv")
-        .see("seats 1")
-        .see("x vapour detector");
+    terminal.press("vvv").see("── First flight").press("]");
+    terminal.see("── Air sample").see("x vapour detector");
     bench.move_row(Step::Last, Air::default());
     let keys = way(&mut bench, "s_voc");
     terminal.press("\u{1b}[F\t").see("payload: hover time");
