@@ -189,10 +189,10 @@ impl Course {
             .collect()
     }
 
-    /// What to train next, and the mission that trains it best among those that may be flown: a skill that is due, else the
-    /// least likely one. Drills come first for a skill that is shaky, whole missions for one that grows.
+    /// What to train next, and the mission that trains it best among those that may be flown: a skill that is due; else the
+    /// least likely one that a new mission trains; else the least likely one. Drills come first for a skill that is shaky,
+    /// whole missions for one that grows.
     pub fn next(&self, standing: &Standing, day: i64) -> Option<(Skill, &Offer)> {
-        let open = |offer: &&Offer| !matches!(self.stage(offer, standing, day), Stage::Locked(_));
         let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
             .into_iter()
             .map(|skill| {
@@ -201,20 +201,26 @@ impl Course {
             })
             .collect();
         skills.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        skills.into_iter().find_map(|(_, chance, skill)| {
-            let trains = self
-                .offers
-                .iter()
-                .filter(open)
-                .filter(|offer| offer.skills.contains(&skill));
-            // A new mission before a known one; among equals the easiest.
-            let best = trains.min_by_key(|offer| {
-                let is_known = standing.has_passed(&offer.id);
-                let is_drill = offer.drill_of.is_some();
-                (is_known, is_drill != (chance < SHAKY), offer.tier)
-            });
-            best.map(|offer| (skill, offer))
-        })
+        let open: Vec<&Offer> = self
+            .offers
+            .iter()
+            .filter(|offer| !matches!(self.stage(offer, standing, day), Stage::Locked(_)))
+            .collect();
+        let is_known = |offer: &Offer| standing.has_passed(&offer.id);
+        let advice = |may_be_known: &dyn Fn(bool) -> bool| {
+            skills.iter().find_map(|&(is_fresh, chance, skill)| {
+                let trains = open.iter().copied().filter(|offer| {
+                    offer.skills.contains(&skill) && (may_be_known(!is_fresh) || !is_known(offer))
+                });
+                // A new mission before a known one; among equals the easiest.
+                let best = trains.min_by_key(|offer| {
+                    let is_drill = offer.drill_of.is_some();
+                    (is_known(offer), is_drill != (chance < SHAKY), offer.tier)
+                });
+                best.map(|offer| (skill, offer))
+            })
+        };
+        advice(&|is_due| is_due).or_else(|| advice(&|_| true))
     }
 }
 

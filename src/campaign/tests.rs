@@ -1,12 +1,14 @@
+mod advice;
+mod reward;
+
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use proptest::sample::select;
 
 use super::{
-    Best, Course, Entry, Evidence, Flight, Knowledge, Mastery, Offer, Opened, PartState, Reason,
-    Refusal, Reward, STARTER_PARTS, Skill, Stage, Stake, Standing, daily_seed, exam_seed,
-    licence_price,
+    Best, Course, Entry, Evidence, Flight, Knowledge, Mastery, Offer, PartState, Reason, Refusal,
+    STARTER_PARTS, Skill, Stage, Stake, Standing, daily_seed, exam_seed, licence_price,
 };
 use crate::mission::Requires;
 use crate::scoring::Medal;
@@ -345,16 +347,6 @@ proptest! {
 }
 
 #[test]
-fn the_next_thing_to_train_is_one_that_may_be_flown() {
-    let course = course();
-    let (skill, offer) = course.next(&Standing::default(), 1).expect("something");
-    assert_eq!((skill, offer.id.as_str()), (Skill::K3, "one"));
-    let passed = Entry::Flight(flight(&course, "one", 900, 1));
-    let (_, offer) = course.next(&standing(&[passed]), 1).expect("something");
-    assert_eq!(offer.id, "two", "a new mission before a known one");
-}
-
-#[test]
 fn the_best_of_a_mission_is_kept_apart_by_pass_and_medal() {
     let course = course();
     let entries = [700, 500, 900].map(|score| Entry::Flight(flight(&course, "one", score, 1)));
@@ -364,70 +356,4 @@ fn the_best_of_a_mission_is_kept_apart_by_pass_and_medal() {
         (3, 900, Some(900), Some(Medal::Gold))
     );
     assert_eq!(standing(&[]).best("one"), None::<&Best>);
-}
-
-#[test]
-fn a_reward_tells_what_a_flight_changed_and_why() {
-    let course = course();
-    let mut history = vec![Entry::Flight(flight(&course, "one", 800, 1))];
-    let reward = |history: &[Entry], flown: Flight| {
-        let before = standing(history);
-        let mut after = before.clone();
-        after.enter(&Entry::Flight(flown.clone()));
-        Reward::between(&before, &after, &course, &flown)
-    };
-    let flown = Flight {
-        wear: 7,
-        ..flight(&course, "two", 900, 1)
-    };
-    let second = reward(&history, flown.clone());
-    assert_eq!((second.pay_credits, second.wear_credits), (380, 7));
-    assert_eq!((second.licence_before, second.licence), (2, 4));
-    let ids = |opened: &[Opened]| opened.iter().map(|it| it.id.clone()).collect::<Vec<_>>();
-    assert_eq!(ids(&second.missions), ["three", "drill"]);
-    assert_eq!(second.skills.len(), 1);
-    assert!(second.skills[0].after_percent > second.skills[0].before_percent);
-    let lines: Vec<String> = second.lines().iter().map(ToString::to_string).collect();
-    assert_eq!(
-        lines[0],
-        "credits +380, -7 for wear of your drones, 1233 now"
-    );
-    assert!(
-        lines.iter().any(|line| line == "licence for 2 -> 4 drones"),
-        "{lines:?}"
-    );
-
-    history.push(Entry::Flight(flown));
-    let unpaid = |flown| reward(&history, flown).lines()[0].to_string();
-    let again = flight(&course, "two", 850, 1);
-    assert_eq!(
-        unpaid(again),
-        "no credits: only a score above 900 earns more; 1233 now"
-    );
-    let failed = flight(&course, "three", 300, 1);
-    assert_eq!(
-        unpaid(failed),
-        "no credits: the mission is not passed; 1233 now"
-    );
-    let practice = Flight {
-        stake: Stake::Practice,
-        ..flight(&course, "three", 900, 1)
-    };
-    assert_eq!(
-        unpaid(practice),
-        "no credits: practice earns none; 1233 now"
-    );
-}
-
-#[test]
-fn a_loss_takes_no_more_than_there_is_and_the_reward_says_how_much() {
-    let course = course();
-    let flown = Flight {
-        wear: 9000,
-        ..flight(&course, "one", 300, 1)
-    };
-    let before = standing(&[]);
-    let after = standing(&[Entry::Flight(flown.clone())]);
-    let reward = Reward::between(&before, &after, &course, &flown);
-    assert_eq!((reward.wear_credits, reward.credits), (500, 0));
 }

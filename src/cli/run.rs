@@ -41,6 +41,10 @@ use witness::{Assignment, Witness};
     sortie run 01 --pilot 01-air-sample --design starter\n  \
     sortie run 01 --pilot 01-air-sample --profile anna\n  \
     sortie run 01 --pilot 01-air-sample --backend ardupilot")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the command line"
+)]
 pub(super) struct RunArguments {
     /// A mission file, or the name or number of an embedded mission.
     mission: String,
@@ -235,7 +239,7 @@ fn fly(
     let launches = backend.launches(mission.world(seed), speedup);
     let mut live = Live::new(Arc::clone(mission), seed, script, speedup);
     witness.prepare(live.flight_mut());
-    Ok(ardupilot::fly(source, launches, live, witness)?)
+    ardupilot::fly(source, launches, live, witness)
 }
 
 /// Flies in the embedded simulator.

@@ -12,7 +12,7 @@ use super::{Mission, Point};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
-use crate::workshop::{Air, Design, Figures, part};
+use crate::workshop::{Air, Design, Figures, Part, part};
 
 /// Ways are not straight, and wind and headings are not known: what reaches this much farther is enough.
 const REACH: f64 = 1.3;
@@ -139,7 +139,7 @@ impl Mission {
 }
 
 /// The parts for some loads. Pieces hang on a dropper.
-fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static str, u32)> {
+pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static str, u32)> {
     let mut parts = Vec::new();
     let mut drops = false;
     for (load, count) in loads {
@@ -250,7 +250,7 @@ fn mounted_line(design: &Design, id: &'static str, count: u32) -> FitLine {
     let pieces = design.pieces().filter(|(part, _)| part.id == id);
     let has: u32 = pieces.map(|(_, pieces)| pieces).sum();
     FitLine {
-        what: part(id).map_or_else(|| Text::verbatim(id), |part| part.name()),
+        what: part(id).map_or_else(|| Text::verbatim(id), Part::name),
         required: Text::verbatim(count.to_string()),
         has: Text::verbatim(has.to_string()),
         met: has >= count,

@@ -18,8 +18,6 @@ pub(crate) use probe::{Probe, ProbeSpec};
 pub(crate) struct Sensor {
     /// Its id in mission files and in the parts catalogue.
     pub id: &'static str,
-    /// What it costs in the parts catalogue.
-    pub credits: u32,
     /// The message with its name for people.
     pub name: &'static str,
     /// What it does.

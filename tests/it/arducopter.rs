@@ -10,7 +10,7 @@ use crate::fleet::Console;
 const INSTANCE: u16 = 83;
 
 /// What a new vehicle lacks before it lets itself be armed: a frame, and calibrations that are not all zero.
-fn parameters() -> String {
+pub(crate) fn parameters() -> String {
     let mut text = String::from("FRAME_CLASS 1\nFRAME_TYPE 0\nBATT_MONITOR 4\n");
     for compass in ["", "2", "3"] {
         for (axis, offset) in [("X", 5), ("Y", 13), ("Z", -18)] {

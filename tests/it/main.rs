@@ -26,6 +26,7 @@ mod records;
 mod screens;
 mod settings;
 mod simulator;
+mod sitl_designs;
 mod sitl_runs;
 mod stand_in;
 mod terminal;

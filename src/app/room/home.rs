@@ -142,12 +142,11 @@ fn fly_otherwise(state: &mut State, how: Action, mission: &str) -> Vec<Effect> {
         }
         Action::Exam => mission::start_exam(state, mission),
         _ => {
-            match state.lock(mission) {
-                Some(reason) => state.say(Severity::Warning, reason),
-                None => {
-                    let purpose = Purpose::Seed(mission.to_owned());
-                    state.overlay = Some(Overlay::Prompt(Prompt::new(purpose)));
-                }
+            if let Some(reason) = state.lock(mission) {
+                state.say(Severity::Warning, reason);
+            } else {
+                let purpose = Purpose::Seed(mission.to_owned());
+                state.overlay = Some(Overlay::Prompt(Prompt::new(purpose)));
             }
             Vec::new()
         }

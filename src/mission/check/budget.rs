@@ -2,13 +2,8 @@
 
 use super::Examined;
 use crate::mission::fit::Fit;
-use crate::mission::hazard::Load;
-
-/// The cheapest vehicle that the parts catalogue has, in credits: a frame with four arms, motors, propellers and speed
-/// controllers for them, battery, autopilot, satellite receiver, power module, radio and wiring.
-const CHEAPEST_VEHICLE: u32 = 30 + 4 * (20 + 2 + 10) + 20 + 75 + 45 + 30 + 20 + 15;
-/// What pieces are let go with.
-const DROPPER: u32 = 45;
+use crate::mission::needs;
+use crate::workshop::{self, Design, Part, Slot};
 
 /// A budget below the cheapest fleet that carries what the file says. The dearest vehicles are those that are lent.
 pub(super) fn check(examined: &mut Examined<'_>) {
@@ -18,7 +13,12 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let (Some(budget), Some(written)) = (mission.outlay.budget, written) else {
         return;
     };
-    let mut prices: Vec<u32> = mission.fits.iter().map(price).collect();
+    let vehicle = cheapest_vehicle();
+    let mut prices: Vec<u32> = mission
+        .fits
+        .iter()
+        .map(|fit| vehicle + price(fit))
+        .collect();
     prices.sort_unstable();
     let bought = prices.len().saturating_sub(mission.outlay.loaners.len());
     let least: u32 = prices.iter().take(bought).sum();
@@ -30,19 +30,32 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The least that a vehicle with this fit costs.
-fn price(fit: &Fit) -> u32 {
-    let sensors = fit.sensors.iter().map(|sensor| sensor.credits);
-    let pieces = fit.loads.iter().map(|(load, count)| count * piece(*load));
-    let drops = fit.loads.keys().any(|load| piece(*load) > 0);
-    CHEAPEST_VEHICLE + sensors.sum::<u32>() + pieces.sum::<u32>() + u32::from(drops) * DROPPER
+/// The least that a vehicle with a part in each slot costs, in credits, whether those parts go together or not.
+fn cheapest_vehicle() -> u32 {
+    let with_frame = |frame: &'static Part| {
+        let others = Slot::ALL.into_iter();
+        let others = others.filter(|slot| slot.is_required() && *slot != Slot::Frame);
+        let cheapest = others.filter_map(|slot| {
+            let parts = workshop::parts_for(slot);
+            parts.min_by_key(|part| part.credits)
+        });
+        let bare = Design::new("").with(frame);
+        cheapest
+            .fold(bare, |design, part| design.with(part))
+            .credits()
+    };
+    workshop::parts_for(Slot::Frame)
+        .map(with_frame)
+        .min()
+        .unwrap_or_default()
 }
 
-fn piece(load: Load) -> u32 {
-    match load {
-        Load::Ball | Load::Node => 60,
-        Load::Kit => 25,
-        // The catalogue has no sprayer.
-        Load::Spray => 0,
-    }
+/// What a vehicle carries, in credits.
+fn price(fit: &Fit) -> u32 {
+    let sensors = fit.sensors.iter().map(|sensor| (sensor.id, 1));
+    let loads = fit.loads.iter().map(|(load, count)| (*load, *count));
+    let parts = sensors.chain(needs::parts(loads));
+    parts
+        .filter_map(|(id, pieces)| Some(workshop::part(id)?.credits * pieces))
+        .sum()
 }

@@ -13,7 +13,6 @@ use crate::mission::hazard::Quantity;
 pub(crate) static SENSORS: &[Sensor] = &[
     Sensor {
         id: "s_voc",
-        credits: 580,
         name: "mission-sensor-gas",
         work: Work::Probe(ProbeSpec {
             quantity: Quantity::Vapour,
@@ -26,7 +25,6 @@ pub(crate) static SENSORS: &[Sensor] = &[
     },
     Sensor {
         id: "s_pm25",
-        credits: 45,
         name: "mission-sensor-particles",
         work: Work::Probe(ProbeSpec {
             quantity: Quantity::Particles,
@@ -39,7 +37,6 @@ pub(crate) static SENSORS: &[Sensor] = &[
     },
     Sensor {
         id: "s_gas4",
-        credits: 480,
         name: "mission-sensor-monoxide",
         work: Work::Probe(ProbeSpec {
             quantity: Quantity::Monoxide,
@@ -52,7 +49,6 @@ pub(crate) static SENSORS: &[Sensor] = &[
     },
     Sensor {
         id: "s_tdlas",
-        credits: 2870,
         name: "mission-sensor-methane",
         work: Work::Probe(ProbeSpec {
             quantity: Quantity::Methane,
@@ -68,7 +64,6 @@ pub(crate) static SENSORS: &[Sensor] = &[
     },
     Sensor {
         id: "s_geiger",
-        credits: 80,
         name: "mission-sensor-dose-rate",
         work: Work::Probe(ProbeSpec {
             quantity: Quantity::DoseRate,
@@ -84,7 +79,6 @@ pub(crate) static SENSORS: &[Sensor] = &[
     },
     Sensor {
         id: "s_csi",
-        credits: 1675,
         name: "mission-sensor-dose-rate",
         work: Work::Probe(ProbeSpec {
             quantity: Quantity::DoseRate,
@@ -98,15 +92,14 @@ pub(crate) static SENSORS: &[Sensor] = &[
             ceiling: 250.0,
         }),
     },
-    camera("s_rgb", 120, "mission-sensor-camera", RGB),
-    camera("s_rgbg", 300, "mission-sensor-camera", RGB_GIMBAL),
-    camera("s_zoom", 640, "mission-sensor-zoom", ZOOM),
-    camera("s_th160", 230, "mission-sensor-thermal", THERMAL_160),
-    camera("s_th320", 915, "mission-sensor-thermal", THERMAL_320),
-    camera("s_thdual", 1390, "mission-sensor-thermal", THERMAL_640),
+    camera("s_rgb", "mission-sensor-camera", RGB),
+    camera("s_rgbg", "mission-sensor-camera", RGB_GIMBAL),
+    camera("s_zoom", "mission-sensor-zoom", ZOOM),
+    camera("s_th160", "mission-sensor-thermal", THERMAL_160),
+    camera("s_th320", "mission-sensor-thermal", THERMAL_320),
+    camera("s_thdual", "mission-sensor-thermal", THERMAL_640),
     ground(
         "s_mag",
-        915,
         "mission-sensor-magnetometer",
         2.0,
         MineSpec {
@@ -119,7 +112,6 @@ pub(crate) static SENSORS: &[Sensor] = &[
     ),
     ground(
         "s_md",
-        1210,
         "mission-sensor-metal-detector",
         0.6,
         MineSpec {
@@ -132,7 +124,6 @@ pub(crate) static SENSORS: &[Sensor] = &[
     ),
     ground(
         "s_gpr",
-        3245,
         "mission-sensor-radar",
         0.8,
         MineSpec {
@@ -149,25 +140,17 @@ const fn inlet(share: f64, floor: f64) -> Response {
     Response::Inlet(Noise { share, floor })
 }
 
-const fn camera(id: &'static str, credits: u32, name: &'static str, camera: Camera) -> Sensor {
+const fn camera(id: &'static str, name: &'static str, camera: Camera) -> Sensor {
     Sensor {
         id,
-        credits,
         name,
         work: Work::Detector(DetectorSpec::Camera(camera)),
     }
 }
 
-const fn ground(
-    id: &'static str,
-    credits: u32,
-    name: &'static str,
-    swath_m: f64,
-    mines: MineSpec,
-) -> Sensor {
+const fn ground(id: &'static str, name: &'static str, swath_m: f64, mines: MineSpec) -> Sensor {
     Sensor {
         id,
-        credits,
         name,
         work: Work::Detector(DetectorSpec::Ground(Ground { swath_m, mines })),
     }
@@ -249,7 +232,8 @@ mod tests {
     fn the_guide_has_the_price_of_every_sensor() {
         let guide = include_str!("../../../docs/missions.md");
         for sensor in SENSORS {
-            let price = format!("`{}` {}", sensor.id, sensor.credits);
+            let part = crate::workshop::part(sensor.id).expect("the workshop has it");
+            let price = format!("`{}` {}", sensor.id, part.credits);
             assert!(guide.contains(&price), "{price}");
         }
     }

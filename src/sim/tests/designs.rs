@@ -67,7 +67,7 @@ fn a_design_hovers_with_the_throttle_the_power_and_for_as_long_as_computed() {
     for source in DESIGNS {
         let (design, figures, mut ground) = flown(source);
         let name = design.name.as_str();
-        let throttle = f64::from(ground.truth().throttle);
+        let throttle = ground.truth().throttle;
         compare(name, "throttle", figures.hover_throttle, throttle, 0.03);
         let battery = ground.world.slots[0].autopilot.battery;
         let power_w = battery.current_a * battery.voltage_v;

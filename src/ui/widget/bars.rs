@@ -30,7 +30,7 @@ pub struct Bar {
 #[derive(Debug, Clone, Copy)]
 pub struct Bars<'a> {
     /// The bars from the left; the last ones are shown where not all fit.
-    pub bars: &'a [Bar],
+    pub values: &'a [Bar],
     /// Lines across the chart: their value and their name.
     pub lines: &'a [(f64, String)],
     /// The value at the top.
@@ -55,8 +55,8 @@ pub fn draw(chart: &Bars<'_>, look: &Look, area: Rect, buffer: &mut Buffer) {
         put(buffer, plot, row, &Line::styled(rule, muted));
     }
     let fits = usize::from(plot.width) / STEP;
-    let hidden = chart.bars.len().saturating_sub(fits);
-    for (at, bar) in chart.bars.iter().skip(hidden).enumerate() {
+    let hidden = chart.values.len().saturating_sub(fits);
+    for (at, bar) in chart.values.iter().skip(hidden).enumerate() {
         let place = columns(plot, (at * STEP) as u16, STEP as u16);
         let eighths = chart.eighths(bar.value, rows);
         for row in 0..rows {
@@ -101,7 +101,7 @@ mod tests {
         let area = Rect::new(0, 0, width, 5);
         let mut buffer = Buffer::empty(area);
         let chart = Bars {
-            bars: &bars,
+            values: &bars,
             lines,
             most: 1000.0,
         };
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn the_newest_are_shown_where_not_all_fit_and_nothing_is_still_a_bar() {
         let rows = drawn(&[900.0, 100.0, 0.0], &[], 12);
-        assert_eq!(rows[3], "▄▄▄▄  ▁▁▁▁");
+        assert_eq!(rows[3], "▃▃▃▃  ▁▁▁▁");
         assert_eq!(rows[4], "100   0");
     }
 }

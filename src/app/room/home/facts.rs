@@ -7,7 +7,7 @@ use crate::mission::{Listing, Unlock};
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
-use crate::workshop::part;
+use crate::workshop::{Part, part};
 
 /// One fact.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +66,7 @@ pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
             text!("mission-reward-mission", title = title)
         }
         Unlock::Part(id) => {
-            let name = part(id).map_or_else(|| id.as_str().into(), |part| part.name());
+            let name = part(id).map_or_else(|| id.as_str().into(), Part::name);
             text!("mission-reward-part", part = name)
         }
         Unlock::Threat(id) => text!("mission-reward-threat", threat = id),

@@ -81,13 +81,13 @@ fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buf
         .map(|one| bar(one, look.style(role(one))))
         .collect();
     let lines: Vec<(f64, String)> = listing
-        .map(|Listing { medals, .. }| medal_lines(medals))
+        .map(|Listing { medals, .. }| medal_lines(*medals))
         .unwrap_or_default()
         .into_iter()
         .map(|(points, medal)| (points, format!("{} {points:.0}", look.text(&medal.title()))))
         .collect();
     let chart = Bars {
-        bars: &bars,
+        values: &bars,
         lines: &lines,
         most: PERFECT,
     };
@@ -95,7 +95,7 @@ fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buf
 }
 
 /// The points that medals need.
-fn medal_lines(medals: &Medals) -> Vec<(f64, Medal)> {
+fn medal_lines(medals: Medals) -> Vec<(f64, Medal)> {
     vec![
         (f64::from(medals.gold), Medal::Gold),
         (f64::from(medals.silver), Medal::Silver),

@@ -1,0 +1,168 @@
+//! Drones of the workshop on a real `ArduCopter`, where `SORTIE_ARDUCOPTER` names one: what was computed of them against
+//! what they do in the air.
+
+use std::ffi::OsStr;
+use std::fmt::Write as _;
+use std::fs;
+use std::process::{Child, Command, Stdio};
+
+use sortie::vehicle::VehicleId;
+use sortie::workshop::{Air, Design, Figures};
+
+use crate::arducopter;
+use crate::fleet::Console;
+
+/// SITL's TCP port is 5760 and ten more per instance; these instances are out of everybody's way.
+const FIRST_INSTANCE: u16 = 84;
+const VEHICLE: VehicleId = 7;
+const SPEEDUP: &str = "10";
+/// The part of the charge that is flown; the rest of the endurance follows from it.
+const STRETCH: f64 = 0.1;
+/// Both simulators and the computed figures agree within this share.
+const WITHIN: f64 = 0.15;
+
+const DESIGNS: [&str; 3] = [
+    include_str!("../../designs/starter.toml"),
+    include_str!("../../designs/gas-hexa.toml"),
+    include_str!("../../designs/endurance.toml"),
+];
+
+/// A running SITL in a folder of its own; it ends with the test.
+struct Sitl {
+    process: Child,
+    _folder: tempfile::TempDir,
+}
+
+impl Drop for Sitl {
+    fn drop(&mut self) {
+        // Errors mean that it has ended already.
+        drop(self.process.kill());
+        drop(self.process.wait());
+    }
+}
+
+impl Sitl {
+    fn start(program: &OsStr, design: &Design, instance: u16) -> Self {
+        let built = design.airframe().expect("complete");
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let mut parameters = String::new();
+        let usual = arducopter::parameters();
+        for line in usual.lines() {
+            let name = line.split(' ').next().unwrap_or_default();
+            if built.parameters.iter().all(|(own, _)| *own != name) {
+                writeln!(parameters, "{line}").expect("a string takes it");
+            }
+        }
+        for (name, value) in &built.parameters {
+            writeln!(parameters, "{name} {value}").expect("a string takes it");
+        }
+        fs::write(folder.path().join("copter.parm"), parameters).expect("written");
+        fs::write(folder.path().join("frame.json"), built.frame.to_string()).expect("written");
+        let model = format!("{}:frame.json", built.model);
+        let process = Command::new(program)
+            .args(["--model", &model, "--speedup", SPEEDUP, "--slave", "0"])
+            .args(["--sysid", &VEHICLE.to_string(), "--defaults", "copter.parm"])
+            .args(["--home", "50.45,30.52,0,0", "-I", &instance.to_string()])
+            .current_dir(folder.path())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("SORTIE_ARDUCOPTER can be started");
+        Self {
+            process,
+            _folder: folder,
+        }
+    }
+}
+
+/// Seconds by the vehicle's clock, and what it has taken from the battery, in mAh.
+fn reading(console: &Console) -> Option<(f64, f64)> {
+    let vehicle = console.vehicle(VEHICLE)?;
+    let taken_mah = f64::from(vehicle.battery()?.consumed_mah?);
+    Some((f64::from(vehicle.clock_ms()?) / 1000.0, taken_mah))
+}
+
+fn throttle(console: &Console) -> Option<f64> {
+    let hud = console.vehicle(VEHICLE)?.hud?;
+    Some(f64::from(hud.throttle_percent) / 100.0)
+}
+
+async fn wait(console: &mut Console, seconds: f64) {
+    let begun_s = reading(console).expect("it tells its time").0;
+    let over =
+        |console: &Console| reading(console).is_some_and(|(now_s, _)| now_s >= begun_s + seconds);
+    console.until("time has passed", over).await;
+}
+
+/// Seconds from full to a fifth of the charge in the hover, at the rate of a stretch.
+async fn endurance_s(console: &mut Console, figures: &Figures) -> f64 {
+    let stretch_mah = STRETCH * figures.capacity_ah * 1000.0;
+    let (begun_s, before_mah) = reading(console).expect("it tells its charge");
+    let over = |console: &Console| {
+        reading(console).is_some_and(|(_, taken_mah)| taken_mah >= before_mah + stretch_mah)
+    };
+    console.until("a part of the charge is used", over).await;
+    let (now_s, taken_mah) = reading(console).expect("it tells its charge");
+    (now_s - begun_s) * 0.8 * figures.capacity_ah * 1000.0 / (taken_mah - before_mah)
+}
+
+/// The speed that it gets to on a way that is too long for it.
+async fn top_speed_m_s(console: &mut Console) -> f64 {
+    // A way that begins takes the usual speed again.
+    console.give("goto n 4000 e 0 up 20", &[VEHICLE]);
+    wait(console, 5.0).await;
+    console.give("speed 40", &[VEHICLE]);
+    wait(console, 60.0).await;
+    let vehicle = console.vehicle(VEHICLE).expect("it flies");
+    f64::from(vehicle.ground_speed_m_s().expect("it tells its speed"))
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn designs_fly_on_a_real_arducopter_as_computed() {
+    let Some(program) = std::env::var_os("SORTIE_ARDUCOPTER") else {
+        eprintln!("skipped: SORTIE_ARDUCOPTER names no arducopter");
+        return;
+    };
+    let mut table = String::new();
+    let mut worst: f64 = 0.0;
+    for (source, instance) in DESIGNS.into_iter().zip(FIRST_INSTANCE..) {
+        let design = Design::from_toml(source).expect("a good design");
+        let figures = design.figures(Air::default()).expect("complete");
+        let _sitl = Sitl::start(&program, &design, instance);
+        let mut console = Console::start();
+        console.connect(&format!("tcp:127.0.0.1:{}", 5760 + 10 * instance));
+        console.until_ready(&[VEHICLE]).await;
+        for line in ["guided", "arm", "takeoff 20"] {
+            let entry = console.give(line, &[VEHICLE]);
+            console.until_done(entry, VEHICLE).await;
+        }
+        wait(&mut console, 20.0).await;
+        let found = [
+            throttle(&console).expect("it tells its throttle"),
+            endurance_s(&mut console, &figures).await,
+            top_speed_m_s(&mut console).await,
+        ];
+        let computed = [
+            figures.hover_throttle,
+            figures.hover_80_s,
+            figures.top_speed_m_s,
+        ];
+        for ((what, computed), found) in ["throttle", "hover s", "top m/s"]
+            .iter()
+            .zip(computed)
+            .zip(found)
+        {
+            let error = found / computed - 1.0;
+            worst = worst.max(error.abs());
+            let name = &design.name;
+            writeln!(
+                table,
+                "{name:14} {what:9} computed {computed:8.2} flown {found:8.2} {:+5.1} %",
+                error * 100.0
+            )
+            .expect("a string takes it");
+        }
+    }
+    println!("{table}");
+    assert!(worst <= WITHIN, "{table}");
+}
