@@ -123,7 +123,6 @@ workshop-parts = parts
 workshop-figures = figures
 workshop-findings = what speaks against it
 workshop-none = nothing: it flies
-workshop-missing = -
 workshop-polar = power by speed
 workshop-unknown = there is no design `{ $name }`: neither a file nor a design of yours; designs that come with sortie: { $known }
 workshop-slot = there is no slot `{ $slot }`; slots: { $known }

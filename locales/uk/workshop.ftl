@@ -123,7 +123,6 @@ workshop-parts = деталі
 workshop-figures = показники
 workshop-findings = що проти нього
 workshop-none = нічого: він літає
-workshop-missing = -
 workshop-polar = потужність за швидкістю
 workshop-unknown = немає проєкту `{ $name }`: ні файлу, ні вашого проєкту; проєкти, що йдуть із sortie: { $known }
 workshop-slot = немає місця `{ $slot }`; місця: { $known }

@@ -62,10 +62,11 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::NoticesDropped(count) => state.notices.dropped = count,
         Event::Parameters { vehicle, snapshot } => parameters::arrived(state, vehicle, snapshot),
         Event::ParametersRead { path, text } => parameters::read(state, path, &text),
-        Event::ParametersSaved { path } => parameters::saved(state, &path),
+        Event::ParametersSaved { path } | Event::DesignWritten { path } => {
+            parameters::saved(state, &path);
+        }
         Event::ParametersExist { path, text } => parameters::exists(state, path, text),
         Event::DesignRead { path, text } => return workshop::read(state, &path, &text),
-        Event::DesignWritten { path } => parameters::saved(state, &path),
         Event::DesignExists { path, text } => workshop::exists(state, path, text),
         Event::Row(row) => {
             let ledger = &mut state.session.ledger;

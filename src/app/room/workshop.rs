@@ -216,7 +216,7 @@ fn on_bench(state: &mut State, action: Action) -> Option<Vec<Effect>> {
     match (action, room.pane) {
         (Action::Move(step), Pane::Slots) => room.bench.move_row(step, air()),
         (Action::Move(step), Pane::Parts) => room.bench.move_part(step),
-        (Action::Submit, Pane::Slots) | (Action::OtherPane, Pane::Slots) => room.pane = Pane::Parts,
+        (Action::Submit | Action::OtherPane, Pane::Slots) => room.pane = Pane::Parts,
         (Action::OtherPane | Action::Escape, Pane::Parts) => room.pane = Pane::Slots,
         (Action::Submit, Pane::Parts) => put_in(state),
         (Action::TakeOut, _) => take_out(state),

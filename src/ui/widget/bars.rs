@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn the_newest_are_shown_where_not_all_fit_and_nothing_is_still_a_bar() {
         let rows = drawn(&[900.0, 100.0, 0.0], &[], 12);
-        assert_eq!(rows[3], "▄▄▄▄  ▁▁▁▁");
+        assert_eq!(rows[3], "▃▃▃▃  ▁▁▁▁");
         assert_eq!(rows[4], "100   0");
     }
 }

@@ -101,13 +101,12 @@ fn advice(purpose: &Purpose) -> &'static str {
         Purpose::Seed(_) => "prompt-seed-advice",
         Purpose::Filter(_) => "prompt-filter-advice",
         Purpose::Parameter { .. } => "prompt-parameter-advice",
-        Purpose::SaveParameters => "prompt-save-advice",
+        Purpose::SaveParameters | Purpose::ExportDesign => "prompt-save-advice",
         Purpose::LoadParameters => "prompt-load-advice",
         Purpose::CompareParameters => "prompt-compare-advice",
         Purpose::SaveDesign | Purpose::CopyDesign(_) | Purpose::RenameDesign(_) => {
             "prompt-design-advice"
         }
-        Purpose::ExportDesign => "prompt-save-advice",
         Purpose::ImportDesign => "prompt-import-advice",
     }
 }

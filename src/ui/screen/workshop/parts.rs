@@ -29,15 +29,7 @@ const DETAIL: u16 = 5;
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let bench = &state.rooms.workshop.bench;
     let layout = Layout::new(state, area.width);
-    let title = match layout.shown.as_slice() {
-        [only] => format!(
-            "{}: {}",
-            look.text(&bench.slot().name()),
-            look.text(&only.name())
-        ),
-        _ => look.text(&bench.slot().name()),
-    };
-    let mut inner = titled(&title, look, area, buffer);
+    let mut inner = titled(&layout.title(bench.slot(), look), look, area, buffer);
     if layout.shown.len() > 1 {
         let style = look.style(Role::Muted);
         put(buffer, inner, 0, &Line::styled(layout.heading(look), style));
@@ -107,6 +99,15 @@ impl Layout {
             change,
             shown,
             width,
+        }
+    }
+
+    /// The slot, and the measure where there is one only.
+    fn title(&self, slot: Slot, look: &Look) -> String {
+        let slot = look.text(&slot.name());
+        match self.shown.as_slice() {
+            [only] => format!("{slot}: {}", look.text(&only.name())),
+            _ => slot,
         }
     }
 

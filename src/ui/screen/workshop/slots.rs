@@ -43,7 +43,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         let width = usize::from(inner.width);
         let wide = width >= ROOMY;
         let line = Row {
-            row,
+            there: row,
             is_first,
             severity,
             wide,
@@ -57,7 +57,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 struct Row<'a> {
-    row: &'a SlotRow,
+    there: &'a SlotRow,
     is_first: bool,
     severity: Option<Severity>,
     wide: bool,
@@ -67,7 +67,7 @@ struct Row<'a> {
 impl Row<'_> {
     fn drawn(&self, design: &Design, look: &Look) -> Line<'static> {
         let slot = if self.is_first {
-            look.text(&self.row.slot.name())
+            look.text(&self.there.slot.name())
         } else {
             String::new()
         };
@@ -101,8 +101,8 @@ impl Row<'_> {
 
     /// How many pieces of the part the drone has.
     fn pieces(&self, design: &Design) -> u32 {
-        let count = self.row.count as u32;
-        if self.row.slot.is_per_motor() {
+        let count = self.there.count as u32;
+        if self.there.slot.is_per_motor() {
             count * u32::from(design.motors())
         } else {
             count
@@ -110,8 +110,8 @@ impl Row<'_> {
     }
 
     fn part(&self, design: &Design, look: &Look) -> (String, Role) {
-        let Some(part) = self.row.part else {
-            let (words, role) = if self.row.slot == Slot::Payload {
+        let Some(part) = self.there.part else {
+            let (words, role) = if self.there.slot == Slot::Payload {
                 ("bench-add-payload", Role::Muted)
             } else {
                 ("bench-none-yet", Role::Danger)
@@ -130,7 +130,7 @@ impl Row<'_> {
 
     /// Mass in grams and price of all pieces.
     fn whole(&self, design: &Design) -> Option<(f64, u32)> {
-        let part = self.row.part?;
+        let part = self.there.part?;
         let pieces = self.pieces(design);
         Some((part.mass_g * f64::from(pieces), part.credits * pieces))
     }
