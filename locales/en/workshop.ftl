@@ -118,13 +118,11 @@ measure-top-speed = top speed
 measure-radio = radio reach
 measure-spare = spare lift
 
-workshop-sheet = { $name }
 workshop-parts = parts
 workshop-figures = figures
 workshop-findings = what speaks against it
 workshop-none = nothing: it flies
 workshop-polar = power by speed
-workshop-unknown = there is no design `{ $name }`: neither a file nor a design of yours; designs that come with sortie: { $known }
 workshop-slot = there is no slot `{ $slot }`; slots: { $known }
 workshop-incomplete = { $name } lacks parts of its drive: nothing to export
 workshop-exported = written: { $files }

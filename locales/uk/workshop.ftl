@@ -118,13 +118,11 @@ measure-top-speed = найбільша швидкість
 measure-radio = дальність радіо
 measure-spare = запас підйому
 
-workshop-sheet = { $name }
 workshop-parts = деталі
 workshop-figures = показники
 workshop-findings = що проти нього
 workshop-none = нічого: він літає
 workshop-polar = потужність за швидкістю
-workshop-unknown = немає проєкту `{ $name }`: ні файлу, ні вашого проєкту; проєкти, що йдуть із sortie: { $known }
 workshop-slot = немає місця `{ $slot }`; місця: { $known }
 workshop-incomplete = у { $name } бракує деталей приводу: нема чого вивантажити
 workshop-exported = записано: { $files }

@@ -70,8 +70,8 @@ pub const FLEET_HINTS: &[(&str, &str)] = &[
 
 /// Rows from which on both lists are shown below each other.
 const TALL: u16 = 34;
-/// Columns of the list of slots and of the figures on a wide screen.
-const WIDE_SLOTS: u16 = 52;
+/// Percent of a wide screen for the list of slots, and columns of the figures.
+const SLOTS_PERCENT: u16 = 30;
 const WIDE_FIGURES: u16 = 56;
 /// Rows of the figures with their title.
 const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
@@ -91,14 +91,15 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 
 /// Everything at a time, in three columns.
 fn draw_wide(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let middle = area.width - WIDE_SLOTS - WIDE_FIGURES - 2;
-    let left = columns(area, 0, WIDE_SLOTS);
+    let slots_width = area.width * SLOTS_PERCENT / 100;
+    let middle = area.width - slots_width - WIDE_FIGURES - 2;
+    let left = columns(area, 0, slots_width);
     let slots = state.rooms.workshop.bench.rows().len() as u16 + 2;
     let slots = slots.min(area.height.saturating_sub(FINDINGS_ROWS));
     slots::draw(state, look, upper(left, slots), buffer);
     findings::draw(state, look, below(left, slots), buffer);
-    parts::draw(state, look, columns(area, WIDE_SLOTS + 1, middle), buffer);
-    let right = columns(area, WIDE_SLOTS + middle + 2, WIDE_FIGURES);
+    parts::draw(state, look, columns(area, slots_width + 1, middle), buffer);
+    let right = columns(area, slots_width + middle + 2, WIDE_FIGURES);
     figures::draw(state, look, upper(right, FIGURES_ROWS + 1), buffer);
     let rest = below(right, FIGURES_ROWS + 1);
     let half = rest.height / 2;
