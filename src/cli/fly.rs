@@ -179,7 +179,7 @@ fn open(options: Options, plain: bool) -> Result<ExitCode, Failure> {
         if plain {
             Box::pin(console::plain::run(options, std::io::stdin().is_terminal())).await
         } else {
-            console::run(options).await.map(|()| true)
+            Box::pin(console::run(options)).await.map(|()| true)
         }
     });
     // Tasks that still wait for a socket are not worth waiting for.

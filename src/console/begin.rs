@@ -142,6 +142,8 @@ impl Console {
         self.go_on();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();
+            // Another console may have stored flights meanwhile.
+            self.show_career();
         }
     }
 

@@ -35,7 +35,7 @@ fn on_mission(career: Career, mission: &str) -> Console {
 fn the_home_screen_is_the_map_of_a_career() {
     for (width, height) in SIZES {
         let size = (width, height);
-        for (name, console) in vec![
+        for (name, console) in [
             ("nobody", nobody()),
             ("newcomer", trained_by(newcomer())),
             ("next", trained_by(career())),
