@@ -35,13 +35,15 @@ fn on_mission(career: Career, mission: &str) -> Console {
 fn the_home_screen_is_the_map_of_a_career() {
     for (width, height) in SIZES {
         let size = (width, height);
-        for (name, console) in [
-            ("nobody", nobody()),
-            ("newcomer", trained_by(newcomer())),
-            ("next", trained_by(career())),
-            ("locked", on_mission(career(), "09-fire-attack")),
-            ("passed", on_mission(career(), "01-air-sample")),
-        ] {
+        let made: [(&str, fn() -> Console); 5] = [
+            ("nobody", nobody),
+            ("newcomer", || trained_by(newcomer())),
+            ("next", || trained_by(career())),
+            ("locked", || on_mission(career(), "09-fire-attack")),
+            ("passed", || on_mission(career(), "01-air-sample")),
+        ];
+        for (name, console) in made {
+            let console = console();
             let name = format!("career_home_{name}_{width}x{height}");
             insta::assert_snapshot!(name, at(console, size));
         }
