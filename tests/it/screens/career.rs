@@ -8,9 +8,12 @@ use sortie::text::Language;
 
 use super::SIZES;
 use super::map::{drawn, resized};
+use crate::fixtures;
 use crate::fixtures::career::{campaign, career, flight, history, newcomer, nobody, trained_by};
-use crate::fixtures::{self};
 use crate::harness::Console;
+
+/// Makes a console to look at.
+type Made = fn() -> Console;
 
 fn at(console: Console, size: (u16, u16)) -> String {
     let console = resized(console, size);
@@ -35,7 +38,7 @@ fn on_mission(career: Career, mission: &str) -> Console {
 fn the_home_screen_is_the_map_of_a_career() {
     for (width, height) in SIZES {
         let size = (width, height);
-        let made: [(&str, fn() -> Console); 5] = [
+        let made: [(&str, Made); 5] = [
             ("nobody", nobody),
             ("newcomer", || trained_by(newcomer())),
             ("next", || trained_by(career())),
