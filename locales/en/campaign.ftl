@@ -54,3 +54,4 @@ profiles-lost = the profiles were damaged ({ $fault }) and there is no copy: the
 mission-locked = { $mission } is locked: { $why }
 career-nowhere = no profiles are kept here: the data folder cannot be used
 career-waits = the flight is not stored yet: { $fault }; it is tried again before the next flight and at the end of the console
+launch-practice = this flight is for practice: the mission is locked or none of the course, a part is not yours, or a seed, a frame or a speed was chosen
