@@ -136,7 +136,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let started = Instant::now();
     let locale = Locale::new(settings.language());
     let mission = load_mission(&options.mission)?;
-    let mission = options.designs.equip(mission, &locale)?;
+    let mission = options.designs.equip(mission, settings)?;
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
     let mut trainee = Trainee::named(settings, &locale)?;
@@ -275,7 +275,7 @@ pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
         for other in others {
             let id = &mission.id;
             let text = text!("mission-twice", id = id, flown = flown, other = other);
-            eprintln!("sortie: {text}");
+            tell!("sortie: {text}");
         }
     }
     Ok(mission)

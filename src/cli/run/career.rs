@@ -171,7 +171,7 @@ impl<'a> Trainee<'a> {
     fn practice(&self, mission: &Mission, terms: Terms) -> Terms {
         if terms.stake != Stake::Practice {
             let text = text!("profile-own-mission", mission = mission.id.as_str());
-            eprintln!("sortie: {}", self.locale.text(&text));
+            tell!("sortie: {}", self.locale.text(&text));
         }
         Terms {
             stake: Stake::Practice,
@@ -228,7 +228,7 @@ impl<'a> Trainee<'a> {
         let stored = self.profiles.store(&self.profile, &run);
         if let Err(error) = &stored {
             let text = text!("profile-not-stored", fault = error.text());
-            eprintln!("sortie: {}", self.locale.text(&text));
+            tell!("sortie: {}", self.locale.text(&text));
         } else if let Err(error) = self.profiles.back_up() {
             tracing::warn!("the profiles are not copied: {error}");
         }
