@@ -70,9 +70,15 @@ impl Reward {
         let best = before.best(&flight.mission).and_then(|best| best.passed);
         // What the fold paid, whatever its rules: what is left, what wear took, less what was there.
         let owned = before.credits();
-        let pay_credits =
-            economy::pay(flight, best).min((after.credits() + flight.wear).saturating_sub(owned));
-        let wear_credits = (owned + pay_credits).saturating_sub(after.credits());
+        let pay_credits = economy::pay(flight, best).min(
+            after
+                .credits()
+                .saturating_add(flight.wear)
+                .saturating_sub(owned),
+        );
+        let wear_credits = owned
+            .saturating_add(pay_credits)
+            .saturating_sub(after.credits());
         let (experience, level, needed) = after.experience();
         let (experience_before, level_before, _) = before.experience();
         let unpaid = (pay_credits == 0).then(|| match best {
@@ -86,7 +92,7 @@ impl Reward {
             pay_credits,
             wear_credits,
             credits: after.credits(),
-            experience: experience - experience_before,
+            experience: experience.saturating_sub(experience_before),
             level_before,
             level,
             experience_left: needed.saturating_sub(experience),

@@ -127,7 +127,8 @@ impl Standing {
             .any(|evidence| self.skill(evidence.skill).mastery(flight.day) == Mastery::Due);
         let counts = self.take_up(flight);
         if counts {
-            self.credits += economy::pay(flight, best.and_then(|best| best.passed));
+            let pay = economy::pay(flight, best.and_then(|best| best.passed));
+            self.credits = self.credits.saturating_add(pay);
             let best_score = best.map(|best| best.score);
             self.experience += u64::from(economy::experience(flight, best_score, refreshes));
         }
