@@ -19,7 +19,7 @@ use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use rusqlite::{Connection, OptionalExtension as _, params};
+use rusqlite::{Connection, OptionalExtension as _, Transaction, TransactionBehavior, params};
 use serde::{Deserialize, Serialize};
 
 use crate::campaign::Aids;
@@ -205,6 +205,12 @@ impl Profiles {
     fn ask(&self, sql: &str) -> Result<rusqlite::Statement<'_>, ProfileError> {
         self.connection
             .prepare(sql)
+            .map_err(|error| self.fault(error))
+    }
+
+    /// Everything until its commit, or nothing; other consoles wait.
+    fn transaction(&self) -> Result<Transaction<'_>, ProfileError> {
+        Transaction::new_unchecked(&self.connection, TransactionBehavior::Immediate)
             .map_err(|error| self.fault(error))
     }
 

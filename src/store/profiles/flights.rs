@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use rusqlite::{Connection, TransactionBehavior, params};
+use rusqlite::{Connection, params};
 use serde::Serialize;
 
 use super::{Profile, ProfileError, Profiles, json};
@@ -163,16 +163,9 @@ impl Profiles {
     /// # Errors
     /// The database cannot be written; nothing of the run is stored then.
     pub fn store(&mut self, profile: &Profile, run: &RunEntry) -> Result<bool, ProfileError> {
-        let path = self.path.clone();
-        let fault = |error| ProfileError::Database {
-            path: path.clone(),
-            error,
-        };
         let entry = json(&Entry::Flight(run.flight.clone()));
-        let transaction = self
-            .connection
-            .transaction_with_behavior(TransactionBehavior::Immediate)
-            .map_err(fault)?;
+        let fault = |error| self.fault(error);
+        let transaction = self.transaction()?;
         let is_new = transaction
             .execute(
                 "INSERT INTO entries (profile, id, at, entry) VALUES (?1, ?2, ?3, ?4) ON CONFLICT DO NOTHING",

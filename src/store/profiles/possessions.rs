@@ -18,35 +18,17 @@ impl Profiles {
         course: &Course,
         when: &str,
     ) -> Result<Purchase, ProfileError> {
-        let path = self.path.clone();
-        let fault = |error| ProfileError::Database {
-            path: path.clone(),
-            error,
-        };
-        self.connection
-            .execute_batch("BEGIN IMMEDIATE")
-            .map_err(fault)?;
-        let bought = self.buy_within(profile, part, course, when);
-        let end = if bought.is_ok() { "COMMIT" } else { "ROLLBACK" };
-        self.connection.execute_batch(end).map_err(fault)?;
-        bought
-    }
-
-    fn buy_within(
-        &self,
-        profile: &Profile,
-        part: &str,
-        course: &Course,
-        when: &str,
-    ) -> Result<Purchase, ProfileError> {
+        let transaction = self.transaction()?;
         let standing = Standing::of(&self.history(profile)?);
         let purchase = standing.buy(part, course).map_err(ProfileError::Refused)?;
         let entry = json(&Entry::Purchase(purchase.clone()));
-        let added = self.connection.execute(
+        let added = transaction.execute(
             "INSERT INTO entries (profile, id, at, entry) VALUES (?1, ?2, ?3, ?4)",
             params![profile.key, format!("part {part}"), when, entry],
         );
-        added.map_err(|error| self.fault(error))?;
+        added
+            .and_then(|_| transaction.commit())
+            .map_err(|error| self.fault(error))?;
         Ok(purchase)
     }
 
@@ -90,5 +72,22 @@ impl Profiles {
             params![profile.key, name],
         );
         removed.map(drop).map_err(|error| self.fault(error))
+    }
+
+    /// Keeps a design under its new name, in place of the one that was called `from`: both, or nothing.
+    ///
+    /// # Errors
+    /// The database cannot be written.
+    pub fn rename_design(
+        &self,
+        profile: &Profile,
+        from: &str,
+        design: &Design,
+    ) -> Result<(), ProfileError> {
+        let transaction = self.transaction()?;
+        // The old one goes first: the names may differ in case only.
+        self.drop_design(profile, from)?;
+        self.keep_design(profile, design)?;
+        transaction.commit().map_err(|error| self.fault(error))
     }
 }

@@ -228,6 +228,38 @@ fn a_profile_that_is_exported_and_imported_is_the_same() {
 }
 
 #[test]
+fn a_renamed_design_is_there_once_even_where_only_the_case_changes() {
+    let data = tempfile::tempdir().expect("a folder");
+    let profiles = open(data.path());
+    let anna = anna(&profiles);
+    profiles
+        .keep_design(&anna, &Design::new("Scout"))
+        .expect("kept");
+    for (from, to) in [("Scout", "SCOUT"), ("scout", "Їжак"), ("Їжак", "Їжак")] {
+        let renamed = Design::new(to);
+        profiles
+            .rename_design(&anna, from, &renamed)
+            .expect("renamed");
+        assert_eq!(profiles.designs(&anna).expect("readable"), [renamed]);
+    }
+}
+
+#[test]
+fn a_design_whose_renaming_fails_keeps_its_old_name() {
+    let data = tempfile::tempdir().expect("a folder");
+    let profiles = open(data.path());
+    let anna = anna(&profiles);
+    let scout = Design::new("Scout");
+    profiles.keep_design(&anna, &scout).expect("kept");
+    let full = "CREATE TEMP TRIGGER full BEFORE INSERT ON main.designs BEGIN SELECT RAISE(ABORT, 'full'); END";
+    profiles.connection.execute_batch(full).expect("armed");
+    profiles
+        .rename_design(&anna, "Scout", &Design::new("Raven"))
+        .expect_err("no room");
+    assert_eq!(profiles.designs(&anna).expect("readable"), [scout]);
+}
+
+#[test]
 fn a_damaged_file_is_set_aside_and_the_last_copy_takes_its_place() {
     let data = tempfile::tempdir().expect("a folder");
     let file = data.path().join("profiles.sqlite");
