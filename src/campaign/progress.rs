@@ -191,13 +191,7 @@ impl MissionProgress {
     }
 
     /// How an open mission was flown so far.
-    fn new(
-        id: &str,
-        title: Text,
-        vehicles: u8,
-        standing: &Standing,
-        flights: &[&Flight],
-    ) -> Self {
+    fn new(id: &str, title: Text, vehicles: u8, standing: &Standing, flights: &[&Flight]) -> Self {
         let flights = flights.iter().filter(|it| it.mission == id);
         let scores: Vec<u16> = flights.map(|it| it.score).collect();
         let best = standing.best(id);
