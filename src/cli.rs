@@ -19,6 +19,14 @@ macro_rules! say {
     }};
 }
 
+/// Prints a line on standard error. Where nobody listens, nothing is said: what is done goes on.
+macro_rules! tell {
+    ($($words:tt)*) => {{
+        use std::io::Write as _;
+        drop(writeln!(std::io::stderr(), $($words)*));
+    }};
+}
+
 mod backend;
 mod bench;
 mod check;
@@ -158,11 +166,11 @@ pub fn main(arguments: Arguments) -> ExitCode {
         // Whoever reads our output has had enough of it: nothing to complain about.
         Err(Failure::Failed(error)) if is_closed_pipe(&error) => ExitCode::from(1),
         Err(Failure::Failed(error)) => {
-            eprintln!("sortie: {error:#}");
+            tell!("sortie: {error:#}");
             ExitCode::from(1)
         }
         Err(Failure::Invalid(text)) => {
-            eprintln!("{text}");
+            tell!("{text}");
             ExitCode::from(2)
         }
     }

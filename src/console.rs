@@ -50,6 +50,9 @@ const TICK: Duration = Duration::from_millis(100);
 /// However fast simulated time passes, there is this much between two ticks.
 const LEAST_TICK: Duration = Duration::from_millis(5);
 
+/// How often what other consoles and commands have stored is looked for.
+const LOOK_EVERY: Duration = Duration::from_secs(2);
+
 /// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
 const KEYS_PER_FRAME: usize = 64;
 /// How long the end of the program waits for what the terminal has yet to answer.
@@ -150,6 +153,8 @@ struct Console {
     attempt: Attempt,
     /// Who trains here; `None` where profiles are not kept or cannot be had.
     careers: Option<Careers>,
+    /// When to look again at what others have changed.
+    next_look: Duration,
     /// What is left of the session before.
     ending: Ending,
     /// What has to be said at the start.
@@ -206,6 +211,7 @@ impl Console {
             running: None,
             attempt: Attempt::default(),
             careers: None,
+            next_look: LOOK_EVERY,
             ending: Ending::default(),
             drawn: None,
             fps: None,
@@ -295,6 +301,10 @@ impl Console {
 
     async fn tick(&mut self) {
         let now = self.clock.now();
+        if self.next_look <= now {
+            self.next_look = now + LOOK_EVERY;
+            self.look_for_changes();
+        }
         self.feed(Event::Tick { now }).await;
         let Some(running) = &mut self.running else {
             return;

@@ -289,6 +289,12 @@ pub fn missions() -> Vec<Source> {
     merged("file-mission", MISSIONS, "missions", "toml")
 }
 
+/// Whether a mission is one of those that everybody flies, and not a file of the same id.
+pub fn is_of_course(mission: &Mission) -> bool {
+    let mut missions = missions().into_iter();
+    missions.any(|source| source.text == mission.source)
+}
+
 /// The missions that a career consists of, by name; those that cannot be read are left out.
 pub fn course() -> Course {
     let mut offers: Vec<Offer> = Vec::new();

@@ -18,7 +18,7 @@ locked-medal = win a { $medal } medal in { $mission }
 locked-skill = { $skill }: { $has } %, { $wanted } % needed
 locked-licence = needs a licence for { $wanted } drones, yours is for { $has }
 
-buy-unknown = there is no such part
+buy-unknown = there is no such part; `sortie workshop parts` lists them
 buy-owned = it is yours already
 buy-locked = pass { $mission } first
 buy-too-dear = it costs { $price } credits, there are { $credits }
@@ -55,3 +55,7 @@ profiles-lost = the profiles were damaged ({ $fault }) and there is no copy: the
 mission-locked = { $mission } is locked: { $why }
 career-nowhere = no profiles are kept here: the data folder cannot be used
 career-waits = the flight is not stored yet: { $fault }; it is tried again before the next flight and at the end of the console
+launch-practice = this flight is for practice: the mission is locked or none of the course, a part is not yours, or a seed, a frame or a speed was chosen
+flight-practice = { $mission }, practice
+flight-daily = { $mission }, seed of the day
+flight-exam = { $mission }, exam

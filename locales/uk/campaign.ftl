@@ -18,7 +18,7 @@ locked-medal = здобудьте медаль ({ $medal }) у «{ $mission }»
 locked-skill = { $skill }: { $has } %, треба { $wanted } %
 locked-licence = треба ліцензію на { $wanted } дронів, ваша на { $has }
 
-buy-unknown = такої деталі немає
+buy-unknown = такої деталі немає; їх перелічує `sortie workshop parts`
 buy-owned = вона вже ваша
 buy-locked = спершу пройдіть { $mission }
 buy-too-dear = вона коштує { $price } кредитів, у вас { $credits }
@@ -55,3 +55,7 @@ profiles-lost = профілі були пошкоджені ({ $fault }), а к
 mission-locked = «{ $mission }» ще закрито: { $why }
 career-nowhere = профілі тут не зберігаються: тека даних недоступна
 career-waits = політ ще не збережено: { $fault }; нова спроба - перед наступним польотом і наприкінці роботи
+launch-practice = це тренувальний політ: завдання закрите або не з курсу, деталь не ваша, або обрано зерно, раму чи швидкість
+flight-practice = { $mission }, тренування
+flight-daily = { $mission }, зерно дня
+flight-exam = { $mission }, іспит

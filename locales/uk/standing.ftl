@@ -27,7 +27,7 @@ home-sign-due = пройдено, час повторити
 home-sign-locked = закрито
 home-daily = зерно дня
 home-exam = іспит
-home-practise = вправа
+home-practise = тренування
 home-seed-none = зерно - ціле число від 0
 ask-exam = ІСПИТ
 ask-exam-reason = спільне зерно, без підказок і пауз; результат враховується
@@ -54,7 +54,7 @@ fact-drones = дрони
 fact-drones-are = { $count }, ваша ліцензія на { $licence }
 fact-daily = сьогодні
 fact-daily-open = із зерном дня ще не виконано
-fact-daily-flown = із зерном дня виконано: удруге це вправа
+fact-daily-flown = із зерном дня виконано: удруге це тренування
 
 # Перелік профілів.
 profiles-title = хто тренується
@@ -67,7 +67,7 @@ profiles-nameless = впишіть ім'я
 prompt-profile = ваше ім'я
 prompt-profile-advice = під ним зберігаються польоти, кредити й конструкції, лише на цій машині
 prompt-seed = зерно для вправи
-prompt-seed-advice = число; те саме зерно - той самий політ. Сам Enter бере зерно з командного рядка або 1. Вправа нічого не платить
+prompt-seed-advice = число; те саме зерно - той самий політ. Сам Enter бере зерно з командного рядка або 1. Тренування нічого не платить
 
 # Власний поступ.
 standing-nobody = Тут не тренується ніхто, чиї польоти зберігаються. Натисніть u, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
@@ -87,7 +87,7 @@ standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = бали за завданнями
 standing-scores-nothing = польотів ще немає
 standing-mission = польотів { $count }, найкраще { $best } { $medal }, останнє { $last } { $when }
-standing-chart = бали за польотами: { $mission }   x не пройдено   p вправа
+standing-chart = бали за польотами: { $mission }   x не пройдено   p тренування
 standing-wealth = кредити й досвід за польотами та купівлями
 standing-wealth-nothing = польотів ще немає
 standing-curve = { $what }: зараз { $now }

@@ -99,7 +99,7 @@ impl Offer {
             });
         let mut skills: Vec<Skill> = mission
             .objective_kinds()
-            .filter_map(|(_, kind)| Skill::of_objective(kind))
+            .filter_map(|(_, kind)| Skill::of_objective(kind, mission.vehicles))
             .chain([Skill::K2, Skill::K4])
             .chain((mission.vehicles > 1).then_some(Skill::K10))
             .chain(mission.has_alerts().then_some(Skill::K8))

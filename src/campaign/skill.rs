@@ -96,8 +96,8 @@ impl Skill {
         }
     }
 
-    /// The skill that an objective of a kind shows.
-    pub fn of_objective(kind: &str) -> Option<Self> {
+    /// The skill that an objective of a kind shows, in a mission with so many drones: one alone is no swarm.
+    pub fn of_objective(kind: &str, vehicles: usize) -> Option<Self> {
         Some(match kind {
             "arm_time" => Self::K1,
             "hover" | "gates" | "visit" | "land_on" | "standoff" => Self::K3,
@@ -105,7 +105,10 @@ impl Skill {
             "link" => Self::K5,
             "sample_cells" | "coverage" | "perimeter" => Self::K6,
             "map_error" | "locate" | "detect" | "dose" => Self::K7,
-            "protect" | "contain" | "deliver" | "recover" | "formation" => Self::K10,
+            "protect" | "contain" | "deliver" | "recover" | "formation" if vehicles > 1 => {
+                Self::K10
+            }
+            "deliver" | "recover" => Self::K3,
             _ => return None,
         })
     }
@@ -158,17 +161,20 @@ impl Evidence {
         }
         let kinds: BTreeMap<&str, &str> = mission.objective_kinds().collect();
         let objectives = report.objectives.iter().filter_map(|objective| {
-            let skill = Skill::of_objective(kinds.get(objective.id.as_str())?)?;
+            let skill = Skill::of_objective(kinds.get(objective.id.as_str())?, mission.vehicles)?;
             let share = objective.points / objective.points_max.max(f64::EPSILON);
             Some(Self::new(skill, share, objective.title.clone()))
         });
+        let has_flown = report.usage.iter().any(|used| used.airborne_s > 0.0);
         let components = report.components.iter().filter_map(|shown| {
             let component = Component::ALL
                 .into_iter()
                 .find(|it| it.title() == shown.name)?;
             let skill = Skill::of_component(component)?;
-            // A component without weight had nothing to judge.
-            (shown.weight > 0.0).then(|| Self::new(skill, shown.value, shown.name.clone()))
+            // A component without weight had nothing to judge, and neither had one of a flight that never began.
+            let is_shown = has_flown || component == Component::Command;
+            (is_shown && shown.weight > 0.0)
+                .then(|| Self::new(skill, shown.value, shown.name.clone()))
         });
         let prediction = report.prediction.iter().map(|prediction| {
             let off = f64::from(prediction.error.unsigned_abs()) / BLIND_POINTS;

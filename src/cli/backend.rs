@@ -101,7 +101,7 @@ pub(super) fn frame(path: &Path) -> Result<Arc<Airframe>, Failure> {
     let (airframe, warnings) =
         Airframe::from_json(&source.text).map_err(|error| Failure::Invalid(faulty(error)))?;
     for warning in warnings {
-        eprintln!("{}", faulty(warning));
+        tell!("{}", faulty(warning));
     }
     Ok(Arc::new(airframe))
 }

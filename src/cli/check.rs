@@ -14,6 +14,7 @@ use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
 use crate::store::{self, Source};
+use crate::workshop::{Design, Slot};
 
 mod fly;
 mod script;
@@ -47,6 +48,7 @@ enum Kind {
     Theme,
     Keymap,
     Configuration,
+    Design,
     Script,
 }
 
@@ -94,7 +96,7 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
                 faulty |= !faults.is_empty();
             }
             Err(error) => {
-                eprintln!("sortie: {error}");
+                tell!("sortie: {error}");
                 faulty = true;
             }
         }
@@ -165,8 +167,10 @@ fn kind(path: &Path, text: &str) -> Kind {
         .map(|it| it.name.split('.').next().unwrap_or_default())
         .collect();
     let contexts: Vec<&str> = Place::all().map(Place::name).collect();
-    let kinds: [(Kind, &str, &[&str]); 4] = [
+    let slots = Slot::ALL.map(Slot::key);
+    let kinds: [(Kind, &str, &[&str]); 5] = [
         (Kind::Mission, "missions", MISSION_KEYS),
+        (Kind::Design, "designs", &slots),
         (Kind::Theme, "themes", &["inherits", "roles"]),
         (Kind::Keymap, "keymap", &contexts),
         (Kind::Configuration, "config", &settings),
@@ -222,6 +226,7 @@ fn examined(
             }
             Err(faults) => Some(faults),
         },
+        Kind::Design => Design::from_toml(text).err(),
         Kind::Script => script::faults(path, text, named),
     };
     (faults.unwrap_or_default(), Vec::new())

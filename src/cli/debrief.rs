@@ -54,13 +54,13 @@ pub(super) fn debrief(
     let stored = Stored::read(&text).map_err(faulty)?;
     let again = stored.rescore().map_err(faulty)?;
     if let Some(damage) = &stored.damage {
-        eprintln!("sortie: {name}: {}", locale.text(damage));
+        tell!("sortie: {name}: {}", locale.text(damage));
     }
     let mut report = again.report;
     if let Some(before) = again.before.filter(|before| before.score != report.score) {
         let (before, now) = (before.score, report.score);
         let text = text!("record-differs", before = before, now = now);
-        eprintln!("sortie: {name}: {}", locale.text(&text));
+        tell!("sortie: {name}: {}", locale.text(&text));
     }
     if let Some(runs) = &runs {
         report.tries = runs.tries_at(

@@ -1,8 +1,11 @@
 //! The drones that somebody built, as `run` and `fly` take them.
 
+use std::path::Path;
+
 use clap::Args;
 
-use super::Failure;
+use super::settings::Settings;
+use super::{Failure, trainee};
 use crate::mission::Mission;
 use crate::store;
 use crate::text::{Locale, Text};
@@ -28,9 +31,11 @@ impl DesignArguments {
     ///
     /// # Errors
     /// A design cannot be read, or the mission cannot be flown so: every reason.
-    pub fn equip(&self, mission: Mission, locale: &Locale) -> Result<Mission, Failure> {
+    pub fn equip(&self, mission: Mission, settings: &Settings) -> Result<Mission, Failure> {
+        let locale = &Locale::new(settings.language());
+        let designs = self.designs.iter();
         let fleet: Result<Vec<Design>, Failure> =
-            self.designs.iter().map(|name| find(name, locale)).collect();
+            designs.map(|name| find(name, settings, locale)).collect();
         let id = mission.id.clone();
         mission.with_fleet(fleet?).map_err(|faults| {
             let lines = faults.iter().map(|fault| locale.text(fault));
@@ -40,11 +45,17 @@ impl DesignArguments {
     }
 }
 
-/// A design by path or name.
+/// A design by path or name: of the trainee's own that of this name, else of those that everybody has.
 ///
 /// # Errors
 /// It is not there, or what is wrong with it, in words.
-pub(super) fn find(name: &str, locale: &Locale) -> Result<Design, Failure> {
+pub(super) fn find(name: &str, settings: &Settings, locale: &Locale) -> Result<Design, Failure> {
+    if !Path::new(name).is_file()
+        && settings.config.profile.is_some()
+        && let Some(own) = own(name, settings, locale)?
+    {
+        return Ok(own);
+    }
     store::design(name).map_err(|error| match &error {
         store::StoreError::Faulty { file, faults } => {
             let lines = faults
@@ -54,4 +65,14 @@ pub(super) fn find(name: &str, locale: &Locale) -> Result<Design, Failure> {
         }
         _ => Failure::Invalid(format!("sortie: {}", locale.text(&Text::from(&error)))),
     })
+}
+
+/// The trainee's own design of a name; upper and lower case are the same.
+fn own(name: &str, settings: &Settings, locale: &Locale) -> Result<Option<Design>, Failure> {
+    let profiles = trainee::open(settings, locale)?;
+    let profile = trainee::choose(&profiles, None, settings, locale)?;
+    let designs = profiles.designs(&profile);
+    let designs = designs.map_err(|error| trainee::refused(&error, locale))?;
+    let is_meant = |design: &Design| design.name.to_lowercase() == name.to_lowercase();
+    Ok(designs.into_iter().find(is_meant))
 }

@@ -89,8 +89,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: Settings) -> Result<ExitCo
         Some(mission) => {
             // Faults are shown here, with the lines around them, rather than inside the console.
             let mission = super::run::load_mission(mission)?;
-            let locale = Locale::new(settings.language());
-            Opening::Mission(Arc::new(arguments.designs.equip(mission, &locale)?))
+            Opening::Mission(Arc::new(arguments.designs.equip(mission, &settings)?))
         }
         None => Opening::Free,
     };

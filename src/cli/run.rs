@@ -136,11 +136,12 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let started = Instant::now();
     let locale = Locale::new(settings.language());
     let mission = load_mission(&options.mission)?;
-    let mission = options.designs.equip(mission, &locale)?;
+    let mission = options.designs.equip(mission, settings)?;
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
     let mut trainee = Trainee::named(settings, &locale)?;
-    let (mission, terms) = agreed(options, mission, trainee.as_ref(), &locale)?;
+    let is_reframed = !backend.airframes.is_empty();
+    let (mission, terms) = agreed(options, (mission, is_reframed), trainee.as_ref(), &locale)?;
     let assignment = assignment(options, (&mission, terms), backend.name(), trainee.as_ref())?;
     let mut witness = Witness::new(assignment, &mission.id, &locale);
     let mut report = fly(
@@ -177,7 +178,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
 /// The mission as it is flown, and how it counts.
 fn agreed(
     options: &RunArguments,
-    mission: Mission,
+    (mission, is_reframed): (Mission, bool),
     trainee: Option<&Trainee<'_>>,
     locale: &Locale,
 ) -> Result<(Arc<Mission>, Terms), Failure> {
@@ -186,7 +187,7 @@ fn agreed(
         if options.record.is_some() || options.attempt.is_some() {
             return Err(trainee::invalid(&text!("profile-record"), locale));
         }
-        terms = trainee.admit(&mission, terms)?;
+        terms = trainee.admit(&mission, terms, is_reframed)?;
     }
     let mission = match terms.stake {
         Stake::Exam => mission.for_exam(),
@@ -274,7 +275,7 @@ pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
         for other in others {
             let id = &mission.id;
             let text = text!("mission-twice", id = id, flown = flown, other = other);
-            eprintln!("sortie: {text}");
+            tell!("sortie: {text}");
         }
     }
     Ok(mission)

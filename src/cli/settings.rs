@@ -345,7 +345,7 @@ impl Settings {
     /// Prints what is wrong with the files on standard error.
     pub fn complain(&self) {
         for fault in &self.faults {
-            eprintln!("{}", fault.explained());
+            tell!("{}", fault.explained());
         }
     }
 

@@ -18,7 +18,7 @@ pub(super) fn open(settings: &Settings, locale: &Locale) -> Result<Profiles, Fai
     };
     let (profiles, told) = open_profiles(data).map_err(|error| refused(&error, locale))?;
     for text in told {
-        eprintln!("sortie: {}", locale.text(&text));
+        tell!("sortie: {}", locale.text(&text));
     }
     Ok(profiles)
 }

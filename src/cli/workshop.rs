@@ -119,7 +119,7 @@ pub(super) fn workshop(
     match &options.command {
         Command::Parts { slot } => list_parts(slot.as_deref(), &locale),
         Command::Show { design, air, json } => {
-            let design = find(design, &locale)?;
+            let design = find(design, settings, &locale)?;
             if *json {
                 show_json(&design, air.air(), &locale)
             } else {
@@ -127,14 +127,15 @@ pub(super) fn workshop(
             }
         }
         Command::Compare { before, after, air } => {
-            let (before, after) = (find(before, &locale)?, find(after, &locale)?);
+            let before = find(before, settings, &locale)?;
+            let after = find(after, settings, &locale)?;
             compare(&before, &after, air.air(), &locale)
         }
         Command::Fit { design, mission } => {
             let mission = super::run::load_mission(mission)?;
-            fit(&find(design, &locale)?, &mission, &locale)
+            fit(&find(design, settings, &locale)?, &mission, &locale)
         }
-        Command::Export { design, to } => export(&find(design, &locale)?, to, &locale),
+        Command::Export { design, to } => export(&find(design, settings, &locale)?, to, &locale),
     }
 }
 

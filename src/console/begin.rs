@@ -17,7 +17,9 @@ use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::mission::record::Occasion;
 use crate::store;
+use crate::text;
 use crate::text::Text;
+use crate::vehicle::Severity;
 
 /// How long the end of the program waits for the processes of its vehicles to end.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
@@ -34,6 +36,8 @@ pub(super) struct Attempt {
     pub seed: u64,
     /// How it counts for a career.
     pub stake: Stake,
+    /// How it was to count, and counts as soon as it can.
+    pub wanted: Stake,
 }
 
 impl Default for Attempt {
@@ -41,6 +45,7 @@ impl Default for Attempt {
         Self {
             seed: FIRST_SEED,
             stake: Stake::Practice,
+            wanted: Stake::Practice,
         }
     }
 }
@@ -60,19 +65,25 @@ impl Console {
             .await
     }
 
-    /// Starts a mission, which knows already whether it is an exam. A seed that somebody has chosen makes it practice,
-    /// and so does a lock.
+    /// Starts a mission, which knows already whether it is an exam. What cannot count is flown for practice, and told.
     pub(super) async fn launch(
         &mut self,
         mission: Arc<Mission>,
-        stake: Stake,
+        wanted: Stake,
         seed: Option<u64>,
     ) -> Result<(), Text> {
         let chosen = seed.or(self.options.seed);
-        let is_open = self.state.lock(&mission.id).is_none();
-        let stake = match stake {
+        self.attempt = self.attempt_at(&mission, wanted, chosen);
+        self.start(Plan::Mission(mission)).await?;
+        self.tell_practice();
+        Ok(())
+    }
+
+    /// How a mission is flown next, with a seed that was chosen or one that its stake asks for.
+    fn attempt_at(&self, mission: &Mission, wanted: Stake, chosen: Option<u64>) -> Attempt {
+        let stake = match wanted {
             Stake::Graded if chosen.is_some() => Stake::Practice,
-            stake if is_open => stake,
+            wanted if self.may_count(mission) => wanted,
             _ => Stake::Practice,
         };
         let seed = match stake {
@@ -81,8 +92,32 @@ impl Console {
             Stake::Exam => exam_seed(&mission.id, mission.rev),
             Stake::Graded => self.fresh_seed(),
         };
-        self.attempt = Attempt { seed, stake };
-        self.start(Plan::Mission(mission)).await
+        Attempt {
+            seed,
+            stake,
+            wanted,
+        }
+    }
+
+    /// Whether a mission can count for the career of whoever trains: not one that is locked, nor one flown with parts that
+    /// are not theirs, nor a file, an airframe or a slow motion that others do not have.
+    fn may_count(&self, mission: &Mission) -> bool {
+        let Some(career) = &self.state.career else {
+            return true;
+        };
+        let mut fleet = mission.fleet().iter();
+        career.lock(&mission.id).is_none()
+            && fleet.all(|design| career.may_fly(design))
+            && store::is_of_course(mission)
+            && self.options.backend.airframes.is_empty()
+            && self.options.speedup >= 1.0
+    }
+
+    fn tell_practice(&mut self) {
+        let is_kept = self.trainee().is_some();
+        if is_kept && self.attempt.stake != self.attempt.wanted {
+            self.state.say(Severity::Notice, text!("launch-practice"));
+        }
     }
 
     /// A layout that a trainee has not flown yet; always the same where nothing is kept.
@@ -95,12 +130,16 @@ impl Console {
         random.map_or(FIRST_SEED, |random| random % SEEDS)
     }
 
-    /// The seed after that of the try before: any other one, or the next number where nothing is kept.
-    fn next_seed(&self) -> u64 {
-        match self.fresh_seed() {
-            FIRST_SEED => self.attempt.seed.wrapping_add(1),
-            fresh => fresh,
+    /// The attempt after the one before: on another layout, where the layout is free.
+    fn another_attempt_at(&self, mission: &Mission) -> Attempt {
+        let chosen = self.options.seed;
+        let attempt = self.attempt_at(mission, self.attempt.wanted, chosen);
+        let is_free = matches!(attempt.stake, Stake::Graded | Stake::Practice);
+        if is_free && chosen.is_none() && attempt.seed == FIRST_SEED {
+            let seed = self.attempt.seed.wrapping_add(1);
+            return Attempt { seed, ..attempt };
         }
+        attempt
     }
 
     /// Starts something else than a mission.
@@ -115,19 +154,17 @@ impl Console {
     /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same. What was said
     /// before a launch that did not come holds for the next one.
     pub(super) async fn start_again(&mut self, plan: Plan, alike: bool) {
-        self.attempt = match self.attempt.stake {
-            // Everybody has the same.
-            Stake::Exam | Stake::Daily => self.attempt,
-            // What was seen before is flown for practice.
-            _ if alike => Attempt {
-                stake: Stake::Practice,
-                ..self.attempt
+        self.attempt = match &plan {
+            // What was seen before is flown for practice, unless everybody sees it.
+            _ if alike => match self.attempt.stake {
+                Stake::Exam | Stake::Daily => self.attempt,
+                Stake::Graded | Stake::Practice => Attempt {
+                    stake: Stake::Practice,
+                    ..self.attempt
+                },
             },
-            _ if self.options.seed.is_some() => self.attempt,
-            stake => Attempt {
-                seed: self.next_seed(),
-                stake,
-            },
+            Plan::Mission(mission) => self.another_attempt_at(mission),
+            Plan::Free(_) | Plan::Connect(_) => self.attempt,
         };
         let pledge = self.running.as_ref().and_then(Running::open_pledge);
         let outcome = self.start(plan).await;

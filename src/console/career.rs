@@ -28,6 +28,8 @@ pub(super) struct Careers {
     current: Option<Profile>,
     /// Flights that are not stored yet, oldest first, and whose they are: the disk may be full for a while.
     waiting: VecDeque<(String, RunEntry)>,
+    /// How often others had written at the last look.
+    seen: Option<i64>,
 }
 
 impl Careers {
@@ -42,6 +44,7 @@ impl Careers {
             course,
             current: None,
             waiting: VecDeque::new(),
+            seen: None,
         };
         Ok((careers, told))
     }
@@ -111,9 +114,13 @@ impl Careers {
     fn enter(&mut self) -> (Vec<Reward>, Result<(), ProfileError>) {
         let mut rewards = Vec::new();
         while let Some((whose, run)) = self.waiting.front() {
-            let reward = enter(&mut self.profiles, &self.course, whose, run);
-            match reward {
+            match enter(&mut self.profiles, &self.course, whose, run) {
                 Ok(reward) => rewards.extend(reward),
+                // Who was deleted meanwhile has no career any more.
+                Err(error @ ProfileError::Unknown { .. }) => {
+                    self.waiting.pop_front();
+                    return (rewards, Err(error));
+                }
                 Err(error) => return (rewards, Err(error)),
             }
             self.waiting.pop_front();
@@ -142,6 +149,23 @@ impl Careers {
             of_mission.push(run.as_try(attempt));
         }
         Ok(Some(tries))
+    }
+
+    /// Goes on without a trainee whose profile somebody has deleted; says so.
+    fn forget_deleted(&mut self) -> Option<Event> {
+        let found = self.profiles.find(&self.current.as_ref()?.name);
+        let error = match found {
+            Err(error @ ProfileError::Unknown { .. }) => error,
+            _ => return None,
+        };
+        self.current = None;
+        Some(Event::Failed(error.text()))
+    }
+
+    /// Whether somebody else has written since the last call.
+    fn has_changed_elsewhere(&mut self) -> bool {
+        let now = self.profiles.changes_elsewhere().ok();
+        std::mem::replace(&mut self.seen, now) != now
     }
 
     /// How far the trainee has come; `None` without one.
@@ -262,10 +286,9 @@ impl Console {
         let Some(careers) = &mut self.careers else {
             return;
         };
-        let runs = self.options.preferences.runs.as_ref();
         let landing = Landing {
             id: finished.run_id.clone(),
-            is_recorded: runs.is_some_and(|runs| runs.has(&finished.run_id)),
+            is_recorded: finished.is_recorded,
             when: SystemTime::now(),
             stake: finished.occasion.stake,
         };
@@ -294,12 +317,21 @@ impl Console {
         self.tell_failure(outcome);
     }
 
+    /// Shows what other consoles and commands have changed meanwhile.
+    pub(super) fn look_for_changes(&mut self) {
+        let has_changed = |careers: &mut Careers| careers.has_changed_elsewhere();
+        if self.careers.as_mut().is_some_and(has_changed) {
+            self.show_career();
+        }
+    }
+
     /// Hands the career to the state as it is now.
     pub(super) fn show_career(&mut self) {
-        let Some(careers) = &self.careers else {
+        let Some(careers) = &mut self.careers else {
             return;
         };
         let is_lang_given = self.options.preferences.is_lang_given;
+        let gone = careers.forget_deleted();
         let shown = careers.names().and_then(|names| {
             let mut career = careers.career()?.map(Box::new);
             if let Some(career) = career.as_mut().filter(|_| is_lang_given) {
@@ -319,7 +351,7 @@ impl Console {
             }
             Err(error) => vec![Event::Failed(error.text())],
         };
-        for event in events {
+        for event in events.into_iter().chain(gone) {
             update(&mut self.state, event);
         }
     }

@@ -112,6 +112,17 @@ impl Profiles {
         Ok(connection)
     }
 
+    /// A number that is another one once another program has written.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn changes_elsewhere(&self) -> Result<i64, ProfileError> {
+        let version = self
+            .connection
+            .query_row("PRAGMA data_version", [], |row| row.get(0));
+        version.map_err(|error| self.fault(error))
+    }
+
     /// Everybody, by name.
     ///
     /// # Errors

@@ -139,11 +139,6 @@ impl Runs {
         tries
     }
 
-    /// Whether there is a record of this id.
-    pub fn has(&self, id: &str) -> bool {
-        self.folder.join(format!("{id}{ENDING}")).is_file()
-    }
-
     /// The run that began last.
     pub fn newest(&self) -> Option<PathBuf> {
         self.files().pop()

@@ -46,6 +46,12 @@ impl Career {
         }
     }
 
+    /// Whether all parts of a design are the trainee's.
+    pub fn may_fly(&self, design: &Design) -> bool {
+        let missing = self.standing.missing_parts(design, &self.course);
+        missing.is_empty()
+    }
+
     /// Why a mission may not be flown yet, if it is one of the course.
     pub fn lock(&self, mission: &str) -> Option<Text> {
         let offer = self.course.offer(mission)?;

@@ -184,8 +184,8 @@ pub(super) fn command(
         return Ok(ExitCode::SUCCESS);
     }
     if let Some(missing) = missing {
-        eprintln!("sortie: {missing}");
-        eprintln!(
+        tell!("sortie: {missing}");
+        tell!(
             "sortie: the script says `{program}`: put it on the PATH, or name it with --{program}"
         );
     }

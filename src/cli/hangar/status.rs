@@ -74,7 +74,7 @@ async fn ask(remote: &Remote) -> Answer {
 
 fn tell(answer: &Answer) -> Result<(), Failure> {
     if let Some(fault) = &answer.fault {
-        eprintln!("sortie: {fault}");
+        tell!("sortie: {fault}");
     }
     let Some(status) = &answer.status else {
         return Ok(());

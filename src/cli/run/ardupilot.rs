@@ -79,7 +79,7 @@ async fn session(
             READY_WITHIN.as_secs()
         ),
     }
-    eprintln!(
+    tell!(
         "ready after {:.1} s: the mission begins",
         started.elapsed().as_secs_f64()
     );
@@ -142,7 +142,7 @@ impl Fleet {
                 };
                 let words = words(instance);
                 if told.as_ref() != Some(&words) {
-                    eprintln!("vehicle {}: {words}", instance.system);
+                    tell!("vehicle {}: {words}", instance.system);
                     *told = Some(words);
                 }
                 if instance.stage == Stage::Ended {
@@ -210,7 +210,7 @@ impl Fleet {
             {
                 let obituary = obituary(ended);
                 tracing::error!("{obituary}");
-                eprintln!("{obituary}");
+                tell!("{obituary}");
             }
         }
     }

@@ -137,11 +137,16 @@ impl<'a> Trainee<'a> {
     }
 
     /// Makes sure that the mission may be flown, and with drones that may be used. A mission that is none of the course
-    /// counts as practice.
+    /// counts as practice, and so does one flown with a frame that was not built.
     ///
     /// # Errors
     /// Why it may not.
-    pub fn admit(&self, mission: &Mission, terms: Terms) -> Result<Terms, Failure> {
+    pub fn admit(
+        &self,
+        mission: &Mission,
+        terms: Terms,
+        is_reframed: bool,
+    ) -> Result<Terms, Failure> {
         let standing = Standing::of(&self.history);
         let Some(offer) = self.course.offer(&mission.id) else {
             return Ok(self.practice(mission, terms));
@@ -156,8 +161,7 @@ impl<'a> Trainee<'a> {
         for design in mission.fleet() {
             self.admit_design(design, &standing)?;
         }
-        let is_of_course = store::mission(&mission.id).is_ok_and(|it| it.source == mission.source);
-        Ok(if is_of_course {
+        Ok(if store::is_of_course(mission) && !is_reframed {
             terms
         } else {
             self.practice(mission, terms)
@@ -167,7 +171,7 @@ impl<'a> Trainee<'a> {
     fn practice(&self, mission: &Mission, terms: Terms) -> Terms {
         if terms.stake != Stake::Practice {
             let text = text!("profile-own-mission", mission = mission.id.as_str());
-            eprintln!("sortie: {}", self.locale.text(&text));
+            tell!("sortie: {}", self.locale.text(&text));
         }
         Terms {
             stake: Stake::Practice,
@@ -224,7 +228,7 @@ impl<'a> Trainee<'a> {
         let stored = self.profiles.store(&self.profile, &run);
         if let Err(error) = &stored {
             let text = text!("profile-not-stored", fault = error.text());
-            eprintln!("sortie: {}", self.locale.text(&text));
+            tell!("sortie: {}", self.locale.text(&text));
         } else if let Err(error) = self.profiles.back_up() {
             tracing::warn!("the profiles are not copied: {error}");
         }

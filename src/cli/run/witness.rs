@@ -87,7 +87,7 @@ impl<'a> Witness<'a> {
         let at = clock(notice.at);
         tracing::info!("{at} {words}");
         if self.assignment.is_heard {
-            eprintln!("{at} {}", self.locale.text(&words));
+            tell!("{at} {}", self.locale.text(&words));
         }
     }
 
@@ -107,7 +107,7 @@ impl<'a> Witness<'a> {
 
     fn complain(&self, error: &StoreError) {
         let text = text!("record-unwritable", fault = Text::from(error));
-        eprintln!("sortie: {}", self.locale.text(&text));
+        tell!("sortie: {}", self.locale.text(&text));
     }
 }
 

@@ -54,6 +54,8 @@ pub(in crate::console) struct Finished {
     pub occasion: Occasion,
     /// What the run is called, which no other is.
     pub run_id: String,
+    /// Whether its record is whole.
+    pub is_recorded: bool,
 }
 
 /// By whose clock mission time passes.
@@ -132,6 +134,7 @@ impl Course {
                     report: report.clone(),
                     occasion: logbook.occasion().clone(),
                     run_id: logbook.run_id().to_owned(),
+                    is_recorded: logbook.is_whole(),
                 });
             }
             events.push(Event::MissionEnded(Box::new(report)));

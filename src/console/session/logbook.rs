@@ -76,6 +76,11 @@ impl Logbook {
         &self.run_id
     }
 
+    /// Whether the record is whole so far.
+    pub fn is_whole(&self) -> bool {
+        self.file.is_ok()
+    }
+
     /// For whose career it is flown, and how it counts there.
     pub fn occasion(&self) -> &Occasion {
         &self.occasion

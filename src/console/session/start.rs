@@ -19,11 +19,12 @@ use crate::geo::LatLon;
 use crate::hangar::{Backend as Simulation, Source};
 use crate::link::{Address, Endpoint, Pace, Simulator, Transport};
 use crate::mission::record::Occasion;
-use crate::mission::{Flight, Mission};
+use crate::mission::{Flight, Mission, Stake};
 use crate::scoring::TryReport;
 use crate::sim::{Start, World, WorldConfig};
 use crate::store::Runs;
 use crate::swarm::Rules;
+use crate::text;
 use crate::text::Text;
 
 /// Where free flight begins.
@@ -145,7 +146,7 @@ impl Running {
             areas: mission.areas(),
             ..started(Activity::Mission {
                 id: mission.id.clone(),
-                title: mission.title.clone(),
+                title: titled(&mission, &backend.occasion),
             })
         })
     }
@@ -182,6 +183,20 @@ impl Running {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }
         Ok(())
+    }
+}
+
+/// What a flight is called: a trainee sees what it counts for, where that is not the usual.
+fn titled(mission: &Mission, occasion: &Occasion) -> Text {
+    let title = mission.title.clone();
+    if occasion.profile.is_none() {
+        return title;
+    }
+    match occasion.stake {
+        Stake::Graded => title,
+        Stake::Practice => text!("flight-practice", mission = title),
+        Stake::Daily => text!("flight-daily", mission = title),
+        Stake::Exam => text!("flight-exam", mission = title),
     }
 }
 

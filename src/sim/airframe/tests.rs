@@ -33,7 +33,8 @@ fn the_default_hovers_like_a_sitl() {
     assert!((amperes - 28.11).abs() < 0.01, "{amperes}");
     let throttle = airframe.throttle_for(GRAVITY_M_S2, 0.0, &CALM);
     assert!((0.36..0.361).contains(&throttle), "{throttle}");
-    assert_eq!(Airframe::from_json("{}").expect("valid").0, airframe);
+    let empty = Airframe::from_json("{}").expect("valid").0;
+    assert_eq!(empty.figures, airframe.figures);
 }
 
 /// At the reference speed and lean, thrust, weight and drag of any frame are in balance: that is what the reference

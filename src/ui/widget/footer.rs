@@ -168,11 +168,12 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     Line::from(spans)
 }
 
-/// Whether there is anything that the key could bring now: a further hint of the mission, where it asks for one; the
-/// trainee's word, before launch.
+/// Whether there is anything that the key could bring now: a pause, where the mission allows one; a further hint of the
+/// mission, where it asks for one; the trainee's word, before launch.
 fn is_of_use(state: &State, (_, what): &(&str, &str)) -> bool {
     let mission = state.session.mission.as_ref();
     match *what {
+        "hint-pause" => state.flown_mission().is_none_or(|it| it.pausable),
         "hint-hint" => mission.is_some_and(|mission| mission.clues.next.is_some()),
         "hint-predict" | "hint-goal" => state.can_pledge(),
         _ => true,
