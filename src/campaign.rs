@@ -14,6 +14,7 @@ mod knowledge;
 mod progress;
 mod reward;
 mod skill;
+mod soundness;
 mod standing;
 #[cfg(test)]
 mod tests;

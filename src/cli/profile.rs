@@ -168,22 +168,21 @@ impl Desk<'_> {
     }
 
     fn list(&self, json: bool) -> Result<ExitCode, Failure> {
-        let mut members = Vec::new();
+        let (mut members, mut code) = (Vec::new(), ExitCode::SUCCESS);
         for profile in self.profiles.list().map_err(|error| self.refused(&error))? {
-            let history = self.profiles.history(&profile);
-            let standing = Standing::of(&history.map_err(|error| self.refused(&error))?);
-            members.push(Member {
-                credits: standing.credits(),
-                level: standing.experience().1,
-                licence: standing.licence(),
-                flights: standing.flights(),
-                name: profile.name,
-                since: profile.since,
-            });
+            // One that cannot be read takes nothing from the others.
+            match self.member(&profile) {
+                Ok(member) => members.push(member),
+                Err(error) => {
+                    let words = self.locale.text(&error.text());
+                    eprintln!("sortie: {}: {words}", profile.name);
+                    code = ExitCode::FAILURE;
+                }
+            }
         }
         if json {
             say!("{}", serde_json::to_string_pretty(&members)?)?;
-        } else if members.is_empty() {
+        } else if members.is_empty() && code == ExitCode::SUCCESS {
             say!("{}", self.locale.text(&text!("profile-none")))?;
         } else {
             for member in &members {
@@ -198,7 +197,19 @@ impl Desk<'_> {
                 say!("{}", self.locale.text(&line))?;
             }
         }
-        Ok(ExitCode::SUCCESS)
+        Ok(code)
+    }
+
+    fn member(&self, profile: &Profile) -> Result<Member, ProfileError> {
+        let standing = Standing::of(&self.profiles.history(profile)?);
+        Ok(Member {
+            name: profile.name.clone(),
+            since: profile.since.clone(),
+            credits: standing.credits(),
+            level: standing.experience().1,
+            licence: standing.licence(),
+            flights: standing.flights(),
+        })
     }
 
     fn show(&self, name: Option<&str>, json: bool) -> Result<ExitCode, Failure> {

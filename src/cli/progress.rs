@@ -1,5 +1,7 @@
 //! Own progress as tables, for `sortie profile show` and `sortie report`.
 
+use std::time::{Duration, UNIX_EPOCH};
+
 use super::table::{Side, Table};
 use crate::campaign::{MissionState, Progress, Stake};
 use crate::scoring::Medal;
@@ -7,11 +9,13 @@ use crate::store::{PastRun, utc};
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// The day in words: `2026-11-20`.
+/// The day in words: `2026-11-20`; nothing for one that no clock will ever show.
 pub(super) fn date(day: i64) -> String {
-    let seconds = u64::try_from(day).unwrap_or_default() * 24 * 60 * 60;
-    let time = std::time::UNIX_EPOCH + std::time::Duration::from_secs(seconds);
-    utc(time).chars().take(10).collect()
+    let seconds = u64::try_from(day)
+        .unwrap_or_default()
+        .saturating_mul(24 * 60 * 60);
+    let time = UNIX_EPOCH.checked_add(Duration::from_secs(seconds));
+    time.map_or_else(String::new, |time| utc(time).chars().take(10).collect())
 }
 
 /// Credits, level, licence, and what to train next.
@@ -144,4 +148,18 @@ fn medal(medal: Option<Medal>, locale: &Locale) -> String {
 
 fn figure(score: Option<u16>) -> String {
     score.map_or_else(String::new, |score| score.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::date;
+
+    #[test]
+    fn every_day_has_a_date_or_none_and_ends_no_program() {
+        assert_eq!(date(20_412), "2025-11-20");
+        assert_eq!(date(-1), "1970-01-01");
+        for day in [120_000_000_000_000, i64::MAX] {
+            assert_eq!(date(day), "");
+        }
+    }
 }

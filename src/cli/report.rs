@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 use super::settings::Settings;
+use super::table::escaped;
 use super::{Failure, progress, trainee};
 use crate::campaign::Progress;
 use crate::store::{self, PastRun, Profile, day_of};
@@ -102,7 +103,7 @@ fn markdown(profile: &Profile, progress: &Progress, runs: &[PastRun], locale: &L
     let day: String = profile.since.chars().take(10).collect();
     format!(
         "# {}\n\n{}\n\n{}\n\n## {}\n\n{}\n## {}\n\n{}\n## {}\n\n{}",
-        words(text!("progress-title", name = profile.name.as_str())),
+        words(text!("progress-title", name = escaped(&profile.name))),
         words(text!("progress-since", day = day)),
         lines.join("\n\n"),
         words(text!("progress-missions")),

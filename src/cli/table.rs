@@ -2,6 +2,7 @@
 
 use unicode_width::UnicodeWidthStr;
 
+use crate::notice::sanitised;
 use crate::text::{Locale, Text};
 
 /// A table of words. Columns of figures stand to the right.
@@ -32,9 +33,9 @@ impl Table {
         }
     }
 
-    /// Adds a row.
+    /// Adds a row. What would do something to a terminal is replaced.
     pub fn push(&mut self, row: Vec<String>) {
-        self.rows.push(row);
+        self.rows.push(row.iter().map(|it| sanitised(it)).collect());
     }
 
     /// In columns as wide as they need to be.
@@ -105,13 +106,13 @@ impl Table {
 }
 
 /// What would end a cell or begin markup is written out.
-fn escaped(cell: &str) -> String {
+pub(super) fn escaped(cell: &str) -> String {
     let mut text = String::new();
     for c in cell.chars() {
         if matches!(c, '|' | '\\' | '*' | '_' | '`' | '<' | '[') {
             text.push('\\');
         }
-        text.push(if c.is_control() { ' ' } else { c });
+        text.push(c);
     }
     text
 }
@@ -169,8 +170,8 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_ends_no_row_of_markdown() {
-        let text = table(&["a|b\nc", "1"]).markdown();
-        assert_eq!(text, "| word | n |\n| --- | ---: |\n| a\\|b c | 1 |\n");
+    fn a_cell_ends_no_row_of_markdown_and_does_nothing_to_a_terminal() {
+        let text = table(&["a|b\n\u{1b}c", "1"]).markdown();
+        assert_eq!(text, "| word | n |\n| --- | ---: |\n| a\\|b??c | 1 |\n");
     }
 }

@@ -23,6 +23,7 @@ use rusqlite::{Connection, OptionalExtension as _, Transaction, TransactionBehav
 use serde::{Deserialize, Serialize};
 
 use crate::campaign::Aids;
+use crate::notice::sanitised;
 
 pub use error::ProfileError;
 pub use flights::{PastRun, RunEntry};
@@ -236,7 +237,8 @@ impl Profiles {
     fn read<T: serde::de::DeserializeOwned>(&self, json: &str) -> Result<T, ProfileError> {
         serde_json::from_str(json).map_err(|error| ProfileError::Damaged {
             path: self.path.clone(),
-            fault: error.to_string(),
+            // It quotes what it found.
+            fault: sanitised(&error.to_string()),
         })
     }
 }
@@ -252,8 +254,8 @@ fn checked_name(name: &str) -> Result<&str, ProfileError> {
 fn profile(row: &rusqlite::Row<'_>) -> rusqlite::Result<Profile> {
     Ok(Profile {
         key: row.get(0)?,
-        name: row.get(1)?,
-        since: row.get(2)?,
+        name: sanitised(&row.get::<_, String>(1)?),
+        since: sanitised(&row.get::<_, String>(2)?),
         // What a newer version has written, or a hand: nothing that is worth losing a profile for.
         settings: serde_json::from_str(&row.get::<_, String>(3)?).unwrap_or_default(),
     })

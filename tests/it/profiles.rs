@@ -283,6 +283,16 @@ fn what_a_hand_has_written_into_the_database_is_told() {
     drop(database);
     let refusal = refused(data, &["profile", "show", "Anna"], 1);
     assert!(refusal.contains("did not write"), "{refusal}");
+    // Nobody else suffers.
+    said(data, &["profile", "create", "Olha"]);
+    let listed = sortie(data, &["profile", "list"]);
+    assert_eq!(listed.status.code(), Some(1));
+    let (out, err) = (text(&listed.stdout), text(&listed.stderr));
+    assert!(out.contains("Olha") && !out.contains("Anna"), "{out}");
+    assert!(
+        err.contains("Anna: ") && err.contains("did not write"),
+        "{err}"
+    );
 }
 
 #[test]

@@ -61,44 +61,36 @@ impl PastRun {
 }
 
 impl Profiles {
-    /// What a profile's career consists of, oldest first.
+    /// What a profile's career consists of, oldest first. What cannot have happened ([`Entry::fault`]) is left out, and told
+    /// in the log.
     ///
     /// # Errors
-    /// The database cannot be read.
+    /// The database cannot be read, or holds what no version has written.
     pub fn history(&self, profile: &Profile) -> Result<Vec<Entry>, ProfileError> {
-        let mut query = self.ask("SELECT entry FROM entries WHERE profile = ?1 ORDER BY number")?;
+        let mut query =
+            self.ask("SELECT id, entry FROM entries WHERE profile = ?1 ORDER BY number")?;
         let rows = query
-            .query_map([profile.key], |row| row.get::<_, String>(0))
-            .and_then(Iterator::collect::<Result<Vec<_>, _>>);
-        let rows = rows.map_err(|error| self.fault(error))?;
-        rows.iter().map(|json| self.read(json)).collect()
-    }
-
-    /// The reports of a profile's runs of one mission, or of all, oldest first.
-    ///
-    /// # Errors
-    /// The database cannot be read.
-    pub fn reports(
-        &self,
-        profile: &Profile,
-        mission: Option<&str>,
-    ) -> Result<Vec<(String, Report)>, ProfileError> {
-        let mut query = self.ask(
-            "SELECT runs.ended, runs.report FROM runs JOIN entries USING (profile, id)
-             WHERE profile = ?1 AND (?2 IS NULL OR mission = ?2) ORDER BY number",
-        )?;
-        let rows = query
-            .query_map(params![profile.key, mission], |row| {
+            .query_map([profile.key], |row| {
                 Ok((row.get::<_, String>(0)?, row.get::<_, String>(1)?))
             })
             .and_then(Iterator::collect::<Result<Vec<_>, _>>);
         let rows = rows.map_err(|error| self.fault(error))?;
-        rows.into_iter()
-            .map(|(when, json)| Ok((when, self.read(&json)?)))
-            .collect()
+        let entries = rows.iter().map(|(id, json)| self.entry(id, json));
+        entries.filter_map(Result::transpose).collect()
     }
 
-    /// A profile's runs without their reports, oldest first.
+    /// An entry of a history, unless it cannot have happened.
+    fn entry(&self, id: &str, json: &str) -> Result<Option<Entry>, ProfileError> {
+        let entry: Entry = self.read(json)?;
+        let fault = entry.fault();
+        if let Some(fault) = &fault {
+            let path = self.path.display();
+            tracing::warn!("{path}: the entry {id:?} counts for nothing: {fault}");
+        }
+        Ok(fault.is_none().then_some(entry))
+    }
+
+    /// A profile's runs without their reports, oldest first; the same that its history has.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -110,7 +102,12 @@ impl Profiles {
         let rows = query
             .query_map([profile.key], |row| {
                 let seed: i64 = row.get(3)?;
-                let run = (row.get(0)?, row.get(1)?, row.get(2)?, seed as u64);
+                let run = (
+                    row.get::<_, String>(0)?,
+                    row.get(1)?,
+                    row.get(2)?,
+                    seed as u64,
+                );
                 Ok((run, row.get(4)?, row.get(5)?, row.get::<_, String>(6)?))
             })
             .and_then(Iterator::collect::<Result<Vec<_>, _>>);
@@ -118,7 +115,7 @@ impl Profiles {
         for ((id, when, revision, seed), backend, recording, entry) in
             rows.map_err(|error| self.fault(error))?
         {
-            if let Entry::Flight(flight) = self.read(&entry)? {
+            if let Some(Entry::Flight(flight)) = self.entry(&id, &entry)? {
                 runs.push(PastRun {
                     id,
                     when,
@@ -201,19 +198,16 @@ impl RunRow<'_> {
     pub fn insert(&self, connection: &Connection, profile: i64) -> rusqlite::Result<usize> {
         let report = self.report;
         connection.execute(
-            "INSERT INTO runs (profile, id, ended, mission, revision, seed, backend, score, passed, airframes, report, recording)
-             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)",
+            "INSERT INTO runs (profile, id, ended, revision, seed, backend, airframes, report, recording)
+             VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)",
             params![
                 profile,
                 self.id,
                 self.ended,
-                report.mission,
                 report.revision,
                 // SQLite has no unsigned integers; the bits are the same.
                 report.seed as i64,
                 report.backend,
-                report.score,
-                report.passed,
                 json(&self.airframes),
                 json(report),
                 self.recording,

@@ -5,7 +5,8 @@ use rusqlite::{Connection, TransactionBehavior};
 /// What each version added to the one before it.
 const STEPS: [&str; 1] = ["
     CREATE TABLE profiles (
-        key INTEGER PRIMARY KEY,
+        -- Never used again: whoever still holds a removed profile must not write into somebody else's.
+        key INTEGER PRIMARY KEY AUTOINCREMENT,
         name TEXT NOT NULL UNIQUE COLLATE NOCASE,
         since TEXT NOT NULL,
         settings TEXT NOT NULL
@@ -22,12 +23,9 @@ const STEPS: [&str; 1] = ["
         profile INTEGER NOT NULL,
         id TEXT NOT NULL,
         ended TEXT NOT NULL,
-        mission TEXT NOT NULL,
         revision INTEGER NOT NULL,
         seed INTEGER NOT NULL,
         backend TEXT NOT NULL,
-        score INTEGER NOT NULL,
-        passed INTEGER NOT NULL,
         airframes TEXT NOT NULL,
         report TEXT NOT NULL,
         recording TEXT,

@@ -1,3 +1,6 @@
+mod hostile;
+mod rescue;
+
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
@@ -111,6 +114,21 @@ fn a_profile_is_found_by_its_name_in_any_case_and_made_once() {
 }
 
 #[test]
+fn who_holds_a_removed_profile_writes_into_nobody_elses() {
+    let data = tempfile::tempdir().expect("a folder");
+    let (mut one, two) = (open(data.path()), open(data.path()));
+    let gone = anna(&one);
+    two.delete(&gone).expect("gone");
+    let borys = two.create("Borys", WHEN).expect("a new one");
+    one.store(&gone, &run("a", "one", 800))
+        .expect_err("whose is it");
+    one.keep_design(&gone, &Design::new("Scout"))
+        .expect_err("whose is it");
+    assert_eq!(two.history(&borys).expect("readable"), []);
+    assert_eq!(two.designs(&borys).expect("readable"), []);
+}
+
+#[test]
 fn only_its_owner_reads_the_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let data = folder.path().join("new");
@@ -156,12 +174,12 @@ fn a_run_counts_once_however_often_it_is_handed_in() {
             Entry::Flight(run(id, mission, score).flight)
         })
     );
-    let reports = profiles.reports(&anna, Some("one")).expect("readable");
+    let exported = profiles.export(&anna).expect("readable").write();
+    let exported: serde_json::Value = serde_json::from_str(&exported).expect("just written");
     // Texts are stored in English.
-    let json = |report: &Report| serde_json::to_value(report).expect("plain");
-    let stored: Vec<_> = reports.iter().map(|(_, report)| json(report)).collect();
-    assert_eq!(stored, [json(&run("a", "one", 800).report)]);
-    assert_eq!(profiles.reports(&anna, None).expect("readable").len(), 2);
+    let report = serde_json::to_value(run("a", "one", 800).report).expect("plain");
+    assert_eq!(exported["runs"][0]["report"], report);
+    assert_eq!(exported["runs"][1]["report"]["mission"], "two");
 }
 
 #[test]
@@ -257,54 +275,6 @@ fn a_design_whose_renaming_fails_keeps_its_old_name() {
         .rename_design(&anna, "Scout", &Design::new("Raven"))
         .expect_err("no room");
     assert_eq!(profiles.designs(&anna).expect("readable"), [scout]);
-}
-
-#[test]
-fn a_damaged_file_is_set_aside_and_the_last_copy_takes_its_place() {
-    let data = tempfile::tempdir().expect("a folder");
-    let file = data.path().join("profiles.sqlite");
-    {
-        let mut profiles = open(data.path());
-        let anna = anna(&profiles);
-        profiles
-            .store(&anna, &run("a", "one", 800))
-            .expect("stored");
-        profiles.back_up().expect("copied");
-    }
-    fs::write(&file, "this was a database").expect("writable");
-    let (profiles, rescue) = Profiles::open(data.path()).expect("restored");
-    let rescue = rescue.expect("it was damaged");
-    assert_eq!(
-        fs::read(&rescue.damaged).expect("kept"),
-        b"this was a database"
-    );
-    assert!(rescue.copy.is_some());
-    let anna = profiles.find("Anna").expect("restored");
-    assert_eq!(profiles.history(&anna).expect("readable").len(), 1);
-}
-
-#[test]
-fn damage_in_the_middle_is_found_and_without_a_copy_it_begins_anew() {
-    let data = tempfile::tempdir().expect("a folder");
-    let file = data.path().join("profiles.sqlite");
-    {
-        let mut profiles = open(data.path());
-        let anna = anna(&profiles);
-        for number in 0..40 {
-            profiles
-                .store(&anna, &run(&format!("{number}"), "one", 800))
-                .expect("stored");
-        }
-    }
-    let mut bytes = fs::read(&file).expect("readable");
-    let middle = bytes.len() / 2;
-    bytes[middle..middle + 8192].fill(0x55);
-    fs::write(&file, bytes).expect("writable");
-    let (profiles, rescue) = Profiles::open(data.path()).expect("anew");
-    let rescue = rescue.expect("it was damaged");
-    assert_eq!(rescue.copy, None);
-    assert!(rescue.text().to_string().contains("damaged-"));
-    assert_eq!(profiles.list().expect("readable"), []);
 }
 
 #[test]

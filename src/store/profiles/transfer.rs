@@ -10,12 +10,17 @@ use serde::{Deserialize, Serialize};
 use super::flights::RunRow;
 use super::{Profile, ProfileError, ProfileSettings, Profiles, checked_name, json};
 use crate::campaign::Entry;
+use crate::notice::sanitised;
 use crate::scoring::Report;
 
 /// The version of the format.
 const SCHEMA: u32 = 1;
 /// A file longer than this is no profile.
 const LARGEST: u64 = 256 * 1024 * 1024;
+/// The form of a time: a digit for each zero.
+const MOMENT: &str = "0000-00-00T00:00:00Z";
+/// Bytes of an id or a name.
+const LONGEST_LINE: usize = 200;
 
 /// A profile with all that it has.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -77,18 +82,48 @@ impl ProfileFile {
     /// Reads an exported profile.
     ///
     /// # Errors
-    /// It is none, or of a version that this program does not know.
+    /// It is none, of a version that this program does not know, or holds what cannot have happened.
     pub fn read(source: &str) -> Result<Self, ProfileError> {
         let fault = |fault: String| ProfileError::NoProfile { fault };
-        let file: Self = serde_json::from_str(source).map_err(|error| fault(error.to_string()))?;
-        if file.sortie_profile == SCHEMA {
-            Ok(file)
-        } else {
+        let file: Self =
+            serde_json::from_str(source).map_err(|error| fault(sanitised(&error.to_string())))?;
+        if file.sortie_profile != SCHEMA {
             let found = file.sortie_profile;
-            Err(fault(format!(
+            return Err(fault(format!(
                 "sortie_profile {found}, this program reads {SCHEMA}"
-            )))
+            )));
         }
+        match file.fault() {
+            Some(found) => Err(fault(found)),
+            None => Ok(file),
+        }
+    }
+
+    /// What cannot have happened, in English: anybody may have written the file.
+    fn fault(&self) -> Option<String> {
+        let since = || faulty_moment("since", &self.since);
+        let entries = || {
+            self.entries.iter().find_map(|row| {
+                let fault = faulty_line("id", &row.id)
+                    .or_else(|| faulty_moment("at", &row.at))
+                    .or_else(|| row.entry.fault());
+                fault.map(|fault| format!("entry {:?}: {fault}", row.id))
+            })
+        };
+        let runs = || {
+            self.runs.iter().find_map(|run| {
+                let recording = run.recording.iter();
+                let fault = faulty_moment("ended", &run.ended)
+                    .or_else(|| faulty_line("backend", &run.report.backend))
+                    .or_else(|| recording.into_iter().find_map(|it| faulty_file(it)));
+                fault.map(|fault| format!("run {:?}: {fault}", run.id))
+            })
+        };
+        let mut designs = self.designs.iter();
+        since()
+            .or_else(entries)
+            .or_else(runs)
+            .or_else(|| designs.find_map(|row| faulty_line("design", &row.name)))
     }
 
     /// As a document.
@@ -225,4 +260,21 @@ fn import(
         )?;
     }
     transaction.commit()
+}
+
+fn faulty_moment(name: &str, text: &str) -> Option<String> {
+    let fits = |(found, form): (u8, u8)| found == form || (form == b'0' && found.is_ascii_digit());
+    let is_moment = text.len() == MOMENT.len() && text.bytes().zip(MOMENT.bytes()).all(fits);
+    (!is_moment).then(|| format!("`{name}` is no time like 2026-11-20T14:03:22Z"))
+}
+
+fn faulty_line(name: &str, text: &str) -> Option<String> {
+    let is_line = (1..=LONGEST_LINE).contains(&text.len()) && !text.chars().any(char::is_control);
+    (!is_line).then(|| format!("`{name}` is not one line of 1 to {LONGEST_LINE} bytes"))
+}
+
+fn faulty_file(name: &str) -> Option<String> {
+    let is_path = name.contains('/');
+    faulty_line("recording", name)
+        .or_else(|| is_path.then(|| "`recording` is no file's name".to_owned()))
 }
