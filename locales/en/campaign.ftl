@@ -31,6 +31,7 @@ reward-unpaid-wear = no credits: { $why }; -{ $wear } for wear of your drones, {
 reward-practice = practice earns none
 reward-not-passed = the mission is not passed
 reward-not-better = only a score above { $best } earns more
+reward-daily-again = the seed of the day counts once a day
 reward-no-pay = this flight earns none
 reward-experience = experience +{ $gained }, level { $level }, { $left } to the next
 reward-level = experience +{ $gained }, level { $before } -> { $after }, { $left } to the next

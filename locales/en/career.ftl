@@ -29,6 +29,7 @@ progress-title = Progress of { $name }
 progress-standing = { $credits } credits, level { $level } ({ $experience } of { $next } experience), licence for { $licence } drones, flights: { $flights }
 progress-next = next: train { $skill } with { $mission }
 progress-aids = aids: { $aids }
+progress-lang = language: { $lang }
 progress-since = since { $day }
 progress-missions = Missions
 progress-skills = Skills

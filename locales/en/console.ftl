@@ -106,7 +106,7 @@ console-leave = end the session, back to the home screen
 console-quit = leave the program
 
 setting-theme = colours
-setting-lang = language: English, українська
+setting-lang = language: English, українська; a profile remembers it
 setting-symbols = what curves and maps are drawn with
 setting-fps = frames per second at most
 setting-fps-range = write a whole number from { $least } to { $most }

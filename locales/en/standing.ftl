@@ -73,7 +73,7 @@ profiles-nameless = write a name
 prompt-profile = your name
 prompt-profile-advice = flights, credits and designs are kept under it on this machine only
 prompt-seed = seed for practice
-prompt-seed-advice = a number; the same seed is the same flight. Enter alone takes 1. Practice earns nothing
+prompt-seed-advice = a number; the same seed is the same flight. Enter alone takes that of --seed, or 1. Practice earns nothing
 
 # Own progress.
 standing-nobody = Nobody trains here whose flights are kept. Press u to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.

@@ -31,6 +31,7 @@ reward-unpaid-wear = без кредитів: { $why }; -{ $wear } за знос
 reward-practice = за тренування їх немає
 reward-not-passed = завдання не пройдено
 reward-not-better = більше дає лише результат, вищий за { $best }
+reward-daily-again = зерно дня зараховується раз на день
 reward-no-pay = за цей політ їх немає
 reward-experience = досвід +{ $gained }, рівень { $level }, до наступного { $left }
 reward-level = досвід +{ $gained }, рівень { $before } -> { $after }, до наступного { $left }

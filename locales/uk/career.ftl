@@ -29,6 +29,7 @@ progress-title = Поступ: { $name }
 progress-standing = кредитів { $credits }, рівень { $level } (досвід { $experience } з { $next }), ліцензія на кількість дронів { $licence }, польотів { $flights }
 progress-next = далі: { $skill } у «{ $mission }»
 progress-aids = допомога: { $aids }
+progress-lang = мова: { $lang }
 progress-since = від { $day }
 progress-missions = Завдання
 progress-skills = Навички

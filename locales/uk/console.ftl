@@ -107,7 +107,7 @@ console-leave = завершити сеанс, повернутися на по�
 console-quit = вийти з програми
 
 setting-theme = кольори
-setting-lang = мова: English, українська
+setting-lang = мова: English, українська; профіль її запам'ятовує
 setting-symbols = чим малювати криві й карти
 setting-fps = найбільше кадрів за секунду
 setting-fps-range = впишіть ціле число від { $least } до { $most }

@@ -4,7 +4,7 @@ use crate::campaign::{Aids, Stake};
 use crate::commands::{Command, Deed, Manoeuvre};
 use crate::language::Verb;
 use crate::ledger::EntryId;
-use crate::text::Text;
+use crate::text::{Language, Text};
 use crate::vehicle::VehicleId;
 use crate::workshop::Design;
 
@@ -102,10 +102,19 @@ pub enum Effect {
     LeaveProfile,
     /// Have so much advice come by itself from now on, and remember it for the trainee.
     SetAids(Aids),
+    /// Remember the language of the screens for the trainee.
+    SetLanguage(Language),
     /// Buy the right to use a part, by id.
     BuyPart(String),
     /// Keep a design among the trainee's own; it takes the place of one of the same name.
     KeepDesign(Design),
+    /// Keep a design of the trainee's own under another name from now on.
+    RenameDesign {
+        /// The name that it had.
+        from: String,
+        /// The design with its new name.
+        design: Design,
+    },
     /// Remove the trainee's own design of this name.
     DropDesign(String),
     /// Read a design file.

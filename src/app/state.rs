@@ -7,10 +7,10 @@ use std::time::Duration;
 use super::console::Names;
 use super::effect::Launch;
 use crate::campaign::Reward;
-use crate::config::Config;
+use crate::config::{Config, Symbols};
 use crate::language::Context;
 use crate::scoring::TryReport;
-use crate::text::{Locale, Text};
+use crate::text::{Language, Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
 use crate::workshop::Design;
@@ -203,6 +203,17 @@ impl State {
         self.message
             .as_ref()
             .filter(|message| self.now.saturating_sub(message.at) < message.life())
+    }
+
+    /// Writes in a language from now on, if the screen shows its letters.
+    pub fn speak(&mut self, language: Language) -> bool {
+        // Words of other scripts would be nothing but question marks.
+        if language != Language::English && self.config.symbols == Some(Symbols::Ascii) {
+            return false;
+        }
+        self.config.lang = Some(language);
+        self.locale = Arc::new(Locale::new(language));
+        true
     }
 
     /// Answers the user on the last line.

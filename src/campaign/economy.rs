@@ -38,7 +38,7 @@ pub fn licence_price(credits: u32) -> u32 {
 }
 
 /// Credits for a flight that counts, with the best score of the passes before it at the mission, if there is one: all for the first pass,
-/// after that only for what is better than ever. Drills earn none.
+/// after that only for what is better than ever. A drill's reward is what its file says, like a mission's.
 pub(super) fn pay(flight: &Flight, best: Option<u16>) -> u32 {
     if !flight.passed {
         return 0;
@@ -51,15 +51,11 @@ pub(super) fn pay(flight: &Flight, best: Option<u16>) -> u32 {
     (reward * share).round() as u32
 }
 
-/// Experience for a flight that counts.
+/// Experience for a flight that counts, with the best score before it; the first flight of a mission is its best.
 pub(super) fn experience(flight: &Flight, best: Option<u16>, refreshes: bool) -> u32 {
     let tier = f64::from(flight.tier).max(0.5);
     let is_best = best.is_none_or(|best| flight.score > best);
-    let worth = match (best, is_best) {
-        (_, true) => NEW_BEST,
-        (Some(_), false) => REPEAT,
-        (None, false) => 1.0,
-    };
+    let worth = if is_best { NEW_BEST } else { REPEAT };
     let due = if refreshes { DUE_SKILL } else { 1.0 };
     (EXPERIENCE * tier * thousandths(flight.score) * worth * due).round() as u32
 }

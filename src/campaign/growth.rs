@@ -62,21 +62,21 @@ impl Growth {
     pub fn of<'a>(history: impl IntoIterator<Item = &'a Entry>) -> Self {
         let mut growth = Self::default();
         let mut standing = Standing::default();
-        let mut skills = Skills::new();
         for entry in history {
+            if let Entry::Flight(flight) = entry {
+                growth.fly(flight, &standing);
+            }
             standing.enter(entry);
             growth.wealth.push(Wealth {
                 credits: standing.credits(),
                 experience: standing.experience().0,
             });
-            if let Entry::Flight(flight) = entry {
-                growth.fly(flight, &mut skills);
-            }
         }
         growth
     }
 
-    fn fly(&mut self, flight: &Flight, skills: &mut Skills) {
+    /// Adds a flight, with the standing before it.
+    fn fly(&mut self, flight: &Flight, standing: &Standing) {
         let tries = self.tries.entry(flight.mission.clone()).or_default();
         tries.push(Try {
             day: flight.day,
@@ -85,8 +85,10 @@ impl Growth {
             medal: flight.medal,
             stake: flight.stake,
         });
+        let mut skills = Skills::new();
         for evidence in &flight.evidence {
-            let known = skills.entry(evidence.skill).or_default();
+            let skill = evidence.skill;
+            let known = skills.entry(skill).or_insert_with(|| standing.skill(skill));
             let before = known.chance(flight.day);
             known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
             self.moves.entry(evidence.skill).or_default().push(Move {

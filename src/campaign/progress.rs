@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Course, Entry, Flight, Mastery, Offer, Reason, Skill, Stage, Stake, Standing};
+use super::{Course, Entry, Flight, Mastery, Offer, Reason, Skill, Stage, Standing};
 use crate::scoring::Medal;
 use crate::text::Text;
 
@@ -148,7 +148,7 @@ fn missions(
 ) -> Vec<MissionProgress> {
     let of_course = course.offers().iter().map(|offer| {
         let stage = course.stage(offer, standing, day);
-        MissionProgress::of_offer(offer, stage, flights)
+        MissionProgress::of_offer(offer, stage, standing, flights)
     });
     let mut others: Vec<&Flight> = Vec::new();
     for flight in flights {
@@ -164,13 +164,16 @@ fn missions(
         } else {
             MissionState::Open
         };
-        MissionProgress::new(&flight.mission, title, (flight.vehicles, state), flights)
+        MissionProgress {
+            state,
+            ..MissionProgress::new(&flight.mission, title, flight.vehicles, standing, flights)
+        }
     });
     of_course.chain(others).collect()
 }
 
 impl MissionProgress {
-    fn of_offer(offer: &Offer, stage: Stage, flights: &[&Flight]) -> Self {
+    fn of_offer(offer: &Offer, stage: Stage, standing: &Standing, flights: &[&Flight]) -> Self {
         let (state, reasons) = match stage {
             Stage::Locked(reasons) => (
                 MissionState::Locked,
@@ -179,35 +182,28 @@ impl MissionProgress {
             Stage::Open => (MissionState::Open, Vec::new()),
             Stage::Passed(_) => (MissionState::Passed, Vec::new()),
         };
+        let title = offer.title.clone();
         Self {
+            state,
             reasons,
-            ..Self::new(
-                &offer.id,
-                offer.title.clone(),
-                (offer.vehicles, state),
-                flights,
-            )
+            ..Self::new(&offer.id, title, offer.vehicles, standing, flights)
         }
     }
 
-    fn new(
-        id: &str,
-        title: Text,
-        (vehicles, state): (u8, MissionState),
-        flights: &[&Flight],
-    ) -> Self {
-        let flights: Vec<&&Flight> = flights.iter().filter(|it| it.mission == id).collect();
-        let scores: Vec<u16> = flights.iter().map(|it| it.score).collect();
-        let counting = || flights.iter().filter(|it| it.stake != Stake::Practice);
+    /// How an open mission was flown so far.
+    fn new(id: &str, title: Text, vehicles: u8, standing: &Standing, flights: &[&Flight]) -> Self {
+        let flights = flights.iter().filter(|it| it.mission == id);
+        let scores: Vec<u16> = flights.map(|it| it.score).collect();
+        let best = standing.best(id);
         Self {
             id: id.to_owned(),
             title,
             vehicles,
-            state,
+            state: MissionState::Open,
             reasons: Vec::new(),
             tries: scores.len(),
-            best: counting().map(|it| it.score).max(),
-            medal: counting().filter_map(|it| it.medal).max(),
+            best: best.map(|best| best.score),
+            medal: best.and_then(|best| best.medal),
             first: scores.first().copied(),
             last: scores.last().copied(),
             trend: trend(&scores),

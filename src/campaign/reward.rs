@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Course, Evidence, Flight, PartState, Skill, Stage, Stake, Standing, economy};
+use super::{Course, Evidence, Flight, PartState, Skill, Stage, Stake, Standing};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::parts;
@@ -67,26 +67,11 @@ pub struct SkillChange {
 impl Reward {
     /// What a flight made of the standing before it.
     pub fn between(before: &Standing, after: &Standing, course: &Course, flight: &Flight) -> Self {
-        let best = before.best(&flight.mission).and_then(|best| best.passed);
-        // What the fold paid, whatever its rules: what is left, what wear took, less what was there.
-        let owned = before.credits();
-        let pay_credits = economy::pay(flight, best).min(
-            after
-                .credits()
-                .saturating_add(flight.wear)
-                .saturating_sub(owned),
-        );
-        let wear_credits = owned
-            .saturating_add(pay_credits)
-            .saturating_sub(after.credits());
+        let pay_credits = before.pay(flight);
+        let owned = before.credits().saturating_add(pay_credits);
+        let wear_credits = owned.saturating_sub(after.credits());
         let (experience, level, needed) = after.experience();
         let (experience_before, level_before, _) = before.experience();
-        let unpaid = (pay_credits == 0).then(|| match best {
-            _ if flight.stake == Stake::Practice => text!("reward-practice"),
-            _ if !flight.passed => text!("reward-not-passed"),
-            Some(best) => text!("reward-not-better", best = best),
-            None => text!("reward-no-pay"),
-        });
         Self {
             stake: flight.stake,
             pay_credits,
@@ -101,7 +86,7 @@ impl Reward {
             missions: opened_missions(before, after, course, flight.day),
             parts: opened_parts(before, after, course),
             skills: skill_changes(before, after, flight),
-            unpaid,
+            unpaid: (pay_credits == 0).then(|| unpaid(before, flight)),
         }
     }
 
@@ -171,6 +156,18 @@ impl SkillChange {
             after = self.after_percent,
             why = Text::joined(", ", self.why.iter().map(seen).collect())
         )
+    }
+}
+
+/// Why nothing was paid.
+fn unpaid(before: &Standing, flight: &Flight) -> Text {
+    let best = before.best(&flight.mission).and_then(|best| best.passed);
+    match best {
+        _ if flight.stake == Stake::Practice => text!("reward-practice"),
+        _ if !flight.passed => text!("reward-not-passed"),
+        _ if !before.counts(flight) => text!("reward-daily-again"),
+        Some(best) if flight.score <= best => text!("reward-not-better", best = best),
+        _ => text!("reward-no-pay"),
     }
 }
 

@@ -125,10 +125,9 @@ impl Standing {
             .evidence
             .iter()
             .any(|evidence| self.skill(evidence.skill).mastery(flight.day) == Mastery::Due);
-        let counts = self.take_up(flight);
+        let counts = self.counts(flight);
         if counts {
-            let pay = economy::pay(flight, best.and_then(|best| best.passed));
-            self.credits = self.credits.saturating_add(pay);
+            self.credits = self.credits.saturating_add(self.pay(flight));
             let best_score = best.map(|best| best.score);
             self.experience += u64::from(economy::experience(flight, best_score, refreshes));
         }
@@ -139,6 +138,9 @@ impl Standing {
             known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
         }
         if counts {
+            if flight.stake == Stake::Daily {
+                self.daily.insert((flight.mission.clone(), flight.day));
+            }
             self.missions
                 .entry(flight.mission.clone())
                 .or_default()
@@ -148,12 +150,21 @@ impl Standing {
     }
 
     /// Whether a flight counts for more than practice. With the seed of the day, the first one of the day does.
-    fn take_up(&mut self, flight: &Flight) -> bool {
+    pub(super) fn counts(&self, flight: &Flight) -> bool {
         match flight.stake {
             Stake::Graded | Stake::Exam => true,
             Stake::Practice => false,
-            Stake::Daily => self.daily.insert((flight.mission.clone(), flight.day)),
+            Stake::Daily => !self.daily.contains(&(flight.mission.clone(), flight.day)),
         }
+    }
+
+    /// What a flight is paid by this standing, in credits, before its wear is taken.
+    pub(super) fn pay(&self, flight: &Flight) -> u32 {
+        if !self.counts(flight) {
+            return 0;
+        }
+        let best = self.best(&flight.mission);
+        economy::pay(flight, best.and_then(|best| best.passed))
     }
 
     /// A purchase of the right to use a part.
@@ -193,19 +204,20 @@ impl Standing {
         }
     }
 
-    /// The parts of a design that may not be used yet, in the order of building.
+    /// The parts of a design that may not be used yet, in the order of building, each once.
     pub fn missing_parts(
         &self,
         design: &Design,
         course: &Course,
     ) -> Vec<(&'static Part, PartState)> {
-        let states = design
-            .pieces()
-            .map(|(part, _)| (part, self.part_state(part, course)));
-        let mut missing: Vec<_> = states
-            .filter(|(_, state)| *state != PartState::Owned)
-            .collect();
-        missing.dedup_by_key(|(part, _)| part.id);
+        let mut missing: Vec<(&'static Part, PartState)> = Vec::new();
+        for (part, _) in design.pieces() {
+            let state = self.part_state(part, course);
+            let is_listed = missing.iter().any(|(other, _)| other.id == part.id);
+            if state != PartState::Owned && !is_listed {
+                missing.push((part, state));
+            }
+        }
         missing
     }
 

@@ -7,13 +7,13 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use super::{
-    Best, Course, Entry, Evidence, Flight, Knowledge, Mastery, Offer, PartState, Reason, Refusal,
-    STARTER_PARTS, Skill, Stage, Stake, Standing, daily_seed, exam_seed, licence_price,
+    Best, Course, Entry, Evidence, Flight, Knowledge, Mastery, Offer, PartState, Progress, Reason,
+    Refusal, STARTER_PARTS, Skill, Stage, Stake, Standing, daily_seed, exam_seed, licence_price,
 };
 use crate::mission::Requires;
 use crate::scoring::Medal;
 use crate::text::Text;
-use crate::workshop::{part, parts};
+use crate::workshop::{Design, part, parts};
 
 fn offer(id: &str, vehicles: u8, after: &[&str], parts: &[&str]) -> Offer {
     let owned = |list: &[&str]| list.iter().map(|it| (*it).to_owned()).collect::<Vec<_>>();
@@ -134,6 +134,35 @@ fn the_seed_of_a_day_counts_once_a_day_in_each_mission() {
         let both = standing(&[daily("one", 600, 1), other]);
         assert!(both.credits() > first.credits());
     }
+}
+
+#[test]
+fn a_part_that_is_missing_twice_is_told_once() {
+    let toml = include_str!("../../designs/starter.toml");
+    let (load, other) = (part("s_med"), part("s_rgb"));
+    let (load, other) = (load.expect("a part"), other.expect("a part"));
+    let design = Design::from_toml(toml).expect("it is good");
+    let design = design.with(load).with(other).with(load);
+    let on_board = design.pieces().filter(|(it, _)| it.id == load.id);
+    assert_eq!(on_board.count(), 2, "with another one between them");
+    let missing = standing(&[]).missing_parts(&design, &course());
+    let missing: Vec<&str> = missing.iter().map(|(part, _)| part.id).collect();
+    assert_eq!(missing, ["s_med", "s_rgb"]);
+}
+
+#[test]
+fn a_repeated_seed_of_the_day_is_no_best() {
+    let course = course();
+    let daily = |score| {
+        Entry::Flight(Flight {
+            stake: Stake::Daily,
+            ..flight(&course, "one", score, 1)
+        })
+    };
+    let progress = Progress::of(&course, &[daily(600), daily(900)], 1);
+    let one = &progress.missions[0];
+    assert_eq!((one.best, one.medal), (Some(600), Some(Medal::Bronze)));
+    assert_eq!((one.tries, one.last), (2, Some(900)));
 }
 
 #[test]

@@ -161,6 +161,7 @@ fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
             data: settings.data.clone(),
             profile: settings.config.profile.clone(),
             warnings: settings.warnings(),
+            is_lang_given: settings.is_flag("lang"),
             config: settings.config,
             keymap: settings.keymap,
             themes: settings.themes,

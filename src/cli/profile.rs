@@ -234,6 +234,10 @@ impl Desk<'_> {
         }
         let level = aids.title();
         say!("  {}", words(&text!("progress-aids", aids = level)))?;
+        if let Some(lang) = &profile.settings.lang {
+            let lang = lang.as_str();
+            say!("  {}", words(&text!("progress-lang", lang = lang)))?;
+        }
         say!("\n{}", words(&text!("progress-missions")))?;
         say!(
             "{}",

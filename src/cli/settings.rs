@@ -302,6 +302,11 @@ impl Settings {
         )
     }
 
+    /// Whether a flag of the command line sets it.
+    pub fn is_flag(&self, setting: &str) -> bool {
+        matches!(self.layers.origin(setting), Origin::Flag(_))
+    }
+
     fn is_of_file(&self, setting: &str) -> bool {
         matches!(self.layers.origin(setting), Origin::File { .. })
     }

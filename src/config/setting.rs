@@ -42,7 +42,8 @@ pub const SETTINGS: &[Setting] = &[
         "lang",
         Kind::OneOf(&["en", "uk"]),
         Some("SORTIE_LANG"),
-        "The language; unless it is set, that of the shell (LC_ALL, LC_MESSAGES, LANG).",
+        "The language; unless it is set, that of the shell (LC_ALL, LC_MESSAGES, LANG). What a profile has chosen with \
+         `:set lang` goes before both in the console, and --lang before that.",
     ),
     setting(
         "profile",

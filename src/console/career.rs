@@ -11,13 +11,13 @@ use crate::app::effect::Effect;
 use crate::app::event::Event;
 use crate::app::state::Career;
 use crate::app::update;
-use crate::campaign::{Aids, Course, Entry, Reward, Standing};
+use crate::campaign::{Course, Entry, Reward, Standing};
 use crate::scoring::TryReport;
 use crate::store::{
     self, Landing, Profile, ProfileError, ProfileSettings, Profiles, RunEntry, day_of, utc,
 };
 use crate::text;
-use crate::text::Text;
+use crate::text::{Language, Text};
 use crate::workshop::Design;
 
 /// The profiles of the data folder, and the one that is in use.
@@ -71,14 +71,13 @@ impl Careers {
         Ok(())
     }
 
-    fn set_aids(&mut self, aids: Aids) -> Result<(), ProfileError> {
+    /// Remembers something that was chosen.
+    fn set(&mut self, change: impl FnOnce(&mut ProfileSettings)) -> Result<(), ProfileError> {
         let Some(profile) = &mut self.current else {
             return Ok(());
         };
-        let settings = ProfileSettings {
-            aids,
-            ..profile.settings.clone()
-        };
+        let mut settings = profile.settings.clone();
+        change(&mut settings);
         self.profiles.set_settings(profile, &settings)?;
         profile.settings = settings;
         Ok(())
@@ -96,6 +95,13 @@ impl Careers {
     fn keep(&self, design: &Design) -> Result<(), ProfileError> {
         let profile = self.current.as_ref();
         profile.map_or(Ok(()), |profile| self.profiles.keep_design(profile, design))
+    }
+
+    fn rename(&self, from: &str, design: &Design) -> Result<(), ProfileError> {
+        let profile = self.current.as_ref();
+        profile.map_or(Ok(()), |profile| {
+            self.profiles.rename_design(profile, from, design)
+        })
     }
 
     fn drop(&self, name: &str) -> Result<(), ProfileError> {
@@ -172,6 +178,7 @@ impl Careers {
             designs: self.profiles.designs(profile)?,
             day: today(),
             aids: profile.settings.aids,
+            language: profile.settings.lang.as_deref().and_then(Language::of),
             ..Career::new(&profile.name, history, self.course.clone())
         }))
     }
@@ -238,9 +245,13 @@ impl Console {
                 careers.current = None;
                 Ok(())
             }
-            Effect::SetAids(aids) => careers.set_aids(aids),
+            Effect::SetAids(aids) => careers.set(|it| it.aids = aids),
+            Effect::SetLanguage(language) => {
+                careers.set(|it| it.lang = Some(language.code().to_owned()))
+            }
             Effect::BuyPart(part) => careers.buy(&part),
             Effect::KeepDesign(design) => careers.keep(&design),
+            Effect::RenameDesign { from, design } => careers.rename(&from, &design),
             Effect::DropDesign(name) => careers.drop(&name),
             _ => return,
         };
@@ -319,9 +330,13 @@ impl Console {
         let Some(careers) = &mut self.careers else {
             return;
         };
+        let is_lang_given = self.options.preferences.is_lang_given;
         let gone = careers.forget_deleted();
         let shown = careers.names().and_then(|names| {
-            let career = careers.career()?.map(Box::new);
+            let mut career = careers.career()?.map(Box::new);
+            if let Some(career) = career.as_mut().filter(|_| is_lang_given) {
+                career.language = None;
+            }
             Ok((names, career, careers.tries()?))
         });
         let events = match shown {
@@ -355,6 +370,7 @@ mod tests {
     use rusqlite::Connection;
 
     use super::*;
+    use crate::campaign::Aids;
     use crate::headless::Exercise;
     use crate::language::{Context, Script};
     use crate::mission::{Mission, Stake};
@@ -393,5 +409,31 @@ mod tests {
         assert!(careers.waiting.is_empty());
         let career = careers.career().expect("it can be read");
         assert_eq!(career.map(|career| career.history.len()), Some(1));
+    }
+
+    #[test]
+    fn what_a_trainee_chooses_is_there_the_next_time() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let open = || {
+            Careers::open(folder.path(), Course::default())
+                .expect("ours")
+                .0
+        };
+        let mut careers = open();
+        careers.create("Anna").expect("a name");
+        let starter = include_str!("../../designs/starter.toml");
+        let starter = Design::from_toml(starter).expect("it is good");
+        careers.keep(&starter).expect("a design");
+        let mine = starter.named("Mine").expect("a name");
+        careers.rename(&starter.name, &mine).expect("it is there");
+        let chosen = careers.set(|it| it.lang = Some("uk".to_owned()));
+        chosen
+            .and_then(|()| careers.set(|it| it.aids = Aids::None))
+            .expect("settings");
+        let mut careers = open();
+        careers.choose("anna").expect("she is there");
+        let career = careers.career().expect("it can be read").expect("hers");
+        assert_eq!(career.language, Some(Language::Ukrainian));
+        assert_eq!((career.aids, career.designs), (Aids::None, vec![mine]));
     }
 }

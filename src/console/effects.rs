@@ -64,6 +64,8 @@ impl Console {
             | Effect::SetAids(_)
             | Effect::BuyPart(_)
             | Effect::KeepDesign(_)
+            | Effect::RenameDesign { .. }
+            | Effect::SetLanguage(_)
             | Effect::DropDesign(_) => return self.change_career(effect),
             Effect::StartMission(launch) => {
                 let outcome = self.start_mission(&launch).await;

@@ -51,6 +51,8 @@ pub struct Options {
 pub struct Preferences {
     /// The settings.
     pub config: Config,
+    /// Whether the command line says the language: then no profile changes it.
+    pub is_lang_given: bool,
     /// What the keys mean.
     pub keymap: Keymap,
     /// The themes on offer.

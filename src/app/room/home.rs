@@ -49,9 +49,6 @@ pub const KEYS: &[Row] = &[
     does(key('q'), Action::Quit),
 ];
 
-/// The seed of a practice flight where none is chosen.
-const PRACTICE_SEED: u64 = 1;
-
 /// What the home screen offers, from the top.
 pub fn items(state: &State) -> Vec<HomeItem> {
     let mut missions: Vec<usize> = (0..state.missions.len())
@@ -153,19 +150,19 @@ fn fly_otherwise(state: &mut State, how: Action, mission: &str) -> Vec<Effect> {
     }
 }
 
-/// Flies a mission for practice with the seed that was entered.
+/// Flies a mission for practice with the seed that was entered; without one, the shell chooses it.
 ///
 /// # Errors
 /// It is no seed.
 pub fn practise(state: &mut State, mission: &str, entered: &str) -> Result<Vec<Effect>, Text> {
     let seed = match entered.trim() {
-        "" => PRACTICE_SEED,
-        written => written.parse().map_err(|_| text!("home-seed-none"))?,
+        "" => None,
+        written => Some(written.parse().map_err(|_| text!("home-seed-none"))?),
     };
     let launch = Launch {
         stake: Stake::Practice,
-        seed: Some(seed),
-        ..Launch::graded(mission)
+        seed,
+        ..state.launch(mission)
     };
     Ok(mission::start(state, launch))
 }

@@ -2,7 +2,7 @@
 
 use crate::campaign::{Aids, Course, Entry, Growth, Reason, Stage, Standing};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Language, Text};
 use crate::workshop::Design;
 
 mod outlook;
@@ -26,6 +26,8 @@ pub struct Career {
     pub day: i64,
     /// How much advice comes by itself.
     pub aids: Aids,
+    /// The language in which the trainee is to be met; `None` keeps the one that is in use.
+    pub language: Option<Language>,
 }
 
 impl Career {
@@ -40,6 +42,7 @@ impl Career {
             designs: Vec::new(),
             day: 0,
             aids: Aids::default(),
+            language: None,
         }
     }
 

@@ -12,7 +12,7 @@ use crate::app::state::{Log, Overlay, State, parse_ranges, ranges};
 use crate::config::Symbols;
 use crate::diagnostic::Diagnostic;
 use crate::text;
-use crate::text::{Language, Locale, Text};
+use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 /// Does what a line says.
@@ -108,14 +108,14 @@ fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
             vec![Effect::SetTheme(name.clone())]
         }
         Setting::Fps(fps) => vec![Effect::SetFps(*fps)],
-        Setting::Lang(Language::Ukrainian) if state.config.symbols == Some(Symbols::Ascii) => {
-            // Words of other scripts would be nothing but question marks.
-            state.say(Severity::Warning, text!("setting-lang-ascii"));
-            Vec::new()
-        }
         Setting::Lang(language) => {
-            state.locale = Arc::new(Locale::new(*language));
-            Vec::new()
+            if !state.speak(*language) {
+                state.say(Severity::Warning, text!("setting-lang-ascii"));
+                return Vec::new();
+            }
+            let is_kept = state.career.is_some();
+            let keep = is_kept.then_some(Effect::SetLanguage(*language));
+            keep.into_iter().collect()
         }
         Setting::Symbols(Symbols::Ascii) => {
             state.locale = Arc::default();

@@ -92,6 +92,9 @@ pub fn arrived(state: &mut State, career: Option<Career>) {
     if name(&before) != name(&now) {
         // What was chosen for missions was somebody else's.
         state.fleets.clear();
+        if let Some(language) = state.career.as_ref().and_then(|career| career.language) {
+            state.speak(language);
+        }
         if is_asking(state) {
             state.overlay = None;
         }

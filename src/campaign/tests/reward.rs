@@ -66,3 +66,35 @@ fn a_loss_takes_no_more_than_there_is_and_the_reward_says_how_much() {
     let reward = Reward::between(&before, &after, &course, &flown);
     assert_eq!((reward.wear_credits, reward.credits), (500, 0));
 }
+
+#[test]
+fn what_does_not_count_is_not_paid_whatever_wear_takes() {
+    let course = course();
+    let first = Entry::Flight(Flight {
+        stake: Stake::Daily,
+        wear: 760,
+        ..flight(&course, "one", 600, 1)
+    });
+    let before = standing(&[first]);
+    assert_eq!(before.credits(), 60);
+    let reward = |stake| {
+        let flown = Flight {
+            stake,
+            wear: 300,
+            ..flight(&course, "one", 900, 1)
+        };
+        let mut after = before.clone();
+        after.enter(&Entry::Flight(flown.clone()));
+        Reward::between(&before, &after, &course, &flown)
+    };
+    let lines = [
+        (Stake::Practice, "practice earns none"),
+        (Stake::Daily, "the seed of the day counts once a day"),
+    ];
+    for (stake, why) in lines {
+        let reward = reward(stake);
+        assert_eq!((reward.pay_credits, reward.wear_credits), (0, 60));
+        let line = format!("no credits: {why}; -60 for wear of your drones, 0 now");
+        assert_eq!(reward.lines()[0].to_string(), line);
+    }
+}

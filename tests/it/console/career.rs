@@ -6,6 +6,8 @@ use sortie::app::room::home;
 use sortie::app::state::{Activity, Career, Overlay, Purpose, Room, Trainee};
 use sortie::campaign::{Aids, Entry, Stake};
 use sortie::mission::Phase;
+use sortie::text::Language;
+use sortie::workshop::Design;
 
 use crate::fixtures;
 use crate::fixtures::career::{TODAY, campaign, career, flight, newcomer, nobody, trained_by};
@@ -114,22 +116,47 @@ fn an_open_mission_is_flown_for_credits_with_the_seed_of_the_day_as_an_exam_or_f
     console.write("77").press("enter");
     assert_eq!(console.effects, start(Stake::Practice, Some(77)));
     console.press("p").press("enter");
-    assert_eq!(console.effects, start(Stake::Practice, Some(1)));
+    assert_eq!(console.effects, start(Stake::Practice, None));
 }
 
 #[test]
-fn practice_is_flown_with_lent_drones() {
+fn practice_is_flown_with_the_fleet_that_was_chosen() {
     let mut console = trained_by(newcomer());
-    let design = console.state.stock.first().cloned();
-    console.state.fleets.insert(
-        "00-first-flight".to_owned(),
-        design.into_iter().collect::<Vec<_>>(),
-    );
+    let starter = include_str!("../../../designs/starter.toml");
+    let fleet = vec![Design::from_toml(starter).expect("it is good")];
+    let fleets = &mut console.state.fleets;
+    fleets.insert("00-first-flight".to_owned(), fleet.clone());
     console.press("p").press("enter");
     let [Effect::StartMission(launch)] = console.effects.as_slice() else {
         panic!("{:?}", console.effects);
     };
-    assert!(launch.fleet.is_empty());
+    assert_eq!(launch.fleet, fleet);
+}
+
+#[test]
+fn a_trainee_is_met_in_their_language_until_they_choose_another() {
+    let language = |console: &Console| console.state.locale.language();
+    let ukrainian = |name: &str| Career {
+        language: Some(Language::Ukrainian),
+        name: name.to_owned(),
+        ..newcomer()
+    };
+    let meet = |console: &mut Console, career: Career| {
+        console.hear(Event::Career(Some(Box::new(career))));
+    };
+    let mut console = nobody();
+    console.give("set lang en");
+    assert_eq!(console.effects, [], "nobody is there to remember it for");
+    meet(&mut console, ukrainian("oksana"));
+    assert_eq!(language(&console), Language::Ukrainian);
+    console.give("set lang en");
+    assert_eq!(console.effects, [Effect::SetLanguage(Language::English)]);
+    assert_eq!(language(&console), Language::English);
+    meet(&mut console, ukrainian("oksana"));
+    assert_eq!(language(&console), Language::English, "it is the same one");
+    console.give("set symbols ascii");
+    meet(&mut console, ukrainian("taras"));
+    assert_eq!(language(&console), Language::English, "no letters for it");
 }
 
 #[test]

@@ -128,11 +128,11 @@ pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Vec<Effect>, 
     let Some(kept) = kept.filter(|kept| kept.name != name) else {
         return Ok(Vec::new());
     };
-    let mut effects = vec![Effect::KeepDesign(kept.named(&name)?)];
-    if !is_same {
-        effects.push(Effect::DropDesign(kept.name));
-    }
-    Ok(effects)
+    let design = kept.named(&name)?;
+    Ok(vec![Effect::RenameDesign {
+        from: kept.name,
+        design,
+    }])
 }
 
 /// Has the bench written to a file.

@@ -67,12 +67,12 @@ pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 /// Chooses the design on the bench for a seat, or for all. The first choice is for all: a mission does not lend a part
 /// of a fleet.
 fn assign(state: &mut State, seat: Option<usize>) {
-    if let Err(reason) = check(state) {
-        return state.say(Weight::Warning, reason);
-    }
     let Some(mission) = mission(state) else {
         return state.say(Weight::Notice, text!("bench-no-mission"));
     };
+    if let Err(reason) = check(state, mission) {
+        return state.say(Weight::Warning, reason);
+    }
     let (id, count) = (mission.id.clone(), mission.vehicles);
     let design = state.rooms.workshop.bench.design().clone();
     let before: Vec<Design> = seats(state, mission)
@@ -93,14 +93,15 @@ fn assign(state: &mut State, seat: Option<usize>) {
     state.say(Weight::Notice, text);
 }
 
-/// Why the design on the bench cannot be chosen.
-fn check(state: &State) -> Result<(), Text> {
-    let bench = &state.rooms.workshop.bench;
-    let fault = |it: &&crate::workshop::Finding| it.severity == Severity::Fault;
-    if let Some(fault) = bench.findings().iter().find(fault) {
+/// Why the design on the bench cannot be chosen for a mission: it is judged in the air that it will be flown in.
+fn check(state: &State, mission: &Listing) -> Result<(), Text> {
+    let design = state.rooms.workshop.bench.design();
+    let air = mission.needs.first().map(|need| need.air);
+    let findings = design.findings(air.unwrap_or_default());
+    if let Some(fault) = findings.iter().find(|it| it.severity == Severity::Fault) {
         return Err(text!("bench-does-not-fly", reason = fault.text.clone()));
     }
-    match lacking(state, bench.design()).first() {
+    match lacking(state, design).first() {
         Some(part) => Err(text!("bench-lacks-licence", part = part.name())),
         None => Ok(()),
     }

@@ -35,14 +35,11 @@ pub fn licence(state: &State, part: &Part) -> Licence {
 
 /// The parts of a design that the trainee may not fly yet, each once.
 pub fn lacking(state: &State, design: &Design) -> Vec<&'static Part> {
-    let mut parts: Vec<&'static Part> = Vec::new();
-    for (part, _) in design.pieces() {
-        let is_listed = parts.iter().any(|other| other.id == part.id);
-        if !is_listed && licence(state, part) != Licence::Held {
-            parts.push(part);
-        }
-    }
-    parts
+    let Some(career) = &state.career else {
+        return Vec::new();
+    };
+    let missing = career.standing.missing_parts(design, &career.course);
+    missing.into_iter().map(|(part, _)| part).collect()
 }
 
 /// Asks before the right to use the part under the cursor is bought.

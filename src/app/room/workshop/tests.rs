@@ -290,10 +290,14 @@ fn designs_are_copied_renamed_and_deleted_in_the_list() {
     assert_eq!(effects, [Effect::KeepDesign(copy)]);
     let effects = press(&mut state, "r clear Other enter");
     let other = starter().named("Other").expect("a name");
-    let dropped = Effect::DropDesign("Mine".to_owned());
-    assert_eq!(effects, [Effect::KeepDesign(other), dropped.clone()]);
+    let from = "Mine".to_owned();
+    let renamed = Effect::RenameDesign {
+        from: from.clone(),
+        design: other,
+    };
+    assert_eq!(effects, [renamed]);
     assert_eq!(press(&mut state, "x"), []);
-    assert_eq!(press(&mut state, "y"), [dropped]);
+    assert_eq!(press(&mut state, "y"), [Effect::DropDesign(from)]);
     press(&mut state, "j x");
     assert!(state.overlay.is_none(), "sortie's own stay");
 }
@@ -356,6 +360,16 @@ fn what_does_not_fly_or_is_not_owned_takes_no_seat() {
     let mut state = workshop(None);
     press(&mut state, "x f enter");
     assert!(state.fleets.is_empty(), "a frame is missing");
+}
+
+#[test]
+fn a_design_that_does_not_fly_in_the_air_of_the_mission_takes_no_seat() {
+    let mut state = workshop(None);
+    for need in &mut state.missions[0].needs {
+        need.air.altitude_m = 9000.0;
+    }
+    press(&mut state, "f enter");
+    assert!(state.fleets.is_empty(), "the air is too thin");
 }
 
 #[test]
