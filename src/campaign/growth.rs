@@ -85,6 +85,9 @@ impl Growth {
             medal: flight.medal,
             stake: flight.stake,
         });
+        if !standing.counts(flight) {
+            return;
+        }
         let mut skills = Skills::new();
         for evidence in &flight.evidence {
             let skill = evidence.skill;

@@ -100,7 +100,6 @@ impl Skill {
     pub fn of_objective(kind: &str, vehicles: usize) -> Option<Self> {
         Some(match kind {
             "arm_time" => Self::K1,
-            "hover" | "gates" | "visit" | "land_on" | "standoff" => Self::K3,
             "land_with" => Self::K4,
             "link" => Self::K5,
             "sample_cells" | "coverage" | "perimeter" => Self::K6,
@@ -108,7 +107,9 @@ impl Skill {
             "protect" | "contain" | "deliver" | "recover" | "formation" if vehicles > 1 => {
                 Self::K10
             }
-            "deliver" | "recover" => Self::K3,
+            "hover" | "gates" | "visit" | "land_on" | "standoff" | "deliver" | "recover" => {
+                Self::K3
+            }
             _ => return None,
         })
     }

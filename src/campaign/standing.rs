@@ -133,11 +133,12 @@ impl Standing {
         }
         self.credits = self.credits.saturating_sub(flight.wear);
         self.flights += 1;
-        for evidence in &flight.evidence {
-            let known = self.skills.entry(evidence.skill).or_default();
-            known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
-        }
+        // A layout that was seen before shows what was remembered, not what is known.
         if counts {
+            for evidence in &flight.evidence {
+                let known = self.skills.entry(evidence.skill).or_default();
+                known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
+            }
             if flight.stake == Stake::Daily {
                 self.daily.insert((flight.mission.clone(), flight.day));
             }

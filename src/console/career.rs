@@ -154,9 +154,8 @@ impl Careers {
     /// Goes on without a trainee whose profile somebody has deleted; says so.
     fn forget_deleted(&mut self) -> Option<Event> {
         let found = self.profiles.find(&self.current.as_ref()?.name);
-        let error = match found {
-            Err(error @ ProfileError::Unknown { .. }) => error,
-            _ => return None,
+        let Err(error @ ProfileError::Unknown { .. }) = found else {
+            return None;
         };
         self.current = None;
         Some(Event::Failed(error.text()))
