@@ -12,7 +12,8 @@ impl Flight {
             drill_of: mission.drill_of.clone(),
             tier: mission.rewards.xp_tier,
             reward: mission.rewards.credits,
-            vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX),
+            // One that was given up before any drone was heard counts as well.
+            vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX).max(1),
             stake,
             day,
             score: report.score,

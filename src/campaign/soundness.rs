@@ -51,7 +51,7 @@ impl Purchase {
     }
 }
 
-fn beyond<T: PartialOrd + Debug>(
+fn beyond<T: Copy + PartialOrd + Debug>(
     name: &str,
     value: T,
     range: &RangeInclusive<T>,

@@ -35,7 +35,8 @@ impl Table {
 
     /// Adds a row. What would do something to a terminal is replaced.
     pub fn push(&mut self, row: Vec<String>) {
-        self.rows.push(row.iter().map(|it| sanitised(it)).collect());
+        self.rows
+            .push(row.into_iter().map(|it| sanitised(&it)).collect());
     }
 
     /// In columns as wide as they need to be.
