@@ -2,8 +2,9 @@
 
 use sortie::app::action::Step;
 use sortie::app::room::workshop::Bench;
-use sortie::store::Profiles;
-use sortie::workshop::{Air, Design};
+use sortie::campaign::{PartState, Standing};
+use sortie::store::{self, Profiles};
+use sortie::workshop::{Air, Design, part};
 
 use crate::terminal::Terminal;
 
@@ -75,4 +76,69 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
     let starter = Design::from_toml(starter).expect("it is good");
     assert_eq!(designs, [starter.named("First").expect("a name")]);
     assert!(designs[0].is_airworthy(Air::default()));
+}
+
+/// The keys that lead to a part of the list, from anywhere in it.
+fn keys_to(bench: &Bench, part: &str) -> String {
+    let mut all = bench.candidates().iter();
+    let at = all.position(|candidate| candidate.part.id == part);
+    format!("\u{1b}[H{}", "j".repeat(at.expect("it is listed")))
+}
+
+#[test]
+fn a_built_drone_flies_a_mission_that_pays_for_a_better_battery() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (profiles, _) = Profiles::open(folder.path()).expect("they open");
+    let profile = profiles.create("Olena", "2026-11-21T00:00:00Z");
+    let profile = profile.expect("nobody has the name");
+    let data = folder.path().to_str().expect("a plain path");
+    let mut terminal = Terminal::start(&["--data", data, "--speedup", "4"], 80, 24);
+    terminal.see("500 cr").press("W").see("Starter 450");
+    terminal.press("f").see("lent by the mission");
+    terminal
+        .press("*")
+        .see("1018 cr")
+        .press("g")
+        .see("before launch");
+
+    terminal.press("F").see("ready").command("all guided");
+    terminal.see("GUIDED").command("all arm").see("1 armed");
+    terminal.press("B").see("armed after");
+    terminal.command("all takeoff 20").see("10/10 s");
+    for (gate, passed) in [("gate1", "1/3"), ("gate2", "2/3"), ("gate3", "3/3")] {
+        terminal.command(&format!("all goto {gate} up 20"));
+        terminal.see(&format!("{passed} gates"));
+    }
+    terminal.command("all rtl").see("PASSED").see("credits +");
+    terminal.see("new mission: Air sample").see("h home");
+
+    // What was earned buys a larger battery, and the drone on the bench shows it.
+    terminal.press("h").see("licence 2").press("W");
+    terminal
+        .see("the fleet for")
+        .press("\u{1b}")
+        .see("17.2 min");
+    terminal.press("\u{1b}[Hjjjj\t").see("battery: hover time");
+    let starter = include_str!("../../../designs/starter.toml");
+    let starter = Design::from_toml(starter).expect("it is good");
+    let mut bench = Bench::default();
+    bench.open(starter, None, Air::default());
+    (0..4).for_each(|_| bench.move_row(Step::Down, Air::default()));
+    let keys = keys_to(&bench, "b3s5100hv");
+    terminal.press(&keys).see("buys the right").press("b");
+    terminal
+        .see("left")
+        .press("y")
+        .see_no_more("buys the right");
+    terminal.press("\r").see("on board").press("\t");
+    terminal.see("LiPo 3S 5.1 Ah").see_no_more("17.2 min");
+    terminal.press("\u{3}").press("y");
+    assert_eq!(terminal.end(), 0);
+
+    let history = profiles.history(&profile).expect("it can be read");
+    let standing = Standing::of(&history);
+    assert!(standing.has_passed("00-first-flight"));
+    let course = store::course();
+    let battery = part("b3s5100hv").expect("a part");
+    assert_eq!(standing.part_state(battery, &course), PartState::Owned);
 }
