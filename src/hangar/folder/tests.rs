@@ -267,8 +267,11 @@ async fn what_a_leftover_has_started_is_found_when_the_leftover_itself_is_gone()
     let folder = run.vehicle(1).expect("made");
     let mut order = launcher::shell("sleep 1000 & echo child $!; read line < never");
     order.folder.clone_from(&folder);
-    // One of the session that has left the folder is not taken for one of the instance.
-    order.arguments[1].insert_str(0, "(cd / && exec sleep 1000) & echo other $!; ");
+    // One of the session that has left the folder is not taken for one of the instance. It says who it is once it has.
+    order.arguments[1].insert_str(
+        0,
+        "(cd / && exec sh -c 'echo other $$; exec sleep 1000') & ",
+    );
     nix::unistd::mkfifo(&folder.join("never"), nix::sys::stat::Mode::S_IRWXU).expect("made");
     let (_launcher, mut running) = launcher::start(order).await;
     run.note(1, running.pid(), Path::new("/bin/sh"))
