@@ -196,10 +196,15 @@ fn where_no_shell_could_bring_it_back_it_is_not_suspended() {
 /// Runs the plain console on some lines; what it said, and its exit code.
 fn plain(arguments: &[&str], lines: &str) -> (String, Option<i32>) {
     let program = program();
+    // What the developer has is neither read nor written.
+    let home = tempfile::tempdir().expect("a folder");
     let mut child = Command::new(&program[0])
         .args(&program[1..])
         .args(arguments)
         .env("LC_ALL", "C.UTF-8")
+        .env("XDG_CONFIG_HOME", home.path().join("config"))
+        .env("XDG_DATA_HOME", home.path().join("data"))
+        .env("XDG_STATE_HOME", home.path().join("state"))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()

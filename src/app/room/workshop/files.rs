@@ -2,7 +2,8 @@
 
 use super::shelf;
 use crate::app::effect::Effect;
-use crate::app::state::{Confirm, Consequence, Overlay, Prompt, Purpose, State};
+use crate::app::state::{Overlay, Prompt, Purpose, State};
+use crate::app::update::act;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -173,16 +174,14 @@ pub fn read(state: &mut State, path: &str, content: &str) -> Vec<Effect> {
 
 /// There is such a file already: it is replaced only if the user says so.
 pub fn exists(state: &mut State, path: String, text: String) {
-    confirm(
-        state,
-        text!("parameters-ask-replace", path = &path),
-        text!("parameters-ask-replace-reason"),
-        Effect::WriteDesign {
-            path,
-            text,
-            replace: true,
-        },
-    );
+    let question = text!("parameters-ask-replace", path = &path);
+    let reason = text!("parameters-ask-replace-reason");
+    let effect = Effect::WriteDesign {
+        path,
+        text,
+        replace: true,
+    };
+    drop(act::ask(state, question, reason, effect));
 }
 
 /// The design of a name: an own one before one that everybody has.
@@ -208,18 +207,12 @@ fn same(one: &str, other: &str) -> bool {
 fn ask_overwrite(state: &mut State, design: Design) {
     let question = text!("bench-ask-overwrite", name = design.name.as_str());
     let reason = text!("bench-ask-overwrite-reason");
-    confirm(state, question, reason, Effect::KeepDesign(design));
-}
-
-fn confirm(state: &mut State, question: Text, reason: Text, effect: Effect) {
-    state.overlay = Some(Overlay::Confirm(Confirm {
+    drop(act::ask(
+        state,
         question,
         reason,
-        answer: "y".to_owned(),
-        typed: String::new(),
-        cancelled: false,
-        then: Consequence::Effect(effect),
-    }));
+        Effect::KeepDesign(design),
+    ));
 }
 
 fn path_of(entered: &str) -> Result<String, Text> {
