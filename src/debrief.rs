@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::notice::sanitised;
-use crate::scoring::{EMBEDDED, ObjectiveReport, Report};
+use crate::scoring::{FlightBackend, ObjectiveReport, Report};
 use crate::text;
 use crate::text::{Locale, Text, wrap};
 
@@ -71,9 +71,9 @@ impl Page<'_> {
             Some(medal) => self.locale.text(&medal.title()).to_uppercase(),
             None => self.locale.say("debrief-no-medal"),
         };
-        let backend = match report.backend.as_str() {
-            EMBEDDED => text!("debrief-embedded"),
-            name => name.into(),
+        let backend = match report.backend {
+            FlightBackend::Embedded => text!("debrief-embedded"),
+            FlightBackend::ArduPilot => report.backend.name().into(),
         };
         let first = text!(
             "debrief-head",
@@ -85,7 +85,7 @@ impl Page<'_> {
         let second = text!(
             "debrief-score",
             score = report.score,
-            grade = &report.grade,
+            grade = report.grade.letter(),
             medal = medal,
             seed = report.seed.to_string(),
             backend = backend

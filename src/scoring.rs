@@ -25,9 +25,9 @@ pub use component::{Component, ComponentScore, Weights};
 pub use gate::Gate;
 pub use hints::HintsUsed;
 pub use report::{
-    ARDUPILOT, AlertReport, ComponentReport, EMBEDDED, EventReport, GoalReport, HintReport,
-    LedgerReport, ObjectiveReport, PredictionReport, Report, RowReport, TryReport, UseReport,
-    rounded,
+    AlertReport, ComponentReport, EventKind, EventReport, FlightBackend, GoalReport, HintReport,
+    LedgerReport, ObjectiveReport, PredictionReport, Report, RowReport, ScoreGrade, TryReport,
+    UseReport, rounded,
 };
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};
@@ -205,18 +205,6 @@ fn medal(medals: Medals, points: u16, gold_open: bool) -> Option<Medal> {
         Some(Medal::Bronze)
     } else {
         None
-    }
-}
-
-/// The grade of a score, S to F.
-pub fn grade(points: u16) -> &'static str {
-    match points {
-        950.. => "S",
-        850.. => "A",
-        700.. => "B",
-        550.. => "C",
-        400.. => "D",
-        _ => "F",
     }
 }
 

@@ -20,6 +20,7 @@ use crate::headless::{Exercise, Live};
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
+use crate::scoring::FlightBackend;
 use crate::store::{self, Runs, Source, StoreError, utc};
 use crate::text;
 use crate::text::Locale;
@@ -142,7 +143,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let mut trainee = Trainee::named(settings, &locale)?;
     let is_reframed = !backend.airframes.is_empty();
     let (mission, terms) = agreed(options, (mission, is_reframed), trainee.as_ref(), &locale)?;
-    let assignment = assignment(options, (&mission, terms), backend.name(), trainee.as_ref())?;
+    let assignment = assignment(options, (&mission, terms), backend.kind(), trainee.as_ref())?;
     let mut witness = Witness::new(assignment, &mission.id, &locale);
     let mut report = fly(
         options,
@@ -152,7 +153,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
         &mut witness,
     )?;
     report.drill = store::drill_of(&report.mission);
-    backend.name().clone_into(&mut report.backend);
+    report.backend = backend.kind();
     let outcome = trainee
         .as_mut()
         .map(|trainee| trainee.store(&mission, &mut report, witness.landing()));
@@ -200,7 +201,7 @@ fn agreed(
 fn assignment(
     options: &RunArguments,
     (mission, terms): (&Mission, Terms),
-    backend: &str,
+    backend: FlightBackend,
     trainee: Option<&Trainee<'_>>,
 ) -> Result<Assignment, Failure> {
     let (attempt, runs) = match trainee {
@@ -216,7 +217,7 @@ fn assignment(
         runs,
         occasion: Occasion {
             when: utc(SystemTime::now()),
-            backend: backend.to_owned(),
+            backend,
             profile: trainee.map(|trainee| trainee.name().to_owned()),
             stake: terms.stake,
         },

@@ -2,7 +2,8 @@
 
 use super::Page;
 use super::layout::clock;
-use crate::scoring::{AlertReport, EventReport, LedgerReport, Report};
+use crate::ledger::RowState;
+use crate::scoring::{AlertReport, EventKind, EventReport, LedgerReport, Report};
 use crate::text;
 use crate::text::Text;
 
@@ -11,57 +12,118 @@ const STRIP: usize = 60;
 /// Rows of the timeline; when there are more, the commands that went well are left out.
 const ROWS: usize = 40;
 
-/// When, the mark, and the words.
-type Row = (f64, char, Text);
+/// What a row is about. Later marks are drawn over earlier ones in the strip of time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum TimelineMark {
+    Command,
+    Remark,
+    Objective,
+    Alert,
+    Rejected,
+    Rule,
+}
+
+impl TimelineMark {
+    const ALL: [Self; 6] = [
+        Self::Command,
+        Self::Remark,
+        Self::Objective,
+        Self::Alert,
+        Self::Rejected,
+        Self::Rule,
+    ];
+
+    fn of(kind: EventKind) -> Self {
+        match kind {
+            EventKind::Objective => Self::Objective,
+            EventKind::Alert => Self::Alert,
+            EventKind::Rule => Self::Rule,
+            EventKind::Rejected => Self::Rejected,
+            EventKind::Answer
+            | EventKind::Hint
+            | EventKind::Phase
+            | EventKind::Sample
+            | EventKind::Load
+            | EventKind::Pause
+            | EventKind::MissionEvent
+            | EventKind::Inject => Self::Remark,
+        }
+    }
+
+    fn letter(self) -> char {
+        match self {
+            Self::Command => '>',
+            Self::Remark => '.',
+            Self::Objective => 'o',
+            Self::Alert => '!',
+            Self::Rejected => 'r',
+            Self::Rule => 'x',
+        }
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct TimelineRow {
+    at_s: f64,
+    mark: TimelineMark,
+    text: Text,
+}
 
 impl Page<'_> {
     pub(super) fn timeline(&mut self, report: &Report) {
         self.heading("debrief-timeline");
-        let events = report.events.iter();
-        let events = events.filter(|event| !report.alerts.iter().any(|alert| is_of(event, alert)));
-        let mut rows: Vec<Row> = events.map(event_row).collect();
-        rows.extend(report.alerts.iter().map(alert_row));
-        if rows.len() + report.ledger.len() <= ROWS {
-            rows.extend(report.ledger.iter().filter_map(command_row));
-        }
-        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let rows = together(&rows);
+        let rows = rows(report);
         let end = clock(report.sim_time_s);
         let strip = strip(&rows, report.sim_time_s);
         self.line(&format!("  00:00 |{strip}| {end}"));
-        for (at_s, mark, words) in &rows {
-            self.wrapped(&format!("   {} {mark} ", clock(*at_s)), words);
+        for row in &rows {
+            let lead = format!("   {} {} ", clock(row.at_s), row.mark.letter());
+            self.wrapped(&lead, &row.text);
         }
         self.gap();
     }
 }
 
+fn rows(report: &Report) -> Vec<TimelineRow> {
+    let events = report.events.iter();
+    let events = events.filter(|event| !report.alerts.iter().any(|alert| is_of(event, alert)));
+    let mut rows: Vec<TimelineRow> = events.map(event_row).collect();
+    rows.extend(report.alerts.iter().map(alert_row));
+    if rows.len() + report.ledger.len() <= ROWS {
+        rows.extend(report.ledger.iter().filter_map(command_row));
+    }
+    rows.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    together(&rows)
+}
+
 /// A command to many is refused to each of them: one row that says to how many.
-fn together(rows: &[Row]) -> Vec<Row> {
+fn together(rows: &[TimelineRow]) -> Vec<TimelineRow> {
     let same = rows.chunk_by(|a, b| a == b);
-    let row = |same: &[Row]| {
-        let (at_s, mark, words) = same.first()?.clone();
-        let words = match same.len() {
-            many @ 2.. if mark == 'r' => text!("debrief-to-many", what = words, count = many),
-            _ => words,
-        };
-        Some((at_s, mark, words))
+    let row = |same: &[TimelineRow]| {
+        let first = same.first()?.clone();
+        Some(match same.len() {
+            many @ 2.. if first.mark == TimelineMark::Rejected => TimelineRow {
+                text: text!("debrief-to-many", what = first.text, count = many),
+                ..first
+            },
+            _ => first,
+        })
     };
     same.filter_map(row).collect()
 }
 
 /// Whether an event only says that the alert came, or that it was answered: its row tells both.
 fn is_of(event: &EventReport, alert: &AlertReport) -> bool {
-    event.kind == "answer"
-        || event.kind == "alert"
+    event.kind == EventKind::Answer
+        || event.kind == EventKind::Alert
             && event.text == alert.text
             && (event.at_s - alert.at_s).abs() < 0.05
 }
 
 /// What came and what was done about it, and only then whether that was soon enough.
-fn alert_row(alert: &AlertReport) -> Row {
+fn alert_row(alert: &AlertReport) -> TimelineRow {
     let limit = format!("{:.0}", alert.limit_s);
-    let words = match alert.answered_after_s {
+    let text = match alert.answered_after_s {
         None => text!("debrief-alert-none", alert = &alert.text, limit = limit),
         Some(after) => {
             let after = format!("{after:.0}");
@@ -77,44 +139,47 @@ fn alert_row(alert: &AlertReport) -> Row {
             }
         }
     };
-    (alert.at_s, '!', words)
+    TimelineRow {
+        at_s: alert.at_s,
+        mark: TimelineMark::Alert,
+        text,
+    }
 }
 
 /// The marks of what happened, along the time of the flight.
-fn strip(rows: &[Row], length_s: f64) -> String {
+fn strip(rows: &[TimelineRow], length_s: f64) -> String {
     let mut strip = vec!['-'; STRIP];
     let length_s = length_s.max(0.1);
-    // Plain commands first: what matters more is drawn over them.
-    for mark in ['>', '.', 'o', '!', 'r', 'x'] {
-        for (at_s, ..) in rows.iter().filter(|(_, shown, _)| *shown == mark) {
-            let at = (at_s / length_s * (STRIP - 1) as f64).round() as usize;
-            strip[at.min(STRIP - 1)] = mark;
+    for mark in TimelineMark::ALL {
+        for row in rows.iter().filter(|row| row.mark == mark) {
+            let at = (row.at_s / length_s * (STRIP - 1) as f64).round() as usize;
+            strip[at.min(STRIP - 1)] = mark.letter();
         }
     }
     strip.into_iter().collect()
 }
 
-fn event_row(event: &EventReport) -> Row {
-    let mark = match event.kind.as_str() {
-        "objective" => 'o',
-        "alert" => '!',
-        "rule" => 'x',
-        "rejected" => 'r',
-        _ => '.',
-    };
-    let words = match event.vehicle.filter(|_| mark != 'r') {
+fn event_row(event: &EventReport) -> TimelineRow {
+    let mark = TimelineMark::of(event.kind);
+    let text = match event.vehicle.filter(|_| mark != TimelineMark::Rejected) {
         Some(vehicle) => text!("debrief-drone", vehicle = vehicle, what = &event.text),
         None => event.text.clone(),
     };
-    (event.at_s, mark, words)
+    TimelineRow {
+        at_s: event.at_s,
+        mark,
+        text,
+    }
 }
 
 /// A command that at least one vehicle took; a rejection has a row of its own.
-fn command_row(entry: &LedgerReport) -> Option<Row> {
-    let row = entry
-        .rows
-        .iter()
-        .find(|row| row.state != "refused" && row.state != "timed out")?;
-    let words = vec![entry.line.as_str().into(), row.state.clone()];
-    Some((entry.at_s, '>', Text::joined(": ", words)))
+fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
+    let not_taken = |state| matches!(state, RowState::Refused | RowState::TimedOut);
+    let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;
+    let words = vec![entry.line.as_str().into(), taken.state.text()];
+    Some(TimelineRow {
+        at_s: entry.at_s,
+        mark: TimelineMark::Command,
+        text: Text::joined(": ", words),
+    })
 }

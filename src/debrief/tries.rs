@@ -2,7 +2,7 @@
 
 use super::Page;
 use super::layout::right;
-use crate::scoring::{Report, TryReport, grade};
+use crate::scoring::{Report, ScoreGrade, TryReport};
 
 /// Points per column of a bar.
 const PER_COLUMN: u16 = 20;
@@ -24,7 +24,10 @@ impl Page<'_> {
         for (one, score) in shown(&scored) {
             let number = right(&one.attempt.to_string(), 4);
             let bar = "#".repeat(usize::from(score / PER_COLUMN));
-            let words = format!("{number}  {score:>4} {}  {bar}", grade(score));
+            let words = format!(
+                "{number}  {score:>4} {}  {bar}",
+                ScoreGrade::of(score).letter()
+            );
             self.line(&words);
         }
         self.gap();

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::client::Remote;
 use super::{Config, Hangars, Launch};
-use crate::scoring::{ARDUPILOT, EMBEDDED};
+use crate::scoring::FlightBackend;
 use crate::sim::{Airframe, Start, WorldConfig};
 use crate::text;
 use crate::text::Text;
@@ -52,10 +52,10 @@ pub struct Backend {
 
 impl Backend {
     /// What the debrief and `--json` call it.
-    pub fn name(&self) -> &'static str {
+    pub fn kind(&self) -> FlightBackend {
         match self.ardupilot {
-            Some(_) => ARDUPILOT,
-            None => EMBEDDED,
+            Some(_) => FlightBackend::ArduPilot,
+            None => FlightBackend::Embedded,
         }
     }
 

@@ -3,6 +3,7 @@
 use super::*;
 use crate::language::Context;
 use crate::mission::record::{Occasion, Stored};
+use crate::scoring::{EventKind, FlightBackend};
 use crate::sim::STEP;
 use crate::text;
 use crate::workshop::Design;
@@ -141,7 +142,10 @@ fn a_mission_ends_when_its_last_vehicle_is_no_more() {
     assert!(process.live.is_over());
     let report = process.live.report();
     assert!(!report.passed);
-    let said = report.events.iter().filter(|event| event.kind == "alert");
+    let said = report
+        .events
+        .iter()
+        .filter(|event| event.kind == EventKind::Alert);
     let said: Vec<String> = said.map(|event| event.text.to_string()).collect();
     assert_eq!(said, ["its simulator has ended: the vehicle is lost"]);
 }
@@ -179,7 +183,7 @@ fn recorded(seed: u64, until: Option<Duration>) -> (MissionReport, String) {
     let (mission, script) = mission();
     let mut exercise = Exercise::new(mission, seed, script, Vec::new());
     exercise.flight_mut().start_record(&Occasion {
-        backend: "embedded".to_owned(),
+        backend: FlightBackend::Embedded,
         ..Occasion::default()
     });
     while !exercise.is_over() && until.is_none_or(|until| exercise.now() < until) {
@@ -229,7 +233,7 @@ fn built(changed: impl Fn(Design) -> Design) -> (MissionReport, String) {
     let (_, script) = self::mission();
     let mut exercise = Exercise::new(Arc::new(mission), 1, script, Vec::new());
     exercise.flight_mut().start_record(&Occasion {
-        backend: "embedded".to_owned(),
+        backend: FlightBackend::Embedded,
         ..Occasion::default()
     });
     while !exercise.is_over() {

@@ -19,7 +19,8 @@ use super::{Mission, Point, TICK};
 use crate::ledger::{EntryId, Ledger};
 use crate::notice::Notice;
 use crate::scoring::{
-    CommandEvent, CommandLog, EventReport, Report, SafetyKind, SafetyLog, SwarmTimes, rounded,
+    CommandEvent, CommandLog, EventKind, EventReport, Report, SafetyKind, SafetyLog, SwarmTimes,
+    rounded,
 };
 use crate::text;
 use crate::text::Text;
@@ -190,7 +191,13 @@ impl Flight {
         if let Some(craft) = craft.filter(|craft| !craft.lost && self.ended.is_none()) {
             craft.lost = true;
             let text = text!("mission-vehicle-gone");
-            self.say("alert", Some(id), Severity::Critical, text, &mut notices);
+            self.say(
+                EventKind::Alert,
+                Some(id),
+                Severity::Critical,
+                text,
+                &mut notices,
+            );
         }
         notices
     }
@@ -281,7 +288,7 @@ impl Flight {
             } else {
                 Severity::Warning
             };
-            self.say("rule", Some(id), severity, text.clone(), notices);
+            self.say(EventKind::Rule, Some(id), severity, text.clone(), notices);
         }
     }
 
@@ -299,7 +306,7 @@ impl Flight {
             match event {
                 // The fleet tells the operator about refusals; here they only go on record.
                 CommandEvent::Rejected { vehicle, text } => {
-                    self.record("rejected", Some(vehicle), text);
+                    self.record(EventKind::Rejected, Some(vehicle), text);
                 }
                 CommandEvent::Forced { vehicle } => {
                     self.break_rule(
@@ -370,7 +377,7 @@ impl Flight {
                 } else {
                     text!("mission-objective-open", objective = title, result = result)
                 };
-                self.say("objective", None, Severity::Notice, text, notices);
+                self.say(EventKind::Objective, None, Severity::Notice, text, notices);
             }
         }
         standings
@@ -378,7 +385,7 @@ impl Flight {
 
     fn say(
         &mut self,
-        kind: &str,
+        kind: EventKind,
         vehicle: Option<VehicleId>,
         severity: Severity,
         text: Text,
@@ -393,10 +400,10 @@ impl Flight {
         self.record(kind, vehicle, text);
     }
 
-    fn record(&mut self, kind: &str, vehicle: Option<VehicleId>, text: Text) {
+    fn record(&mut self, kind: EventKind, vehicle: Option<VehicleId>, text: Text) {
         self.events.push(EventReport {
             at_s: rounded(self.elapsed.as_secs_f64(), 1),
-            kind: kind.to_owned(),
+            kind,
             vehicle,
             text,
         });

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
 use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
-use crate::scoring::{Medal, Report};
+use crate::scoring::{FlightBackend, Medal, Report};
 use crate::vehicle::{Vehicle, VehicleId};
 use crate::workshop::Design;
 
@@ -44,8 +44,8 @@ pub struct Head {
     pub seed: u64,
     /// Which try it was, from 1.
     pub attempt: u32,
-    /// What flew: `embedded` or `ardupilot`.
-    pub backend: String,
+    /// What flew.
+    pub backend: FlightBackend,
     /// When it began, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
     /// Whose flight it was: the name of a profile, where there is one.
@@ -72,7 +72,7 @@ impl Head {
             revision: mission.rev,
             seed,
             attempt,
-            backend: occasion.backend.clone(),
+            backend: occasion.backend,
             when: occasion.when.clone(),
             profile: occasion.profile.clone(),
             stake: occasion.stake,
@@ -88,8 +88,8 @@ impl Head {
 pub struct Occasion {
     /// The time of day when it begins, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
-    /// What flies: `embedded` or `ardupilot`.
-    pub backend: String,
+    /// What flies.
+    pub backend: FlightBackend,
     /// The profile of who flies, by name, if there is one.
     pub profile: Option<String>,
     /// What it is flown for.

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use super::fake::{Pilot, do_nothing, fly_the_cells};
 use super::*;
 use crate::debrief;
-use crate::scoring::Medal;
+use crate::scoring::{EventKind, Medal};
 use crate::text::Locale;
 
 const AIR_SAMPLE: &str = include_str!("../../missions/01-air-sample.toml");
@@ -144,7 +144,7 @@ fn motors_stopped_in_the_air_lose_the_vehicle_and_the_mission() {
         report
             .events
             .iter()
-            .any(|event| event.kind == "rule" && event.text.contains("motors stopped"))
+            .any(|event| event.kind == EventKind::Rule && event.text.contains("motors stopped"))
     );
     let safety = report
         .components
@@ -185,7 +185,7 @@ fn status_texts_show_failsafes_and_crashes() {
         let rules: Vec<String> = report
             .events
             .iter()
-            .filter(|event| event.kind == "rule")
+            .filter(|event| event.kind == EventKind::Rule)
             .map(|event| event.text.to_string())
             .collect();
         assert_eq!(rules, Vec::from_iter(rule.map(str::to_owned)), "{text}");

@@ -6,12 +6,13 @@
 use serde::{Deserialize, Serialize};
 
 use super::{AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse};
+use crate::ledger::RowState;
 use crate::text::Text;
 
-/// What a report calls the embedded simulator.
-pub const EMBEDDED: &str = "embedded";
-/// What a report calls ArduPilot's SITL.
-pub const ARDUPILOT: &str = "ardupilot";
+mod kind;
+mod row_state;
+
+pub use kind::{EventKind, FlightBackend, ScoreGrade};
 
 /// A flight's result with every point explained. The order of the fields is the order in the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -22,8 +23,8 @@ pub struct Report {
     pub revision: u32,
     /// Seed of the hazards and sensors.
     pub seed: u64,
-    /// What flew: [`EMBEDDED`] or [`ARDUPILOT`]. The shell corrects it; the first one to begin with.
-    pub backend: String,
+    /// What flew; the shell sets it where it was not the embedded simulator.
+    pub backend: FlightBackend,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
     /// 0 to 1000.
@@ -48,8 +49,8 @@ pub struct Report {
     pub title: Text,
     /// `passed`, `failed`, `timed out`, `abandoned`, or `flying` for a flight that is not over.
     pub outcome: Text,
-    /// S, A, B, C, D or F.
-    pub grade: String,
+    /// The grade of the score.
+    pub grade: ScoreGrade,
     /// How many vehicles took part.
     pub vehicles: usize,
     /// Mission time allowed, in seconds.
@@ -143,8 +144,9 @@ pub struct LedgerReport {
 pub struct RowReport {
     /// Which vehicle.
     pub vehicle: u16,
-    /// How it ended, in words.
-    pub state: Text,
+    /// How it ended.
+    #[serde(with = "row_state")]
+    pub state: RowState,
     /// Whether that is otherwise than the operator wanted.
     pub failed: bool,
     /// How often it was sent.
@@ -268,8 +270,8 @@ impl From<&AlertFact> for AlertReport {
 pub struct EventReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// `objective`, `alert`, `rule`, `rejected`, `hint` or `phase`.
-    pub kind: String,
+    /// What it is about.
+    pub kind: EventKind,
     /// Which vehicle, where it is about one.
     pub vehicle: Option<u16>,
     /// In words.

@@ -12,7 +12,7 @@ use sortie::headless::Exercise;
 use sortie::language::{Context, Script};
 use sortie::mission::record::{Occasion, Stored};
 use sortie::mission::{Mission, Report};
-use sortie::scoring::Medal;
+use sortie::scoring::{FlightBackend, Medal};
 
 /// The score that doing nothing must not exceed.
 const IDLE_AT_MOST: u16 = 250;
@@ -57,7 +57,7 @@ impl Course {
         let mut exercise = Exercise::new(mission, seed, script.clone(), Vec::new());
         let flight = exercise.flight_mut();
         flight.start_record(&Occasion {
-            backend: "embedded".to_owned(),
+            backend: FlightBackend::Embedded,
             ..Occasion::default()
         });
         while !exercise.is_over() {

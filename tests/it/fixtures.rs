@@ -9,7 +9,8 @@ use sortie::mission::{
     Progress, Reading,
 };
 use sortie::scoring::{
-    ComponentReport, EventReport, ObjectiveReport, Report, SwarmFigures, TruthReport,
+    ComponentReport, EventKind, EventReport, FlightBackend, ObjectiveReport, Report, ScoreGrade,
+    SwarmFigures, TruthReport,
 };
 use sortie::vehicle::{
     Attitude, Battery, Ekf, EkfFlags, FixType, GlobalPosition, Gps, Health, Heartbeat, LandedState,
@@ -212,7 +213,7 @@ pub fn report() -> Report {
         mission: "m01".to_owned(),
         revision: 1,
         seed: 1,
-        backend: "embedded".to_owned(),
+        backend: FlightBackend::Embedded,
         passed: true,
         score: 837,
         medal: None,
@@ -237,13 +238,13 @@ pub fn report() -> Report {
         ledger: Vec::new(),
         events: vec![EventReport {
             at_s: 120.0,
-            kind: "objective".to_owned(),
+            kind: EventKind::Objective,
             vehicle: Some(1),
             text: "cell A1 sampled".into(),
         }],
         title: "Air sample at the yard".into(),
         outcome: "passed".into(),
-        grade: "B".to_owned(),
+        grade: ScoreGrade::B,
         vehicles: 1,
         time_limit_s: 600.0,
         par_time_s: 300.0,

@@ -13,7 +13,7 @@ use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::record::Occasion;
 use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Mission, Pledge};
 use crate::notice::Notice;
-use crate::scoring::{ARDUPILOT, EMBEDDED, Report, TryReport};
+use crate::scoring::{FlightBackend, Report, TryReport};
 use crate::store::{self, Runs};
 use crate::text;
 use crate::text::Text;
@@ -28,8 +28,8 @@ pub(super) struct Course {
     pace: Pace,
     /// Simulated seconds per second.
     speedup: f64,
-    /// What its vehicles are, in the words of the report.
-    backend: &'static str,
+    /// What its vehicles are.
+    backend: FlightBackend,
     /// Since when its vehicles are there to be heard.
     awaited: Option<Duration>,
     /// When it began.
@@ -69,16 +69,16 @@ enum Pace {
 impl Course {
     /// A mission with the embedded simulator.
     pub fn embedded(flight: Flight, speedup: f64) -> Self {
-        Self::new(flight, Pace::Ours, (EMBEDDED, speedup))
+        Self::new(flight, Pace::Ours, (FlightBackend::Embedded, speedup))
     }
 
     /// A mission with vehicles that have to be started first.
     pub fn of_processes(flight: Flight, speedup: f64) -> Self {
         let pace = Pace::Vehicles(Clock::new(speedup));
-        Self::new(flight, pace, (ARDUPILOT, speedup))
+        Self::new(flight, pace, (FlightBackend::ArduPilot, speedup))
     }
 
-    fn new(flight: Flight, pace: Pace, (backend, speedup): (&'static str, f64)) -> Self {
+    fn new(flight: Flight, pace: Pace, (backend, speedup): (FlightBackend, f64)) -> Self {
         Self {
             flight,
             logbook: None,
@@ -98,7 +98,7 @@ impl Course {
     /// Begins its record, and tells it which try it is; `earlier` are those before it.
     pub fn record(&mut self, runs: &Runs, occasion: Occasion, earlier: Vec<TryReport>) {
         let occasion = Occasion {
-            backend: self.backend.to_owned(),
+            backend: self.backend,
             ..occasion
         };
         let logbook = Logbook::begin(runs, &mut self.flight, occasion, earlier);
@@ -125,7 +125,7 @@ impl Course {
             self.ended = true;
             let mut report = self.flight.close(&shown.ledger);
             report.drill = store::drill_of(&report.mission);
-            self.backend.clone_into(&mut report.backend);
+            report.backend = self.backend;
             events.extend(self.keep_record(now));
             if let Some(logbook) = &self.logbook {
                 report.tries = logbook.tries(&report);

@@ -3,7 +3,7 @@
 use super::Flight;
 use crate::mission::hint::{Clue, next_clue};
 use crate::mission::{ClueProgress, Phase};
-use crate::scoring::HintsUsed;
+use crate::scoring::{EventKind, HintsUsed};
 use crate::text;
 use crate::text::Text;
 
@@ -44,7 +44,7 @@ impl Flight {
             hint = text
         );
         self.clues_given.push((self.elapsed, index));
-        self.record("hint", None, text.clone());
+        self.record(EventKind::Hint, None, text.clone());
         Ok(text)
     }
 

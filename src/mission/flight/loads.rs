@@ -11,6 +11,7 @@ use crate::mission::hazard::{Effect, Load};
 use crate::mission::sensor::Probe;
 use crate::mission::{LoadLeft, Point, TICK};
 use crate::notice::Notice;
+use crate::scoring::EventKind;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -175,7 +176,7 @@ impl Flight {
         };
         let readings: Vec<Text> = craft.probes.iter().map(reading).collect();
         let remark = Text::joined(", ", readings);
-        self.record("sample", Some(vehicle), remark.clone());
+        self.record(EventKind::Sample, Some(vehicle), remark.clone());
         Ok(Some(remark))
     }
 
@@ -189,7 +190,7 @@ impl Flight {
             }
             if self.holds[index].serve(&self.crafts[index]) {
                 let text = text!("load-served");
-                self.say("load", Some(id), Severity::Info, text, notices);
+                self.say(EventKind::Load, Some(id), Severity::Info, text, notices);
             }
             if self.holds[index].spray() {
                 if let Some(at) = at.filter(|_| height_m <= SPRAY_UP_TO_M) {
@@ -198,7 +199,7 @@ impl Flight {
                 if self.holds[index].left(Load::Spray) == 0 {
                     self.holds[index].spraying = None;
                     let text = text!("load-empty", load = Load::Spray.name());
-                    self.say("load", Some(id), Severity::Notice, text, notices);
+                    self.say(EventKind::Load, Some(id), Severity::Notice, text, notices);
                 }
             }
         }
@@ -256,7 +257,7 @@ impl Flight {
         self.releases.push(release);
         let effect = effect.cloned();
         if let Some(effect) = &effect {
-            self.record("load", Some(by), effect.text.clone());
+            self.record(EventKind::Load, Some(by), effect.text.clone());
         }
         effect
     }

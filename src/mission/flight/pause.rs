@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::Flight;
 use crate::notice::Notice;
+use crate::scoring::EventKind;
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -19,7 +20,7 @@ impl Flight {
         }
         let mut notices = Vec::new();
         let text = text!("mission-paused", seconds = lasted.as_secs());
-        self.say("pause", None, Severity::Notice, text, &mut notices);
+        self.say(EventKind::Pause, None, Severity::Notice, text, &mut notices);
         notices.pop()
     }
 }

@@ -4,8 +4,8 @@ use super::{Flight, Standing};
 use crate::ledger::{Entry, Ledger};
 use crate::mission::Clue;
 use crate::scoring::{
-    AlertReport, ComponentReport, EMBEDDED, Facts, HintReport, LedgerReport, ObjectiveFact,
-    ObjectiveReport, Report, RowReport, Score, UseReport, grade, improvements, rounded, score,
+    AlertReport, ComponentReport, Facts, FlightBackend, HintReport, LedgerReport, ObjectiveFact,
+    ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport, improvements, rounded, score,
 };
 use crate::text;
 
@@ -57,7 +57,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         mission: mission.id.clone(),
         revision: mission.rev,
         seed: flight.seed,
-        backend: EMBEDDED.to_owned(),
+        backend: FlightBackend::Embedded,
         passed: flight.ended == Some(super::Outcome::Passed),
         score: score.points,
         medal: score
@@ -76,7 +76,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         outcome: flight
             .ended
             .map_or_else(|| text!("mission-flying"), super::Outcome::text),
-        grade: grade(score.points).to_owned(),
+        grade: ScoreGrade::of(score.points),
         vehicles: flight.crafts.len(),
         time_limit_s: rounded(mission.time_limit.as_secs_f64(), 1),
         par_time_s: rounded(mission.scoring.par_time.as_secs_f64(), 1),
@@ -148,7 +148,7 @@ fn components(score: &Score) -> Vec<ComponentReport> {
 fn command(at_s: f64, entry: &Entry) -> LedgerReport {
     let row = |row: &crate::ledger::Row| RowReport {
         vehicle: row.vehicle,
-        state: row.state.text(),
+        state: row.state,
         failed: row.state.is_failure(),
         tries: row.tries,
         explanation: row.explanation.clone(),

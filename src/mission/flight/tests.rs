@@ -141,7 +141,9 @@ fn a_hint_that_is_not_there_is_no_refused_command() {
         pilot.command(line, RowState::Refused);
         pilot.tick();
         let events = pilot.report().events;
-        let told = events.iter().filter(|event| event.kind == "rejected");
+        let told = events
+            .iter()
+            .filter(|event| event.kind == EventKind::Rejected);
         let found = (pilot.flight.tally.rejected, told.count());
         assert_eq!(found, rejected, "{line}");
     }

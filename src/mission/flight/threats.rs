@@ -9,7 +9,7 @@ use crate::mission::event::engine::News;
 use crate::mission::event::scope::Sight;
 use crate::mission::event::standard::Standard;
 use crate::notice::Notice;
-use crate::scoring::AlertLevel;
+use crate::scoring::{AlertLevel, EventKind};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -49,26 +49,32 @@ impl Flight {
 
     fn hear_news(&mut self, news: News, notices: &mut Vec<Notice>) {
         match news {
-            News::Said(text) => self.say("event", None, Severity::Notice, text, notices),
+            News::Said(text) => self.say(
+                EventKind::MissionEvent,
+                None,
+                Severity::Notice,
+                text,
+                notices,
+            ),
             News::Alert(level, text) => {
                 let severity = match level {
                     AlertLevel::Caution => Severity::Notice,
                     AlertLevel::Warning => Severity::Warning,
                     AlertLevel::Critical => Severity::Critical,
                 };
-                self.say("alert", None, severity, text, notices);
+                self.say(EventKind::Alert, None, severity, text, notices);
             }
             News::Answered(fact) => {
                 let after_s = fact.answered_after.unwrap_or_default().as_secs_f64();
                 let seconds = format!("{after_s:.0}");
                 let text = text!("threat-answered", alert = fact.text, seconds = seconds);
-                self.say("answer", None, Severity::Info, text, notices);
+                self.say(EventKind::Answer, None, Severity::Info, text, notices);
             }
             News::Broken(vehicle, (kind, text)) => {
                 self.break_rule(kind, vehicle, &text, notices);
             }
             News::Failed(text) => {
-                self.say("alert", None, Severity::Critical, text, notices);
+                self.say(EventKind::Alert, None, Severity::Critical, text, notices);
                 self.failed = true;
             }
         }
@@ -121,7 +127,7 @@ impl Flight {
         } else if let Some(standard) = Standard::named(name) {
             self.engine.inject_standard(standard);
         }
-        self.record("inject", None, inject.title.clone());
+        self.record(EventKind::Inject, None, inject.title.clone());
         Ok(inject.title)
     }
 }

@@ -6,6 +6,7 @@ use super::Flight;
 use crate::mission::craft::Craft;
 use crate::mission::objective::{DOWN_FOR, Standing};
 use crate::notice::Notice;
+use crate::scoring::EventKind;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -47,7 +48,7 @@ impl Flight {
                 .saturating_sub(Duration::from_secs(seconds));
             if previous < mark && mark <= self.elapsed {
                 self.say(
-                    "alert",
+                    EventKind::Alert,
                     None,
                     Severity::Warning,
                     text!("mission-time-left", seconds = seconds),
@@ -101,7 +102,7 @@ impl Flight {
     pub(super) fn end(&mut self, outcome: Outcome, notices: &mut Vec<Notice>) {
         self.ended = Some(outcome);
         self.say(
-            "phase",
+            EventKind::Phase,
             None,
             Severity::Notice,
             text!("mission-over", outcome = outcome.text()),

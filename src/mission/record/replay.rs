@@ -99,7 +99,7 @@ impl Stored {
             replay.take(line);
         }
         let mut report = replay.flight.report(&replay.ledger);
-        report.backend.clone_from(&self.head.backend);
+        report.backend = self.head.backend;
         Ok(Rescored {
             report,
             before: self.end().cloned(),

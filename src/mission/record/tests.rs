@@ -3,12 +3,13 @@ use crate::commands::Goal;
 use crate::geo::LatLon;
 use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
+use crate::scoring::FlightBackend;
 use crate::vehicle::Unheard;
 
 fn occasion(stake: Stake) -> Occasion {
     Occasion {
         when: "2026-11-20T14:03:22Z".to_owned(),
-        backend: "embedded".to_owned(),
+        backend: FlightBackend::Embedded,
         profile: None,
         stake,
     }

@@ -8,6 +8,7 @@ use crate::campaign::{Entry, Evidence, Standing};
 use crate::headless::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
+use crate::scoring::FlightBackend;
 use crate::workshop::part;
 
 const BEGUN: &str = "2026-11-20T14:03:22Z";
@@ -30,7 +31,7 @@ fn recorded(
     let mut file = runs.begin(&mission.id, BEGUN).expect("writable");
     exercise.flight_mut().start_record(&Occasion {
         when: BEGUN.to_owned(),
-        backend: "embedded".to_owned(),
+        backend: FlightBackend::Embedded,
         profile: profile.map(str::to_owned),
         stake: Stake::Graded,
     });

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{Profile, ProfileError, Profiles, json};
 use crate::campaign::{Entry, Flight};
-use crate::scoring::{Report, TryReport};
+use crate::scoring::{FlightBackend, Report, TryReport};
 
 /// A finished run, to be stored.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,8 +37,8 @@ pub struct PastRun {
     pub revision: u32,
     /// Seed of hazards and sensors.
     pub seed: u64,
-    /// What flew: `embedded` or `ardupilot`.
-    pub backend: String,
+    /// What flew.
+    pub backend: FlightBackend,
     /// The recorded run's file, if it was recorded.
     pub recording: Option<String>,
     /// What it means to the career.
@@ -108,13 +108,19 @@ impl Profiles {
                     row.get(2)?,
                     seed as u64,
                 );
-                Ok((run, row.get(4)?, row.get(5)?, row.get::<_, String>(6)?))
+                let backend: String = row.get(4)?;
+                Ok((run, backend, row.get(5)?, row.get::<_, String>(6)?))
             })
             .and_then(Iterator::collect::<Result<Vec<_>, _>>);
         let mut runs = Vec::new();
         for ((id, when, revision, seed), backend, recording, entry) in
             rows.map_err(|error| self.fault(error))?
         {
+            let Some(backend) = FlightBackend::named(&backend) else {
+                let path = self.path.display();
+                tracing::warn!("{path}: the run {id:?} is left out: unknown backend {backend:?}");
+                continue;
+            };
             if let Some(Entry::Flight(flight)) = self.entry(&id, &entry)? {
                 runs.push(PastRun {
                     id,
@@ -207,7 +213,7 @@ impl RunRow<'_> {
                 report.revision,
                 // SQLite has no unsigned integers; the bits are the same.
                 report.seed as i64,
-                report.backend,
+                report.backend.name(),
                 json(&self.airframes),
                 json(report),
                 self.recording,

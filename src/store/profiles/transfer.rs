@@ -114,7 +114,6 @@ impl ProfileFile {
             self.runs.iter().find_map(|run| {
                 let recording = run.recording.iter();
                 let fault = faulty_moment("ended", &run.ended)
-                    .or_else(|| faulty_line("backend", &run.report.backend))
                     .or_else(|| recording.into_iter().find_map(|it| faulty_file(it)));
                 fault.map(|fault| format!("run {:?}: {fault}", run.id))
             })

@@ -36,7 +36,7 @@ fn a_file_with_what_cannot_have_happened_is_refused_with_what_it_is() {
         ),
         ("/runs/0/ended", json!("2026-11-20 14:03:22Z"), "`ended`"),
         ("/runs/0/recording", json!("../x"), "`recording`"),
-        ("/runs/0/report/backend", json!("\u{9b}2J"), "`backend`"),
+        ("/runs/0/report/backend", json!("\u{9b}2J"), "`ardupilot`"),
     ] {
         let mut file = document();
         *file.pointer_mut(place).expect("it has one") = value;
