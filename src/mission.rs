@@ -39,6 +39,7 @@ mod file;
 mod fit;
 mod fleet;
 mod flight;
+mod ground_truth;
 mod hazard;
 mod hint;
 mod listing;

@@ -1,4 +1,4 @@
-//! Contacts: what detectors have found, as the trainee sees it. Truth and false alarms look alike.
+//! Contacts: what detectors have found, as the trainee sees it. Real objects and false alarms look alike.
 
 use std::collections::BTreeSet;
 use std::time::Duration;

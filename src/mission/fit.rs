@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::hazard::Load;
+use super::ground_truth::Load;
 use super::radio::Set;
 use super::sensor::Sensor;
 

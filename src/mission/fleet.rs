@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::Mission;
 use super::fit::Fit;
-use super::hazard::Load;
+use super::ground_truth::Load;
 use super::radio::{Model, Radio, Set};
 use super::sensor::Sensor;
 use crate::sim::Airframe;

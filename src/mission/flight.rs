@@ -8,6 +8,7 @@ use super::contact::Contacts;
 use super::craft::Craft;
 use super::event::engine::Engine;
 use super::feedback::Feedback;
+use super::ground_truth::Release;
 use super::lookout::Lookout;
 use super::objective::{Scene, Standing, Tracker};
 use super::record::Recorder;
@@ -43,7 +44,6 @@ mod view;
 mod watch;
 
 pub use deeds::Pledge;
-pub(crate) use loads::Release;
 pub use threats::Inject;
 pub use verdict::Outcome;
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::event::Action;
 use super::fleet::{DROPPER, TANK_S};
-use super::hazard::Load;
+use super::ground_truth::Load;
 use super::report::distance_m;
 use super::sensor::Sensor;
 use super::world::World;

@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::Point;
 use super::craft::Craft;
 use super::file::Reader;
-use super::flight::Release;
+use super::ground_truth::Release;
 use super::report::Mark;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;

@@ -386,7 +386,7 @@ fn vehicles_carry_what_the_fleet_does_and_their_own() {
     };
     let sensors: Vec<&str> = fit.sensors.iter().map(|sensor| sensor.id).collect();
     assert_eq!(sensors, ["s_voc", "s_pm25"]);
-    let loads: Vec<(hazard::Load, u32)> = fit.loads.clone().into_iter().collect();
-    assert_eq!(loads, [(hazard::Load::Ball, 4)]);
+    let loads: Vec<(ground_truth::Load, u32)> = fit.loads.clone().into_iter().collect();
+    assert_eq!(loads, [(ground_truth::Load::Ball, 4)]);
     assert_eq!(mission.sensors, fit.sensors);
 }

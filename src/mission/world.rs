@@ -7,7 +7,8 @@ use std::time::Duration;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use super::hazard::{Effect, Field, Hazard, Load, Object, Quantity, Truth};
+use super::ground_truth::{Load, LoadEffect, Object, Quantity, TruthPiece};
+use super::hazard::{Field, Hazard};
 use super::weather::Weather;
 use super::{Mission, Point};
 
@@ -129,13 +130,13 @@ impl World {
     }
 
     /// What the debrief reveals of all hazards, with the hazard's place in the file.
-    pub fn truth(&self) -> impl Iterator<Item = (usize, Truth)> + '_ {
+    pub fn truth(&self) -> impl Iterator<Item = (usize, TruthPiece)> + '_ {
         let fields = self.fields.iter().enumerate();
         fields.flat_map(|(hazard, field)| field.truth().into_iter().map(move |t| (hazard, t)))
     }
 
     /// What a load does where it comes down, to every hazard that it concerns.
-    pub fn affect(&mut self, load: Load, at: Point) -> Vec<Effect> {
+    pub fn affect(&mut self, load: Load, at: Point) -> Vec<LoadEffect> {
         let fields = self.fields.iter_mut();
         fields.filter_map(|field| field.affect(load, at)).collect()
     }

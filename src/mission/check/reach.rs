@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::{Entry, Examined};
 use crate::mission::Point;
-use crate::mission::hazard::Load;
+use crate::mission::ground_truth::Load;
 use crate::mission::report::distance_m;
 use crate::mission::sensor::Sensor;
 

@@ -9,7 +9,7 @@ use toml::de::DeValue;
 use super::Faults;
 use super::campaign::is_part;
 use crate::mission::fit::Fit;
-use crate::mission::hazard::Load;
+use crate::mission::ground_truth::Load;
 use crate::mission::sensor::{SENSORS, Sensor};
 use crate::mission::{Outlay, Point};
 

@@ -7,7 +7,7 @@ use super::Flight;
 use super::deeds::Done;
 use crate::mission::craft::Craft;
 use crate::mission::fit::Fit;
-use crate::mission::hazard::{Effect, Load};
+use crate::mission::ground_truth::{Load, LoadEffect, Release};
 use crate::mission::sensor::Probe;
 use crate::mission::{LoadLeft, Point, TICK};
 use crate::notice::Notice;
@@ -36,29 +36,6 @@ pub(super) struct Hold {
     spraying: Option<Duration>,
     /// For how long it has been served on a pad.
     served: Duration,
-}
-
-/// Something let go of.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Release {
-    pub load: Load,
-    pub at: Point,
-    pub by: VehicleId,
-    /// Mission time.
-    pub when: Duration,
-    /// Whether it did any good.
-    pub good: bool,
-}
-
-impl Load {
-    pub(in crate::mission) fn name(self) -> Text {
-        match self {
-            Self::Ball => text!("load-ball"),
-            Self::Spray => text!("load-spray"),
-            Self::Kit => text!("load-kit"),
-            Self::Node => text!("load-node"),
-        }
-    }
 }
 
 impl Hold {
@@ -241,7 +218,7 @@ impl Flight {
         Ok((index, at))
     }
 
-    fn release(&mut self, by: VehicleId, load: Load, at: Point) -> Option<Effect> {
+    fn release(&mut self, by: VehicleId, load: Load, at: Point) -> Option<LoadEffect> {
         let effects = self.world.affect(load, at);
         let effect = effects
             .iter()

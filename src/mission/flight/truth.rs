@@ -2,7 +2,7 @@
 
 use super::Flight;
 use crate::mission::Point;
-use crate::mission::hazard::{Class, TruthShape};
+use crate::mission::ground_truth::{ObjectClass, TruthShape};
 use crate::mission::objective::Sought;
 use crate::mission::report::{Mark, distance_m};
 use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport, rounded};
@@ -114,7 +114,7 @@ impl Flight {
 }
 
 /// Whether a report means this object: as near to it as is asked for, and of its kind if it names one.
-fn is_meant(mark: &Mark, class: Class, at: Point, sought: Option<Sought>) -> bool {
+fn is_meant(mark: &Mark, class: ObjectClass, at: Point, sought: Option<Sought>) -> bool {
     let within_m = sought.map_or(UNASKED_WITHIN_M, |sought| sought.within_m);
     let same = class
         .kind()

@@ -9,7 +9,9 @@ use toml::Spanned;
 
 use super::dispersion::{Stability, Terrain};
 use super::plume::Plume;
-use super::{Class, Effect, Field, Hazard, Load, Object, Quantity, Truth, TruthShape};
+use super::{
+    Field, Hazard, Load, LoadEffect, Object, ObjectClass, Quantity, TruthPiece, TruthShape,
+};
 use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
@@ -242,7 +244,7 @@ impl Field for Fire {
         &self.objects
     }
 
-    fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
+    fn affect(&mut self, load: Load, at: Point) -> Option<LoadEffect> {
         let chance = match load {
             Load::Ball => BALL_PUTS_OUT,
             Load::Spray => SPRAY_PUTS_OUT,
@@ -263,17 +265,17 @@ impl Field for Fire {
             _ => (false, text!("fire-none-there")),
         };
         self.look();
-        Some(Effect {
+        Some(LoadEffect {
             good,
             object: None,
             text,
         })
     }
 
-    fn truth(&self) -> Vec<Truth> {
+    fn truth(&self) -> Vec<TruthPiece> {
         let grid = &self.blaze.grid;
         let burnt = (0..grid.len()).filter(|&index| grid.has_burnt(index));
-        let square = |index: usize| Truth {
+        let square = |index: usize| TruthPiece {
             at: grid.centre(index),
             shape: TruthShape::Square(grid.side_m, if grid.burns(index) { 1.0 } else { 0.4 }),
         };
@@ -339,7 +341,7 @@ impl Fire {
         };
         let object = |block: &[f64; 4]| Object {
             present: block[2] > 0.0,
-            ..Object::new(Class::Fire, middle(block))
+            ..Object::new(ObjectClass::Fire, middle(block))
         };
         self.objects = blocks.iter().map(object).collect();
         let burning = blocks.iter().filter(|block| block[2] > 0.0);

@@ -11,7 +11,7 @@ use toml::Spanned;
 
 use super::people::People;
 use super::placing::spread;
-use super::{Class, Field, Hazard, Object};
+use super::{Field, Hazard, Object, ObjectClass};
 use crate::mission::Point;
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::Weather;
@@ -113,9 +113,9 @@ impl Hazard for Flood {
                 ..Object::new(class, at)
             };
             if index < self.people {
-                people.add(on_roof(Class::Person), self.reaches(height_m));
+                people.add(on_roof(ObjectClass::Person), self.reaches(height_m));
             } else if index < self.people + self.animals {
-                people.objects.push(on_roof(Class::Animal));
+                people.objects.push(on_roof(ObjectClass::Animal));
             }
         }
         Box::new(people)
@@ -165,7 +165,7 @@ mod tests {
             field.step(Duration::from_secs(second), &Weather::CALM);
             let level_m = 1.0 + 0.5 * second as f64 / 60.0;
             for (index, object) in field.objects().iter().enumerate() {
-                let safe = index == 0 || object.class == Class::Animal;
+                let safe = index == 0 || object.class == ObjectClass::Animal;
                 assert_eq!(object.present, safe || level_m < roofs[index], "{second} s");
             }
         }

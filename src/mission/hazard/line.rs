@@ -9,7 +9,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::placing::revealed;
-use super::{Class, Field, Hazard, Object, Truth};
+use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
 use crate::mission::Point;
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::report::distance_m;
@@ -179,9 +179,9 @@ impl Hazard for Line {
         let hang = |(index, along_m): (usize, f64)| {
             let (at, height_m, axis_deg) = self.wire.at(along_m);
             let class = if index < self.defects {
-                Class::Defect
+                ObjectClass::Defect
             } else {
-                Class::Clutter
+                ObjectClass::Clutter
             };
             Object {
                 height_m,
@@ -214,7 +214,7 @@ impl Field for Strung {
         distances.min_by(f64::total_cmp)
     }
 
-    fn truth(&self) -> Vec<Truth> {
+    fn truth(&self) -> Vec<TruthPiece> {
         revealed(&self.objects)
     }
 }

@@ -5,7 +5,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::placing::{revealed, spread};
-use super::{Class, Field, Hazard, Object, Truth};
+use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
@@ -34,7 +34,7 @@ struct CountFile {
 #[derive(Debug)]
 struct Minefield {
     shape: Shape,
-    counts: [(Class, u32); 4],
+    counts: [(ObjectClass, u32); 4],
     gap_m: f64,
 }
 
@@ -52,10 +52,10 @@ pub(crate) fn read(
     let zone = draft.task_zone(&file.zone, faults)?;
     let count = file.count.get_ref();
     let counts = [
-        (Class::MetalMine, count.metal),
-        (Class::MinimumMetalMine, count.min_metal),
-        (Class::SurfaceMine, count.surface),
-        (Class::Clutter, file.clutter),
+        (ObjectClass::MetalMine, count.metal),
+        (ObjectClass::MinimumMetalMine, count.min_metal),
+        (ObjectClass::SurfaceMine, count.surface),
+        (ObjectClass::Clutter, file.clutter),
     ];
     let mines: f64 = counts[..3].iter().map(|(_, count)| f64::from(*count)).sum();
     let all = mines + f64::from(file.clutter);
@@ -100,7 +100,7 @@ impl Field for Laid {
         &self.0
     }
 
-    fn truth(&self) -> Vec<Truth> {
+    fn truth(&self) -> Vec<TruthPiece> {
         revealed(&self.0)
     }
 }
@@ -116,10 +116,10 @@ mod tests {
         let field = Minefield {
             shape: Shape::Polygon(vec![[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0]]),
             counts: [
-                (Class::MetalMine, 6),
-                (Class::MinimumMetalMine, 4),
-                (Class::SurfaceMine, 3),
-                (Class::Clutter, 9),
+                (ObjectClass::MetalMine, 6),
+                (ObjectClass::MinimumMetalMine, 4),
+                (ObjectClass::SurfaceMine, 3),
+                (ObjectClass::Clutter, 9),
             ],
             gap_m: 5.0,
         };

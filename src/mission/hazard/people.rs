@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::placing::revealed;
-use super::{Class, Effect, Field, Load, Object, Truth};
+use super::{Field, Load, LoadEffect, Object, ObjectClass, TruthPiece};
 use crate::mission::Point;
 use crate::mission::report::distance_m;
 use crate::mission::weather::Weather;
@@ -61,7 +61,7 @@ impl People {
         self.fates.push(Fate { until, helped });
     }
 
-    fn take_kit(&mut self, at: Point) -> Effect {
+    fn take_kit(&mut self, at: Point) -> LoadEffect {
         let waiting = self.objects.iter().zip(&self.fates).enumerate();
         let waiting = waiting.filter(|(_, (_, fate))| !fate.helped && !fate.is_lost(self.now));
         let distances = waiting.map(|(index, (object, _))| (index, distance_m(object.at, at)));
@@ -69,13 +69,13 @@ impl People {
         match nearest.filter(|&(_, distance)| distance <= KIT_WITHIN_M) {
             Some((index, distance)) => {
                 self.fates[index].helped = true;
-                Effect {
+                LoadEffect {
                     good: true,
                     object: Some(index),
                     text: text!("people-kit-reached", distance = format!("{distance:.0}")),
                 }
             }
-            None => Effect {
+            None => LoadEffect {
                 good: false,
                 object: None,
                 text: text!("people-kit-lost", distance = format!("{KIT_WITHIN_M:.0}")),
@@ -83,11 +83,11 @@ impl People {
         }
     }
 
-    fn place_node(&mut self, at: Point) -> Effect {
+    fn place_node(&mut self, at: Point) -> LoadEffect {
         let mut open = self.nodes.iter_mut().filter(|(_, placed)| !placed);
         let near = open.find(|(place, _)| distance_m(*place, at) <= NODE_WITHIN_M);
         let good = near.map(|(_, placed)| *placed = true).is_some();
-        Effect {
+        LoadEffect {
             good,
             object: None,
             text: if good {
@@ -104,7 +104,7 @@ impl Field for People {
     fn step(&mut self, now: Duration, _: &Weather) {
         self.now = now;
         for (object, fate) in self.objects.iter_mut().zip(&self.fates) {
-            object.present = object.class != Class::Person || !fate.is_lost(now);
+            object.present = object.class != ObjectClass::Person || !fate.is_lost(now);
         }
     }
 
@@ -112,7 +112,7 @@ impl Field for People {
         &self.objects
     }
 
-    fn affect(&mut self, load: Load, at: Point) -> Option<Effect> {
+    fn affect(&mut self, load: Load, at: Point) -> Option<LoadEffect> {
         match load {
             Load::Kit if !self.fates.is_empty() => Some(self.take_kit(at)),
             Load::Node if !self.nodes.is_empty() => Some(self.place_node(at)),
@@ -131,7 +131,7 @@ impl Field for People {
         })
     }
 
-    fn truth(&self) -> Vec<Truth> {
+    fn truth(&self) -> Vec<TruthPiece> {
         revealed(&self.objects)
     }
 }

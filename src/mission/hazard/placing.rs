@@ -3,7 +3,7 @@
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use super::{Object, Truth, TruthShape};
+use super::{Object, TruthPiece, TruthShape};
 use crate::mission::Point;
 use crate::mission::report::distance_m;
 use crate::mission::zone::Shape;
@@ -52,8 +52,8 @@ fn within(shape: &Shape, random: &mut ChaCha8Rng) -> Point {
 }
 
 /// What the debrief reveals of objects.
-pub(super) fn revealed(objects: &[Object]) -> Vec<Truth> {
-    let truth = |object: &Object| Truth {
+pub(super) fn revealed(objects: &[Object]) -> Vec<TruthPiece> {
+    let truth = |object: &Object| TruthPiece {
         at: object.at,
         shape: TruthShape::Object(object.class, object.present),
     };

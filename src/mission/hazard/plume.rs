@@ -12,7 +12,7 @@ use toml::Spanned;
 use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
 use super::source::{Jitter, JitterFile, Substance, UG_PER_G, leak};
 use super::wander::Wander;
-use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
+use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
@@ -160,11 +160,11 @@ impl Field for PlumeField {
         &self.leak
     }
 
-    fn truth(&self) -> Vec<Truth> {
+    fn truth(&self) -> Vec<TruthPiece> {
         let mut truth = self.shades();
-        truth.push(Truth {
+        truth.push(TruthPiece {
             at: self.plume.source,
-            shape: TruthShape::Object(Class::Leak, true),
+            shape: TruthShape::Object(ObjectClass::Leak, true),
         });
         truth
     }
@@ -173,7 +173,7 @@ impl Field for PlumeField {
 impl PlumeField {
     /// The plume as it lies without its gusts, at the height that it comes out at: 1 is the strongest, and every
     /// [`DECADES`] of thinning take that away.
-    fn shades(&self) -> Vec<Truth> {
+    fn shades(&self) -> Vec<TruthPiece> {
         let [east_m, north_m] = self.plume.source;
         let middle = |at: i32| f64::from(at) * SHADE_SIDE_M;
         let places = (-SHADES_OUT..=SHADES_OUT)
@@ -190,7 +190,7 @@ impl PlumeField {
         let most = most.fold(f64::MIN_POSITIVE, f64::max);
         let shade = |(at, amount): (Point, f64)| {
             let strength = 1.0 + (amount / most).log10() / DECADES;
-            (strength >= FAINTEST).then_some(Truth {
+            (strength >= FAINTEST).then_some(TruthPiece {
                 at,
                 shape: TruthShape::Square(SHADE_SIDE_M, strength),
             })

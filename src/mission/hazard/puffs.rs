@@ -12,7 +12,7 @@ use toml::Spanned;
 use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
 use super::plume::Plume;
 use super::source::{Jitter, JitterFile, Substance, UG_PER_G, leak};
-use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
+use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::Weather;
 use crate::mission::{Point, TICK};
@@ -139,10 +139,10 @@ impl Field for PuffsField {
         &self.objects
     }
 
-    fn truth(&self) -> Vec<Truth> {
-        vec![Truth {
+    fn truth(&self) -> Vec<TruthPiece> {
+        vec![TruthPiece {
             at: self.source.source,
-            shape: TruthShape::Object(Class::Leak, true),
+            shape: TruthShape::Object(ObjectClass::Leak, true),
         }]
     }
 }

@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Class, Field, Hazard, Object, Quantity, Truth, TruthShape};
+use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
 use crate::mission::Point;
 use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
 use crate::mission::weather::Weather;
@@ -156,7 +156,7 @@ impl Hazard for RadiationHazard {
         }
         let object = |source: &Source| Object {
             height_m: source.height_m,
-            ..Object::new(Class::Source, source.at)
+            ..Object::new(ObjectClass::Source, source.at)
         };
         Box::new(RadiationField {
             objects: sources.iter().map(object).collect(),
@@ -184,8 +184,8 @@ impl Field for RadiationField {
         &self.objects
     }
 
-    fn truth(&self) -> Vec<Truth> {
-        let of = |object: &Object| Truth {
+    fn truth(&self) -> Vec<TruthPiece> {
+        let of = |object: &Object| TruthPiece {
             at: object.at,
             shape: TruthShape::Object(object.class, true),
         };

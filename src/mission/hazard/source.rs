@@ -6,7 +6,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::plume::Plume;
-use super::{Class, Object, Quantity};
+use super::{Object, ObjectClass, Quantity};
 use crate::mission::Point;
 use crate::mission::file::{Faults, POINT_RANGE};
 
@@ -83,6 +83,6 @@ impl Jitter {
 pub(super) fn leak(at: Point, height_m: f64) -> Object {
     Object {
         height_m,
-        ..Object::new(Class::Leak, at)
+        ..Object::new(ObjectClass::Leak, at)
     }
 }

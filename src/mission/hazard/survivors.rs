@@ -10,7 +10,7 @@ use toml::Spanned;
 
 use super::people::People;
 use super::placing::spread;
-use super::{Class, Field, Hazard, Object};
+use super::{Field, Hazard, Object, ObjectClass};
 use crate::mission::file::{Draft, Faults, Section};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
@@ -87,9 +87,12 @@ impl Hazard for Survivors {
             };
             if index < self.count {
                 let lasts_s = self.lasts.map(|lasts| lasts.sample(&mut random));
-                people.add(thing(Class::Person), lasts_s.map(Duration::from_secs_f64));
+                people.add(
+                    thing(ObjectClass::Person),
+                    lasts_s.map(Duration::from_secs_f64),
+                );
             } else {
-                people.objects.push(thing(Class::Animal));
+                people.objects.push(thing(ObjectClass::Animal));
             }
         }
         Box::new(people)
@@ -100,7 +103,7 @@ impl Hazard for Survivors {
 mod tests {
     use rand::SeedableRng;
 
-    use super::super::{Effect, Load};
+    use super::super::{Load, LoadEffect};
     use super::*;
 
     fn scattered(seed: u64, lasts_s: Option<f64>) -> Box<dyn Field> {
@@ -129,7 +132,7 @@ mod tests {
         );
         let animals = objects
             .iter()
-            .filter(|object| object.class == Class::Animal);
+            .filter(|object| object.class == ObjectClass::Animal);
         assert_eq!((objects.len(), animals.count()), (6, 2));
     }
 
@@ -137,7 +140,7 @@ mod tests {
     fn a_kit_helps_whoever_is_near_and_has_none_yet() {
         let mut field = scattered(1, None);
         let [east, north] = field.objects()[2].at;
-        let good = |effect: Option<Effect>| effect.is_some_and(|effect| effect.good);
+        let good = |effect: Option<LoadEffect>| effect.is_some_and(|effect| effect.good);
         assert!(!good(field.affect(Load::Kit, [east + 8.5, north])));
         assert!(good(field.affect(Load::Kit, [east + 7.5, north])));
         assert!(

@@ -1,5 +1,5 @@
 use super::*;
-use crate::mission::hazard::{Class, Object};
+use crate::mission::ground_truth::{Object, ObjectClass};
 use crate::mission::weather::{Light, Weather};
 
 const SEEDS: u64 = 2000;
@@ -45,7 +45,7 @@ fn pass(lookout: &mut Lookout, craft: &mut Craft, world: &World, now: &mut Durat
 }
 
 /// The share of seeds with at least one find.
-fn share(passes: u32, sensor: &str, class: Class, height_m: f64, speed_m_s: f64) -> f64 {
+fn share(passes: u32, sensor: &str, class: ObjectClass, height_m: f64, speed_m_s: f64) -> f64 {
     let world = world(vec![Object::new(class, [0.0; 2])], Light::Night);
     let found = (0..SEEDS).filter(|&seed| {
         let mut lookout = Lookout::new(seed);
@@ -70,7 +70,13 @@ fn passes_over_a_mine_add_up_to_one_minus_the_product_of_misses() {
     let one = 0.10 / (1.0 + (-2.0_f64 / 0.6).exp());
     for passes in [1, 4] {
         let all = (1.0 - NEVER_SEEN) * (1.0 - (1.0 - one).powi(passes));
-        let found = share(passes as u32, "s_mag", Class::MinimumMetalMine, 1.0, 2.0);
+        let found = share(
+            passes as u32,
+            "s_mag",
+            ObjectClass::MinimumMetalMine,
+            1.0,
+            2.0,
+        );
         assert!(
             (found - all).abs() < sure(all),
             "{passes} passes: {found}, not {all}"
@@ -80,14 +86,14 @@ fn passes_over_a_mine_add_up_to_one_minus_the_product_of_misses() {
 
 #[test]
 fn some_mines_are_never_seen_by_one_kind_of_sensor() {
-    let found = share(12, "s_mag", Class::MetalMine, 1.0, 2.0);
+    let found = share(12, "s_mag", ObjectClass::MetalMine, 1.0, 2.0);
     assert!((found - 0.97).abs() < sure(0.97), "{found}");
 }
 
 #[test]
 fn a_dwell_over_a_person_finds_as_often_as_the_looks_that_fit_into_it() {
     // 44 degrees along the course at 80 m see 64.6 m: all 20 m of the pass, ten looks of 2 s at 1 m/s.
-    let object = Object::new(Class::Person, [0.0; 2]);
+    let object = Object::new(ObjectClass::Person, [0.0; 2]);
     let view = View {
         object: &object,
         offset_m: [0.0; 2],
@@ -102,14 +108,17 @@ fn a_dwell_over_a_person_finds_as_often_as_the_looks_that_fit_into_it() {
         .and_then(|spec| spec.look(&view));
     let one = look.expect("it is in the picture").chance;
     let all = 1.0 - (1.0 - one).powf(2.0 / 2.0);
-    let found = share(1, "s_th160", Class::Person, 118.0, 10.0);
+    let found = share(1, "s_th160", ObjectClass::Person, 118.0, 10.0);
     assert!((found - all).abs() < sure(all), "{found}, not {all}");
 }
 
 #[test]
 fn false_alarms_come_by_the_area_that_is_swept() {
     // The world has a mine, far away, or nobody would take anything for one.
-    let world = world(vec![Object::new(Class::MetalMine, [900.0; 2])], Light::Day);
+    let world = world(
+        vec![Object::new(ObjectClass::MetalMine, [900.0; 2])],
+        Light::Day,
+    );
     let (mut alarms, mut metres) = (0_u32, 0.0);
     let mut lookout = Lookout::new(5);
     let mut craft = craft(1, "s_mag", 1.0, 3.0);
@@ -133,8 +142,8 @@ fn false_alarms_come_by_the_area_that_is_swept() {
 
 #[test]
 fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
-    let objects =
-        (0..40).map(|index| Object::new(Class::MetalMine, [0.0, f64::from(index) / 2.0 - 10.0]));
+    let objects = (0..40)
+        .map(|index| Object::new(ObjectClass::MetalMine, [0.0, f64::from(index) / 2.0 - 10.0]));
     let world = world(objects.collect(), Light::Day);
     let fly = |order: &[VehicleId]| {
         let mut lookout = Lookout::new(3);

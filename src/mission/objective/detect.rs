@@ -12,7 +12,7 @@ use toml::Spanned;
 
 use super::{Kind, Scene, Sought, Standing, Tracker, partial_credit};
 use crate::mission::file::{Better, Draft, Faults, Section};
-use crate::mission::hazard::Object;
+use crate::mission::ground_truth::Object;
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::world::World;
 use crate::text;
@@ -219,7 +219,7 @@ mod tests {
 
     use super::*;
     use crate::mission::Point;
-    use crate::mission::hazard::Class;
+    use crate::mission::ground_truth::ObjectClass;
 
     const DETECT: Detect = Detect {
         hazard: 0,
@@ -232,9 +232,9 @@ mod tests {
 
     fn mines() -> Vec<Object> {
         let mut objects: Vec<Object> = (0..4)
-            .map(|index| Object::new(Class::MetalMine, [f64::from(index) * 10.0, 0.0]))
+            .map(|index| Object::new(ObjectClass::MetalMine, [f64::from(index) * 10.0, 0.0]))
             .collect();
-        objects.push(Object::new(Class::Clutter, [5.0, 5.0]));
+        objects.push(Object::new(ObjectClass::Clutter, [5.0, 5.0]));
         objects
     }
 

@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::{Kind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::TICK;
 use crate::mission::file::{Draft, Faults, Section};
-use crate::mission::hazard::Quantity;
+use crate::mission::ground_truth::Quantity;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;

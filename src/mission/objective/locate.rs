@@ -85,7 +85,7 @@ impl Kind for Locate {
         let objects = world
             .field(self.hazard)
             .map_or(&[][..], |field| field.objects());
-        let wanted = |object: &crate::mission::hazard::Object| {
+        let wanted = |object: &crate::mission::ground_truth::Object| {
             let kind = object.class.kind().filter(|_| object.present)?;
             Some(Wanted {
                 at: object.at,

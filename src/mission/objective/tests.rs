@@ -2,7 +2,7 @@
 
 use crate::commands::{Deed, Spot, Subject};
 use crate::mission::fake::{Pilot, given};
-use crate::mission::hazard::Quantity;
+use crate::mission::ground_truth::Quantity;
 use crate::mission::world::World;
 use crate::mission::{Mission, ObjectiveState, Outcome, Point};
 

@@ -2,7 +2,7 @@
 
 use super::detector::MineSpec;
 use super::{Band, Camera, DetectorSpec, Ground, Noise, ProbeSpec, Response, Sensor, Work};
-use crate::mission::hazard::Quantity;
+use crate::mission::ground_truth::Quantity;
 
 /// All of them.
 ///

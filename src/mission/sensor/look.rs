@@ -9,7 +9,7 @@
 //! thinned by contrast, by what hides the object, by smoke and by whoever watches the pictures.
 
 use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
-use crate::mission::hazard::{Class, Object};
+use crate::mission::ground_truth::{Object, ObjectClass};
 use crate::mission::weather::Light;
 
 /// Cycles over a target with which half of all are detected, and recognised.
@@ -111,10 +111,10 @@ impl Ground {
 impl MineSpec {
     fn look(&self, view: &View<'_>) -> Option<Look> {
         let class = match view.object.class {
-            Class::MetalMine => 0,
-            Class::MinimumMetalMine => 1,
-            Class::SurfaceMine => 2,
-            Class::Clutter if view.object.axis_deg.is_none() => 3,
+            ObjectClass::MetalMine => 0,
+            ObjectClass::MinimumMetalMine => 1,
+            ObjectClass::SurfaceMine => 2,
+            ObjectClass::Clutter if view.object.axis_deg.is_none() => 3,
             _ => return None,
         };
         Some(Look {
@@ -153,14 +153,14 @@ impl Camera {
         }
         let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
         let (size_m, taken_for) = match view.object.class {
-            Class::Person => (PERSON_M, "person"),
-            Class::Animal => (0.6, "person"),
-            Class::Fire => (1.0, "fire"),
+            ObjectClass::Person => (PERSON_M, "person"),
+            ObjectClass::Animal => (0.6, "person"),
+            ObjectClass::Fire => (1.0, "fire"),
             _ => return self.look_for_mines(view),
         };
         let cycles = size_m / (2.0 * self.pixel_m(view.height_m));
         let contrast = match view.object.class {
-            Class::Fire => 1.0,
+            ObjectClass::Fire => 1.0,
             _ => self.contrast(view.light),
         };
         Some(Look {

@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Poisson, StandardNormal};
 
 use super::Sensor;
-use crate::mission::hazard::Quantity;
+use crate::mission::ground_truth::Quantity;
 
 /// How a sensor measures.
 #[derive(Debug, PartialEq)]

@@ -28,7 +28,7 @@ fn above(object: &Object, height_m: f64, speed_m_s: f64, light: Light) -> View<'
     }
 }
 
-fn chance(id: &str, class: Class, height_m: f64, speed_m_s: f64, light: Light) -> f64 {
+fn chance(id: &str, class: ObjectClass, height_m: f64, speed_m_s: f64, light: Light) -> f64 {
     let object = Object::new(class, [0.0; 2]);
     let look = spec(id).look(&above(&object, height_m, speed_m_s, light));
     look.map_or(0.0, |look| look.chance)
@@ -53,7 +53,7 @@ fn pictures_detect_persons_as_the_table_of_the_design_says() {
                 (found - detected).abs() < 0.0075,
                 "{id} {height_m} m: {found}"
             );
-            let looked = chance(id, Class::Person, height_m, 5.0, Light::Night);
+            let looked = chance(id, ObjectClass::Person, height_m, 5.0, Light::Night);
             assert!(
                 (looked - found * NOTICED).abs() < 1e-12,
                 "{id} {height_m} m"
@@ -66,7 +66,7 @@ fn pictures_detect_persons_as_the_table_of_the_design_says() {
 
 #[test]
 fn one_pass_over_a_mine_has_the_probabilities_of_the_design() {
-    use Class::{MetalMine, MinimumMetalMine, SurfaceMine};
+    use ObjectClass::{MetalMine, MinimumMetalMine, SurfaceMine};
     // Far below the limits of height and speed, only 1 / (1 + e^-6.67) of the best is missing at a standstill.
     let still = 1.0 / (1.0 + (-1.0_f64 / 0.15).exp());
     for (id, best) in [
@@ -97,33 +97,33 @@ fn open_mines_show_to_fine_pictures_and_dug_ground_at_dawn() {
             .as_ref()
             .map_or(0.0, |mines| mines.height_m);
         assert!((camera(id).pixel_m(finest) - 0.005).abs() < 0.0001, "{id}");
-        assert!(chance(id, Class::SurfaceMine, 10.0, 1.0, Light::Day) > 0.65);
-        assert!(chance(id, Class::MetalMine, 10.0, 1.0, Light::Day) < 1e-12);
+        assert!(chance(id, ObjectClass::SurfaceMine, 10.0, 1.0, Light::Day) > 0.65);
+        assert!(chance(id, ObjectClass::MetalMine, 10.0, 1.0, Light::Day) < 1e-12);
     }
-    assert!(chance("s_th320", Class::MetalMine, 10.0, 1.0, Light::Dawn) > 0.24);
-    assert!(chance("s_th320", Class::MetalMine, 10.0, 1.0, Light::Day) < 1e-12);
+    assert!(chance("s_th320", ObjectClass::MetalMine, 10.0, 1.0, Light::Dawn) > 0.24);
+    assert!(chance("s_th320", ObjectClass::MetalMine, 10.0, 1.0, Light::Day) < 1e-12);
 }
 
 #[test]
 fn the_strip_thins_out_at_its_edges_and_ends_there() {
     for (across_m, share) in [(0.0, 1.0), (0.8, 1.0), (0.9, 0.5), (1.0, 0.0), (1.5, 0.0)] {
-        let object = Object::new(Class::MetalMine, [0.0; 2]);
+        let object = Object::new(ObjectClass::MetalMine, [0.0; 2]);
         let view = View {
             offset_m: [across_m, 0.0],
             ..above(&object, 1.0, 1.0, Light::Day)
         };
         let found = spec("s_mag").look(&view).map_or(0.0, |look| look.chance);
-        let middle = chance("s_mag", Class::MetalMine, 1.0, 1.0, Light::Day);
+        let middle = chance("s_mag", ObjectClass::MetalMine, 1.0, 1.0, Light::Day);
         assert!((found - middle * share).abs() < 1e-9, "{across_m} m");
     }
 }
 
 #[test]
 fn light_cover_and_smoke_thin_what_a_camera_finds() {
-    let night = chance("s_th160", Class::Person, 30.0, 5.0, Light::Night);
-    let day = chance("s_th160", Class::Person, 30.0, 5.0, Light::Day);
+    let night = chance("s_th160", ObjectClass::Person, 30.0, 5.0, Light::Night);
+    let day = chance("s_th160", ObjectClass::Person, 30.0, 5.0, Light::Day);
     assert!((day / night - 0.4).abs() < 1e-9);
-    let mut object = Object::new(Class::Person, [0.0; 2]);
+    let mut object = Object::new(ObjectClass::Person, [0.0; 2]);
     object.cover = 0.6;
     let covered = spec("s_th160").look(&above(&object, 30.0, 5.0, Light::Night));
     assert!((covered.map_or(0.0, |look| look.chance) / night - 0.4).abs() < 1e-9);
@@ -134,7 +134,7 @@ fn light_cover_and_smoke_thin_what_a_camera_finds() {
         ..above(&object, 30.0, 5.0, Light::Day)
     };
     let seen = |id: &str| spec(id).look(&smoky).map_or(0.0, |look| look.chance);
-    let clear = |id: &str| chance(id, Class::Person, 30.0, 5.0, Light::Day);
+    let clear = |id: &str| chance(id, ObjectClass::Person, 30.0, 5.0, Light::Day);
     assert!((seen("s_rgb") / clear("s_rgb") - (-0.522_f64).exp()).abs() < 1e-9);
     assert!((seen("s_th160") / clear("s_th160") - (-0.0522_f64).exp()).abs() < 1e-9);
 }
@@ -144,7 +144,7 @@ fn inspection(id: &str, square_m: f64, along_m: f64, below_m: f64) -> f64 {
     let object = Object {
         height_m: 20.0,
         axis_deg: Some(0.0),
-        ..Object::new(Class::Defect, [0.0; 2])
+        ..Object::new(ObjectClass::Defect, [0.0; 2])
     };
     let view = View {
         toward_m: [square_m, along_m],
@@ -174,7 +174,7 @@ proptest! {
     #[test]
     fn lower_and_slower_never_find_less(
         sensor in prop::sample::select(vec!["s_mag", "s_md", "s_gpr", "s_rgb", "s_th160", "s_th320"]),
-        class in prop::sample::select(vec![Class::MetalMine, Class::SurfaceMine, Class::Person]),
+        class in prop::sample::select(vec![ObjectClass::MetalMine, ObjectClass::SurfaceMine, ObjectClass::Person]),
         heights in (0.1..120.0_f64, 0.1..120.0_f64),
         speeds in (0.0..12.0_f64, 0.0..12.0_f64),
     ) {
