@@ -1,8 +1,9 @@
 //! The running console: terminal, keys, time and the session, brought together.
 //!
-//! One loop feeds [`update`] with events, carries its effects out, and draws when something visible has
+//! One loop feeds [`update`](crate::app::update()) with events, carries its effects out, and draws when something visible has
 //! changed and the terminal can take a frame. Time, telemetry and missions go on at their own pace.
 
+use std::collections::VecDeque;
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
@@ -10,10 +11,9 @@ use std::time::Duration;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tokio::time::{Interval, MissedTickBehavior};
 
-use crate::app::event::Event;
+use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
 use crate::app::state::State;
-use crate::app::update;
 use crate::campaign::Stake;
 use crate::fleet::Clock;
 use crate::terminal::input::Input;
@@ -21,7 +21,6 @@ use crate::terminal::{self, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
 use crate::ui::{self, Look};
-use crate::vehicle::Severity;
 
 mod begin;
 mod career;
@@ -71,7 +70,7 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
     let mut ticks = ticks(options.speedup);
     let mut console = Console::new(options);
     console.measure().await;
-    console.draw(&mut screen)?;
+    console.draw(&mut screen).await?;
     console.begin().await;
     let mut keyboard = Keyboard::open()?;
     while !console.over {
@@ -107,7 +106,7 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
             },
             () = tokio::time::sleep(frame.unwrap_or_default()), if frame.is_some() => {}
         }
-        console.draw(&mut screen)?;
+        console.draw(&mut screen).await?;
     }
     console.close().await;
     hear_last_answer(&screen, &mut keyboard).await;
@@ -139,8 +138,8 @@ fn is_suspend(key: KeyEvent) -> bool {
     key.code == KeyCode::Char('z') && key.modifiers == KeyModifiers::CONTROL
 }
 
-fn key(code: KeyCode) -> Event {
-    Event::Key(KeyEvent::new(code, KeyModifiers::NONE))
+fn key(code: KeyCode) -> TerminalEvent {
+    TerminalEvent::Key(KeyEvent::new(code, KeyModifiers::NONE))
 }
 
 struct Console {
@@ -155,6 +154,8 @@ struct Console {
     careers: Option<Careers>,
     /// When to look again at what others have changed.
     next_look: Duration,
+    /// Events that are to be taken in, oldest first.
+    inbox: VecDeque<Event>,
     /// What is left of the session before.
     ending: Ending,
     /// What has to be said at the start.
@@ -166,7 +167,8 @@ struct Console {
     /// A new limit for frames, until the screen has heard of it.
     fps: Option<u8>,
     bell: bool,
-    note: Option<String>,
+    /// Desktop notifications that are to be shown.
+    notes: Vec<String>,
     over: bool,
 }
 
@@ -216,7 +218,8 @@ impl Console {
             drawn: None,
             fps: None,
             bell: false,
-            note: None,
+            notes: Vec::new(),
+            inbox: VecDeque::new(),
             over: false,
         };
         console.open_careers(course);
@@ -227,8 +230,9 @@ impl Console {
         self.open().await;
         // The first one last, because it is the one that stays on the last line of the screen.
         for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
-            self.feed(Event::Failed(warning)).await;
+            self.post(Event::Failed(warning));
         }
+        self.take_in().await;
     }
 
     async fn open(&mut self) {
@@ -238,19 +242,18 @@ impl Console {
             Opening::Free => self.start_afresh(Plan::Free(None)).await,
             Opening::Connect(addresses) => self.start_afresh(Plan::Connect(addresses)).await,
         };
-        if let Err(error) = outcome {
-            self.feed(Event::Failed(error)).await;
-        }
+        self.tell_failure(outcome);
     }
 
     /// How long the frame that is wanted has to wait; `None` if none is wanted or only the terminal can tell.
     fn next_frame_in(&self, screen: &mut Screen) -> Option<Duration> {
-        let wanted = self.bell || self.note.is_some() || self.drawn != Some(self.state.revision());
+        let wanted =
+            self.bell || !self.notes.is_empty() || self.drawn != Some(self.state.revision());
         wanted.then(|| screen.next_frame_in()).flatten()
     }
 
     /// Draws if something changed and the terminal can take a frame.
-    fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
+    async fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
         if self.next_frame_in(screen) != Some(Duration::ZERO) {
             return Ok(());
         }
@@ -261,12 +264,12 @@ impl Console {
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
         }
-        if let Some(note) = self.note.take() {
+        for note in std::mem::take(&mut self.notes) {
             screen.notify(&note)?;
         }
         let slow = screen.slow_bytes_per_s().map(|rate| rate as u32);
         if slow != self.state.slow_line {
-            update(&mut self.state, Event::SlowLine(slow));
+            self.feed(TerminalEvent::SlowLine(slow)).await;
         }
         self.drawn = Some(self.state.revision());
         self.look.locale = Arc::clone(&self.state.locale);
@@ -277,16 +280,19 @@ impl Console {
     async fn hear(&mut self, input: Input, screen: &mut Screen) {
         match input {
             Input::Answer => screen.answered(),
-            Input::Key(key) if is_suspend(key) => self.suspend(),
-            Input::Key(key) => self.feed(Event::Key(key)).await,
-            Input::Paste(text) => self.feed(Event::Paste(text)).await,
+            Input::Key(key) if is_suspend(key) => {
+                self.suspend();
+                self.take_in().await;
+            }
+            Input::Key(key) => self.feed(TerminalEvent::Key(key)).await,
+            Input::Paste(text) => self.feed(TerminalEvent::Paste(text)).await,
         }
     }
 
     /// The size of the terminal may have changed.
     async fn measure(&mut self) {
         if let Ok((columns, rows)) = crossterm::terminal::size() {
-            self.feed(Event::Resize { columns, rows }).await;
+            self.feed(TerminalEvent::Resize { columns, rows }).await;
         }
     }
 
@@ -294,8 +300,7 @@ impl Console {
         if terminal::can_be_suspended() {
             terminal::suspend_group();
         } else {
-            self.state.say(Severity::Notice, text!("terminal-no-shell"));
-            self.state.touch();
+            self.post(Event::Answer(text!("terminal-no-shell")));
         }
     }
 
@@ -330,6 +335,7 @@ impl Console {
         if let Some(finished) = self.running.as_mut().and_then(Running::take_finished) {
             self.settle(&finished);
         }
+        self.take_in().await;
     }
 
     async fn conduct(&mut self, now: Duration) {
@@ -345,7 +351,9 @@ impl Console {
 
     /// Keeps what became of commands in the log.
     fn log(&self, event: &Event) {
-        let Event::Row(row) = event else { return };
+        let Event::Vehicle(VehicleEvent::Row(row)) = event else {
+            return;
+        };
         if row.state.is_final()
             && let Some(entry) = self.state.session.ledger.entry(row.entry)
         {

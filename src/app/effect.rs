@@ -1,4 +1,4 @@
-//! What the shell has to do.
+//! Work for the shell, grouped by what it concerns.
 
 use crate::campaign::{Aids, Stake};
 use crate::commands::{Command, Deed, Manoeuvre};
@@ -42,7 +42,16 @@ impl Launch {
     }
 }
 
-/// Work for the run loop.
+/// What a file that the user reads or writes holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKind {
+    /// Parameters of a vehicle.
+    Parameters,
+    /// A design of the workshop.
+    Design,
+}
+
+/// Work for the shell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Leave the program.
@@ -78,88 +87,106 @@ pub enum Effect {
     },
     /// Ask vehicles for all their parameters.
     FetchParameters(Vec<VehicleId>),
-    /// Read a parameter file.
-    ReadParameters {
-        /// Its path, as it was written.
+    /// Read or write a file of the user.
+    File(FileEffect),
+    /// Change the profile, or what belongs to it.
+    Career(CareerEffect),
+    /// Start, steer or end a session.
+    Session(SessionEffect),
+    /// Change how the terminal shows the console, or call its user.
+    Terminal(TerminalEffect),
+}
+
+/// A file to read or to write. Paths are as the user wrote them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FileEffect {
+    /// Read a file.
+    Read {
+        /// What it should hold.
+        kind: FileKind,
+        /// Where it is.
         path: String,
     },
-    /// Write a parameter file.
-    SaveParameters {
-        /// Its path, as it was written.
+    /// Write a file.
+    Write {
+        /// What it holds.
+        kind: FileKind,
+        /// Where to write it.
         path: String,
-        /// What it shall say.
+        /// Its content.
         text: String,
-        /// Whether it may take the place of one that is there.
+        /// Whether an existing file may be replaced.
         replace: bool,
     },
-    /// Start a mission.
-    StartMission(Launch),
-    /// Go on with this profile.
-    ChooseProfile(String),
-    /// Make a profile of this name, and go on with it.
-    CreateProfile(String),
-    /// Go on without a profile: nothing that is flown from now on is kept.
-    LeaveProfile,
-    /// Have so much advice come by itself from now on, and remember it for the trainee.
+}
+
+/// A change of the profile in use, or of what is stored with it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CareerEffect {
+    /// Switch to the profile of this name.
+    Choose(String),
+    /// Create a profile of this name and switch to it.
+    Create(String),
+    /// Continue without a profile: flights are not saved.
+    Leave,
+    /// Store how much advice the trainee wants.
     SetAids(Aids),
-    /// Remember the language of the screens for the trainee.
+    /// Store the language of the screens.
     SetLanguage(Language),
     /// Buy the right to use a part, by id.
     BuyPart(String),
-    /// Keep a design among the trainee's own; it takes the place of one of the same name.
+    /// Store a design; it replaces one of the same name.
     KeepDesign(Design),
-    /// Keep a design of the trainee's own under another name from now on.
+    /// Store a design under another name.
     RenameDesign {
         /// The name that it had.
         from: String,
         /// The design with its new name.
         design: Design,
     },
-    /// Remove the trainee's own design of this name.
+    /// Delete the stored design of this name.
     DropDesign(String),
-    /// Read a design file.
-    ReadDesign {
-        /// Its path, as it was written.
-        path: String,
-    },
-    /// Write a design file.
-    WriteDesign {
-        /// Its path, as it was written.
-        path: String,
-        /// What it shall say.
-        text: String,
-        /// Whether it may take the place of one that is there.
-        replace: bool,
-    },
-    /// Start free flight with simulated vehicles.
+}
+
+/// A change of what is flown.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SessionEffect {
+    /// Start a mission.
+    StartMission(Launch),
+    /// Start free flight with vehicles of the embedded simulator.
     StartFree,
-    /// Start free flight with vehicles that ArduPilot's SITL simulates.
+    /// Start free flight with vehicles of ArduPilot's SITL.
     StartArduPilot,
-    /// Have the process of a vehicle ended or started again.
-    Hangar(HangarDeed, VehicleId),
     /// Connect to vehicles at these addresses.
     Connect(Vec<String>),
+    /// Restart or stop the process that simulates a vehicle.
+    Process(HangarDeed, VehicleId),
+    /// Trigger an inject of the mission, by name.
+    Inject(String),
+    /// Stop simulated time, and every deadline with it.
+    Pause,
+    /// Let simulated time go on.
+    Continue,
     /// End the mission now; its report follows as an event.
-    AbandonMission,
+    Abandon,
     /// Start the same mission again.
-    RestartMission {
-        /// Whether chance plays the same again.
+    Restart {
+        /// Whether the seed stays the same.
         alike: bool,
     },
-    /// Have something happen in the mission, as its instructor may.
-    Inject(String),
-    /// Let everything that is simulated stand still, and every deadline with it.
-    Pause,
-    /// Let it go on.
-    GoOn,
-    /// Stop what runs and drop its links; the state has forgotten it already.
-    LeaveSession,
-    /// Draw with this theme from now on, and remember it.
+    /// Stop the session and close its links; the state has dropped it already.
+    Leave,
+}
+
+/// Something about the terminal.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TerminalEffect {
+    /// Draw with this theme from now on.
     SetTheme(String),
-    /// Draw at most so many frames a second from now on.
+    /// Draw at most this many frames per second from now on.
     SetFps(u8),
-    /// Ring the terminal's bell.
+    /// Ring the bell.
     Bell,
-    /// Ask the terminal for a note on the desktop.
+    /// Show a desktop notification.
     Notify(Text),
 }

@@ -1,10 +1,12 @@
-//! What happened.
+//! What happened, grouped by where it comes from.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
+use super::effect::FileKind;
 use super::room::messages::LinkTraffic;
 use super::state::{Activity, Career, Instance, LinkSummary};
 use crate::campaign::Reward;
@@ -22,6 +24,38 @@ use crate::vehicle::{Vehicle, VehicleId};
 /// Something that the console reacts to.
 #[derive(Debug, Clone)]
 pub enum Event {
+    /// The user or the terminal did something.
+    Terminal(TerminalEvent),
+    /// Time passed; nothing else moves the console's clock.
+    Tick {
+        /// Since the start of the program.
+        now: Duration,
+    },
+    /// A vehicle reported something.
+    Vehicle(VehicleEvent),
+    /// The links, or what the messages on them show, changed.
+    Link(LinkEvent),
+    /// The processes that simulate vehicles changed.
+    Process(ProcessEvent),
+    /// A session began, ended or went on.
+    Session(SessionEvent),
+    /// The profile in use, or what belongs to it, changed.
+    Career(CareerEvent),
+    /// A file was read or written.
+    File(FileEvent),
+    /// Something to tell, for the log of notices.
+    Notice(Notice),
+    /// So many notices were dropped so far because the console was busy.
+    NoticesDropped(u64),
+    /// The shell's short answer to its user, for the last line of the screen.
+    Answer(Text),
+    /// The shell could not do something; the text says what, where, and what to do.
+    Failed(Text),
+}
+
+/// What the user and the terminal do.
+#[derive(Debug, Clone)]
+pub enum TerminalEvent {
     /// A key was pressed (releases and repeats of modifiers are ignored).
     Key(KeyEvent),
     /// Text was pasted.
@@ -33,107 +67,132 @@ pub enum Event {
         /// Its height.
         rows: u16,
     },
-    /// A whole line was given at the prompt of the plain console.
+    /// A whole line was entered at the prompt of the plain console.
     Line(String),
     /// What the line to the terminal carries in bytes per second, while it cannot keep up.
     SlowLine(Option<u32>),
-    /// Time passed; nothing else moves the console's clock.
-    Tick {
-        /// Since the start of the program.
-        now: Duration,
-    },
-    /// What was asked for runs: forget the session before it and show the new one.
-    Started(Box<Started>),
+}
+
+/// What is heard of vehicles.
+#[derive(Debug, Clone)]
+pub enum VehicleEvent {
     /// A vehicle's telemetry changed.
-    Vehicle(Box<Vehicle>),
-    /// A vehicle's parameters, or how far their download is, changed.
+    Telemetry(Arc<Vehicle>),
+    /// A vehicle's parameters, or the progress of their download, changed.
     Parameters {
         /// The vehicle.
         vehicle: VehicleId,
         /// What is known of them now.
         snapshot: Snapshot,
     },
-    /// A parameter file was read.
-    ParametersRead {
-        /// Its path, as it was written.
-        path: String,
-        /// What it says.
-        text: String,
-    },
-    /// A parameter file was written.
-    ParametersSaved {
-        /// Its path, as it was written.
-        path: String,
-    },
-    /// A parameter file was not written because there is one already.
-    ParametersExist {
-        /// Its path, as it was written.
-        path: String,
-        /// What would be written.
-        text: String,
-    },
-    /// A design file was read.
-    DesignRead {
-        /// Its path, as it was written.
-        path: String,
-        /// What it says.
-        text: String,
-    },
-    /// A design file was written.
-    DesignWritten {
-        /// Its path, as it was written.
-        path: String,
-    },
-    /// A design file was not written because there is one already.
-    DesignExists {
-        /// Its path, as it was written.
-        path: String,
-        /// What would be written.
-        text: String,
-    },
-    /// Something to tell.
-    Notice(Notice),
-    /// So many notices were dropped so far because the console was busy.
-    NoticesDropped(u64),
-    /// A command came one step further with one vehicle.
+    /// An order advanced with one vehicle.
     Row(RowUpdate),
+    /// The paths that vehicles of a manoeuvre are going to fly.
+    Paths(Vec<Path>),
+}
+
+/// What is heard of links.
+#[derive(Debug, Clone)]
+pub enum LinkEvent {
     /// How the links are doing.
-    Links(Vec<LinkSummary>),
-    /// How the processes of the vehicles are doing.
-    Hangar(Vec<Instance>),
-    /// The processes of the vehicles could not be started at all.
+    Summaries(Vec<LinkSummary>),
+    /// What the link doctor has found, once a second.
+    Findings(Vec<Finding>),
+    /// The messages on the links, counted.
+    Traffic(Vec<LinkTraffic>),
+}
+
+/// What is heard of the processes that simulate vehicles.
+#[derive(Debug, Clone)]
+pub enum ProcessEvent {
+    /// How they are doing.
+    Instances(Vec<Instance>),
+    /// They could not be started at all.
     NotLaunched(Text),
     /// What the process of a vehicle has printed.
     Printed {
         /// The vehicle.
         vehicle: VehicleId,
-        /// Whether what was known of it before is to be forgotten.
+        /// Whether the lines that are known already are to be dropped.
         anew: bool,
         /// Lines, oldest first.
         lines: Vec<String>,
     },
-    /// What the link doctor has found, once a second.
-    Findings(Vec<Finding>),
-    /// A look at the messages on the links.
-    Traffic(Vec<LinkTraffic>),
-    /// What is simulated stands still from now on, or goes on.
+}
+
+/// The course of a session.
+#[derive(Debug, Clone)]
+pub enum SessionEvent {
+    /// A session has begun; it replaces the one before.
+    Started(Box<Started>),
+    /// Simulated time stopped, or goes on.
     Paused(bool),
-    /// What vehicles that do something together are going to fly.
-    Paths(Vec<Path>),
     /// How the mission is going.
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
-    /// Who has a profile here.
+}
+
+/// The state of profiles and careers.
+#[derive(Debug, Clone)]
+pub enum CareerEvent {
+    /// The names of all profiles.
     Profiles(Vec<String>),
-    /// Who trains here, and how far they have come; nobody whose flights are kept.
+    /// The profile in use and how far its trainee has come; `None` without a profile.
     Career(Option<Box<Career>>),
-    /// The trainee's tries at missions as they are now, by the mission's id, oldest first.
+    /// The trainee's tries at the current revisions of missions, by mission id, oldest first.
     Tries(BTreeMap<String, Vec<TryReport>>),
     /// What the flight that has just ended brought to the career.
     Rewarded(Box<Reward>),
-    /// The shell could not do something; the text says what, where, and what to do.
-    Failed(Text),
+}
+
+/// What became of a file. Paths are as the user wrote them.
+#[derive(Debug, Clone)]
+pub enum FileEvent {
+    /// A file was read.
+    Read {
+        /// What it should hold.
+        kind: FileKind,
+        /// Where it is.
+        path: String,
+        /// Its content.
+        text: String,
+    },
+    /// A file was written.
+    Written {
+        /// Where it is.
+        path: String,
+    },
+    /// A file was not written because it exists already.
+    Exists {
+        /// What it would hold.
+        kind: FileKind,
+        /// Where it is.
+        path: String,
+        /// What would be written.
+        text: String,
+    },
+}
+
+macro_rules! part_of_event {
+    ($($part:ident => $variant:ident),* $(,)?) => {$(
+        impl From<$part> for Event {
+            fn from(part: $part) -> Self {
+                Self::$variant(part)
+            }
+        }
+    )*};
+}
+
+part_of_event! {
+    TerminalEvent => Terminal,
+    VehicleEvent => Vehicle,
+    LinkEvent => Link,
+    ProcessEvent => Process,
+    SessionEvent => Session,
+    CareerEvent => Career,
+    FileEvent => File,
+    Notice => Notice,
 }
 
 /// A session that has just begun.

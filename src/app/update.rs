@@ -1,13 +1,16 @@
 //! The one function that changes the state.
 
-use super::effect::Effect;
-use super::event::Event;
+use super::effect::{Effect, FileKind};
+use super::event::{
+    CareerEvent, Event, FileEvent, LinkEvent, ProcessEvent, SessionEvent, TerminalEvent,
+    VehicleEvent,
+};
 use super::room::{parameters, workshop};
 use super::state::State;
-use crate::ledger::Entry;
 
 pub(super) mod act;
 mod console_line;
+mod files;
 mod hangar;
 mod keys;
 mod links;
@@ -20,10 +23,11 @@ mod swarm;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
-pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
+#[must_use = "the shell has to carry the effects out"]
+pub fn update(state: &mut State, event: impl Into<Event>) -> Vec<Effect> {
     let (room, had_overlay) = (state.room, state.overlay.is_some());
     let said = state.message().cloned();
-    let mut effects = react(state, event);
+    let mut effects = react(state, event.into());
     // A message goes with what it was about, unless it has only just been said.
     let is_elsewhere = state.room != room || (state.overlay.is_some() && !had_overlay);
     if is_elsewhere && state.message() == said.as_ref() {
@@ -40,68 +44,110 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
             telemetry::tick(state, now);
             return parameters::wanted(state);
         }
-        Event::Vehicle(vehicle) => {
-            telemetry::vehicle(state, *vehicle);
-            return Vec::new();
-        }
-        Event::Findings(findings) => {
-            links::findings(state, findings);
-            return Vec::new();
-        }
-        Event::Traffic(traffic) => {
-            links::traffic(state, traffic);
-            return Vec::new();
-        }
-        _ => state.touch(),
-    }
-    match event {
-        Event::Key(key) => return keys::press(state, key),
-        Event::Paste(text) => keys::paste(state, &text),
-        Event::Started(started) => telemetry::started(state, *started),
+        Event::Terminal(event) => return terminal(state, event),
+        Event::Vehicle(event) => return vehicle(state, event),
+        Event::Link(event) => link(state, event),
+        Event::Process(event) => processes(state, event),
+        Event::Session(event) => session(state, event),
+        Event::Career(event) => career(state, event),
+        Event::File(event) => return file(state, event),
         Event::Notice(notice) => telemetry::notice(state, &notice),
-        Event::NoticesDropped(count) => state.notices.dropped = count,
-        Event::Parameters { vehicle, snapshot } => parameters::arrived(state, vehicle, snapshot),
-        Event::ParametersRead { path, text } => parameters::read(state, path, &text),
-        Event::ParametersSaved { path } | Event::DesignWritten { path } => {
-            parameters::saved(state, &path);
+        Event::NoticesDropped(count) => telemetry::dropped(state, count),
+        Event::Answer(text) => telemetry::answer(state, text),
+        Event::Failed(text) => telemetry::failed(state, text),
+    }
+    Vec::new()
+}
+
+fn terminal(state: &mut State, event: TerminalEvent) -> Vec<Effect> {
+    state.touch();
+    match event {
+        TerminalEvent::Key(key) => return keys::press(state, key),
+        TerminalEvent::Line(line) => return palette::give(state, &line),
+        TerminalEvent::Paste(text) => keys::paste(state, &text),
+        TerminalEvent::Resize { columns, rows } => keys::resize(state, columns, rows),
+        TerminalEvent::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,
+    }
+    Vec::new()
+}
+
+fn vehicle(state: &mut State, event: VehicleEvent) -> Vec<Effect> {
+    match event {
+        // Many vehicles report often: the screen changes only where a snapshot differs.
+        VehicleEvent::Telemetry(vehicle) => {
+            telemetry::vehicle(state, vehicle);
+            return Vec::new();
         }
-        Event::ParametersExist { path, text } => parameters::exists(state, path, text),
-        Event::DesignRead { path, text } => return workshop::read(state, &path, &text),
-        Event::DesignExists { path, text } => workshop::exists(state, path, text),
-        Event::Row(row) => {
-            let ledger = &mut state.session.ledger;
-            let was_over = ledger.entry(row.entry).is_none_or(Entry::is_final);
-            ledger.apply(&row);
-            state.rooms.ledger.spoil();
-            if !was_over {
-                parameters::tell(state, row.entry);
-            }
-            return parameters::advance(state);
+        VehicleEvent::Parameters { vehicle, snapshot } => {
+            parameters::arrived(state, vehicle, snapshot);
         }
-        Event::Hangar(instances) => hangar::changed(state, &instances),
-        Event::NotLaunched(text) => hangar::not_launched(state, text),
-        Event::Printed {
+        VehicleEvent::Row(row) => {
+            state.touch();
+            return order::advanced(state, &row);
+        }
+        VehicleEvent::Paths(paths) => state.session.paths = paths,
+    }
+    state.touch();
+    Vec::new()
+}
+
+fn link(state: &mut State, event: LinkEvent) {
+    match event {
+        LinkEvent::Summaries(summaries) => {
+            state.session.links = summaries;
+            state.touch();
+        }
+        // Both come every second: the screen changes only where they differ or are shown.
+        LinkEvent::Findings(findings) => links::findings(state, findings),
+        LinkEvent::Traffic(traffic) => links::traffic(state, traffic),
+    }
+}
+
+fn processes(state: &mut State, event: ProcessEvent) {
+    state.touch();
+    match event {
+        ProcessEvent::Instances(instances) => hangar::changed(state, &instances),
+        ProcessEvent::NotLaunched(text) => hangar::not_launched(state, text),
+        ProcessEvent::Printed {
             vehicle,
             anew,
             lines,
         } => hangar::printed(state, vehicle, anew, lines),
-        Event::Links(links) => state.session.links = links,
-        Event::Paused(paused) => mission::paused(state, paused),
-        Event::Paths(paths) => state.session.paths = paths,
-        Event::Mission(progress) => telemetry::progress(state, *progress),
-        Event::MissionEnded(report) => telemetry::ended(state, report),
-        Event::Profiles(names) => state.profiles = names,
-        Event::Career(career) => {
+    }
+}
+
+fn session(state: &mut State, event: SessionEvent) {
+    state.touch();
+    match event {
+        SessionEvent::Started(started) => telemetry::started(state, *started),
+        SessionEvent::Paused(paused) => mission::paused(state, paused),
+        SessionEvent::Mission(progress) => telemetry::progress(state, *progress),
+        SessionEvent::MissionEnded(report) => telemetry::ended(state, report),
+    }
+}
+
+fn career(state: &mut State, event: CareerEvent) {
+    state.touch();
+    match event {
+        CareerEvent::Profiles(names) => state.profiles = names,
+        CareerEvent::Career(career) => {
             profiles::arrived(state, career.map(|career| *career));
             workshop::heard(state);
         }
-        Event::Tries(tries) => state.tries = tries,
-        Event::Rewarded(reward) => state.reward = Some(*reward),
-        Event::Failed(text) => telemetry::failed(state, text),
-        Event::Line(line) => return palette::give(state, &line),
-        Event::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,
-        Event::Resize { columns, rows } => keys::resize(state, columns, rows),
-        Event::Tick { .. } | Event::Vehicle(_) | Event::Findings(_) | Event::Traffic(_) => {}
+        CareerEvent::Tries(tries) => state.tries = tries,
+        CareerEvent::Rewarded(reward) => state.reward = Some(*reward),
+    }
+}
+
+fn file(state: &mut State, event: FileEvent) -> Vec<Effect> {
+    state.touch();
+    match event {
+        FileEvent::Read { kind, path, text } => match kind {
+            FileKind::Parameters => parameters::read(state, path, &text),
+            FileKind::Design => return workshop::read(state, &path, &text),
+        },
+        FileEvent::Written { path } => files::written(state, &path),
+        FileEvent::Exists { kind, path, text } => return files::exists(state, kind, path, text),
     }
     Vec::new()
 }

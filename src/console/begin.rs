@@ -10,8 +10,7 @@ use super::Console;
 use super::career::today;
 use super::session::{Backend, Plan, Running};
 use crate::app::effect::Launch;
-use crate::app::event::Event;
-use crate::app::update;
+use crate::app::event::{Event, SessionEvent};
 use crate::campaign::{Stake, daily_seed, exam_seed};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
@@ -19,7 +18,6 @@ use crate::mission::record::Occasion;
 use crate::store;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Severity;
 
 /// How long the end of the program waits for the processes of its vehicles to end.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
@@ -116,7 +114,7 @@ impl Console {
     fn tell_practice(&mut self) {
         let is_kept = self.trainee().is_some();
         if is_kept && self.attempt.stake != self.attempt.wanted {
-            self.state.say(Severity::Notice, text!("launch-practice"));
+            self.post(Event::Answer(text!("launch-practice")));
         }
     }
 
@@ -153,7 +151,10 @@ impl Console {
 
     /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same. What was said
     /// before a launch that did not come holds for the next one.
-    pub(super) async fn start_again(&mut self, plan: Plan, alike: bool) {
+    pub(super) async fn start_again(&mut self, alike: bool) -> Result<(), Text> {
+        let Some(plan) = self.running.as_ref().map(Running::plan) else {
+            return Ok(());
+        };
         self.attempt = match &plan {
             // What was seen before is flown for practice, unless everybody sees it.
             _ if alike => match self.attempt.stake {
@@ -171,7 +172,7 @@ impl Console {
         if let (Some(running), Some(pledge)) = (&mut self.running, pledge) {
             running.renew(pledge);
         }
-        self.tell_failure(outcome);
+        outcome
     }
 
     /// Ends the session. What takes a while to end is waited for by who has to.
@@ -213,8 +214,7 @@ impl Console {
         let before = std::mem::take(&mut self.ending);
         let (running, started) = Running::start(plan, &backend, before).await?;
         self.running = Some(running);
-        // Nothing that `Started` causes is an effect.
-        update(&mut self.state, Event::Started(Box::new(started)));
+        self.post(SessionEvent::Started(Box::new(started)));
         Ok(())
     }
 }

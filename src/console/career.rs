@@ -7,10 +7,9 @@ use std::time::SystemTime;
 use super::Console;
 use super::missions::{self, Tries};
 use super::session::{Finished, Plan};
-use crate::app::effect::Effect;
-use crate::app::event::Event;
+use crate::app::effect::CareerEffect;
+use crate::app::event::{CareerEvent, Event};
 use crate::app::state::Career;
-use crate::app::update;
 use crate::campaign::{Course, Entry, Reward, Standing};
 use crate::scoring::TryReport;
 use crate::store::{
@@ -152,13 +151,13 @@ impl Careers {
     }
 
     /// Goes on without a trainee whose profile somebody has deleted; says so.
-    fn forget_deleted(&mut self) -> Option<Event> {
+    fn forget_deleted(&mut self) -> Option<Text> {
         let found = self.profiles.find(&self.current.as_ref()?.name);
         let Err(error @ ProfileError::Unknown { .. }) = found else {
             return None;
         };
         self.current = None;
-        Some(Event::Failed(error.text()))
+        Some(error.text())
     }
 
     /// Whether somebody else has written since the last call.
@@ -231,28 +230,26 @@ impl Console {
         self.show_career();
     }
 
-    /// Changes something about the trainee and shows what has become of it. Nothing that comes of it is an effect.
-    pub(super) fn change_career(&mut self, effect: Effect) {
+    /// Changes something about the trainee, and shows what has become of it.
+    pub(super) fn change_career(&mut self, change: CareerEffect) {
         let Some(careers) = &mut self.careers else {
-            update(&mut self.state, Event::Failed(text!("career-nowhere")));
-            return;
+            return self.post(Event::Failed(text!("career-nowhere")));
         };
-        let outcome = match effect {
-            Effect::ChooseProfile(name) => careers.choose(&name),
-            Effect::CreateProfile(name) => careers.create(&name),
-            Effect::LeaveProfile => {
+        let outcome = match change {
+            CareerEffect::Choose(name) => careers.choose(&name),
+            CareerEffect::Create(name) => careers.create(&name),
+            CareerEffect::Leave => {
                 careers.current = None;
                 Ok(())
             }
-            Effect::SetAids(aids) => careers.set(|it| it.aids = aids),
-            Effect::SetLanguage(language) => {
+            CareerEffect::SetAids(aids) => careers.set(|it| it.aids = aids),
+            CareerEffect::SetLanguage(language) => {
                 careers.set(|it| it.lang = Some(language.code().to_owned()))
             }
-            Effect::BuyPart(part) => careers.buy(&part),
-            Effect::KeepDesign(design) => careers.keep(&design),
-            Effect::RenameDesign { from, design } => careers.rename(&from, &design),
-            Effect::DropDesign(name) => careers.drop(&name),
-            _ => return,
+            CareerEffect::BuyPart(part) => careers.buy(&part),
+            CareerEffect::KeepDesign(design) => careers.keep(&design),
+            CareerEffect::RenameDesign { from, design } => careers.rename(&from, &design),
+            CareerEffect::DropDesign(name) => careers.drop(&name),
         };
         self.tell_failure(outcome.map_err(|error| error.text()));
         self.show_career();
@@ -310,7 +307,7 @@ impl Console {
         }
         self.show_career();
         for reward in rewards {
-            update(&mut self.state, Event::Rewarded(Box::new(reward)));
+            self.post(CareerEvent::Rewarded(Box::new(reward)));
         }
         let outcome = outcome.map_err(|error| text!("career-waits", fault = error.text()));
         self.tell_failure(outcome);
@@ -338,20 +335,18 @@ impl Console {
             }
             Ok((names, career, careers.tries()?))
         });
-        let events = match shown {
+        match shown {
             Ok((names, career, tries)) => {
                 let tries = tries.unwrap_or_else(|| self.tries_of_nobody());
                 let tries = missions::current(tries, &self.state.missions);
-                vec![
-                    Event::Profiles(names),
-                    Event::Career(career),
-                    Event::Tries(tries),
-                ]
+                self.post(CareerEvent::Profiles(names));
+                self.post(CareerEvent::Career(career));
+                self.post(CareerEvent::Tries(tries));
             }
-            Err(error) => vec![Event::Failed(error.text())],
-        };
-        for event in events.into_iter().chain(gone) {
-            update(&mut self.state, event);
+            Err(error) => self.post(Event::Failed(error.text())),
+        }
+        if let Some(gone) = gone {
+            self.post(Event::Failed(gone));
         }
     }
 

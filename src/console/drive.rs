@@ -6,7 +6,7 @@ use std::time::Duration;
 use crossterm::event::KeyCode;
 
 use super::{Console, Options, TICK, key};
-use crate::app::event::Event;
+use crate::app::event::TerminalEvent;
 use crate::terminal::Screen;
 
 /// Runs the console without a terminal and without a user, for measurements: at each of the given times a line
@@ -23,18 +23,18 @@ pub async fn drive(
     let mut console = Console::new(options);
     let mut screen = Screen::nowhere(size.0, size.1)?;
     let (columns, rows) = size;
-    console.feed(Event::Resize { columns, rows }).await;
+    console.feed(TerminalEvent::Resize { columns, rows }).await;
     console.begin().await;
     let mut ticks = tokio::time::interval(TICK);
     let mut lines = lines.iter().peekable();
     loop {
         ticks.tick().await;
         console.tick().await;
-        console.draw(&mut screen)?;
+        console.draw(&mut screen).await?;
         let now = console.clock.now();
         while let Some((_, line)) = lines.next_if(|(at, _)| *at <= now) {
             console.feed(key(KeyCode::Char(':'))).await;
-            console.feed(Event::Paste((*line).to_owned())).await;
+            console.feed(TerminalEvent::Paste((*line).to_owned())).await;
             console.feed(key(KeyCode::Enter)).await;
         }
         if look(now, screen.bytes()).is_break() {

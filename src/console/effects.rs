@@ -1,9 +1,9 @@
-//! Carries out what events cause outside the state.
+//! Carries effects out, and takes in what comes of them.
 
 use super::Console;
 use super::begin::parse;
 use super::session::Plan;
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, SessionEffect, TerminalEffect};
 use crate::app::event::Event;
 use crate::app::update;
 use crate::notice::sanitised;
@@ -12,33 +12,31 @@ use crate::terminal::Environment;
 use crate::text::Text;
 
 impl Console {
-    /// Takes something in, and carries out what comes of it.
-    pub(super) async fn feed(&mut self, event: Event) {
-        for effect in update(&mut self.state, event) {
-            self.carry_out(effect).await;
+    /// Takes an event in, with everything that is waiting.
+    pub(super) async fn feed(&mut self, event: impl Into<Event>) {
+        self.post(event);
+        self.take_in().await;
+    }
+
+    /// Puts an event behind those that are waiting. What happens while an effect is carried out is posted, so that
+    /// it is taken in like any other event.
+    pub(super) fn post(&mut self, event: impl Into<Event>) {
+        self.inbox.push_back(event.into());
+    }
+
+    /// Takes in what is waiting, and carries out what comes of it, until nothing is left.
+    pub(super) async fn take_in(&mut self) {
+        while let Some(event) = self.inbox.pop_front() {
+            for effect in update(&mut self.state, event) {
+                self.carry_out(effect).await;
+            }
         }
         self.keep_line();
     }
 
     async fn carry_out(&mut self, effect: Effect) {
-        let plan = match effect {
-            Effect::Quit => return self.over = true,
-            Effect::Bell => return self.bell = true,
-            Effect::Notify(text) => {
-                return self.note = Some(sanitised(&self.look.locale.text(&text)));
-            }
-            Effect::LeaveSession => return self.end_session(),
-            Effect::SetTheme(name) => return self.set_theme(&name),
-            Effect::SetFps(fps) => return self.fps = Some(fps),
-            Effect::FetchParameters(_)
-            | Effect::ReadParameters { .. }
-            | Effect::SaveParameters { .. }
-            | Effect::ReadDesign { .. }
-            | Effect::WriteDesign { .. } => return self.files(effect),
-            Effect::AbandonMission => return self.abandon(),
-            Effect::Inject(name) => return self.inject(&name),
-            Effect::Pause => return self.pause(),
-            Effect::GoOn => return self.go_on(),
+        match effect {
+            Effect::Quit => self.over = true,
             Effect::Command {
                 entry,
                 targets,
@@ -46,60 +44,88 @@ impl Console {
                 command,
             } => {
                 let order = Order::new(entry, verb, command);
-                return self.command(&targets, &order).await;
+                self.command(&targets, &order);
             }
             Effect::Deed {
                 entry,
                 targets,
                 deed,
-            } => return self.deed(entry, &targets, &deed).await,
+            } => self.deed(entry, &targets, &deed),
             Effect::Manoeuvre {
                 entry,
                 targets,
                 manoeuvre,
-            } => return self.begin_manoeuvre(entry, &manoeuvre, &targets).await,
-            Effect::ChooseProfile(_)
-            | Effect::CreateProfile(_)
-            | Effect::LeaveProfile
-            | Effect::SetAids(_)
-            | Effect::BuyPart(_)
-            | Effect::KeepDesign(_)
-            | Effect::RenameDesign { .. }
-            | Effect::SetLanguage(_)
-            | Effect::DropDesign(_) => return self.change_career(effect),
-            Effect::StartMission(launch) => {
-                let outcome = self.start_mission(&launch).await;
-                return self.tell_failure(outcome);
-            }
-            Effect::StartFree => Ok(Plan::Free(None)),
-            Effect::StartArduPilot => Ok(Plan::Free(self.options.ardupilot.clone())),
-            Effect::Hangar(deed, vehicle) => {
-                return self
-                    .running
-                    .iter()
-                    .for_each(|running| running.process(deed, vehicle));
-            }
-            Effect::Connect(addresses) => parse(&addresses).map(Plan::Connect),
-            Effect::RestartMission { alike } => match &self.running {
-                Some(running) => {
-                    let plan = running.plan();
-                    return self.start_again(plan, alike).await;
+            } => self.begin_manoeuvre(entry, &manoeuvre, &targets),
+            Effect::FetchParameters(vehicles) => {
+                if let Some(running) = &self.running {
+                    running.fetch_parameters(&vehicles);
                 }
-                None => return,
+            }
+            Effect::File(effect) => self.handle_file(effect),
+            Effect::Career(change) => self.change_career(change),
+            Effect::Session(effect) => self.steer(effect).await,
+            Effect::Terminal(effect) => self.adjust(effect),
+        }
+    }
+
+    async fn steer(&mut self, effect: SessionEffect) {
+        let outcome = match effect {
+            SessionEffect::StartMission(launch) => self.start_mission(&launch).await,
+            SessionEffect::StartFree => self.start_afresh(Plan::Free(None)).await,
+            SessionEffect::StartArduPilot => {
+                let plan = Plan::Free(self.options.ardupilot.clone());
+                self.start_afresh(plan).await
+            }
+            SessionEffect::Connect(addresses) => match parse(&addresses) {
+                Ok(addresses) => self.start_afresh(Plan::Connect(addresses)).await,
+                Err(error) => Err(error),
             },
-        };
-        let outcome = match plan {
-            Ok(plan) => self.start_afresh(plan).await,
-            Err(error) => Err(error),
+            SessionEffect::Restart { alike } => self.start_again(alike).await,
+            SessionEffect::Process(deed, vehicle) => {
+                if let Some(running) = &self.running {
+                    running.process(deed, vehicle);
+                }
+                Ok(())
+            }
+            SessionEffect::Inject(name) => {
+                self.inject(&name);
+                Ok(())
+            }
+            SessionEffect::Pause => {
+                self.pause();
+                Ok(())
+            }
+            SessionEffect::Continue => {
+                self.go_on();
+                Ok(())
+            }
+            SessionEffect::Abandon => {
+                self.abandon();
+                Ok(())
+            }
+            SessionEffect::Leave => {
+                self.end_session();
+                Ok(())
+            }
         };
         self.tell_failure(outcome);
     }
 
-    /// Says why something was not to be had.
+    fn adjust(&mut self, effect: TerminalEffect) {
+        match effect {
+            TerminalEffect::SetTheme(name) => self.set_theme(&name),
+            TerminalEffect::SetFps(fps) => self.fps = Some(fps),
+            TerminalEffect::Bell => self.bell = true,
+            TerminalEffect::Notify(text) => {
+                self.notes.push(sanitised(&self.look.locale.text(&text)));
+            }
+        }
+    }
+
+    /// Says why something could not be done.
     pub(super) fn tell_failure(&mut self, outcome: Result<(), Text>) {
         if let Err(error) = outcome {
-            // Nothing that a failure causes is an effect.
-            update(&mut self.state, Event::Failed(error));
+            self.post(Event::Failed(error));
         }
     }
 
@@ -108,8 +134,7 @@ impl Console {
             Ok(theme) => {
                 self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
             }
-            // Nothing that a failure causes is an effect.
-            Err(error) => drop(update(&mut self.state, Event::Failed(Text::from(&error)))),
+            Err(error) => self.post(Event::Failed(Text::from(&error))),
         }
     }
 }

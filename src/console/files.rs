@@ -1,55 +1,33 @@
 //! Files that the console reads and writes for its user: parameters, designs, and the history of the command line.
 
 use super::Console;
-use crate::app::effect::Effect;
-use crate::app::event::Event;
-use crate::app::update;
+use crate::app::effect::{FileEffect, FileKind};
+use crate::app::event::{Event, FileEvent};
 use crate::store::{self, Source, StoreError};
 use crate::text::Text;
 
 impl Console {
-    /// Asks for parameters, or reads or writes a file of them, or of a design. What comes of it is never an effect.
-    pub(super) fn files(&mut self, effect: Effect) {
+    /// Reads or writes a file of parameters or of a design.
+    pub(super) fn handle_file(&mut self, effect: FileEffect) {
         let event = match effect {
-            Effect::FetchParameters(vehicles) => {
-                return self
-                    .running
-                    .iter()
-                    .for_each(|running| running.fetch_parameters(&vehicles));
-            }
-            Effect::ReadParameters { path } => {
-                match store::read(&store::user_path(&path), "file-parameters") {
-                    Ok(Source { text, .. }) => Event::ParametersRead { path, text },
+            FileEffect::Read { kind, path } => {
+                match store::read(&store::user_path(&path), subject(kind)) {
+                    Ok(Source { text, .. }) => FileEvent::Read { kind, path, text }.into(),
                     Err(error) => Event::Failed(Text::from(&error)),
                 }
             }
-            Effect::SaveParameters {
+            FileEffect::Write {
+                kind,
                 path,
                 text,
                 replace,
             } => match store::write(&store::user_path(&path), &text, replace) {
-                Ok(()) => Event::ParametersSaved { path },
-                Err(StoreError::Exists { .. }) => Event::ParametersExist { path, text },
+                Ok(()) => FileEvent::Written { path }.into(),
+                Err(StoreError::Exists { .. }) => FileEvent::Exists { kind, path, text }.into(),
                 Err(error) => Event::Failed(Text::from(&error)),
             },
-            Effect::ReadDesign { path } => {
-                match store::read(&store::user_path(&path), "file-design") {
-                    Ok(Source { text, .. }) => Event::DesignRead { path, text },
-                    Err(error) => Event::Failed(Text::from(&error)),
-                }
-            }
-            Effect::WriteDesign {
-                path,
-                text,
-                replace,
-            } => match store::write(&store::user_path(&path), &text, replace) {
-                Ok(()) => Event::DesignWritten { path },
-                Err(StoreError::Exists { .. }) => Event::DesignExists { path, text },
-                Err(error) => Event::Failed(Text::from(&error)),
-            },
-            _ => return,
         };
-        update(&mut self.state, event);
+        self.post(event);
     }
 
     /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
@@ -67,5 +45,13 @@ impl Console {
                 }
             });
         }
+    }
+}
+
+/// The message that names such a file in an error.
+fn subject(kind: FileKind) -> &'static str {
+    match kind {
+        FileKind::Parameters => "file-parameters",
+        FileKind::Design => "file-design",
     }
 }

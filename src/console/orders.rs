@@ -1,7 +1,7 @@
 //! Carries out what was asked of vehicles: by their autopilots, by the mission, or by several of them together.
 
 use super::Console;
-use crate::app::event::Event;
+use crate::app::event::VehicleEvent;
 use crate::commands::{Deed, Manoeuvre};
 use crate::fleet::Unreachable;
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -13,13 +13,13 @@ use crate::vehicle::{Severity, VehicleId};
 
 impl Console {
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
-    pub(super) async fn command(&mut self, targets: &[VehicleId], order: &Order) {
+    pub(super) fn command(&mut self, targets: &[VehicleId], order: &Order) {
         let (now, shown) = (self.clock.now(), &self.state.session);
         let (targets, rows) = match &mut self.running {
             Some(running) => running.settle(targets, order, &shown.vehicles, now),
             None => (targets.to_vec(), Vec::new()),
         };
-        self.feed_rows(rows).await;
+        self.post_rows(rows);
         for vehicle in targets {
             let given = match &self.running {
                 Some(running) => running.order(vehicle, order.clone()),
@@ -33,14 +33,13 @@ impl Console {
                     text!("outcome-not-sent", reason = Text::from(error)),
                     now,
                 );
-                // Others may have waited for the end of this one.
-                Box::pin(self.feed(Event::Row(row))).await;
+                self.post(VehicleEvent::Row(row));
             }
         }
     }
 
     /// Has the mission do something with each target.
-    pub(super) async fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
+    pub(super) fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
         let now = self.clock.now();
         let rows = match &mut self.running {
             Some(running) => running.act(entry, deed, targets, now),
@@ -48,7 +47,7 @@ impl Console {
         };
         let refused = rows.iter().find(|row| row.state == RowState::Refused);
         let refused = refused.and_then(|row| row.explanation.clone());
-        self.feed_rows(rows).await;
+        self.post_rows(rows);
         // No vehicle says why, and not every room shows the commands.
         let given = self.state.session.ledger.entry(entry);
         if let (Some(reason), Some(given)) = (refused, given) {
@@ -58,12 +57,12 @@ impl Console {
                 severity: Severity::Warning,
                 text: Text::joined(": ", vec![given.line.as_str().into(), reason]),
             };
-            Box::pin(self.feed(Event::Notice(notice))).await;
+            self.post(notice);
         }
     }
 
     /// Has the targets do something together.
-    pub(super) async fn begin_manoeuvre(
+    pub(super) fn begin_manoeuvre(
         &mut self,
         entry: EntryId,
         manoeuvre: &Manoeuvre,
@@ -76,12 +75,12 @@ impl Console {
             }
             None => Vec::new(),
         };
-        self.feed_rows(rows).await;
+        self.post_rows(rows);
     }
 
-    async fn feed_rows(&mut self, rows: Vec<RowUpdate>) {
+    fn post_rows(&mut self, rows: Vec<RowUpdate>) {
         for row in rows {
-            Box::pin(self.feed(Event::Row(row))).await;
+            self.post(VehicleEvent::Row(row));
         }
     }
 }

@@ -1,8 +1,7 @@
 //! Lets a session stand still and go on.
 
 use super::{Console, Running};
-use crate::app::event::Event;
-use crate::app::update;
+use crate::app::event::{Event, SessionEvent};
 use crate::notice::Notice;
 use crate::text;
 use crate::vehicle::Severity;
@@ -15,8 +14,7 @@ impl Console {
         };
         running.hold(true);
         self.clock.stop();
-        // Nothing that a pause causes is an effect.
-        update(&mut self.state, Event::Paused(true));
+        self.post(SessionEvent::Paused(true));
     }
 
     /// Lets everything go on; nothing happens where nothing stands still.
@@ -25,12 +23,13 @@ impl Console {
             return;
         };
         let now = self.clock.now();
-        update(&mut self.state, Event::Paused(false));
-        if let Some(running) = &mut self.running {
-            running.hold(false);
-            if let Some(notice) = running.note_pause(lasted, now) {
-                update(&mut self.state, Event::Notice(notice));
-            }
+        self.post(SessionEvent::Paused(false));
+        let Some(running) = &mut self.running else {
+            return;
+        };
+        running.hold(false);
+        if let Some(notice) = running.note_pause(lasted, now) {
+            self.post(notice);
         }
     }
 
@@ -48,8 +47,7 @@ impl Console {
             }),
             Err(text) => Event::Failed(text),
         };
-        // Nothing that it causes at once is an effect.
-        update(&mut self.state, event);
+        self.post(event);
     }
 
     /// Ends the mission; its report comes with the next tick.

@@ -11,7 +11,7 @@
 use std::time::Duration;
 
 use super::{Console, Happened, Opening, Options, Signals, key, ticks};
-use crate::app::event::Event;
+use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Findings, Pilot, PilotEvent, Script, Seen};
@@ -63,7 +63,10 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
     };
     // Nothing is drawn: no size is too small.
     let (columns, rows) = (u16::MAX, u16::MAX);
-    plain.console.feed(Event::Resize { columns, rows }).await;
+    plain
+        .console
+        .feed(TerminalEvent::Resize { columns, rows })
+        .await;
     plain.console.begin().await;
     plain.greet();
     let mut lines = input::read();
@@ -181,9 +184,9 @@ impl Plain {
     async fn tick(&mut self) -> anyhow::Result<()> {
         self.leave_rooms();
         self.console.tick().await;
-        if std::mem::take(&mut self.console.bell) {
-            tracing::debug!("the plain console has no bell");
-        }
+        // The plain console has neither bell nor desktop notifications.
+        self.console.bell = false;
+        self.console.notes.clear();
         self.hold();
         self.look_for_ready();
         let now = self.console.state.now;
@@ -263,7 +266,9 @@ impl Plain {
                 self.say(&Text::from(format!("> {line}")));
             }
             if !self.carry_out_here(line) {
-                self.console.feed(Event::Line(line.to_owned())).await;
+                self.console
+                    .feed(TerminalEvent::Line(line.to_owned()))
+                    .await;
             }
         }
     }

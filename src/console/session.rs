@@ -6,7 +6,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use crate::app::event::Event;
+use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::Wanted;
 use crate::fleet::{Fleet, FleetEvent, Unreachable};
 use crate::parameters::Snapshot;
@@ -93,7 +93,9 @@ impl Running {
                     self.inspection.add(&link, tap);
                     self.links.add(link);
                 }
-                Ok(FleetEvent::Report(Report::Row(row))) => collected.push(Event::Row(row)),
+                Ok(FleetEvent::Report(Report::Row(row))) => {
+                    collected.push(VehicleEvent::Row(row).into())
+                }
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));
                 }
@@ -106,8 +108,8 @@ impl Running {
         }
         for vehicle in &mut self.vehicles {
             if vehicle.has_changed().unwrap_or(false) {
-                let snapshot = Vehicle::clone(&vehicle.borrow_and_update());
-                collected.push(Event::Vehicle(Box::new(snapshot)));
+                let snapshot = Arc::clone(&vehicle.borrow_and_update());
+                collected.push(VehicleEvent::Telemetry(snapshot).into());
             }
         }
         collected.extend(self.changed_parameters());
@@ -122,9 +124,10 @@ impl Running {
         self.parameters
             .iter_mut()
             .filter(|(_, parameters)| parameters.has_changed().unwrap_or(false))
-            .map(|(vehicle, parameters)| Event::Parameters {
-                vehicle: *vehicle,
-                snapshot: parameters.borrow_and_update().clone(),
+            .map(|(vehicle, parameters)| {
+                let snapshot = parameters.borrow_and_update().clone();
+                let vehicle = *vehicle;
+                VehicleEvent::Parameters { vehicle, snapshot }.into()
             })
     }
 

@@ -1,7 +1,7 @@
 //! What the console does with keys and lines, told as scripts.
 
-use sortie::app::effect::{Effect, Launch};
-use sortie::app::event::Event;
+use sortie::app::effect::{Effect, Launch, SessionEffect, TerminalEffect};
+use sortie::app::event::{Event, SessionEvent, TerminalEvent};
 use sortie::app::state::{Activity, Overlay, Room};
 use sortie::vehicle::Severity;
 
@@ -95,11 +95,11 @@ fn vehicles_are_selected_by_numbers_space_star_and_exclamation_mark() {
 
 #[test]
 fn keys_that_nobody_can_see_the_effect_of_do_nothing() {
-    let small = Event::Resize {
+    let small = TerminalEvent::Resize {
         columns: 79,
         rows: 24,
     };
-    let large = Event::Resize {
+    let large = TerminalEvent::Resize {
         columns: 80,
         rows: 24,
     };
@@ -108,7 +108,7 @@ fn keys_that_nobody_can_see_the_effect_of_do_nothing() {
     console.press("1");
     assert!(console.effects.is_empty(), "the question is gone");
     console.give("all arm").press("*").press("j");
-    console.hear(Event::Paste("1 arm".to_owned()));
+    console.hear(TerminalEvent::Paste("1 arm".to_owned()));
     assert!(console.effects.is_empty() && selection(&console).is_empty());
     assert_eq!(console.state.session.cursor, Some(1));
     console.hear(large).press("1");
@@ -124,11 +124,13 @@ fn the_home_screen_starts_what_is_under_the_cursor() {
     let mut console = Console::new();
     assert_eq!(
         console.press("enter").effects,
-        [Effect::StartMission(Launch::graded("m01"))]
+        [Effect::Session(SessionEffect::StartMission(
+            Launch::graded("m01")
+        ))]
     );
     assert_eq!(
         console.press("j").press("enter").effects,
-        [Effect::StartFree]
+        [Effect::Session(SessionEffect::StartFree)]
     );
     console
         .press("j")
@@ -137,7 +139,10 @@ fn the_home_screen_starts_what_is_under_the_cursor() {
     let addresses = ["tcp:1.2.3.4:5760", "udpin::14550"]
         .map(str::to_owned)
         .to_vec();
-    assert_eq!(console.press("enter").effects, [Effect::Connect(addresses)]);
+    assert_eq!(
+        console.press("enter").effects,
+        [Effect::Session(SessionEffect::Connect(addresses))]
+    );
     assert!(
         console.state.overlay.is_some(),
         "the prompt waits for the outcome"
@@ -161,7 +166,10 @@ fn what_would_be_lost_is_asked_about() {
     assert!(console.press("ctrl-c").effects.is_empty());
     assert_eq!(console.press("y").effects, [Effect::Quit]);
     assert!(console.give("leave").effects.is_empty());
-    assert_eq!(console.press("y").effects, [Effect::LeaveSession]);
+    assert_eq!(
+        console.press("y").effects,
+        [Effect::Session(SessionEffect::Leave)]
+    );
     assert!(console.state.room == Room::Home);
     assert!(console.state.session.vehicles.is_empty());
     console.vehicle(fixtures::parked(1));
@@ -176,7 +184,7 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
     let mut console = Console::flying(1);
     console
         .at(100)
-        .hear(Event::MissionEnded(Box::new(fixtures::report())));
+        .hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(console.press("h").effects.is_empty());
     assert!(console.state.room == Room::Debrief);
     let footer = "keys work in a moment";
@@ -187,14 +195,17 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
     });
     assert!(console.state.revision() > before);
     assert!(!console.screen(80, 24).contains(footer));
-    assert_eq!(console.press("h").effects, [Effect::LeaveSession]);
+    assert_eq!(
+        console.press("h").effects,
+        [Effect::Session(SessionEffect::Leave)]
+    );
 }
 
 #[test]
 fn a_line_being_typed_survives_the_end_of_the_mission() {
     let mut console = Console::flying(1);
     console.press(":").write("1 r");
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     console.write("tl");
     assert_eq!(palette_line(&console), "1 rtl");
 }
@@ -230,7 +241,7 @@ fn serious_notices_ring_the_bell() {
     console.notice(Severity::Warning, Some(1), "low");
     assert!(console.effects.is_empty());
     console.notice(Severity::Critical, Some(1), "EKF failsafe");
-    assert_eq!(console.effects, [Effect::Bell]);
+    assert_eq!(console.effects, [Effect::Terminal(TerminalEffect::Bell)]);
 }
 
 proptest::proptest! {
@@ -243,7 +254,7 @@ proptest::proptest! {
         for key in keys {
             console.press(key);
             let effects = std::mem::take(&mut console.effects);
-            if effects.contains(&Effect::LeaveSession) {
+            if effects.contains(&Effect::Session(SessionEffect::Leave)) {
                 proptest::prop_assert!(console.state.session.activity.is_none());
             }
             proptest::prop_assert!(!effects.iter().any(is_kill), "killed without its question");

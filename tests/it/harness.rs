@@ -8,7 +8,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use sortie::app::effect::Effect;
-use sortie::app::event::{Event, Started};
+use sortie::app::event::{Event, SessionEvent, Started, TerminalEvent, VehicleEvent};
 use sortie::app::state::{Activity, State};
 use sortie::app::update;
 use sortie::ledger::{EntryId, RowState, RowUpdate};
@@ -43,13 +43,13 @@ impl Console {
         let mut console = Self::new();
         console.start(Activity::Free);
         for id in 1..=count {
-            console.hear(Event::Vehicle(Box::new(fixtures::parked(id))));
+            console.hear(VehicleEvent::Telemetry(Arc::new(fixtures::parked(id))));
         }
         console
     }
 
     pub fn start(&mut self, activity: Activity) {
-        self.hear(Event::Started(Box::new(Started {
+        self.hear(SessionEvent::Started(Box::new(Started {
             mission: matches!(activity, Activity::Mission { .. })
                 .then(|| Box::new(fixtures::listing())),
             activity,
@@ -59,7 +59,7 @@ impl Console {
         })));
     }
 
-    pub fn hear(&mut self, event: Event) -> &mut Self {
+    pub fn hear(&mut self, event: impl Into<Event>) -> &mut Self {
         self.effects = update(&mut self.state, event);
         self
     }
@@ -71,7 +71,7 @@ impl Console {
     }
 
     pub fn vehicle(&mut self, vehicle: Vehicle) -> &mut Self {
-        self.hear(Event::Vehicle(Box::new(vehicle)))
+        self.hear(VehicleEvent::Telemetry(Arc::new(vehicle)))
     }
 
     /// Presses a key: a character, or a name such as `enter` or `ctrl-c`.
@@ -103,7 +103,7 @@ impl Console {
                 KeyEvent::new(KeyCode::Char(last), modifiers)
             }
         };
-        self.hear(Event::Key(key))
+        self.hear(TerminalEvent::Key(key))
     }
 
     /// Types characters.
@@ -132,7 +132,7 @@ impl Console {
         explanation: Option<Text>,
     ) -> &mut Self {
         let newest = self.state.session.ledger.entries().len() as u32 - 1;
-        self.hear(Event::Row(RowUpdate {
+        self.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(newest),
             vehicle,
             state,

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use sortie::app::event::Event;
+use sortie::app::event::{Event, LinkEvent, SessionEvent};
 use sortie::app::state::{Activity, LinkSummary};
 use sortie::ledger::RowState;
 use sortie::vehicle::{Severity, Vehicle};
@@ -81,7 +81,7 @@ fn busy() -> Console {
     ] {
         console.vehicle(vehicle);
     }
-    console.hear(Event::Links(vec![
+    console.hear(LinkEvent::Summaries(vec![
         link("pipe:1", "up", true),
         link("udpin:0.0.0.0:14550", "retry in 4 s", false),
     ]));
@@ -115,7 +115,7 @@ fn busy() -> Console {
         .at(191)
         .notice(Severity::Alert, Some(3), "link lost: nothing heard for 3 s");
     console.hear(Event::NoticesDropped(12));
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     console
 }
 
@@ -205,7 +205,7 @@ fn questions_help_and_links() {
 #[test]
 fn debrief() {
     let mut console = busy();
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     check("debrief", &console);
 }
 
@@ -242,7 +242,7 @@ fn no_size_of_terminal_panics() {
     console.give("1-3 kill");
     consoles.push(console);
     let mut console = busy();
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     consoles.push(console);
     for console in &consoles {
         for width in [1, 2, 5, 79, 80, 81, 97, 120, 159, 160, 161, 200, 250] {

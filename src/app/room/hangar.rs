@@ -1,7 +1,7 @@
 //! The hangar: the processes that simulate the vehicles, how far they are and what they say.
 
 use crate::app::action::Action;
-use crate::app::effect::{Effect, HangarDeed};
+use crate::app::effect::{Effect, HangarDeed, SessionEffect};
 use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
 use crate::app::room::Room;
 use crate::app::state::{Instance, Stage, State};
@@ -93,7 +93,7 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Eff
     let runs = instance.stage < Stage::Stopping;
     let known = state.session.vehicles.get(&vehicle);
     let is_armed = runs && known.is_some_and(crate::vehicle::Vehicle::armed);
-    let effect = Effect::Hangar(deed, vehicle);
+    let effect = Effect::Session(SessionEffect::Process(deed, vehicle));
     let (question, done) = words(deed, vehicle);
     if deed == HangarDeed::Stop
         && let Some(hangar) = state.session.hangar.as_mut().filter(|hangar| !hangar.begun)

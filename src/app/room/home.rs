@@ -1,7 +1,7 @@
 //! Where to begin: missions, free flight, vehicles elsewhere.
 
 use crate::app::action::Action;
-use crate::app::effect::{Effect, Launch};
+use crate::app::effect::{Effect, Launch, SessionEffect};
 use crate::app::keymap::{ENTER, Row, does, key};
 use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act::{guarded, quit};
@@ -181,7 +181,7 @@ pub fn connect(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
         input: entered.into(),
         ..Prompt::new(Purpose::Connect)
     }));
-    Ok(vec![Effect::Connect(addresses)])
+    Ok(vec![Effect::Session(SessionEffect::Connect(addresses))])
 }
 
 fn enter(state: &mut State, item: HomeItem) -> Vec<Effect> {
@@ -193,9 +193,17 @@ fn enter(state: &mut State, item: HomeItem) -> Vec<Effect> {
         }
         HomeItem::Free => {
             state.say(Severity::Info, text!("home-starting-simulator"));
-            guarded(state, text!("ask-start"), Effect::StartFree)
+            guarded(
+                state,
+                text!("ask-start"),
+                Effect::Session(SessionEffect::StartFree),
+            )
         }
-        HomeItem::ArduPilot => guarded(state, text!("ask-start"), Effect::StartArduPilot),
+        HomeItem::ArduPilot => guarded(
+            state,
+            text!("ask-start"),
+            Effect::Session(SessionEffect::StartArduPilot),
+        ),
         HomeItem::Connect => {
             state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Connect)));
             Vec::new()

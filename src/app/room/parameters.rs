@@ -32,7 +32,7 @@ pub use batch::{Batch, Setting, advance, begin};
 pub use compare::{Comparison, Other};
 pub use demand::wanted;
 pub use edit::{Edit, entered, note_order, tell};
-pub use files::{exists, load, read, save, saved};
+pub use files::{load, read, save};
 pub use rows::{Row, coming, extra, rows};
 
 /// What the room remembers.

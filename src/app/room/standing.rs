@@ -3,7 +3,7 @@
 use crossterm::event::KeyCode;
 
 use crate::app::action::{Action, Step};
-use crate::app::effect::Effect;
+use crate::app::effect::{CareerEffect, Effect};
 use crate::app::keymap::{ENTER, ESCAPE, Press, Row, does, key};
 use crate::app::room::{Room, home};
 use crate::app::state::{Career, State};
@@ -104,7 +104,7 @@ fn change_aids(state: &mut State) -> Vec<Effect> {
     };
     let aids = career.aids.next();
     state.say(Severity::Notice, aids.explained());
-    vec![Effect::SetAids(aids)]
+    vec![Effect::Career(CareerEffect::SetAids(aids))]
 }
 
 /// Shows the mission under the cursor on the home screen, from where it can be flown.

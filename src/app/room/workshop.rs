@@ -30,7 +30,7 @@ mod shelf;
 mod tests;
 
 pub use bench::{Bench, Candidate, SlotRow, rows};
-pub use files::{copied, exists, exported, imported, read, renamed, saved_as};
+pub use files::{copied, exported, imported, read, renamed, saved_as};
 pub use fit::{Fit, Stand, weigh};
 pub use fleet::{Seat, bill, seats};
 pub use licence::{Licence, lacking, licence};

@@ -2,7 +2,7 @@
 
 use super::{mission, order, palette, profiles};
 use crate::app::action::Action;
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, SessionEffect};
 use crate::app::room::{self, Room, fly};
 use crate::app::state::{Confirm, Consequence, Log, Overlay, Session, State, parse_ranges, ranges};
 use crate::text;
@@ -82,7 +82,11 @@ pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Vec<Effect>
 
 /// Leaves the session; asks first where something would be lost.
 pub fn leave(state: &mut State) -> Vec<Effect> {
-    guarded(state, text!("ask-leave"), Effect::LeaveSession)
+    guarded(
+        state,
+        text!("ask-leave"),
+        Effect::Session(SessionEffect::Leave),
+    )
 }
 
 /// Forgets the session and shows the home screen. The debrief stays until another session starts.

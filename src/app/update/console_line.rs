@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{act, mission, swarm};
 use crate::app::console::{self, ConsoleLine, Deed};
-use crate::app::effect::Effect;
+use crate::app::effect::{CareerEffect, Effect, SessionEffect, TerminalEffect};
 use crate::app::lines;
 use crate::app::room::{Room, hangar, parameters};
 use crate::app::setting::Setting;
@@ -46,7 +46,11 @@ pub fn carry_out(
         ConsoleLine::Fly(mission) => {
             return Ok(match mission {
                 Some(id) => mission::start(state, state.launch(&id)),
-                None => act::guarded(state, text!("ask-start"), Effect::StartFree),
+                None => act::guarded(
+                    state,
+                    text!("ask-start"),
+                    Effect::Session(SessionEffect::StartFree),
+                ),
             });
         }
         ConsoleLine::Params(deed) => {
@@ -56,13 +60,13 @@ pub fn carry_out(
         }
         ConsoleLine::Swarm(own) => swarm::carry_out(state, own).map_err(at_last_word)?,
         ConsoleLine::Connect(addresses) => {
-            let effect = Effect::Connect(addresses);
+            let effect = Effect::Session(SessionEffect::Connect(addresses));
             return Ok(act::guarded(state, text!("ask-start"), effect));
         }
         ConsoleLine::Inject(_) if state.session.paused => {
             return Err(at_last_word(text!("pause-refuses")));
         }
-        ConsoleLine::Inject(name) => return Ok(vec![Effect::Inject(name)]),
+        ConsoleLine::Inject(name) => return Ok(vec![Effect::Session(SessionEffect::Inject(name))]),
         ConsoleLine::Macro(name) => {
             let end = line.trim_end().len();
             lines::check_macro(state, &name, console::last_word(&line[..end])..end)?;
@@ -105,16 +109,16 @@ fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
     match setting {
         Setting::Theme(name) => {
             state.theme.clone_from(name);
-            vec![Effect::SetTheme(name.clone())]
+            vec![Effect::Terminal(TerminalEffect::SetTheme(name.clone()))]
         }
-        Setting::Fps(fps) => vec![Effect::SetFps(*fps)],
+        Setting::Fps(fps) => vec![Effect::Terminal(TerminalEffect::SetFps(*fps))],
         Setting::Lang(language) => {
             if !state.speak(*language) {
                 state.say(Severity::Warning, text!("setting-lang-ascii"));
                 return Vec::new();
             }
             let is_kept = state.career.is_some();
-            let keep = is_kept.then_some(Effect::SetLanguage(*language));
+            let keep = is_kept.then_some(Effect::Career(CareerEffect::SetLanguage(*language)));
             keep.into_iter().collect()
         }
         Setting::Symbols(Symbols::Ascii) => {

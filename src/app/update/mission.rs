@@ -1,7 +1,7 @@
 //! The course of a session: pause, end, once more.
 
 use super::act::{ask, guarded, loss};
-use crate::app::effect::{Effect, Launch};
+use crate::app::effect::{Effect, Launch, SessionEffect};
 use crate::app::state::{Activity, State};
 use crate::campaign::Stake;
 use crate::text;
@@ -24,14 +24,14 @@ pub fn pause(state: &mut State) -> Vec<Effect> {
             state.say(Severity::Notice, reason);
             Vec::new()
         }
-        None => vec![Effect::Pause],
+        None => vec![Effect::Session(SessionEffect::Pause)],
     }
 }
 
 /// Lets the session go on.
 pub fn go_on(state: &mut State) -> Vec<Effect> {
     if state.session.paused {
-        return vec![Effect::GoOn];
+        return vec![Effect::Session(SessionEffect::Continue)];
     }
     state.say(Severity::Notice, text!("pause-is-none"));
     Vec::new()
@@ -69,7 +69,11 @@ pub fn start(state: &mut State, launch: Launch) -> Vec<Effect> {
         state.say(Severity::Warning, reason);
         return Vec::new();
     }
-    guarded(state, text!("ask-start"), Effect::StartMission(launch))
+    guarded(
+        state,
+        text!("ask-start"),
+        Effect::Session(SessionEffect::StartMission(launch)),
+    )
 }
 
 /// Starts the exam of a mission, after a question: it is not like other flights.
@@ -90,7 +94,7 @@ pub fn start_exam(state: &mut State, mission: &str) -> Vec<Effect> {
         state,
         text!("ask-exam"),
         reason,
-        Effect::StartMission(launch),
+        Effect::Session(SessionEffect::StartMission(launch)),
     )
 }
 
@@ -101,7 +105,7 @@ pub fn restart(state: &mut State, alike: bool) -> Vec<Effect> {
         state.say(Severity::Notice, text!("mission-none"));
         return Vec::new();
     }
-    let effect = Effect::RestartMission { alike };
+    let effect = Effect::Session(SessionEffect::Restart { alike });
     guarded(state, text!("ask-restart"), effect)
 }
 
@@ -112,5 +116,10 @@ pub fn abandon(state: &mut State) -> Vec<Effect> {
         return Vec::new();
     }
     let reason = text!("ask-abandon-reason");
-    ask(state, text!("ask-abandon"), reason, Effect::AbandonMission)
+    ask(
+        state,
+        text!("ask-abandon"),
+        reason,
+        Effect::Session(SessionEffect::Abandon),
+    )
 }

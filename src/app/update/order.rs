@@ -1,14 +1,14 @@
 //! From a line to the vehicles: targets, the question before something dangerous, the ledger.
 
 use super::act;
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, SessionEffect};
 use crate::app::lines;
 use crate::app::room::{parameters, workshop};
 use crate::app::state::{Asked, Confirm, Consequence, Order, Overlay, State, ranges};
 use crate::commands::Deed;
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Action, Danger, Statement, Targets};
-use crate::ledger::Given;
+use crate::ledger::{Entry, Given, RowUpdate};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -94,7 +94,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
     let order = match consequence {
         Consequence::Order(order) => order,
         Consequence::Effect(effect) => {
-            if effect == Effect::LeaveSession {
+            if effect == Effect::Session(SessionEffect::Leave) {
                 act::go_home(state);
             }
             return vec![effect];
@@ -136,6 +136,18 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
             manoeuvre,
         },
     }]
+}
+
+/// An order advanced with one vehicle: the ledger takes it over, and what waited for it may follow.
+pub fn advanced(state: &mut State, row: &RowUpdate) -> Vec<Effect> {
+    let ledger = &mut state.session.ledger;
+    let was_over = ledger.entry(row.entry).is_none_or(Entry::is_final);
+    ledger.apply(row);
+    state.rooms.ledger.spoil();
+    if !was_over {
+        parameters::tell(state, row.entry);
+    }
+    parameters::advance(state)
 }
 
 fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Order, Diagnostic> {

@@ -3,7 +3,7 @@
 use crossterm::event::KeyEvent;
 
 use crate::app::action::Action;
-use crate::app::effect::Effect;
+use crate::app::effect::{CareerEffect, Effect};
 use crate::app::keymap::Place;
 use crate::app::room::home;
 use crate::app::state::{Activity, Career, Overlay, Prompt, Purpose, State, Trainee};
@@ -50,8 +50,8 @@ fn take(state: &mut State, trainee: Trainee) -> Vec<Effect> {
         return Vec::new();
     }
     match trainee {
-        Trainee::Known(name) => vec![Effect::ChooseProfile(name)],
-        Trainee::Nobody => vec![Effect::LeaveProfile],
+        Trainee::Known(name) => vec![Effect::Career(CareerEffect::Choose(name))],
+        Trainee::Nobody => vec![Effect::Career(CareerEffect::Leave)],
         Trainee::New => {
             state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::NewProfile)));
             Vec::new()
@@ -72,7 +72,7 @@ pub fn created(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
         input: entered.into(),
         ..Prompt::new(Purpose::NewProfile)
     }));
-    Ok(vec![Effect::CreateProfile(name.to_owned())])
+    Ok(vec![Effect::Career(CareerEffect::Create(name.to_owned()))])
 }
 
 /// Shows how far the trainee has come. Somebody else, or one more flight, puts the cursor of the home screen on what

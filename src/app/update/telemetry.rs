@@ -1,8 +1,9 @@
 //! What comes from the shell: time, vehicles, notices, the mission's course.
 
+use std::sync::Arc;
 use std::time::Duration;
 
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, TerminalEffect};
 use crate::app::event::Started;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
@@ -36,15 +37,15 @@ pub fn tick(state: &mut State, now: Duration) {
 }
 
 /// A snapshot that arrives after its session has ended belongs to nobody.
-pub fn vehicle(state: &mut State, vehicle: Vehicle) {
+pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     let session = &mut state.session;
-    if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&vehicle) {
+    if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&*vehicle) {
         return;
     }
     let id = vehicle.id;
     session.alarms.observe(&vehicle, state.now);
     let is_new = !session.vehicles.contains_key(&id);
-    session.insert(vehicle);
+    session.insert(Arc::unwrap_or_clone(vehicle));
     map::heard(state, id);
     if is_new {
         fly::heard(state, id);
@@ -65,9 +66,12 @@ fn watch(state: &mut State) {
 pub fn signals(state: &mut State) -> Vec<Effect> {
     let due = state.session.alarms.due(state.now);
     let alerts = &state.config.alerts;
-    let ring = (due.ring && alerts.bell).then_some(Effect::Bell);
-    let note = due.note.filter(|_| alerts.notify).map(Effect::Notify);
-    ring.into_iter().chain(note).collect()
+    let ring = (due.ring && alerts.bell).then_some(TerminalEffect::Bell);
+    let note = due
+        .note
+        .filter(|_| alerts.notify)
+        .map(TerminalEffect::Notify);
+    ring.into_iter().chain(note).map(Effect::Terminal).collect()
 }
 
 pub fn started(state: &mut State, started: Started) {
@@ -110,6 +114,7 @@ pub fn started(state: &mut State, started: Started) {
 }
 
 pub fn notice(state: &mut State, notice: &Notice) {
+    state.touch();
     state.notices.push(notice.clone());
     // What warns of no vehicle shows in no other place of the rooms that list no notices.
     if notice.vehicle.is_none() && notice.severity <= Severity::Warning && state.room != Room::Fly {
@@ -164,7 +169,20 @@ pub fn ended(state: &mut State, report: Box<Report>) {
     }
 }
 
+/// So many notices could not be taken in.
+pub fn dropped(state: &mut State, count: u64) {
+    state.notices.dropped = count;
+    state.touch();
+}
+
+/// The shell answers its user.
+pub fn answer(state: &mut State, text: Text) {
+    state.say(Severity::Notice, text);
+    state.touch();
+}
+
 pub fn failed(state: &mut State, text: Text) {
+    state.touch();
     if let Some(Overlay::Prompt(prompt)) = &mut state.overlay {
         prompt.fault = Some(text.clone());
     } else {

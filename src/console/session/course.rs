@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::Running;
 use super::logbook::Logbook;
-use crate::app::event::Event;
+use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{Session as Shown, Stage};
 use crate::commands::Deed;
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -120,7 +120,7 @@ impl Course {
             events.extend(heard(said, now));
         }
         events.extend(self.keep_record(now));
-        events.push(Event::Mission(Box::new(self.flight.progress())));
+        events.push(SessionEvent::Mission(Box::new(self.flight.progress())).into());
         if self.flight.outcome().is_some() {
             self.ended = true;
             let mut report = self.flight.close(&shown.ledger);
@@ -137,7 +137,7 @@ impl Course {
                     is_recorded: logbook.is_whole(),
                 });
             }
-            events.push(Event::MissionEnded(Box::new(report)));
+            events.push(SessionEvent::MissionEnded(Box::new(report)).into());
         }
         events
     }

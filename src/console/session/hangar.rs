@@ -9,7 +9,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::Running;
 use crate::app::effect::HangarDeed;
-use crate::app::event::Event;
+use crate::app::event::{Event, ProcessEvent};
 use crate::app::state::Instance;
 use crate::hangar::{self, Berth, Hangars, Launch, Line, Place, Seen, Source};
 use crate::link::Transport;
@@ -226,11 +226,12 @@ impl Processes {
         let looking = looking.take_if(|one| (one.vehicle, one.next) == (vehicle, from))?;
         looking.is_asked = false;
         looking.next = lines.last()?.number + 1;
-        Some(Event::Printed {
+        let printed = ProcessEvent::Printed {
             vehicle,
             anew: from == 0,
             lines: lines.iter().map(|line| sanitised(&line.text)).collect(),
-        })
+        };
+        Some(printed.into())
     }
 
     /// Where the process of a vehicle is.
@@ -284,7 +285,7 @@ impl Running {
                     let refused = pipes.find_map(|pipe| self.fleet.connect(pipe).err());
                     refused.map(|reason| Event::Failed(reason.into()))
                 }
-                News::NotLaunched(text) => Some(Event::NotLaunched(text)),
+                News::NotLaunched(text) => Some(ProcessEvent::NotLaunched(text).into()),
                 News::Failed(text) => Some(Event::Failed(text)),
                 News::Printed(vehicle, from, lines) => processes.printed(vehicle, from, &lines),
             };
@@ -295,7 +296,7 @@ impl Running {
                 // A fleet that cannot keep up sees it by the vehicle's clock.
                 let _ = self.fleet.restarted(vehicle);
             }
-            events.push(Event::Hangar(instances));
+            events.push(ProcessEvent::Instances(instances).into());
         }
         events
     }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use tokio::sync::watch;
 
-use crate::app::event::Event;
+use crate::app::event::{Event, LinkEvent};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::doctor::{Chart, Way, diagnose};
 use crate::inspector::Key;
@@ -55,7 +55,7 @@ impl Inspection {
             let status = link.borrow().clone();
             chart.note(tap.observe(&status), now);
         }
-        Some(Event::Findings(diagnose(&self.charts)))
+        Some(LinkEvent::Findings(diagnose(&self.charts)).into())
     }
 
     /// A look at the messages, if it is time for one.
@@ -87,7 +87,7 @@ impl Inspection {
             } else {
                 LOOK_EVERY
             };
-        Some(Event::Traffic(traffic))
+        Some(LinkEvent::Traffic(traffic).into())
     }
 
     /// Has every frame of these kinds kept, and of no others.

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use tokio::sync::watch;
 
-use crate::app::event::Event;
+use crate::app::event::{Event, LinkEvent};
 use crate::app::state::LinkSummary;
 use crate::link::{LinkId, LinkState, LinkStatus};
 use crate::notice::Notice;
@@ -65,7 +65,7 @@ impl Links {
             let round_trip = round_trip(vehicles, status.id);
             summary(&status, round_trip)
         });
-        Some(Event::Links(summaries.collect()))
+        Some(LinkEvent::Summaries(summaries.collect()).into())
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::Running;
-use crate::app::event::Event;
+use crate::app::event::{Event, VehicleEvent};
 use crate::commands::Manoeuvre;
 use crate::ledger::{EntryId, RowUpdate};
 use crate::notice::Notice;
@@ -103,13 +103,14 @@ impl Running {
         self.swarm.steer(turn.steering, |vehicle, steering| {
             fleet.steer(vehicle, steering).is_ok()
         });
-        let mut events: Vec<Event> = at(now, turn.rows).into_iter().map(Event::Row).collect();
+        let rows = at(now, turn.rows).into_iter().map(VehicleEvent::Row);
+        let mut events: Vec<Event> = rows.map(Event::from).collect();
         let notices = turn.notices.into_iter();
         events.extend(notices.map(|notice| Event::Notice(Notice { at: now, ..notice })));
         let paths = self.swarm.conductor.paths();
         if paths != self.swarm.paths {
             self.swarm.paths.clone_from(&paths);
-            events.push(Event::Paths(paths));
+            events.push(VehicleEvent::Paths(paths).into());
         }
         events
     }

@@ -1,6 +1,6 @@
 //! Alerts: since when they stand, taking note of them, and what makes a noise.
 
-use sortie::app::effect::Effect;
+use sortie::app::effect::{Effect, TerminalEffect};
 use sortie::vehicle::{Severity, Vehicle};
 
 use crate::fixtures;
@@ -48,9 +48,9 @@ fn alerts_of_many_vehicles_are_one_line_one_ring_and_one_note() {
     for id in 1..=4 {
         effects.extend(console.vehicle(silent(id, 7)).effects.clone());
     }
-    assert_eq!(effects, [Effect::Bell]);
+    assert_eq!(effects, [Effect::Terminal(TerminalEffect::Bell)]);
     assert!(first_lines(&console).contains("! 4 vehicles: LINK LOST since 0:07: 1-4"));
-    let [Effect::Notify(note)] = console.at(11).effects.as_slice() else {
+    let [Effect::Terminal(TerminalEffect::Notify(note))] = console.at(11).effects.as_slice() else {
         panic!("one note: {:?}", console.effects);
     };
     assert_eq!(note.to_string(), "4 vehicles: LINK LOST");

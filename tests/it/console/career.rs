@@ -1,7 +1,7 @@
 //! Who trains here, and what they may fly.
 
-use sortie::app::effect::{Effect, Launch};
-use sortie::app::event::Event;
+use sortie::app::effect::{CareerEffect, Effect, Launch, SessionEffect};
+use sortie::app::event::{CareerEvent, Event, SessionEvent};
 use sortie::app::room::home;
 use sortie::app::state::{Activity, Career, Overlay, Purpose, Room, Trainee};
 use sortie::campaign::{Aids, Entry, Stake};
@@ -47,7 +47,10 @@ fn a_newcomer_flies_the_first_mission_with_the_first_key() {
     for mut console in [nobody(), trained_by(newcomer())] {
         console.press("enter");
         let launch = Launch::graded("00-first-flight");
-        assert_eq!(console.effects, [Effect::StartMission(launch)]);
+        assert_eq!(
+            console.effects,
+            [Effect::Session(SessionEffect::StartMission(launch))]
+        );
     }
 }
 
@@ -56,11 +59,11 @@ fn the_cursor_begins_where_there_is_most_to_learn_and_stays_where_it_was_put() {
     let mut console = nobody();
     let career = career();
     let next = career.next_mission().expect("there is more").to_owned();
-    console.hear(Event::Career(Some(Box::new(career.clone()))));
+    console.hear(CareerEvent::Career(Some(Box::new(career.clone()))));
     assert_eq!(under_cursor(&console), next);
     go_to(&mut console, "00-first-flight");
     // A part was bought, or another console said something: nothing was flown.
-    console.hear(Event::Career(Some(Box::new(career.clone()))));
+    console.hear(CareerEvent::Career(Some(Box::new(career.clone()))));
     assert_eq!(under_cursor(&console), "00-first-flight");
     let mut history = career.history.clone();
     history.push(flight("00-first-flight", 0, 700, &[]));
@@ -69,7 +72,7 @@ fn the_cursor_begins_where_there_is_most_to_learn_and_stays_where_it_was_put() {
         ..Career::new("oksana", history, career.course)
     };
     let next = flown.next_mission().expect("there is more").to_owned();
-    console.hear(Event::Career(Some(Box::new(flown))));
+    console.hear(CareerEvent::Career(Some(Box::new(flown))));
     assert_eq!(under_cursor(&console), next);
 }
 
@@ -97,7 +100,7 @@ fn an_open_mission_is_flown_for_credits_with_the_seed_of_the_day_as_an_exam_or_f
             seed,
             ..Launch::graded("00-first-flight")
         };
-        [Effect::StartMission(launch)]
+        [Effect::Session(SessionEffect::StartMission(launch))]
     };
     let mut console = trained_by(newcomer());
     console.press("enter");
@@ -127,7 +130,7 @@ fn practice_is_flown_with_the_fleet_that_was_chosen() {
     let fleets = &mut console.state.fleets;
     fleets.insert("00-first-flight".to_owned(), fleet.clone());
     console.press("p").press("enter");
-    let [Effect::StartMission(launch)] = console.effects.as_slice() else {
+    let [Effect::Session(SessionEffect::StartMission(launch))] = console.effects.as_slice() else {
         panic!("{:?}", console.effects);
     };
     assert_eq!(launch.fleet, fleet);
@@ -142,7 +145,7 @@ fn a_trainee_is_met_in_their_language_until_they_choose_another() {
         ..newcomer()
     };
     let meet = |console: &mut Console, career: Career| {
-        console.hear(Event::Career(Some(Box::new(career))));
+        console.hear(CareerEvent::Career(Some(Box::new(career))));
     };
     let mut console = nobody();
     console.give("set lang en");
@@ -150,7 +153,10 @@ fn a_trainee_is_met_in_their_language_until_they_choose_another() {
     meet(&mut console, ukrainian("oksana"));
     assert_eq!(language(&console), Language::Ukrainian);
     console.give("set lang en");
-    assert_eq!(console.effects, [Effect::SetLanguage(Language::English)]);
+    assert_eq!(
+        console.effects,
+        [Effect::Career(CareerEffect::SetLanguage(Language::English))]
+    );
     assert_eq!(language(&console), Language::English);
     meet(&mut console, ukrainian("oksana"));
     assert_eq!(language(&console), Language::English, "it is the same one");
@@ -163,7 +169,7 @@ fn a_trainee_is_met_in_their_language_until_they_choose_another() {
 fn an_exam_that_would_end_a_flight_says_so() {
     let mut console = Console::new();
     in_flight(&mut console);
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     console.press("H").press("e");
     let screen = console.screen(80, 24);
     assert!(screen.contains("mission"), "{screen}");
@@ -194,16 +200,22 @@ fn profiles_are_chosen_made_and_left() {
     console.press("u").press("enter");
     assert!(console.effects.is_empty() && console.state.overlay.is_none());
     console.press("u").press("j").press("enter");
-    assert_eq!(console.effects, [Effect::ChooseProfile("taras".to_owned())]);
+    assert_eq!(
+        console.effects,
+        [Effect::Career(CareerEffect::Choose("taras".to_owned()))]
+    );
     console.press("u").press("end").press("enter");
-    assert_eq!(console.effects, [Effect::LeaveProfile]);
+    assert_eq!(console.effects, [Effect::Career(CareerEffect::Leave)]);
     console.press("u").press("esc");
     assert!(console.effects.is_empty() && console.state.overlay.is_none());
     console.press("u").press("end").press("k").press("enter");
     console.write("  ").press("enter");
     assert!(console.effects.is_empty(), "a name has letters");
     console.write("Лесь").press("enter");
-    assert_eq!(console.effects, [Effect::CreateProfile("Лесь".to_owned())]);
+    assert_eq!(
+        console.effects,
+        [Effect::Career(CareerEffect::Create("Лесь".to_owned()))]
+    );
 }
 
 #[test]
@@ -216,7 +228,7 @@ fn the_prompt_for_a_name_stays_with_the_reason_until_there_is_a_profile() {
         .press("enter");
     assert_eq!(
         console.effects,
-        [Effect::CreateProfile("oksana".to_owned())]
+        [Effect::Career(CareerEffect::Create("oksana".to_owned()))]
     );
     console.hear(Event::Failed("there is one already".into()));
     let screen = console.screen(80, 24);
@@ -226,9 +238,9 @@ fn the_prompt_for_a_name_stays_with_the_reason_until_there_is_a_profile() {
         _ => false,
     };
     assert!(is_prompt(&console));
-    console.hear(Event::Career(None));
+    console.hear(CareerEvent::Career(None));
     assert!(is_prompt(&console), "nobody has come");
-    console.hear(Event::Career(Some(Box::new(newcomer()))));
+    console.hear(CareerEvent::Career(Some(Box::new(newcomer()))));
     assert!(!is_prompt(&console));
 }
 
@@ -243,7 +255,7 @@ fn nobody_takes_over_a_flight() {
         "{}",
         said(&console)
     );
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     console.at(5).press("H").press("u");
     assert!(console.state.overlay.is_some(), "it is over");
 }
@@ -253,9 +265,9 @@ fn what_was_chosen_for_missions_goes_with_who_chose_it() {
     let mut console = trained_by(career());
     let fleets = &mut console.state.fleets;
     fleets.insert("01-air-sample".to_owned(), Vec::new());
-    console.hear(Event::Career(Some(Box::new(career()))));
+    console.hear(CareerEvent::Career(Some(Box::new(career()))));
     assert_eq!(console.state.fleets.len(), 1);
-    console.hear(Event::Career(None));
+    console.hear(CareerEvent::Career(None));
     assert!(console.state.fleets.is_empty());
 }
 
@@ -271,7 +283,10 @@ fn advice_goes_round_and_is_kept() {
     ] {
         console.state.career.as_mut().expect("she trains").aids = now;
         console.press("a");
-        assert_eq!(console.effects, [Effect::SetAids(next)]);
+        assert_eq!(
+            console.effects,
+            [Effect::Career(CareerEffect::SetAids(next))]
+        );
     }
     let mut console = nobody();
     console.press("T").press("a");
@@ -330,9 +345,9 @@ fn a_flight_under_way_hears_of_it_in_every_room() {
         ..Career::new("oksana", Vec::new(), course)
     };
     console.state.missions = missions;
-    console.hear(Event::Career(Some(Box::new(career))));
+    console.hear(CareerEvent::Career(Some(Box::new(career))));
     in_flight(&mut console);
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     let progress = console.state.session.mission.as_ref();
     assert_eq!(progress.expect("it is flown").hint, None);
     assert!(console.state.rooms.mission.hints.is_empty());
@@ -389,10 +404,12 @@ fn after_a_flight_the_key_for_the_next_mission_flies_what_is_next() {
     let mut console = trained_by(career());
     let next = career().next_mission().expect("there is more").to_owned();
     in_flight(&mut console);
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     console.at(5).press("n");
     assert_eq!(
         console.effects,
-        [Effect::StartMission(Launch::graded(next))]
+        [Effect::Session(SessionEffect::StartMission(
+            Launch::graded(next)
+        ))]
     );
 }

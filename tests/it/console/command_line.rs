@@ -1,7 +1,7 @@
 //! The command line and the questions that it leads to.
 
-use sortie::app::effect::Effect;
-use sortie::app::event::Event;
+use sortie::app::effect::{Effect, TerminalEffect};
+use sortie::app::event::{SessionEvent, TerminalEvent};
 use sortie::app::state::Overlay;
 
 use super::{palette_line, selection};
@@ -215,7 +215,12 @@ fn tab_completes_and_goes_round() {
     console.press("shift-tab").press("shift-tab");
     assert_eq!(palette_line(&console), "theme monochrome ");
     console.press("enter");
-    assert_eq!(console.effects, [Effect::SetTheme("monochrome".to_owned())]);
+    assert_eq!(
+        console.effects,
+        [Effect::Terminal(TerminalEffect::SetTheme(
+            "monochrome".to_owned()
+        ))]
+    );
     console.press(":").write("all tko").press("tab");
     assert!(
         palette_line(&console).starts_with("all takeoff "),
@@ -271,10 +276,10 @@ fn what_the_console_has_said_goes_with_what_it_was_about() {
     assert!(!said(refused().press("x").press("M")), "even after another");
     assert!(!said(refused().at(5)), "an acknowledgement is brief");
     let mut console = refused();
-    console.hear(Event::Line("1 arm".to_owned()));
+    console.hear(TerminalEvent::Line("1 arm".to_owned()));
     assert!(!said(&console), "another line is given");
     let mut console = refused();
     let report = Box::new(fixtures::report());
-    console.hear(Event::MissionEnded(report));
+    console.hear(SessionEvent::MissionEnded(report));
     assert!(!said(&console), "the debrief opens");
 }

@@ -1,6 +1,6 @@
 //! The room of all commands so far.
 
-use sortie::app::event::Event;
+use sortie::app::event::VehicleEvent;
 use sortie::app::state::Room;
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 
@@ -144,7 +144,7 @@ fn thousands_of_commands_with_a_filter_stay_quick() {
     assert_eq!(shown(&console).len(), 11);
     // Rows that change do not look through all commands each.
     for number in 0..10_000 {
-        console.hear(Event::Row(RowUpdate {
+        console.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(number),
             vehicle: 1,
             state: RowState::Done,

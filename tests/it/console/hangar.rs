@@ -1,7 +1,7 @@
 //! The vehicles' processes: until they are ready, when one crashes, and what can be done with them.
 
-use sortie::app::effect::{Effect, HangarDeed};
-use sortie::app::event::{Event, Started};
+use sortie::app::effect::{Effect, HangarDeed, SessionEffect, TerminalEffect};
+use sortie::app::event::{ProcessEvent, SessionEvent, Started};
 use sortie::app::state::{Activity, AlertKind, Instance, Overlay, Room, Stage};
 use sortie::vehicle::Severity;
 
@@ -49,7 +49,7 @@ pub fn crashed(vehicle: u16) -> Instance {
 pub fn starting(activity: Activity, processes: usize) -> Console {
     let mut console = Console::new();
     let is_mission = matches!(activity, Activity::Mission { .. });
-    console.hear(Event::Started(Box::new(Started {
+    console.hear(SessionEvent::Started(Box::new(Started {
         mission: is_mission.then(|| Box::new(fixtures::listing())),
         activity,
         places: std::collections::BTreeMap::new(),
@@ -60,7 +60,7 @@ pub fn starting(activity: Activity, processes: usize) -> Console {
 }
 
 pub fn hear(console: &mut Console, instances: Vec<Instance>) {
-    console.hear(Event::Hangar(instances));
+    console.hear(ProcessEvent::Instances(instances));
 }
 
 /// Two that are ready and parked.
@@ -124,7 +124,7 @@ fn escape_cancels_what_has_not_begun_without_a_question() {
     let mut console = starting(activity, 2);
     hear(&mut console, vec![instance(1, Stage::Process)]);
     console.press("esc");
-    assert_eq!(console.effects, [Effect::LeaveSession]);
+    assert_eq!(console.effects, [Effect::Session(SessionEffect::Leave)]);
     assert_eq!(console.state.room, Room::Home);
 }
 
@@ -163,7 +163,7 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     );
     let worst = console.state.session.alarms.worst(2).expect("it alarms");
     assert_eq!(worst.alert.kind, AlertKind::Process);
-    assert_eq!(console.effects, [Effect::Bell]);
+    assert_eq!(console.effects, [Effect::Terminal(TerminalEffect::Bell)]);
     let count = console.state.notices.lines().len();
     hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
     assert_eq!(
@@ -172,7 +172,13 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
         "it is told once"
     );
     console.press("G").press("r");
-    assert_eq!(console.effects, [Effect::Hangar(HangarDeed::Restart, 2)]);
+    assert_eq!(
+        console.effects,
+        [Effect::Session(SessionEffect::Process(
+            HangarDeed::Restart,
+            2
+        ))]
+    );
     let again = |stage| Instance {
         restarts: 1,
         ..instance(2, stage)
@@ -216,10 +222,10 @@ fn why_the_vehicles_could_not_be_started_stays_on_the_screen() {
     assert!(console.screen(80, 24).contains("is being opened"));
     let reason = "hangar 127.0.0.1:5999: it cannot be reached: is `sortie hangar` running there? \
                   From another host: `ssh -L PORT:127.0.0.1:PORT HOST`";
-    console.hear(Event::NotLaunched(reason.into()));
+    console.hear(ProcessEvent::NotLaunched(reason.into()));
     console.press("n").press("esc").press("esc");
     let mut console = starting(Activity::Free, 2);
-    console.hear(Event::NotLaunched(reason.into()));
+    console.hear(ProcessEvent::NotLaunched(reason.into()));
     let screen = console.screen(80, 24);
     assert!(!screen.contains("is being opened"), "{screen}");
     assert!(screen.contains("PORT HOST`"), "{screen}");
@@ -232,7 +238,7 @@ fn the_output_of_a_process_that_runs_is_looked_at_as_long_as_it_is_on_the_screen
     assert_eq!(wanted(&console.state), None);
     console.press("G").press("j");
     assert_eq!(wanted(&console.state), Some(2));
-    let printed = |anew, lines: &[&str]| Event::Printed {
+    let printed = |anew, lines: &[&str]| ProcessEvent::Printed {
         vehicle: 2,
         anew,
         lines: lines.iter().map(|line| (*line).to_owned()).collect(),
@@ -294,9 +300,15 @@ fn an_armed_vehicle_is_not_restarted_or_ended_without_a_question() {
         console.press("n");
     }
     console.give("hangar stop 1").press("y");
-    assert_eq!(console.effects, [Effect::Hangar(HangarDeed::Stop, 1)]);
+    assert_eq!(
+        console.effects,
+        [Effect::Session(SessionEffect::Process(HangarDeed::Stop, 1))]
+    );
     console.give("hangar stop 2");
-    assert_eq!(console.effects, [Effect::Hangar(HangarDeed::Stop, 2)]);
+    assert_eq!(
+        console.effects,
+        [Effect::Session(SessionEffect::Process(HangarDeed::Stop, 2))]
+    );
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What the keys of the map do.
 
+use sortie::app::event::TerminalEvent;
 use sortie::app::room::map::Aim;
 use sortie::app::state::Room;
 use sortie::geo::LatLon;
@@ -11,7 +12,7 @@ use crate::harness::Console;
 /// Four vehicles in a row, five metres apart, seen on the map.
 fn on_the_map() -> Console {
     let mut console = Console::flying(4);
-    console.hear(sortie::app::event::Event::Resize {
+    console.hear(TerminalEvent::Resize {
         columns: 120,
         rows: 40,
     });

@@ -1,6 +1,6 @@
 //! The command line as one list of everything, and macros.
 
-use sortie::app::effect::{Effect, Launch};
+use sortie::app::effect::{Effect, Launch, SessionEffect};
 use sortie::app::state::Room;
 
 use super::palette_line;
@@ -171,7 +171,9 @@ fn another_mission_from_the_command_line_asks_before_the_present_one_is_lost() {
     let mut console = Console::flying(1);
     assert_eq!(
         console.give("fly m01").effects,
-        [Effect::StartMission(Launch::graded("m01"))],
+        [Effect::Session(SessionEffect::StartMission(
+            Launch::graded("m01")
+        ))],
         "nothing is armed"
     );
 }

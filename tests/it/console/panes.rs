@@ -1,6 +1,6 @@
 //! What the panes and the table say.
 
-use sortie::app::event::Event;
+use sortie::app::event::{Event, LinkEvent, VehicleEvent};
 use sortie::app::state::{Activity, LinkSummary};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::text;
@@ -100,7 +100,7 @@ fn why_a_link_is_down_is_never_cut() {
     let mut console = Console::flying(0);
     let reason = "cannot open the recording none.tlog: there is no such file in the folder that the \
                   console was started from; give its whole path";
-    console.hear(Event::Links(vec![LinkSummary {
+    console.hear(LinkEvent::Summaries(vec![LinkSummary {
         name: "file:none.tlog".to_owned(),
         state: "ended".into(),
         error: Some(reason.into()),
@@ -133,7 +133,7 @@ fn the_table_shows_the_command_that_is_under_way() {
     assert!(console.screen(80, 24).contains("land queued"));
     console.row(1, RowState::Done, None);
     assert!(console.screen(80, 24).contains("goto accepted"));
-    console.hear(Event::Row(RowUpdate {
+    console.hear(VehicleEvent::Row(RowUpdate {
         entry: EntryId(0),
         vehicle: 1,
         state: RowState::Done,
@@ -178,7 +178,7 @@ fn the_commands_and_the_notices_can_be_looked_back_through() {
 #[test]
 fn a_long_address_does_not_push_out_whether_the_link_is_up() {
     let mut console = Console::flying(1);
-    console.hear(Event::Links(vec![LinkSummary {
+    console.hear(LinkEvent::Summaries(vec![LinkSummary {
         name: "serial:/dev/serial/by-id/usb-autopilot-if00:115200".to_owned(),
         ..LinkSummary::default()
     }]));

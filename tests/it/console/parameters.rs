@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use sortie::app::effect::Effect;
-use sortie::app::event::Event;
+use sortie::app::effect::{Effect, FileEffect, FileKind};
+use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::app::room::parameters::{cursor_row, rows};
 use sortie::app::state::{Overlay, Room};
 use sortie::commands::Command;
@@ -61,7 +61,7 @@ pub fn in_the_room(vehicles: u16) -> Console {
 
 pub fn arrives(console: &mut Console, vehicle: u16, list: Parameters) {
     let snapshot = complete(list);
-    console.hear(Event::Parameters { vehicle, snapshot });
+    console.hear(VehicleEvent::Parameters { vehicle, snapshot });
 }
 
 fn names(console: &Console) -> Vec<String> {
@@ -70,7 +70,7 @@ fn names(console: &Console) -> Vec<String> {
 }
 
 fn row(console: &mut Console, entry: u32, vehicle: u16, state: RowState) {
-    console.hear(Event::Row(RowUpdate {
+    console.hear(VehicleEvent::Row(RowUpdate {
         entry: EntryId(entry),
         vehicle,
         state,
@@ -211,11 +211,12 @@ fn a_list_is_saved_when_it_is_whole_and_never_over_another_file_unasked() {
         .write("my file.parm")
         .press("enter");
     let [
-        Effect::SaveParameters {
+        Effect::File(FileEffect::Write {
+            kind: FileKind::Parameters,
             path,
             text,
             replace,
-        },
+        }),
     ] = &console.effects[..]
     else {
         panic!("{:?}", console.effects);
@@ -223,10 +224,14 @@ fn a_list_is_saved_when_it_is_whole_and_never_over_another_file_unasked() {
     assert_eq!((path.as_str(), *replace), ("my file.parm", false));
     assert!(text.starts_with("# vehicle 1, 10 parameters\nANGLE_MAX,3000\n"));
     let (path, text) = (path.clone(), text.clone());
-    console.hear(Event::ParametersExist { path, text });
+    console.hear(FileEvent::Exists {
+        kind: FileKind::Parameters,
+        path,
+        text,
+    });
     assert!(console.press("y").effects.iter().any(|effect| matches!(
         effect,
-        Effect::SaveParameters { replace: true, path, .. } if path == "my file.parm"
+        Effect::File(FileEffect::Write { kind: FileKind::Parameters, replace: true, path, .. }) if path == "my file.parm"
     )));
 }
 
@@ -237,10 +242,14 @@ fn a_file_shows_what_differs_first_and_sets_what_was_confirmed() {
     let path = "other.parm".to_owned();
     assert_eq!(
         console.effects,
-        [Effect::ReadParameters { path: path.clone() }]
+        [Effect::File(FileEffect::Read {
+            kind: FileKind::Parameters,
+            path: path.clone()
+        })]
     );
     let text = "RTL_ALT,2000\nWPNAV_SPEED,1000\nSYSID_THISMAV,7\nANGLE_MAX,4500\nNEW_ONE,1\n";
-    console.hear(Event::ParametersRead {
+    console.hear(FileEvent::Read {
+        kind: FileKind::Parameters,
         path,
         text: text.to_owned(),
     });
@@ -286,7 +295,7 @@ fn what_became_of_a_value_is_said_on_the_last_line_once_all_have_answered() {
     let mut console = in_the_room(3);
     console.give("1-3 param set WPNAV_SPEED 640");
     let mut end = |vehicle, state, reason: &str| {
-        console.hear(Event::Row(RowUpdate {
+        console.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(0),
             vehicle,
             state,
@@ -336,7 +345,7 @@ fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
         fetching: Fetching::UnderWay { fruitless: 0 },
         reboots: 1,
     };
-    console.hear(Event::Parameters {
+    console.hear(VehicleEvent::Parameters {
         vehicle: 1,
         snapshot,
     });
@@ -356,7 +365,11 @@ fn a_faulty_file_is_told_with_line_and_column_and_changes_nothing() {
     let mut console = in_the_room(1);
     let text = "RTL_ALT,2000\nANGLE_MAX;45\n".to_owned();
     let path = "bad.parm".to_owned();
-    console.hear(Event::ParametersRead { path, text });
+    console.hear(FileEvent::Read {
+        kind: FileKind::Parameters,
+        path,
+        text,
+    });
     assert_eq!(
         said(&console),
         "bad.parm:2:13: ANGLE_MAX;45 has no value (nothing was loaded)"

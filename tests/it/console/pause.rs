@@ -1,7 +1,7 @@
 //! Pauses, and what begins and ends a try at a mission.
 
-use sortie::app::effect::{Effect, Launch};
-use sortie::app::event::{Event, Started};
+use sortie::app::effect::{Effect, Launch, SessionEffect};
+use sortie::app::event::{SessionEvent, Started};
 use sortie::app::state::{Activity, Overlay, Room};
 use sortie::scoring::EventReport;
 use sortie::text::{Language, Locale};
@@ -21,7 +21,7 @@ fn flying() -> Console {
     let mut console = Console::new();
     console.start(mission());
     console.vehicle(fixtures::airborne(1, 20.0, 20.1));
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     console.press("F");
     console
 }
@@ -37,19 +37,31 @@ fn said(console: &Console) -> String {
 #[test]
 fn a_key_and_lines_pause_and_go_on_and_the_screen_says_so() {
     let mut console = flying();
-    assert_eq!(console.press("p").effects, [Effect::Pause]);
-    console.hear(Event::Paused(true));
+    assert_eq!(
+        console.press("p").effects,
+        [Effect::Session(SessionEffect::Pause)]
+    );
+    console.hear(SessionEvent::Paused(true));
     for room in ["F", "M", "B"] {
         assert!(console.press(room).screen(80, 24).contains("PAUSED"));
     }
-    assert_eq!(console.press("p").effects, [Effect::GoOn]);
-    console.hear(Event::Paused(false));
+    assert_eq!(
+        console.press("p").effects,
+        [Effect::Session(SessionEffect::Continue)]
+    );
+    console.hear(SessionEvent::Paused(false));
     assert!(!console.press("F").screen(80, 24).contains("PAUSED"));
-    assert_eq!(console.give("pause").effects, [Effect::Pause]);
-    console.hear(Event::Paused(true));
+    assert_eq!(
+        console.give("pause").effects,
+        [Effect::Session(SessionEffect::Pause)]
+    );
+    console.hear(SessionEvent::Paused(true));
     assert!(console.give("pause").effects.is_empty());
-    assert_eq!(console.give("continue").effects, [Effect::GoOn]);
-    console.hear(Event::Paused(false));
+    assert_eq!(
+        console.give("continue").effects,
+        [Effect::Session(SessionEffect::Continue)]
+    );
+    console.hear(SessionEvent::Paused(false));
     assert!(console.give("continue").effects.is_empty());
     assert!(said(&console).contains("nothing is paused"));
 }
@@ -57,7 +69,7 @@ fn a_key_and_lines_pause_and_go_on_and_the_screen_says_so() {
 #[test]
 fn commands_are_refused_while_it_is_paused_and_the_line_stays() {
     let mut console = flying();
-    console.hear(Event::Paused(true));
+    console.hear(SessionEvent::Paused(true));
     for line in ["1 rtl", "1 mark", "1 predict 800"] {
         assert!(console.give(line).effects.is_empty(), "{line}");
         let Some(Overlay::Palette(palette)) = &console.state.overlay else {
@@ -68,7 +80,7 @@ fn commands_are_refused_while_it_is_paused_and_the_line_stays() {
         console.press("esc");
     }
     assert_eq!(console.state.session.ledger.entries().len(), 0);
-    console.hear(Event::Paused(false));
+    console.hear(SessionEvent::Paused(false));
     assert_eq!(console.give("1 rtl").sent_to(), [1]);
 }
 
@@ -82,7 +94,7 @@ fn what_cannot_be_paused_says_why() {
     let mut forbidden = Console::new();
     let mut listing = fixtures::listing();
     listing.pausable = false;
-    forbidden.hear(Event::Started(Box::new(Started {
+    forbidden.hear(SessionEvent::Started(Box::new(Started {
         activity: mission(),
         mission: Some(Box::new(listing)),
         places: std::collections::BTreeMap::new(),
@@ -90,7 +102,7 @@ fn what_cannot_be_paused_says_why() {
         processes: None,
     })));
     let mut over = flying();
-    over.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    over.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     over.at(300);
     for (console, reason) in [
         (&mut processes, "ArduPilot"),
@@ -137,14 +149,14 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
     let mut progress = fixtures::progress();
     progress.score_so_far = None;
     progress.pledge.prediction = Some(800);
-    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
     let screen = console.screen(80, 24);
     assert!(screen.contains("800 predicted"), "{screen}");
     assert!(screen.contains("goal time 200s"), "{screen}");
     // In the air only what was said is left.
     let mut progress = fixtures::progress();
     progress.pledge.prediction = Some(800);
-    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
     let screen = console.screen(80, 24);
     assert!(screen.contains("your word"), "{screen}");
     assert!(!screen.contains("goal time 200s"), "{screen}");
@@ -159,8 +171,11 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
 #[test]
 fn keys_of_the_brief_end_and_repeat_the_mission_after_a_question() {
     for (key, effect) in [
-        ("a", Effect::AbandonMission),
-        ("r", Effect::RestartMission { alike: false }),
+        ("a", Effect::Session(SessionEffect::Abandon)),
+        (
+            "r",
+            Effect::Session(SessionEffect::Restart { alike: false }),
+        ),
     ] {
         let mut console = flying();
         console.press("B").press(key);
@@ -178,12 +193,18 @@ fn the_debrief_leads_to_the_same_seed_another_one_and_the_next_mission() {
     console.state.missions.push(next);
     let mut report = fixtures::report();
     report.mission = first;
-    console.hear(Event::MissionEnded(Box::new(report)));
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
     console.at(300);
     for (key, effect) in [
-        ("r", Effect::RestartMission { alike: false }),
-        ("s", Effect::RestartMission { alike: true }),
-        ("n", Effect::StartMission(Launch::graded("m02"))),
+        (
+            "r",
+            Effect::Session(SessionEffect::Restart { alike: false }),
+        ),
+        ("s", Effect::Session(SessionEffect::Restart { alike: true })),
+        (
+            "n",
+            Effect::Session(SessionEffect::StartMission(Launch::graded("m02"))),
+        ),
     ] {
         assert_eq!(console.press(key).effects, [effect], "{key}");
     }
@@ -199,7 +220,7 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
         text: format!("event {number}").into(),
         ..event.clone()
     }));
-    console.hear(Event::MissionEnded(Box::new(report)));
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
     console.at(300);
     let mut seen = Vec::new();
     for _ in 0..12 {
@@ -225,8 +246,8 @@ fn before_launch_the_score_can_be_predicted_and_a_goal_set_while_the_brief_is_re
         score_so_far: None,
         ..fixtures::progress()
     };
-    console.hear(Event::Mission(Box::new(progress)));
-    console.hear(Event::Paused(true));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Paused(true));
     for line in ["1 predict 800", "1 goal time 200s"] {
         console.give(line);
         let given = matches!(console.effects.as_slice(), [Effect::Deed { .. }]);
@@ -236,7 +257,7 @@ fn before_launch_the_score_can_be_predicted_and_a_goal_set_while_the_brief_is_re
     // The keys that say so are offered until something flies.
     console.press("esc").press("B").at(60);
     assert!(console.screen(80, 24).contains("s predict  g goal"));
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     let screen = console.screen(80, 24);
     assert!(!screen.contains("s predict"), "{screen}");
     assert!(screen.contains("p pause"), "{screen}");
@@ -252,7 +273,7 @@ fn times_in_a_mission_are_those_of_the_mission() {
             ..fixtures::progress()
         };
         console.at(at_s);
-        console.hear(Event::Mission(Box::new(progress)));
+        console.hear(SessionEvent::Mission(Box::new(progress)));
     };
     hear(&mut console, 103, 0);
     hear(&mut console, 145, 420);

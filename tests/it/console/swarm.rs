@@ -1,7 +1,7 @@
 //! The table: order, filter, groups, selection.
 
-use sortie::app::effect::Effect;
-use sortie::app::event::Event;
+use sortie::app::effect::{Effect, TerminalEffect};
+use sortie::app::event::TerminalEvent;
 use sortie::app::state::{Activity, Overlay};
 use sortie::vehicle::Vehicle;
 
@@ -183,8 +183,13 @@ fn names_that_there_are_not_are_told_when_a_session_begins() {
 #[test]
 fn a_paste_without_a_line_to_go_to_is_told() {
     let mut console = Console::flying(1);
-    console.hear(Event::Paste("1 arm\n".to_owned()));
-    assert!(console.effects.iter().all(|effect| *effect == Effect::Bell));
+    console.hear(TerminalEvent::Paste("1 arm\n".to_owned()));
+    assert!(
+        console
+            .effects
+            .iter()
+            .all(|effect| *effect == Effect::Terminal(TerminalEffect::Bell))
+    );
     assert!(message(&console).contains("nothing was pasted"));
 }
 

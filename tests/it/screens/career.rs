@@ -1,6 +1,6 @@
 //! The campaign as it is seen: the map on the home screen, own progress, and what a flight has brought.
 
-use sortie::app::event::Event;
+use sortie::app::event::{CareerEvent, SessionEvent};
 use sortie::app::state::{Activity, Career};
 use sortie::campaign::{Reward, Standing};
 use sortie::config::Symbols;
@@ -117,9 +117,9 @@ fn the_debrief_tells_what_the_flight_has_brought() {
         id: "01-air-sample".to_owned(),
         title: "Air sample".into(),
     });
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(!at_end(&console).contains("CAREER"));
-    console.hear(Event::Rewarded(Box::new(reward)));
+    console.hear(CareerEvent::Rewarded(Box::new(reward)));
     let mut console = resized(console, (80, 50));
     console.at(5);
     let text = drawn(&console, Symbols::Braille, Language::English, (80, 50));

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use sortie::app::effect::Effect;
-use sortie::app::event::Event;
+use sortie::app::effect::{Effect, SessionEffect};
+use sortie::app::event::SessionEvent;
 use sortie::app::state::Activity;
 use sortie::config::Symbols;
 use sortie::geo::Outline;
@@ -105,7 +105,7 @@ fn crowded() -> Console {
     for id in 1..=3 {
         console.vehicle(fixtures::airborne(id, 20.0 * f64::from(id), 20.0));
     }
-    console.hear(Event::Mission(Box::new(progress())));
+    console.hear(SessionEvent::Mission(Box::new(progress())));
     console.at(1).press("F");
     console
 }
@@ -141,7 +141,7 @@ fn of_many_things_that_cannot_wait_the_rest_is_counted() {
     let mut console = resized(crowded(), (80, 24));
     let mut progress = progress();
     progress.margins_db = (1..=9).map(|id| (id, 1.0)).collect();
-    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
     let text = console.screen(80, 24);
     assert!(text.contains("! 1 is hardly heard: 1 dB"), "{text}");
     assert!(text.contains("and 8 more that cannot wait"), "{text}");
@@ -152,13 +152,13 @@ fn of_many_things_that_cannot_wait_the_rest_is_counted() {
 fn a_pause_is_on_the_screen_until_it_ends() {
     let size = (80, 24);
     let mut console = resized(crowded(), size);
-    console.hear(Event::Paused(true));
+    console.hear(SessionEvent::Paused(true));
     for language in Language::ALL {
         let text = drawn(&console, Symbols::Braille, language, size);
         let name = format!("crowded_paused_{}_80x24", language.code());
         insta::assert_snapshot!(name, text);
     }
-    console.hear(Event::Paused(false));
+    console.hear(SessionEvent::Paused(false));
     assert!(!console.screen(80, 24).contains("PAUSED"));
 }
 
@@ -182,7 +182,7 @@ fn burnt_ground_is_edged_as_it_was_seen_and_explained() {
             .collect(),
         ..progress()
     };
-    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
     console.press("z");
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     assert!(text.contains("burnt, as you saw it"), "{text}");
@@ -203,7 +203,7 @@ fn names_on_the_map_are_whole_or_only_a_sign_but_never_run_into_each_other() {
         contacts: (10..30).map(contact).collect(),
         ..progress()
     };
-    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
     console.press("M").press("z");
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     let row = text
@@ -242,7 +242,7 @@ fn an_area_that_is_switched_off_and_a_walker_who_is_gone_leave_the_map() {
     let size = (120, 40);
     let mut console = resized(crowded(), size);
     console.press("M").press("z");
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     assert!(
         !text.contains("x school") && !text.contains("P:walker"),
@@ -260,7 +260,7 @@ fn the_room_of_the_mission_tells_what_the_next_hint_takes() {
     assert!(text.contains("level 2: it takes 5 %"), "{text}");
     let mut progress = progress();
     progress.clues.next = Some((2, 0.0));
-    console.hear(Event::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     assert!(text.contains("level 2: it is free"), "{text}");
 }
@@ -275,7 +275,7 @@ fn what_an_instructor_may_have_happen_is_offered_by_name() {
     }
     console.write("gust").press("enter");
     assert!(
-        matches!(console.effects.as_slice(), [Effect::Inject(name)] if name == "gust"),
+        matches!(console.effects.as_slice(), [Effect::Session(SessionEffect::Inject(name))] if name == "gust"),
         "{:?}",
         console.effects
     );

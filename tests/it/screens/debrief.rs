@@ -1,7 +1,7 @@
 //! The room of the debrief: the truth on a map, earlier tries, and where its keys lead.
 
-use sortie::app::effect::{Effect, Launch};
-use sortie::app::event::Event;
+use sortie::app::effect::{Effect, Launch, SessionEffect};
+use sortie::app::event::SessionEvent;
 use sortie::app::state::{Activity, Room};
 use sortie::config::Symbols;
 use sortie::scoring::{
@@ -83,7 +83,7 @@ fn debriefed(size: (u16, u16)) -> Console {
         tries: tries(),
         ..fixtures::report()
     };
-    console.hear(Event::MissionEnded(Box::new(report)));
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
     console.at(5);
     resized(console, size)
 }
@@ -108,7 +108,10 @@ fn the_truth_is_beside_the_text_where_there_is_room_and_behind_a_key_elsewhere()
     assert!(console.effects.is_empty(), "{:?}", console.effects);
     console.press("m").press("m");
     assert!(shown(&console, Symbols::Braille).contains("Score 837"));
-    assert_eq!(console.press("esc").effects, [Effect::LeaveSession]);
+    assert_eq!(
+        console.press("esc").effects,
+        [Effect::Session(SessionEffect::Leave)]
+    );
 }
 
 #[test]
@@ -133,7 +136,7 @@ fn what_nobody_asked_for_is_not_missed() {
         truth,
         ..fixtures::report()
     };
-    console.hear(Event::MissionEnded(Box::new(report)));
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
     console.at(10).press("m");
     let text = shown(&console, Symbols::Ascii);
     assert!(text.contains("there, not asked for 1"), "{text}");
@@ -147,7 +150,7 @@ fn a_long_title_takes_a_line_more_and_the_outcome_stays() {
         title: "A title that is a good deal longer than what the line has room for".into(),
         ..fixtures::report()
     };
-    console.hear(Event::MissionEnded(Box::new(report)));
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
     let text = shown(&console, Symbols::Ascii);
     assert!(
         text.contains("longer than what the line") && text.contains("PASSED"),
@@ -187,7 +190,7 @@ fn who_flies_a_mission_again_is_in_the_air_at_once_and_who_comes_to_one_reads_it
 fn a_mission_that_hid_nothing_says_so_instead_of_a_map() {
     let mut console = debriefed((80, 24));
     let report = fixtures::report();
-    console.hear(Event::MissionEnded(Box::new(report)));
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
     console.at(10).press("m");
     let text = shown(&console, Symbols::Ascii);
     assert!(text.contains("nothing to reveal"), "{text}");
@@ -196,8 +199,11 @@ fn a_mission_that_hid_nothing_says_so_instead_of_a_map() {
 #[test]
 fn its_keys_fly_again_alike_the_next_and_lead_home() {
     for (key, expected) in [
-        ("r", Effect::RestartMission { alike: false }),
-        ("s", Effect::RestartMission { alike: true }),
+        (
+            "r",
+            Effect::Session(SessionEffect::Restart { alike: false }),
+        ),
+        ("s", Effect::Session(SessionEffect::Restart { alike: true })),
     ] {
         let mut console = debriefed((80, 24));
         console.press(key);
@@ -213,25 +219,29 @@ fn its_keys_fly_again_alike_the_next_and_lead_home() {
     console.press("n");
     assert_eq!(
         console.effects,
-        [Effect::StartMission(Launch::graded("m02"))]
+        [Effect::Session(SessionEffect::StartMission(
+            Launch::graded("m02")
+        ))]
     );
     console.press("t");
     assert_eq!(
         console.effects,
-        [Effect::StartMission(Launch::graded("d01"))]
+        [Effect::Session(SessionEffect::StartMission(
+            Launch::graded("d01")
+        ))]
     );
     let mut console = debriefed((80, 24));
     console.press("n");
     assert!(console.effects.is_empty());
     assert!(console.screen(80, 24).contains("no mission after this one"));
     console.press("h");
-    assert_eq!(console.effects, [Effect::LeaveSession]);
+    assert_eq!(console.effects, [Effect::Session(SessionEffect::Leave)]);
 }
 
 #[test]
 fn keys_that_were_meant_for_the_flight_do_nothing_for_a_second() {
     let mut console = debriefed((80, 24));
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     console.press("r").press("h");
     assert!(console.effects.is_empty(), "{:?}", console.effects);
     assert_eq!(console.state.room, Room::Debrief);

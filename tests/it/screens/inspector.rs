@@ -4,7 +4,7 @@ use std::io::BufReader;
 use std::sync::Arc;
 use std::time::Duration;
 
-use sortie::app::event::Event;
+use sortie::app::event::LinkEvent;
 use sortie::app::room::messages::{LinkTraffic, wanted};
 use sortie::inspector::{Census, Direction, Watched};
 use sortie::link::TlogReader;
@@ -55,7 +55,7 @@ fn inspecting() -> Console {
     let mut console = Console::flying(1);
     console.press("I");
     let flight = traffic("tcp:127.0.0.1:5760", recorded("flight.tlog", 0));
-    console.hear(Event::Traffic(vec![flight]));
+    console.hear(LinkEvent::Traffic(vec![flight]));
     console
 }
 
@@ -114,7 +114,7 @@ fn sources_with_one_system_id_are_two_branches() {
     Encoder::new(12, 1).encode(&ground_station_heartbeat(), &mut beat);
     both.note((Direction::In, 1), &beat, true, Duration::from_secs(99));
     both.name_peer(1, "10.0.0.9:14550".to_owned());
-    console.hear(Event::Traffic(vec![
+    console.hear(LinkEvent::Traffic(vec![
         traffic("udpin:0.0.0.0:14550", both),
         traffic("tcp:127.0.0.1:5760", recorded("flight.tlog", 0)),
     ]));
@@ -183,10 +183,16 @@ fn the_picture_stands_still_while_it_is_paused() {
     let mut console = inspecting();
     console.press("p");
     assert_eq!(wanted(&console.state), None);
-    console.hear(Event::Traffic(vec![traffic("another", Census::default())]));
+    console.hear(LinkEvent::Traffic(vec![traffic(
+        "another",
+        Census::default(),
+    )]));
     shows(&console, &["PAUSED", "tcp:127.0.0.1:5760"]);
     console.press("p");
-    console.hear(Event::Traffic(vec![traffic("another", Census::default())]));
+    console.hear(LinkEvent::Traffic(vec![traffic(
+        "another",
+        Census::default(),
+    )]));
     hides(&console, &["PAUSED", "tcp:127.0.0.1:5760"]);
 }
 
@@ -222,7 +228,7 @@ fn a_field_is_drawn_as_a_graph_wherever_one_is_until_it_is_let_go() {
     console.press("F");
     let elsewhere = wanted(&console.state).expect("the graph goes on");
     assert!(!elsewhere.census);
-    console.hear(Event::Traffic(vec![LinkTraffic {
+    console.hear(LinkEvent::Traffic(vec![LinkTraffic {
         census: None,
         watched: vec![watched],
         ..traffic("tcp:127.0.0.1:5760", Census::default())
@@ -252,7 +258,7 @@ fn what_no_dialect_knows_is_shown_by_its_number_and_bytes() {
         assert!(!shown, "it may be noise");
         census.note(from, &foreign, false, Duration::from_secs(second));
     }
-    console.hear(Event::Traffic(vec![traffic(
+    console.hear(LinkEvent::Traffic(vec![traffic(
         "serial:/dev/ttyUSB0:57600",
         census,
     )]));
@@ -277,7 +283,10 @@ fn hundreds_of_sources_scroll() {
             Duration::from_secs(99),
         );
     }
-    console.hear(Event::Traffic(vec![traffic("udpin:0.0.0.0:14550", census)]));
+    console.hear(LinkEvent::Traffic(vec![traffic(
+        "udpin:0.0.0.0:14550",
+        census,
+    )]));
     console.press("home");
     shows(&console, &["+ system 1 received"]);
     console.press("end");

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use sortie::app::event::Event;
+use sortie::app::event::LinkEvent;
 use sortie::app::state::{Activity, LinkSummary, Room};
 use sortie::doctor::{Cause, Finding, Way};
 use sortie::vehicle::Vehicle;
@@ -40,10 +40,10 @@ pub(super) fn ailing() -> Console {
         link("serial:/dev/ttyUSB0:57600", true),
         link("udpin:0.0.0.0:14550", false),
     ];
-    console.hear(Event::Links(links));
+    console.hear(LinkEvent::Summaries(links));
     for second in 1..=30 {
         console.at(second);
-        console.hear(Event::Findings(vec![
+        console.hear(LinkEvent::Findings(vec![
             finding(0, Way::Serial, Cause::WrongBaud),
             finding(1, Way::UdpIn, Cause::NotOpen),
         ]));
@@ -83,7 +83,7 @@ fn many_links_and_many_losses_are_counted_where_they_do_not_fit() {
         .map(|at| link(&format!("udpin:0.0.0.0:{}", 14550 + at), true))
         .collect();
     links[0].lost = (1..=59).map(|id| ((id, 1), u64::from(id))).collect();
-    console.hear(Event::Links(links));
+    console.hear(LinkEvent::Summaries(links));
     console.press("L");
     let screen = console.screen(80, 24);
     for shown in ["1-5 of 9", "59/1: 59, 58/1: 58", "55/1: 55, +54"] {
@@ -95,8 +95,11 @@ fn many_links_and_many_losses_are_counted_where_they_do_not_fit() {
 fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
     let mut console = Console::new();
     console.start(Activity::Free);
-    console.hear(Event::Links(vec![link("udpin:0.0.0.0:14550", true)]));
-    let findings = || Event::Findings(vec![finding(0, Way::UdpIn, Cause::Nothing)]);
+    console.hear(LinkEvent::Summaries(vec![link(
+        "udpin:0.0.0.0:14550",
+        true,
+    )]));
+    let findings = || LinkEvent::Findings(vec![finding(0, Way::UdpIn, Cause::Nothing)]);
     let told = |console: &Console| console.state.notices.lines().len();
     console.at(4).hear(findings());
     assert_eq!(told(&console), 0, "too early");
@@ -106,7 +109,10 @@ fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
     assert_eq!(told(&console), 1);
     shows(&console, &["udpin:0.0.0.0:14550: nothing arrives at all"]);
     let mut console = Console::flying(1);
-    console.hear(Event::Links(vec![link("udpin:0.0.0.0:14550", true)]));
+    console.hear(LinkEvent::Summaries(vec![link(
+        "udpin:0.0.0.0:14550",
+        true,
+    )]));
     console.at(9).hear(findings());
     assert_eq!(told(&console), 0, "a vehicle is there by another link");
 }
@@ -114,10 +120,13 @@ fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
 #[test]
 fn a_vehicle_that_does_not_hear_us_is_told_at_any_time() {
     let mut console = Console::flying(1);
-    console.hear(Event::Links(vec![link("udpin:0.0.0.0:14550", true)]));
+    console.hear(LinkEvent::Summaries(vec![link(
+        "udpin:0.0.0.0:14550",
+        true,
+    )]));
     for second in 20..25 {
         console.at(second);
-        console.hear(Event::Findings(vec![finding(
+        console.hear(LinkEvent::Findings(vec![finding(
             0,
             Way::UdpIn,
             Cause::OneWay(1),

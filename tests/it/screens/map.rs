@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use sortie::app::event::{Event, Started};
+use sortie::app::event::{SessionEvent, Started, TerminalEvent};
 use sortie::app::room::map::{SketchKind, sketches};
 use sortie::app::state::{Activity, Room};
 use sortie::config::Symbols;
@@ -46,7 +46,7 @@ pub fn surveyed() -> Console {
         area("fence", AreaKind::Geofence, 160.0),
         area("yard", AreaKind::Task, 60.0),
     ];
-    console.hear(Event::Started(Box::new(Started {
+    console.hear(SessionEvent::Started(Box::new(Started {
         mission: None,
         activity: Activity::Mission {
             id: "m01".to_owned(),
@@ -67,7 +67,7 @@ pub fn surveyed() -> Console {
         let mut progress = fixtures::progress();
         progress.readings[0].value = f64::from(metre);
         progress.areas.clone_from(&areas);
-        console.hear(Event::Mission(Box::new(progress)));
+        console.hear(SessionEvent::Mission(Box::new(progress)));
     }
     console.write("4-5").press("enter").press("M").press("z");
     for _ in 0..3 {
@@ -98,7 +98,7 @@ pub fn drawn(console: &Console, symbols: Symbols, language: Language, size: (u16
 }
 
 pub fn resized(mut console: Console, (columns, rows): (u16, u16)) -> Console {
-    console.hear(Event::Resize { columns, rows });
+    console.hear(TerminalEvent::Resize { columns, rows });
     console
 }
 
@@ -267,10 +267,10 @@ fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
 #[test]
 fn sensors_on_the_ground_leave_no_samples() {
     let mut console = Console::flying(1);
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     assert_eq!(console.state.rooms.map.samples.fields().len(), 0);
     console.vehicle(fixtures::airborne(1, 0.0, 20.0));
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     let map = &console.state.rooms.map;
     assert_eq!(map.field().map(|(name, _)| name), Some("co"));
 }

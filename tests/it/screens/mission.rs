@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use sortie::app::event::Event;
+use sortie::app::event::{SessionEvent, TerminalEvent};
 use sortie::app::state::{Activity, Room};
 use sortie::mission::Mission;
 use sortie::text::{Language, Locale};
@@ -30,15 +30,15 @@ fn flying() -> Console {
     console.vehicle(fixtures::airborne(1, 20.0, 20.1));
     let mut progress = fixtures::progress();
     progress.hint = Some("take off".into());
-    console.hear(Event::Mission(Box::new(progress)));
-    console.hear(Event::Mission(Box::new(fixtures::progress())));
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     console.press("b");
     console
 }
 
 fn check(name: &str, console: &mut Console, sizes: &[(u16, u16)]) {
     for &(columns, rows) in sizes {
-        console.hear(Event::Resize { columns, rows });
+        console.hear(TerminalEvent::Resize { columns, rows });
         let screen = console.screen(columns, rows);
         insta::assert_snapshot!(format!("{name}_{columns}x{rows}"), screen);
     }
@@ -57,7 +57,7 @@ fn the_room_before_the_flight_and_during_it() {
 fn the_room_in_ukrainian() {
     let mut before = shipped(Language::Ukrainian);
     check("room_mission_uk", before.press("B"), &SIZES[..2]);
-    before.hear(Event::Resize {
+    before.hear(TerminalEvent::Resize {
         columns: 80,
         rows: 24,
     });
@@ -115,7 +115,7 @@ fn the_home_screen_says_that_a_session_goes_on() {
 #[test]
 fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
     let mut console = flying();
-    console.hear(Event::MissionEnded(Box::new(fixtures::report())));
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(console.screen(80, 24).contains("TIMELINE"));
     console.state.locale = Arc::new(Locale::new(Language::Ukrainian));
     assert!(console.screen(80, 24).contains("ПЕРЕБІГ"));

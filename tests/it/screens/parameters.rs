@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use sortie::app::event::Event;
+use sortie::app::effect::FileKind;
+use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::RowState;
 use sortie::parameters::{Fetching, Heard, ParameterType, Parameters, Snapshot};
 use sortie::text::{Language, Locale};
@@ -62,7 +63,8 @@ fn edited() -> Console {
 fn compared() -> Console {
     let mut console = in_the_room(1);
     let text = "RTL_ALT,2000\nSYSID_THISMAV,7\nANGLE_MAX,4500\nNEW_ONE,1\nWPNAV_SPEED,1e-7\n";
-    console.hear(Event::ParametersRead {
+    console.hear(FileEvent::Read {
+        kind: FileKind::Parameters,
         path: "~/parameters/quad-450.parm".to_owned(),
         text: text.to_owned(),
     });
@@ -93,7 +95,7 @@ fn a_list_that_is_coming() {
             fetching,
             ..Snapshot::default()
         };
-        console.hear(Event::Parameters {
+        console.hear(VehicleEvent::Parameters {
             vehicle: 1,
             snapshot,
         });
@@ -121,7 +123,7 @@ fn a_list_that_is_coming() {
         fetching,
         ..Snapshot::default()
     };
-    console.hear(Event::Parameters {
+    console.hear(VehicleEvent::Parameters {
         vehicle: 1,
         snapshot,
     });

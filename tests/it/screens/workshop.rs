@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use sortie::app::event::Event;
+use sortie::app::event::CareerEvent;
 use sortie::app::state::Career;
 use sortie::campaign::Course;
 use sortie::config::Symbols;
@@ -28,7 +28,7 @@ fn workshop(language: Language) -> Console {
     let mut career = Career::new("Olena", Vec::new(), Course::default());
     career.designs = vec![starter.named("Mine").expect("a name")];
     console.state.stock = vec![scout, starter];
-    console.hear(Event::Career(Some(Box::new(career))));
+    console.hear(CareerEvent::Career(Some(Box::new(career))));
     console.press("W");
     console
 }

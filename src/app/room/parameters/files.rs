@@ -1,9 +1,9 @@
 //! Parameter files: saved, and read to be compared with.
 
 use super::{Comparison, Other};
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, FileEffect, FileKind};
 use crate::app::room::Room;
-use crate::app::state::{Confirm, Consequence, Overlay, State};
+use crate::app::state::State;
 use crate::parameters::{self, Parameters};
 use crate::text;
 use crate::text::Text;
@@ -29,11 +29,12 @@ pub fn save(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
     }
     let comment = format!("vehicle {vehicle}, {} parameters", list.len());
     let values = list.iter().map(|(name, parameter)| (name, parameter.value));
-    Ok(vec![Effect::SaveParameters {
+    Ok(vec![Effect::File(FileEffect::Write {
+        kind: FileKind::Parameters,
         path,
         text: parameters::write(&comment, values),
         replace: false,
-    }])
+    })])
 }
 
 /// Has a file, or another vehicle by its number, compared with the vehicle under the cursor.
@@ -43,7 +44,10 @@ pub fn save(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
 pub fn load(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
     let path = named(entered)?;
     let Ok(other) = path.parse::<VehicleId>() else {
-        return Ok(vec![Effect::ReadParameters { path }]);
+        return Ok(vec![Effect::File(FileEffect::Read {
+            kind: FileKind::Parameters,
+            path,
+        })]);
     };
     if !state.session.vehicles.contains_key(&other) {
         return Err(text!("parameters-no-such-vehicle", vehicle = other));
@@ -75,27 +79,6 @@ pub fn read(state: &mut State, path: String, content: &str) {
             state.say(Severity::Error, text);
         }
     }
-}
-
-/// A file has been written.
-pub fn saved(state: &mut State, path: &str) {
-    state.say(Severity::Info, text!("parameters-saved", path = path));
-}
-
-/// There is such a file already: it is replaced only if the user says so.
-pub fn exists(state: &mut State, path: String, text: String) {
-    state.overlay = Some(Overlay::Confirm(Confirm {
-        question: text!("parameters-ask-replace", path = &path),
-        reason: text!("parameters-ask-replace-reason"),
-        answer: "y".to_owned(),
-        typed: String::new(),
-        cancelled: false,
-        then: Consequence::Effect(Effect::SaveParameters {
-            path,
-            text,
-            replace: true,
-        }),
-    }));
 }
 
 /// That a list has not come as a whole.

@@ -1,7 +1,7 @@
 //! Designs by name, and designs in files.
 
 use super::shelf;
-use crate::app::effect::Effect;
+use crate::app::effect::{CareerEffect, Effect, FileEffect, FileKind};
 use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act;
 use crate::text;
@@ -80,7 +80,7 @@ pub fn saved_as(state: &mut State, name: &str) -> Result<Vec<Effect>, Text> {
         Severity::Notice,
         text!("bench-saved", name = design.name.as_str()),
     );
-    Ok(vec![Effect::KeepDesign(design)])
+    Ok(vec![Effect::Career(CareerEffect::KeepDesign(design))])
 }
 
 /// Keeps a copy of the design of a name under another one, and goes on with the copy where the bench was copied.
@@ -103,7 +103,7 @@ pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Vec<Effect>, Te
     }
     let name = copy.name.as_str();
     state.say(Severity::Notice, text!("bench-saved", name = name));
-    Ok(vec![Effect::KeepDesign(copy)])
+    Ok(vec![Effect::Career(CareerEffect::KeepDesign(copy))])
 }
 
 /// Gives a design another name: one of the trainee's own where it is kept, and the bench if it is that one.
@@ -130,10 +130,10 @@ pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Vec<Effect>, 
         return Ok(Vec::new());
     };
     let design = kept.named(&name)?;
-    Ok(vec![Effect::RenameDesign {
+    Ok(vec![Effect::Career(CareerEffect::RenameDesign {
         from: kept.name,
         design,
-    }])
+    })])
 }
 
 /// Has the bench written to a file.
@@ -141,11 +141,12 @@ pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Vec<Effect>, 
 /// # Errors
 /// There is no name.
 pub fn exported(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
-    Ok(vec![Effect::WriteDesign {
+    Ok(vec![Effect::File(FileEffect::Write {
+        kind: FileKind::Design,
         path: path_of(path)?,
         text: state.rooms.workshop.bench.design().to_toml(),
         replace: false,
-    }])
+    })])
 }
 
 /// Has a design read from a file.
@@ -153,9 +154,10 @@ pub fn exported(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
 /// # Errors
 /// There is no name.
 pub fn imported(path: &str) -> Result<Vec<Effect>, Text> {
-    Ok(vec![Effect::ReadDesign {
+    Ok(vec![Effect::File(FileEffect::Read {
+        kind: FileKind::Design,
         path: path_of(path)?,
-    }])
+    })])
 }
 
 /// A file has been read: its design goes onto the bench, or the first fault is told.
@@ -170,18 +172,6 @@ pub fn read(state: &mut State, path: &str, content: &str) -> Vec<Effect> {
             Vec::new()
         }
     }
-}
-
-/// There is such a file already: it is replaced only if the user says so.
-pub fn exists(state: &mut State, path: String, text: String) {
-    let question = text!("parameters-ask-replace", path = &path);
-    let reason = text!("parameters-ask-replace-reason");
-    let effect = Effect::WriteDesign {
-        path,
-        text,
-        replace: true,
-    };
-    drop(act::ask(state, question, reason, effect));
 }
 
 /// The design of a name: an own one before one that everybody has.
@@ -211,7 +201,7 @@ fn ask_overwrite(state: &mut State, design: Design) {
         state,
         question,
         reason,
-        Effect::KeepDesign(design),
+        Effect::Career(CareerEffect::KeepDesign(design)),
     ));
 }
 

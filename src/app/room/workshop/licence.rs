@@ -1,7 +1,7 @@
 //! What of the parts a trainee may fly, and buying the right to fly more.
 
 use super::part_under_cursor;
-use crate::app::effect::Effect;
+use crate::app::effect::{CareerEffect, Effect};
 use crate::app::state::State;
 use crate::app::update::act;
 use crate::campaign::{PartState, Refusal};
@@ -61,7 +61,12 @@ pub(super) fn buy(state: &mut State) -> Vec<Effect> {
                 price = purchase.credits
             );
             let reason = text!("bench-ask-buy-reason", credits = credits, left = left);
-            act::ask(state, question, reason, Effect::BuyPart(part.id.to_owned()))
+            act::ask(
+                state,
+                question,
+                reason,
+                Effect::Career(CareerEffect::BuyPart(part.id.to_owned())),
+            )
         }
         Err(refusal) => {
             let text = match refusal {

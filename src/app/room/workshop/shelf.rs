@@ -2,7 +2,7 @@
 
 use super::{Page, air};
 use crate::app::action::Action;
-use crate::app::effect::Effect;
+use crate::app::effect::{CareerEffect, Effect};
 use crate::app::state::{Confirm, Consequence, Overlay, State};
 use crate::app::update::act;
 use crate::text;
@@ -139,6 +139,6 @@ fn ask_drop(state: &mut State, design: &Design) -> Vec<Effect> {
         state,
         text!("bench-ask-delete", name = name),
         text!("bench-ask-delete-reason"),
-        Effect::DropDesign(name.to_owned()),
+        Effect::Career(CareerEffect::DropDesign(name.to_owned())),
     )
 }

@@ -3,7 +3,8 @@
 mod properties;
 
 use super::*;
-use crate::app::event::Event;
+use crate::app::effect::{CareerEffect, FileEffect, FileKind, SessionEffect};
+use crate::app::event::{CareerEvent, FileEvent, TerminalEvent};
 use crate::app::state::{Career, Overlay, Purpose};
 use crate::app::update;
 use crate::app::update::act;
@@ -45,24 +46,24 @@ fn press(state: &mut State, keys: &str) -> Vec<Effect> {
             "home" => KeyCode::Home,
             "ctrl-r" => {
                 let key = KeyEvent::new(KeyCode::Char('r'), KeyModifiers::CONTROL);
-                effects.extend(update(state, Event::Key(key)));
+                effects.extend(update(state, TerminalEvent::Key(key)));
                 continue;
             }
             "clear" => {
                 let key = KeyEvent::new(KeyCode::Char('u'), KeyModifiers::CONTROL);
-                effects.extend(update(state, Event::Key(key)));
+                effects.extend(update(state, TerminalEvent::Key(key)));
                 continue;
             }
             word => {
                 for c in word.chars() {
                     let key = KeyEvent::new(KeyCode::Char(c), KeyModifiers::NONE);
-                    effects.extend(update(state, Event::Key(key)));
+                    effects.extend(update(state, TerminalEvent::Key(key)));
                 }
                 continue;
             }
         };
         let key = KeyEvent::new(code, KeyModifiers::NONE);
-        effects.extend(update(state, Event::Key(key)));
+        effects.extend(update(state, TerminalEvent::Key(key)));
     }
     effects
 }
@@ -203,7 +204,12 @@ fn a_licence_is_bought_after_a_question_that_says_what_is_left() {
     };
     assert!(question.reason.contains("500"), "{}", question.reason);
     let effects = press(&mut state, "y");
-    assert_eq!(effects, [Effect::BuyPart("m2215_900".to_owned())]);
+    assert_eq!(
+        effects,
+        [Effect::Career(CareerEffect::BuyPart(
+            "m2215_900".to_owned()
+        ))]
+    );
 }
 
 #[test]
@@ -233,10 +239,16 @@ fn a_design_is_saved_under_a_name_and_another_of_that_name_only_after_a_question
     let mut state = workshop(Some(career()));
     let effects = press(&mut state, "s clear Mine enter");
     let mine = starter().named("Mine").expect("a name");
-    assert_eq!(effects, [Effect::KeepDesign(mine.clone())]);
+    assert_eq!(
+        effects,
+        [Effect::Career(CareerEffect::KeepDesign(mine.clone()))]
+    );
     let mut after = career();
     after.designs = vec![mine.clone()];
-    update(&mut state, Event::Career(Some(Box::new(after.clone()))));
+    let _ = update(
+        &mut state,
+        CareerEvent::Career(Some(Box::new(after.clone()))),
+    );
     assert!(is_saved(&state));
     put(&mut state, Slot::Payload, "s_rgb");
     assert_eq!(
@@ -248,7 +260,10 @@ fn a_design_is_saved_under_a_name_and_another_of_that_name_only_after_a_question
     assert_eq!(press(&mut state, "s clear mine enter"), []);
     assert!(matches!(state.overlay, Some(Overlay::Confirm(_))));
     let effects = press(&mut state, "y");
-    assert!(matches!(effects.as_slice(), [Effect::KeepDesign(_)]));
+    assert!(matches!(
+        effects.as_slice(),
+        [Effect::Career(CareerEffect::KeepDesign(_))]
+    ));
 }
 
 #[test]
@@ -259,21 +274,42 @@ fn without_a_profile_nothing_is_kept_but_files_are_written() {
     let effects = press(&mut state, "e enter");
     assert_eq!(
         effects,
-        [Effect::WriteDesign {
+        [Effect::File(FileEffect::Write {
+            kind: FileKind::Design,
             path: "starter-450.toml".to_owned(),
             text: starter().to_toml(),
             replace: false,
-        }]
+        })]
     );
     let effects = press(&mut state, "i mine.toml enter");
     let path = "mine.toml".to_owned();
-    assert_eq!(effects, [Effect::ReadDesign { path: path.clone() }]);
+    assert_eq!(
+        effects,
+        [Effect::File(FileEffect::Read {
+            kind: FileKind::Design,
+            path: path.clone()
+        })]
+    );
     let text = starter().named("Mine").expect("a name").to_toml();
-    update(&mut state, Event::DesignRead { path, text });
+    let _ = update(
+        &mut state,
+        FileEvent::Read {
+            kind: FileKind::Design,
+            path,
+            text,
+        },
+    );
     assert_eq!(design(&state).name, "Mine");
     let path = "bad.toml".to_owned();
     let text = "schema = 1\nname = \"x\"\nframe = \"none\"\n".to_owned();
-    update(&mut state, Event::DesignRead { path, text });
+    let _ = update(
+        &mut state,
+        FileEvent::Read {
+            kind: FileKind::Design,
+            path,
+            text,
+        },
+    );
     let said = state.message().map(|it| it.text.to_string());
     assert!(said.is_some_and(|it| it.contains("bad.toml:3")));
     assert_eq!(design(&state).name, "Mine");
@@ -287,17 +323,20 @@ fn designs_are_copied_renamed_and_deleted_in_the_list() {
     press(&mut state, "o home");
     let effects = press(&mut state, "y enter");
     let copy = starter().named("Mine 2").expect("a name");
-    assert_eq!(effects, [Effect::KeepDesign(copy)]);
+    assert_eq!(effects, [Effect::Career(CareerEffect::KeepDesign(copy))]);
     let effects = press(&mut state, "r clear Other enter");
     let other = starter().named("Other").expect("a name");
     let from = "Mine".to_owned();
-    let renamed = Effect::RenameDesign {
+    let renamed = Effect::Career(CareerEffect::RenameDesign {
         from: from.clone(),
         design: other,
-    };
+    });
     assert_eq!(effects, [renamed]);
     assert_eq!(press(&mut state, "x"), []);
-    assert_eq!(press(&mut state, "y"), [Effect::DropDesign(from)]);
+    assert_eq!(
+        press(&mut state, "y"),
+        [Effect::Career(CareerEffect::DropDesign(from))]
+    );
     press(&mut state, "j x");
     assert!(state.overlay.is_none(), "sortie's own stay");
 }
@@ -323,7 +362,10 @@ fn a_fleet_is_chosen_given_back_and_flown() {
     let effects = press(&mut state, "g");
     let launch = state.launch(&id);
     assert_eq!(launch.fleet, [starter()]);
-    assert_eq!(effects, [Effect::StartMission(launch)]);
+    assert_eq!(
+        effects,
+        [Effect::Session(SessionEffect::StartMission(launch))]
+    );
     press(&mut state, "x");
     assert!(state.fleets.is_empty());
 }

@@ -1,6 +1,7 @@
 //! Many values one after the other.
 
-use sortie::app::event::Event;
+use sortie::app::effect::FileKind;
+use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::parameters::{Heard, ParameterType, Parameters};
 
@@ -26,7 +27,11 @@ fn many_values_go_out_a_few_at_a_time_with_a_result_for_each() {
     let lines: Vec<String> = names.iter().map(|name| format!("{name},1")).collect();
     let text = lines.join("\n");
     let path = "all.parm".to_owned();
-    console.hear(Event::ParametersRead { path, text });
+    console.hear(FileEvent::Read {
+        kind: FileKind::Parameters,
+        path,
+        text,
+    });
     console.press("a").press("y");
     let mut sent = settings(&console.effects).len();
     assert_eq!(sent, 1, "it begins gently");
@@ -54,13 +59,17 @@ fn what_waited_too_long_to_be_sent_is_given_again() {
     let mut console = in_the_room(1);
     let path = "all.parm".to_owned();
     let text = "ANGLE_MAX,1\nRTL_ALT,1\nWPNAV_ACCEL,1\nWPNAV_SPEED,1\n".to_owned();
-    console.hear(Event::ParametersRead { path, text });
+    console.hear(FileEvent::Read {
+        kind: FileKind::Parameters,
+        path,
+        text,
+    });
     console.press("a").press("y");
     row(&mut console, 0, 1, RowState::Done);
     assert_eq!(settings(&console.effects).len(), 2);
     row(&mut console, 1, 1, RowState::Refused);
     assert!(console.effects.is_empty(), "the other one first");
-    console.hear(Event::Row(RowUpdate {
+    console.hear(VehicleEvent::Row(RowUpdate {
         entry: EntryId(2),
         vehicle: 1,
         state: RowState::TimedOut,
@@ -83,7 +92,11 @@ fn escape_stops_what_has_not_been_given_yet() {
     let mut console = in_the_room(1);
     let path = "three.parm".to_owned();
     let text = "ANGLE_MAX,1\nRTL_ALT,1\nWPNAV_SPEED,1\n".to_owned();
-    console.hear(Event::ParametersRead { path, text });
+    console.hear(FileEvent::Read {
+        kind: FileKind::Parameters,
+        path,
+        text,
+    });
     console.press("a").press("y").press("esc");
     assert_eq!(said(&console), "stopped: 2 not given any more");
     row(&mut console, 0, 1, RowState::Done);
@@ -96,7 +109,11 @@ fn a_value_that_was_not_answered_is_given_again_unless_the_vehicle_lacks_it() {
     let mut console = in_the_room(1);
     let path = "two.parm".to_owned();
     let text = "ANGLE_MAX,1\nNEW_ONE,1\n".to_owned();
-    console.hear(Event::ParametersRead { path, text });
+    console.hear(FileEvent::Read {
+        kind: FileKind::Parameters,
+        path,
+        text,
+    });
     console.press("*").press("a").press("y");
     for (entry, name) in ["ANGLE_MAX", "NEW_ONE", "ANGLE_MAX", "ANGLE_MAX"]
         .into_iter()

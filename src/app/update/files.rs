@@ -1,0 +1,24 @@
+//! Files of the user that were written, or exist already.
+
+use super::act;
+use crate::app::effect::{Effect, FileEffect, FileKind};
+use crate::app::state::State;
+use crate::text;
+use crate::vehicle::Severity;
+
+pub fn written(state: &mut State, path: &str) {
+    state.say(Severity::Info, text!("parameters-saved", path = path));
+}
+
+/// A file exists already: it is replaced only if the user agrees.
+pub fn exists(state: &mut State, kind: FileKind, path: String, text: String) -> Vec<Effect> {
+    let question = text!("parameters-ask-replace", path = &path);
+    let reason = text!("parameters-ask-replace-reason");
+    let effect = FileEffect::Write {
+        kind,
+        path,
+        text,
+        replace: true,
+    };
+    act::ask(state, question, reason, Effect::File(effect))
+}
