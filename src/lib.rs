@@ -1,13 +1,15 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
 //! # Code map
-//! Dependencies point down only; a test reads the `use` lines and enforces it.
+//! Dependencies point down only; a test reads the `use` lines and enforces it. What others can use as well are
+//! libraries of the workspace, below everything else: [`geo`], [`wire`] and [`sim`].
 //!
 //! | layer | modules |
 //! | --- | --- |
 //! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
 //! | input and output | [`fleet`] (a task per vehicle), [`hangar`] (SITL processes, here or by HTTP), [`link`] (transports, and the simulator as a server), [`store`] (files) |
-//! | pure | [`headless`] (a mission in lock step), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`sim`], [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`wire`] (frames), [`geo`], [`diagnostic`] |
+//! | pure | [`headless`] (a mission in lock step), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
+//! | libraries | [`sim`] (simulated vehicles), [`wire`] (frames), [`geo`] (positions and maps) |
 //!
 //! # A telemetry packet
 //! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, the hub of [`fleet`] gives the frames
@@ -37,7 +39,6 @@ pub mod diagnostic;
 pub mod doctor;
 pub mod fidelity;
 pub mod fleet;
-pub mod geo;
 pub mod hangar;
 pub mod headless;
 pub mod inspector;
@@ -50,7 +51,6 @@ pub mod notice;
 pub mod parameters;
 pub mod scoring;
 pub mod session;
-pub mod sim;
 pub mod sitl;
 pub mod store;
 pub mod swarm;
@@ -58,5 +58,8 @@ pub mod terminal;
 pub mod text;
 pub mod ui;
 pub mod vehicle;
-pub mod wire;
 pub mod workshop;
+
+pub use sortie_geo as geo;
+pub use sortie_sim as sim;
+pub use sortie_wire as wire;

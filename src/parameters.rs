@@ -2,17 +2,16 @@
 
 use std::sync::Arc;
 
-mod aliases;
 mod difference;
 mod file;
 mod kind;
 mod list;
 
-pub use aliases::{Sense, older, other_name};
 pub use difference::{Difference, Finding, differences, is_same, is_the_vehicles_own};
 pub use file::{parse, write};
 pub use kind::{ParameterType, Unfit};
 pub use list::{Heard, Parameter, Parameters};
+pub use sortie_sim::{AliasSense, other_name};
 
 /// How far the download of a vehicle's list has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

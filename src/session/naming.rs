@@ -6,7 +6,7 @@ use super::{Order, fit};
 use crate::commands::Command;
 use crate::diagnostic::nearest;
 use crate::ledger::{EntryId, RowState};
-use crate::parameters::{Parameters, Sense, other_name};
+use crate::parameters::{AliasSense, Parameters, other_name};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -17,15 +17,15 @@ use crate::wire::Outgoing;
 pub struct Renamed {
     /// As it was written.
     from: String,
-    sense: Sense,
+    sense: AliasSense,
 }
 
 impl Renamed {
     /// What a parameter's value is, with the name that was written.
     pub(super) fn remark(&self, outcome: &Text) -> Text {
         match self.sense {
-            Sense::Same => text!("outcome-other-name", outcome = outcome, name = &self.from),
-            Sense::Opposite => {
+            AliasSense::Same => text!("outcome-other-name", outcome = outcome, name = &self.from),
+            AliasSense::Opposite => {
                 text!(
                     "outcome-opposite-name",
                     outcome = outcome,
@@ -51,7 +51,7 @@ pub(super) fn settle(order: &mut Order, list: &Parameters) -> bool {
         // What is not listed cannot be set, but some of it can be read.
         return value.is_some() && fit::is_known(list);
     }
-    if let (Some(value), Sense::Opposite) = (value, sense) {
+    if let (Some(value), AliasSense::Opposite) = (value, sense) {
         *value = f64::from(sense.convert(*value as f32));
     }
     let from = std::mem::replace(name, other.to_owned());

@@ -7,6 +7,7 @@ mod catalogue;
 mod clients;
 mod command_line;
 mod console;
+mod designs;
 mod determinism;
 mod doctor;
 mod fidelity;

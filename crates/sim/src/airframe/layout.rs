@@ -1,0 +1,90 @@
+//! Where the motors of the usual frames are.
+
+use glam::DVec3;
+
+/// One motor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Motor {
+    /// Metres forward, right and down from the centre.
+    pub(crate) position_m: DVec3,
+    /// The direction of its thrust in the same axes, of length 1: straight up unless the file says otherwise.
+    pub(crate) thrust: DVec3,
+    /// +1 for a propeller that turns counterclockwise and thus the body clockwise.
+    pub(crate) spin: f64,
+    /// How the autopilot's mixer uses it: for a roll to the right, a pitch up and a turn to the right, each at most
+    /// one half.
+    pub(crate) mix: DVec3,
+}
+
+/// Angles clockwise from the nose in degrees, and the spin, in the order of `ArduPilot`'s outputs: plus frames.
+const QUAD: &[(f64, f64)] = &[(90.0, 1.0), (-90.0, 1.0), (0.0, -1.0), (180.0, -1.0)];
+const HEXA: &[(f64, f64)] = &[
+    (0.0, -1.0),
+    (180.0, 1.0),
+    (-120.0, -1.0),
+    (60.0, 1.0),
+    (-60.0, 1.0),
+    (120.0, -1.0),
+];
+const OCTA: &[(f64, f64)] = &[
+    (0.0, -1.0),
+    (180.0, -1.0),
+    (45.0, 1.0),
+    (135.0, 1.0),
+    (-45.0, 1.0),
+    (-135.0, 1.0),
+    (-90.0, -1.0),
+    (90.0, -1.0),
+];
+const DODECA: &[(f64, f64)] = &[
+    (30.0, 1.0),
+    (30.0, -1.0),
+    (90.0, -1.0),
+    (90.0, 1.0),
+    (150.0, 1.0),
+    (150.0, -1.0),
+    (-150.0, -1.0),
+    (-150.0, 1.0),
+    (-90.0, 1.0),
+    (-90.0, -1.0),
+    (-30.0, -1.0),
+    (-30.0, 1.0),
+];
+
+/// The frames that fly: how many motors they have.
+pub(super) const COUNTS: [usize; 5] = [4, 6, 8, 10, 12];
+
+/// The plus frame of so many motors.
+pub(super) fn standard(count: usize, radius_m: f64) -> Vec<Motor> {
+    let angles: Vec<(f64, f64)> = match count {
+        6 => HEXA.to_vec(),
+        8 => OCTA.to_vec(),
+        12 => DODECA.to_vec(),
+        10 => (0..10)
+            .map(|place| {
+                let spin = if place % 2 == 0 { 1.0 } else { -1.0 };
+                (36.0 * f64::from(place), spin)
+            })
+            .collect(),
+        _ => QUAD.to_vec(),
+    };
+    let rolls = angles
+        .iter()
+        .map(|(angle, _)| angle.to_radians().sin().abs());
+    let pitches = angles
+        .iter()
+        .map(|(angle, _)| angle.to_radians().cos().abs());
+    let (most_roll, most_pitch) = (rolls.fold(0.1, f64::max), pitches.fold(0.1, f64::max));
+    angles
+        .iter()
+        .map(|&(angle, spin)| {
+            let (sin, cos) = angle.to_radians().sin_cos();
+            Motor {
+                position_m: DVec3::new(cos, sin, 0.0) * radius_m,
+                thrust: DVec3::NEG_Z,
+                spin,
+                mix: DVec3::new(-0.5 * sin / most_roll, 0.5 * cos / most_pitch, 0.5 * spin),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,253 @@
+//! The checks before arming, in the order in which `ArduCopter` makes them.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use crate::autopilot::Autopilot;
+use crate::mode;
+use crate::parameters::Parameters;
+
+/// Unasked, the reasons against arming are told this often.
+pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
+/// What newly speaks against arming is told this long after the last report.
+const REPORT_SOON: Duration = Duration::from_secs(4);
+/// The checks are made this often.
+const LOOK_STEPS: u64 = 100;
+/// The lowest throttle of a calibrated remote control, with the margin that is required to `FS_THR_VALUE`.
+const THROTTLE_MARGIN_US: f64 = 10.0;
+const LOSS_OF_SIGNAL_US: f64 = 910.0;
+/// A throttle stick above this would lift a vehicle in a piloted mode, in microseconds.
+const CLIMB_US: u16 = 1600;
+
+/// Bits of `ARMING_CHECK`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Check {
+    Barometer = 1 << 1,
+    Compass = 1 << 2,
+    Gps = 1 << 3,
+    Inertial = 1 << 4,
+    Parameters = 1 << 5,
+    Radio = 1 << 6,
+    Voltage = 1 << 7,
+    Battery = 1 << 8,
+}
+
+/// What is checked, and parameters that are checked themselves.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ArmingRules {
+    checks: u32,
+    throttle_min_us: f64,
+    angle_max_cdeg: f64,
+    pilot_up_cm_s: f64,
+    station_failsafe: i32,
+}
+
+impl ArmingRules {
+    /// Reads the parameters.
+    pub(crate) fn read(all: &Parameters) -> Self {
+        Self {
+            checks: all.value("ARMING_CHECK") as i64 as u32,
+            throttle_min_us: all.value("RC3_MIN"),
+            angle_max_cdeg: all.value("ANGLE_MAX"),
+            pilot_up_cm_s: all.value("PILOT_SPEED_UP"),
+            station_failsafe: all.value("FS_GCS_ENABLE") as i32,
+        }
+    }
+
+    /// Whether nothing is checked that can be left out.
+    pub(crate) fn is_off(&self) -> bool {
+        self.checks == 0
+    }
+
+    /// Bit 0 stands for all.
+    fn has(&self, check: Check) -> bool {
+        self.checks & (1 | check as u32) != 0
+    }
+}
+
+impl Autopilot {
+    /// Why the vehicle cannot be armed now; empty when it can.
+    pub(crate) fn arming_obstacles(&self) -> Vec<&'static str> {
+        if self.tuning.arming.is_off() {
+            return self.mandatory_obstacles();
+        }
+        let mut reasons = self.parameter_obstacles();
+        if !self.boot.is_over() {
+            reasons.extend(self.boot.obstacles(&self.mode, self.home.is_some()));
+        }
+        self.sensor_obstacles(&mut reasons);
+        self.power_obstacles(&mut reasons);
+        reasons.extend(self.workbench.obstacles());
+        reasons.extend(self.fence_obstacle());
+        reasons
+    }
+
+    /// The checks that cannot be switched off.
+    pub(crate) fn mandatory_obstacles(&self) -> Vec<&'static str> {
+        let mut reasons: Vec<_> = self
+            .boot
+            .reference_obstacle(&self.mode)
+            .into_iter()
+            .collect();
+        if self.boot.is_over() {
+            reasons.extend(self.estimate_obstacle());
+        }
+        reasons
+    }
+
+    /// What is looked at only when everything else is fine and arming was asked for.
+    pub(super) fn last_obstacles(&self) -> Vec<&'static str> {
+        let by_itself = matches!(
+            self.mode.number,
+            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO
+        );
+        let high = self.sticks().channels_us[2] > CLIMB_US;
+        if self.tuning.arming.has(Check::Radio) && high && !by_itself {
+            vec!["Throttle too high"]
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
+    pub(crate) fn is_armable(&self) -> bool {
+        self.safety.armed || (self.boot.is_checked() && self.arming_obstacles().is_empty())
+    }
+
+    /// Tells, now and then, what speaks against arming.
+    pub(crate) fn report_obstacles(&mut self, steps: u64) {
+        if self.safety.armed || !steps.is_multiple_of(LOOK_STEPS) || self.boot.is_initialising() {
+            return;
+        }
+        let now = self.uptime();
+        let reasons = self.arming_obstacles();
+        let could_arm = std::mem::replace(&mut self.safety.may_arm, reasons.is_empty());
+        if could_arm && !self.safety.may_arm && self.safety.reports_at > now + REPORT_SOON {
+            self.safety.reports_at -= REPORT_EVERY.saturating_sub(REPORT_SOON);
+        }
+        if now < self.safety.reports_at {
+            return;
+        }
+        self.safety.reports_at = now + REPORT_EVERY;
+        self.refuse("PreArm", &reasons);
+    }
+
+    /// One text per reason.
+    pub(super) fn refuse(&mut self, what: &str, reasons: &[&'static str]) {
+        for reason in reasons {
+            let text = format!("{what}: {reason}");
+            self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+        }
+    }
+
+    fn parameter_obstacles(&self) -> Vec<&'static str> {
+        let rules = &self.tuning.arming;
+        let failsafes = &self.tuning.failsafes;
+        let mut reasons = Vec::new();
+        if rules.has(Check::Parameters) {
+            let low_us = failsafes.radio_low_us;
+            let margin = rules.throttle_min_us <= low_us + THROTTLE_MARGIN_US;
+            let first = if failsafes.radio != 0 && (margin || low_us < LOSS_OF_SIGNAL_US) {
+                Some("Check FS_THR_VALUE")
+            } else if !(1000.0..=8000.0).contains(&rules.angle_max_cdeg) {
+                Some("Check ANGLE_MAX")
+            } else if rules.pilot_up_cm_s <= 0.0 {
+                Some("Check PILOT_SPEED_UP")
+            } else {
+                None
+            };
+            if rules.station_failsafe == 2 {
+                reasons.push("FS_GCS_ENABLE=2 removed, see FS_OPTIONS");
+            }
+            reasons.extend(first);
+        }
+        if self.failsafe.station_is_lost() {
+            reasons.push("GCS failsafe on");
+        }
+        if rules.has(Check::Radio)
+            && failsafes.radio != 0
+            && self.radio_throttle_us() < failsafes.radio_low_us
+        {
+            reasons.push("Throttle below failsafe");
+        }
+        reasons
+    }
+
+    fn sensor_obstacles(&self, reasons: &mut Vec<&'static str>) {
+        let rules = &self.tuning.arming;
+        let faults = &self.tuning.faults;
+        let barometers_off = faults.barometers.iter().any(|barometer| barometer.disabled);
+        if rules.has(Check::Barometer) && barometers_off {
+            reasons.push("Baro: not healthy");
+        }
+        if rules.has(Check::Inertial) {
+            if faults.gyro_failed {
+                reasons.push("Gyros not healthy");
+            }
+            if faults.accelerometer_failed {
+                reasons.push("Accels not healthy");
+            } else if faults.has_stuck_accelerometer() {
+                reasons.push("Accels inconsistent");
+            }
+        }
+        if rules.has(Check::Compass) && !self.estimator.compass_is_healthy() {
+            reasons.push("Compass not healthy");
+        }
+        if self.boot.is_over() {
+            reasons.extend(self.gps_obstacle());
+        }
+    }
+
+    fn gps_obstacle(&self) -> Option<&'static str> {
+        if !self.mode.needs_position() {
+            return None;
+        }
+        if self.tuning.arming.has(Check::Gps)
+            && self.estimator.fix().is_some_and(|fix| !fix.is_locked())
+        {
+            return Some("GPS 1: Bad fix");
+        }
+        self.estimate_obstacle()
+    }
+
+    /// The estimate itself: needed in modes that fly by it.
+    fn estimate_obstacle(&self) -> Option<&'static str> {
+        if !self.mode.needs_position() {
+            return None;
+        }
+        if !self.estimator.has_position() {
+            return Some("Need Position Estimate");
+        }
+        if self.estimator.is_glitching() {
+            return Some("GPS glitching");
+        }
+        let threshold = self.tuning.failsafes.ekf_threshold;
+        let ratios = self.estimator.ratios();
+        let over = |ratio: f64| threshold > 0.0 && ratio >= threshold;
+        if over(ratios.compass) {
+            Some("EKF compass variance")
+        } else if over(ratios.position) {
+            Some("EKF position variance")
+        } else if over(ratios.velocity) {
+            Some("EKF velocity variance")
+        } else if over(ratios.height) {
+            Some("EKF height variance")
+        } else {
+            None
+        }
+    }
+
+    fn power_obstacles(&self, reasons: &mut Vec<&'static str>) {
+        let rules = &self.tuning.arming;
+        if rules.has(Check::Battery) {
+            reasons.extend(self.battery_obstacle());
+        }
+        if self.failsafe.radio_is_lost() {
+            reasons.push("Radio failsafe on");
+        }
+        if rules.has(Check::Voltage) && self.failsafe.battery_is_down() {
+            reasons.push("Battery failsafe");
+        }
+    }
+}

@@ -1,0 +1,393 @@
+//! The body of a vehicle: a point mass whose lean follows what the autopilot asks with a lag, with the thrust and the
+//! drag of its airframe. When motors fail or break it turns as a rigid body instead.
+
+use glam::{DVec2, DVec3};
+
+use super::airframe::{Airframe, axes};
+use super::upset::{Drive, Upset, Wanted};
+
+/// Standard gravity, in metres per second squared.
+pub(super) const GRAVITY_M_S2: f64 = 9.806_65;
+/// The step of the simulation, in seconds.
+pub(super) const STEP_S: f64 = 0.01;
+/// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`).
+const LEAN_LAG_S: f64 = 0.15;
+/// Lag of the vertical acceleration behind its demand.
+const THRUST_LAG_S: f64 = 0.08;
+/// How long the autopilot takes to make up for vertical drag.
+const DRAG_LAG_S: f64 = 0.2;
+/// The throttle of motors that just turn.
+const IDLE_THROTTLE: f64 = 0.01;
+/// A collision turns the body by this much per metre per second, up to a limit, in radians per second.
+const SPIN_PER_M_S: f64 = 2.0;
+const SPIN_MAX_RAD_S: f64 = 12.0;
+
+/// What the autopilot asks of the airframe.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Demand {
+    /// Motors stand still or idle without lifting.
+    Off,
+    /// An acceleration (north, east, down) by leaning and by thrust; gravity is not part of it.
+    Acceleration(DVec3),
+    /// A share of the full throttle, 0 to 1, level: a pilot's stick in a manual mode.
+    Throttle(f64),
+}
+
+/// Position, motion and attitude: the truth of one vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Body {
+    /// Metres north, east and down from the start.
+    pub(super) position_m: DVec3,
+    /// Metres per second.
+    pub(super) velocity_m_s: DVec3,
+    /// Metres per second squared, as it really was in the last step.
+    pub(super) accel_m_s2: DVec3,
+    /// The horizontal acceleration that the present lean makes while the thrust carries the weight.
+    pub(super) lean_m_s2: DVec2,
+    lift_m_s2: f64,
+    known_drag_m_s2: f64,
+    /// Thrust of all motors per mass, in the last step.
+    pub(super) thrust_m_s2: f64,
+    /// Whether the motors could not give the thrust that was asked.
+    pub(super) saturated: bool,
+    /// Where the nose points, in degrees clockwise from north, unwrapped.
+    pub(super) yaw_deg: f64,
+    pub(super) yaw_rate_deg_s: f64,
+    /// North and east of the nose.
+    heading: DVec2,
+    pub(super) on_ground: bool,
+    /// 0 to 1.
+    pub(super) throttle: f64,
+    angles_rad: (f64, f64),
+    /// Roll and pitch rates, radians per second.
+    pub(super) angle_rates_rad_s: (f64, f64),
+    /// A collision has broken the propellers; only a reboot mends them.
+    pub(super) wrecked: bool,
+    /// The rotation of a vehicle whose motors do not obey.
+    pub(super) upset: Option<Box<Upset>>,
+}
+
+impl Body {
+    /// At rest on the ground.
+    pub(super) fn resting(yaw_deg: f64) -> Self {
+        Self {
+            position_m: DVec3::ZERO,
+            velocity_m_s: DVec3::ZERO,
+            accel_m_s2: DVec3::ZERO,
+            lean_m_s2: DVec2::ZERO,
+            lift_m_s2: 0.0,
+            known_drag_m_s2: 0.0,
+            thrust_m_s2: 0.0,
+            saturated: false,
+            yaw_deg,
+            yaw_rate_deg_s: 0.0,
+            heading: DVec2::from_angle(yaw_deg.to_radians()),
+            on_ground: true,
+            throttle: 0.0,
+            angles_rad: (0.0, 0.0),
+            angle_rates_rad_s: (0.0, 0.0),
+            wrecked: false,
+            upset: None,
+        }
+    }
+
+    /// Height above the start, in metres.
+    pub(super) fn height_m(&self) -> f64 {
+        -self.position_m.z
+    }
+
+    /// Roll and pitch in radians.
+    pub(super) fn roll_pitch_rad(&self) -> (f64, f64) {
+        self.angles_rad
+    }
+
+    /// Moves on by one step. Returns the speed of a touchdown.
+    pub(super) fn step(&mut self, demand: Demand, drive: &Drive<'_>) -> Option<f64> {
+        if self.on_ground && demand == Demand::Off {
+            self.rest();
+            return None;
+        }
+        if self.upset.is_none() && (self.wrecked || drive.fault.is_some()) {
+            self.start_tumbling();
+        }
+        let through_air = self.velocity_m_s - drive.conditions.wind_m_s;
+        let accel = if let Some(mut upset) = self.upset.take() {
+            let accel = self.tumble(&mut upset, demand, through_air, drive);
+            let healthy = !self.wrecked && drive.fault.is_none() && upset.is_calm();
+            self.note_attitude(&upset);
+            if healthy {
+                self.recover(upset.axes());
+            } else {
+                self.upset = Some(upset);
+            }
+            accel
+        } else {
+            let accel = self.fly(demand, through_air, drive);
+            self.note_angles();
+            accel
+        };
+        // The ground carries what stands on it.
+        let carried = self.position_m.z >= 0.0;
+        let down = if carried { accel.z.min(0.0) } else { accel.z };
+        self.accel_m_s2 = accel.truncate().extend(down);
+        self.velocity_m_s += self.accel_m_s2 * STEP_S;
+        self.position_m += self.velocity_m_s * STEP_S;
+        self.touch_ground()
+    }
+
+    /// Turns the nose: `rate_deg_s` is what the autopilot wants now.
+    pub(super) fn turn(&mut self, rate_deg_s: f64) {
+        self.yaw_rate_deg_s = rate_deg_s;
+        if self.upset.is_some() || rate_deg_s == 0.0 {
+            return;
+        }
+        self.yaw_deg += rate_deg_s * STEP_S;
+        if self.yaw_deg.abs() > 720.0 {
+            self.yaw_deg = self.yaw_deg.rem_euclid(360.0);
+        }
+        self.heading = DVec2::from_angle(self.yaw_deg.to_radians());
+    }
+
+    /// A collision: the velocity changes by so much, the propellers break, and the vehicle tumbles.
+    pub(super) fn hit(&mut self, change_m_s: DVec3) {
+        self.velocity_m_s += change_m_s;
+        self.wrecked = true;
+        if self.upset.is_none() {
+            self.start_tumbling();
+        }
+        let [forward, right, up] = self.axes();
+        let push = up.cross(change_m_s) * SPIN_PER_M_S;
+        let spin = DVec3::new(push.dot(forward), push.dot(right), 0.0);
+        if let Some(upset) = &mut self.upset {
+            upset.rates_rad_s += spin.clamp_length_max(SPIN_MAX_RAD_S);
+        }
+    }
+
+    /// Between the wanted and the real direction of the thrust, radians; zero while the motors obey.
+    pub(super) fn lean_error_rad(&self) -> f64 {
+        self.upset.as_ref().map_or(0.0, |upset| upset.error_rad)
+    }
+
+    /// What a motor gets, as a share of its thrust range.
+    pub(super) fn motor_share(&self, motor: usize, airframe: &Airframe) -> f64 {
+        match &self.upset {
+            Some(upset) => upset.mixer.shares.get(motor).copied().unwrap_or(0.0),
+            None => self.thrust_m_s2 / GRAVITY_M_S2 * airframe.hover_share(),
+        }
+    }
+
+    fn rest(&mut self) {
+        self.accel_m_s2 = DVec3::ZERO;
+        self.velocity_m_s = DVec3::ZERO;
+        self.lean_m_s2 = DVec2::ZERO;
+        self.lift_m_s2 = 0.0;
+        self.known_drag_m_s2 = 0.0;
+        self.thrust_m_s2 = 0.0;
+        self.saturated = false;
+        self.throttle = 0.0;
+        self.angle_rates_rad_s = (0.0, 0.0);
+        if let Some(upset) = self.upset.as_mut().filter(|_| self.wrecked) {
+            upset.lie();
+        } else {
+            self.upset = None;
+            self.angles_rad = (0.0, 0.0);
+        }
+    }
+
+    /// Forward, right and up.
+    fn axes(&self) -> [DVec3; 3] {
+        if let Some(upset) = &self.upset {
+            return upset.axes();
+        }
+        axes(self.heading, self.up())
+    }
+
+    /// The direction of the thrust while the motors obey.
+    fn up(&self) -> DVec3 {
+        self.lean_m_s2.extend(-GRAVITY_M_S2).normalize()
+    }
+
+    /// Drag per mass; it never turns the motion through the air around within a step.
+    fn drag(&self, through_air: DVec3, axes: &[DVec3; 3], drive: &Drive<'_>) -> DVec3 {
+        if self.on_ground || through_air == DVec3::ZERO {
+            return DVec3::ZERO;
+        }
+        let density = drive.conditions.air_density;
+        let along = DVec3::from_array(axes.map(|axis| through_air.dot(axis)));
+        let form = drive.airframe.form_drag(along, density);
+        let braked =
+            form / (DVec3::ONE + form.abs() / along.abs().max(DVec3::splat(1e-9)) * STEP_S);
+        axes[0] * braked.x + axes[1] * braked.y + axes[2] * braked.z
+    }
+
+    /// The acceleration of a vehicle whose motors obey; sets thrust and throttle.
+    fn fly(&mut self, demand: Demand, through_air: DVec3, drive: &Drive<'_>) -> DVec3 {
+        self.lean(demand);
+        let up = self.up();
+        let drag = self.drag(through_air, &axes(self.heading, up), drive);
+        let density = drive.conditions.air_density;
+        let inflow = drive.airframe.momentum_drag(self.thrust_m_s2, density);
+        let on_ground = if self.on_ground { 0.0 } else { 1.0 };
+        let drag = drag + through_air * (inflow * on_ground / (1.0 + inflow * STEP_S));
+        let into_rotors = through_air.dot(up);
+        self.thrust(demand, (drag.z, up.z), into_rotors, drive);
+        up * self.thrust_m_s2 - drag + DVec3::Z * GRAVITY_M_S2
+    }
+
+    /// Sets thrust and throttle after lag and saturation; `down` are the downward parts of drag and thrust axis.
+    fn thrust(&mut self, demand: Demand, down: (f64, f64), inflow: f64, drive: &Drive<'_>) {
+        let (airframe, conditions) = (drive.airframe, drive.conditions);
+        self.saturated = false;
+        match demand {
+            Demand::Off => {
+                self.lift_m_s2 = 0.0;
+                self.thrust_m_s2 = 0.0;
+                self.throttle = 0.0;
+            }
+            Demand::Throttle(throttle) => {
+                self.throttle = throttle;
+                self.lift_m_s2 = 0.0;
+                self.thrust_m_s2 = airframe.thrust_for(throttle, inflow, conditions);
+            }
+            Demand::Acceleration(wanted) => {
+                // The autopilot makes up for drag as it learns of it.
+                let learnt = down.0 - self.known_drag_m_s2;
+                self.known_drag_m_s2 += learnt * (STEP_S / (STEP_S + DRAG_LAG_S));
+                let lift = self.lagged_lift(wanted.z) - self.known_drag_m_s2;
+                let most = airframe.thrust_max(inflow, conditions);
+                let asked = lift / -down.1;
+                self.saturated = asked >= most;
+                self.thrust_m_s2 = asked.clamp(0.0, most);
+                self.throttle = if self.saturated {
+                    1.0
+                } else {
+                    airframe
+                        .throttle_for(self.thrust_m_s2, inflow, conditions)
+                        .max(IDLE_THROTTLE)
+                };
+            }
+        }
+    }
+
+    /// The lift per mass that carries the weight and follows the demand with its lag.
+    fn lagged_lift(&mut self, wanted_down_m_s2: f64) -> f64 {
+        let blend = STEP_S / (STEP_S + THRUST_LAG_S);
+        self.lift_m_s2 += (-wanted_down_m_s2 - self.lift_m_s2) * blend;
+        GRAVITY_M_S2 + self.lift_m_s2
+    }
+
+    fn lean(&mut self, demand: Demand) {
+        let wanted = match demand {
+            Demand::Acceleration(accel) => accel.truncate(),
+            Demand::Off | Demand::Throttle(_) => DVec2::ZERO,
+        };
+        self.lean_m_s2 += (wanted - self.lean_m_s2) * (STEP_S / (STEP_S + LEAN_LAG_S));
+    }
+
+    /// The acceleration of a vehicle that turns as its motors let it.
+    fn tumble(
+        &mut self,
+        upset: &mut Upset,
+        demand: Demand,
+        through_air: DVec3,
+        drive: &Drive<'_>,
+    ) -> DVec3 {
+        self.lean(demand);
+        let most = GRAVITY_M_S2 * upset.lean_limit_rad(self.throttle).tan();
+        self.lean_m_s2 = self.lean_m_s2.clamp_length_max(most);
+        let lift_m_s2 = match demand {
+            Demand::Off => None,
+            Demand::Throttle(throttle) => {
+                Some(drive.airframe.thrust_for(throttle, 0.0, drive.conditions))
+            }
+            Demand::Acceleration(wanted) => Some(self.lagged_lift(wanted.z)),
+        };
+        let wanted = Wanted {
+            up: self.up(),
+            yaw_rate_rad_s: self.yaw_rate_deg_s.to_radians(),
+            lift_m_s2,
+        };
+        let lifting_m_s2 = GRAVITY_M_S2 - self.accel_m_s2.z;
+        let motors = upset.step(
+            &wanted,
+            through_air,
+            lifting_m_s2,
+            &Drive {
+                wrecked: self.wrecked,
+                ..*drive
+            },
+        );
+        let drag = self.drag(through_air, &upset.axes(), drive);
+        self.thrust_m_s2 = upset.thrust_m_s2;
+        self.saturated = upset.mixer.limited.throttle;
+        self.throttle = match lift_m_s2 {
+            None => 0.0,
+            Some(_) if self.saturated => 1.0,
+            Some(_) => drive
+                .airframe
+                .throttle_for(upset.asked_m_s2, 0.0, drive.conditions)
+                .max(IDLE_THROTTLE),
+        };
+        motors - drag + DVec3::Z * GRAVITY_M_S2
+    }
+
+    fn start_tumbling(&mut self) {
+        let (roll_rate, pitch_rate) = self.angle_rates_rad_s;
+        let rates = DVec3::new(roll_rate, pitch_rate, self.yaw_rate_deg_s.to_radians());
+        self.upset = Some(Box::new(Upset::new(self.axes(), rates)));
+    }
+
+    /// Goes back to a lean that simply follows its demand.
+    fn recover(&mut self, axes: [DVec3; 3]) {
+        let up = axes[2];
+        self.lean_m_s2 = up.truncate() * (GRAVITY_M_S2 / (-up.z).max(0.1));
+    }
+
+    fn note_angles(&mut self) {
+        let (old_roll, old_pitch) = self.angles_rad;
+        let (roll, pitch) = if self.lean_m_s2 == DVec2::ZERO {
+            (0.0, 0.0)
+        } else {
+            let forward = self.lean_m_s2.dot(self.heading);
+            let right = self.heading.perp_dot(self.lean_m_s2);
+            let down = forward.hypot(GRAVITY_M_S2);
+            ((right / down).atan(), -(forward / GRAVITY_M_S2).atan())
+        };
+        self.angle_rates_rad_s = ((roll - old_roll) / STEP_S, (pitch - old_pitch) / STEP_S);
+        self.angles_rad = (roll, pitch);
+    }
+
+    fn note_attitude(&mut self, upset: &Upset) {
+        let (roll, pitch, yaw) = upset.angles_rad();
+        self.angles_rad = (roll, pitch);
+        self.angle_rates_rad_s = (upset.rates_rad_s.x, upset.rates_rad_s.y);
+        self.yaw_rate_deg_s = upset.rates_rad_s.z.to_degrees();
+        self.yaw_deg += sortie_geo::wrap_180(yaw.to_degrees() - self.yaw_deg);
+        self.heading = DVec2::from_angle(yaw);
+    }
+
+    /// Stops at the ground; the speed of the impact if the vehicle was in the air.
+    fn touch_ground(&mut self) -> Option<f64> {
+        if self.position_m.z < 0.0 {
+            if self.position_m.z < -0.02 {
+                self.on_ground = false;
+            }
+            return None;
+        }
+        let impact = (!self.on_ground).then_some(self.velocity_m_s.z);
+        self.position_m.z = 0.0;
+        self.velocity_m_s = DVec3::ZERO;
+        self.lean_m_s2 = DVec2::ZERO;
+        self.accel_m_s2 = DVec3::ZERO;
+        self.on_ground = true;
+        match &mut self.upset {
+            Some(upset) if self.wrecked => upset.lie(),
+            Some(upset) => upset.settle(),
+            None => {}
+        }
+        impact
+    }
+}
+
+#[cfg(test)]
+mod tests;

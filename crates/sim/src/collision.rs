@@ -1,0 +1,280 @@
+//! Vehicles that touch each other or an obstacle.
+//!
+//! After every step of the world its vehicles are put into a grid, so that the cost grows with their number and not
+//! with its square. Vehicles are balls; what happens to them depends on the state after the step alone, not on the
+//! order in which they are looked at.
+
+mod grid;
+mod obstacle;
+#[cfg(test)]
+mod tests;
+
+use std::time::Duration;
+
+use glam::DVec3;
+
+use self::grid::Grid;
+use self::obstacle::{Contact, Obstacles};
+pub use self::obstacle::{Obstacle, Placement, Shape};
+use super::Start;
+use super::autopilot::Autopilot;
+use super::body::Body;
+use sortie_geo::LatLon;
+
+/// The largest radius that a vehicle may have here, in metres; what is larger counts as that large.
+const RADIUS_MAX_M: f64 = 5.0;
+/// The share of the speed with which bodies part again.
+const RESTITUTION: f64 = 0.3;
+/// A vehicle that comes down on an obstacle more slowly than this stands on it instead of breaking.
+const LANDING_M_S: f64 = 1.0;
+/// How upright the surface must be for that.
+const LANDING_SLOPE: f64 = 0.7;
+
+/// A collision that broke something.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Collision {
+    /// Simulated time since the world began.
+    pub at: Duration,
+    /// The vehicle, counted from 0; of two vehicles the first.
+    pub vehicle: usize,
+    /// What it met.
+    pub with: Met,
+    /// Where the vehicle was.
+    pub place: LatLon,
+    /// Its altitude, metres above mean sea level.
+    pub altitude_amsl_m: f64,
+    /// How fast the two met, in metres per second.
+    pub speed_m_s: f64,
+}
+
+/// What a vehicle met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Met {
+    /// Another vehicle, counted from 0.
+    Vehicle(usize),
+    /// An obstacle, counted from 0 in the order of the configuration.
+    Obstacle(usize),
+}
+
+/// What a collision does to a vehicle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Hit {
+    pub(super) vehicle: usize,
+    pub(super) change_m_s: DVec3,
+    /// Out of the obstacle.
+    pub(super) shift_m: DVec3,
+    pub(super) breaks: bool,
+}
+
+/// A vehicle as collisions see it, in the frame of the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Ball {
+    centre_m: DVec3,
+    velocity_m_s: DVec3,
+    radius_m: f64,
+    mass_kg: f64,
+    in_air: bool,
+    wrecked: bool,
+}
+
+/// The collisions of a world.
+#[derive(Debug, Default)]
+pub(super) struct Collisions {
+    obstacles: Obstacles,
+    /// Each vehicle's start, and where it lies in the frame of the world. A reboot changes them.
+    frames: Vec<(Start, DVec3)>,
+    balls: Vec<Ball>,
+    grid: Grid,
+    pairs: Vec<(u32, u32)>,
+    hits: Vec<Hit>,
+    events: Vec<Collision>,
+}
+
+impl Collisions {
+    /// Without vehicles yet; obstacles may be placed from the world's origin.
+    pub(super) fn new(origin: Option<Start>, obstacles: &[Obstacle]) -> Self {
+        Self {
+            obstacles: Obstacles::new(origin, obstacles, RADIUS_MAX_M),
+            frames: Vec::new(),
+            ..Self::default()
+        }
+    }
+
+    /// What has broken so far, in order.
+    pub(super) fn events(&self) -> &[Collision] {
+        &self.events
+    }
+
+    /// Looks at all vehicles after a step; what happens to which.
+    pub(super) fn find<'a>(
+        &mut self,
+        now: Duration,
+        vehicles: impl ExactSizeIterator<Item = &'a Autopilot>,
+    ) -> &[Hit] {
+        self.hits.clear();
+        if vehicles.len() < 2 && self.obstacles.is_empty() {
+            return &self.hits;
+        }
+        self.balls.clear();
+        let mut flying = false;
+        for (vehicle, autopilot) in vehicles.enumerate() {
+            let ball = self.ball(vehicle, autopilot);
+            flying |= ball.in_air;
+            self.balls.push(ball);
+        }
+        if flying {
+            self.meet(now);
+        }
+        &self.hits
+    }
+
+    fn ball(&mut self, vehicle: usize, autopilot: &Autopilot) -> Ball {
+        let body = &autopilot.body;
+        let radius_m = (0.5 * autopilot.airframe.size_m()).min(RADIUS_MAX_M);
+        let feet_m = self.offset(vehicle, autopilot.start) + body.position_m;
+        Ball {
+            centre_m: feet_m - DVec3::Z * radius_m,
+            velocity_m_s: body.velocity_m_s,
+            radius_m,
+            mass_kg: autopilot.airframe.mass_kg(),
+            in_air: !body.on_ground,
+            wrecked: body.wrecked,
+        }
+    }
+
+    /// Where a vehicle's start lies from the first vehicle's.
+    fn offset(&mut self, vehicle: usize, start: Start) -> DVec3 {
+        if let Some((known, offset)) = self.frames.get(vehicle)
+            && *known == start
+        {
+            return *offset;
+        }
+        let origin = self.frames.first().map_or(start, |(first, _)| *first);
+        let offset = self.frames.first().map_or(DVec3::ZERO, |(_, first)| *first)
+            + from_start(origin, start.at, start.altitude_amsl_m);
+        match self.frames.get_mut(vehicle) {
+            Some(frame) => *frame = (start, offset),
+            None => self.frames.push((start, offset)),
+        }
+        offset
+    }
+
+    fn meet(&mut self, now: Duration) {
+        self.find_pairs();
+        let pairs = std::mem::take(&mut self.pairs);
+        for &(first, second) in &pairs {
+            self.meet_vehicle(now, first as usize, second as usize);
+        }
+        self.pairs = pairs;
+        if !self.obstacles.is_empty() {
+            for vehicle in 0..self.balls.len() {
+                self.meet_obstacles(now, vehicle);
+            }
+        }
+    }
+
+    /// The pairs that touch, at least one of them in the air, in rising order.
+    fn find_pairs(&mut self) {
+        let (balls, pairs) = (&self.balls, &mut self.pairs);
+        pairs.clear();
+        self.grid.fill(balls.iter().map(|ball| ball.centre_m));
+        let largest_m = balls
+            .iter()
+            .fold(0.0, |most: f64, ball| most.max(ball.radius_m));
+        for (first, ball) in balls.iter().enumerate().filter(|(_, ball)| ball.in_air) {
+            self.grid
+                .near(ball.centre_m, ball.radius_m + largest_m, |second| {
+                    let other = &balls[second];
+                    // Of two in the air the earlier one finds the pair.
+                    if second == first || (other.in_air && second < first) {
+                        return;
+                    }
+                    let reach_m = ball.radius_m + other.radius_m;
+                    if ball.centre_m.distance_squared(other.centre_m) < reach_m * reach_m {
+                        pairs.push((first.min(second) as u32, first.max(second) as u32));
+                    }
+                });
+        }
+        pairs.sort_unstable();
+    }
+
+    fn meet_vehicle(&mut self, now: Duration, first: usize, second: usize) {
+        let (one, two) = (self.balls[first], self.balls[second]);
+        let apart = (one.centre_m - two.centre_m).try_normalize();
+        let apart = apart.unwrap_or(DVec3::NEG_Z);
+        let approach = two.velocity_m_s - one.velocity_m_s;
+        let closing_m_s = approach.dot(apart);
+        if closing_m_s <= 0.0 {
+            return;
+        }
+        let push = apart * (closing_m_s * (1.0 + RESTITUTION) / (one.mass_kg + two.mass_kg));
+        for (vehicle, change_m_s) in [(first, push * two.mass_kg), (second, -push * one.mass_kg)] {
+            self.hits.push(Hit {
+                vehicle,
+                change_m_s,
+                shift_m: DVec3::ZERO,
+                breaks: true,
+            });
+        }
+        if !(one.wrecked && two.wrecked) {
+            self.note(now, first, Met::Vehicle(second), approach.length());
+        }
+    }
+
+    fn meet_obstacles(&mut self, now: Duration, vehicle: usize) {
+        let ball = self.balls[vehicle];
+        if !ball.in_air {
+            return;
+        }
+        let Some((obstacle, Contact { outwards, depth_m })) =
+            self.obstacles.touched(ball.centre_m, ball.radius_m)
+        else {
+            return;
+        };
+        let closing_m_s = -ball.velocity_m_s.dot(outwards);
+        let stands = closing_m_s < LANDING_M_S && outwards.z < -LANDING_SLOPE;
+        let bounce = if stands { 0.0 } else { RESTITUTION };
+        self.hits.push(Hit {
+            vehicle,
+            change_m_s: outwards * (closing_m_s.max(0.0) * (1.0 + bounce)),
+            shift_m: outwards * depth_m,
+            breaks: !stands,
+        });
+        if !stands && !ball.wrecked {
+            let speed_m_s = ball.velocity_m_s.length();
+            self.note(now, vehicle, Met::Obstacle(obstacle), speed_m_s);
+        }
+    }
+
+    fn note(&mut self, at: Duration, vehicle: usize, with: Met, speed_m_s: f64) {
+        let (start, offset) = self.frames[vehicle];
+        let ball = self.balls[vehicle];
+        let own = ball.centre_m + DVec3::Z * ball.radius_m - offset;
+        self.events.push(Collision {
+            at,
+            vehicle,
+            with,
+            place: start.at.moved(own.x, own.y),
+            altitude_amsl_m: start.altitude_amsl_m - own.z,
+            speed_m_s,
+        });
+    }
+}
+
+impl Body {
+    /// Suffers a collision.
+    pub(super) fn take(&mut self, hit: &Hit) {
+        self.position_m += hit.shift_m;
+        if hit.breaks {
+            self.hit(hit.change_m_s);
+        } else {
+            self.velocity_m_s += hit.change_m_s;
+        }
+    }
+}
+
+/// A place in metres north, east and down from a start.
+fn from_start(start: Start, at: LatLon, altitude_amsl_m: f64) -> DVec3 {
+    let (north, east) = start.at.offset_to(at);
+    DVec3::new(north, east, start.altitude_amsl_m - altitude_amsl_m)
+}

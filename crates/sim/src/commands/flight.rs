@@ -1,0 +1,180 @@
+//! Commands that arm, change the mode, take off and end the flight.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+
+use super::{Command, done};
+use crate::autopilot::Autopilot;
+use crate::mode;
+use crate::port::Link;
+use crate::task::{Takeoff, Task};
+
+/// The second parameter that makes disarming work in the air.
+const FORCE: f32 = 21196.0;
+/// The second parameter that makes arming ignore what can be ignored.
+const FORCE_ARMING: f32 = 2989.0;
+/// `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
+const RELATIVE_ALTITUDE: u8 = 3;
+/// What a takeoff in a mode with a pilot lifts before a throttle that is all the way down counts again.
+const PILOTED_TAKEOFF_M: f64 = 1.0;
+/// The highest altitude a command may ask for.
+const ALTITUDE_MAX_M: f64 = 83_000.0;
+/// Bits of the base mode: the custom mode counts; the safety switch is meant.
+const CUSTOM_MODE: i32 = 1;
+const SAFETY_SWITCH: i32 = 128;
+/// BRAKE by the pause button turns into LOITER after this.
+const PAUSE_BUTTON_BRAKE: Duration = Duration::from_millis(2500);
+
+pub(super) fn arm_or_disarm(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    if command.is(0, 1.0) {
+        return done(autopilot.arm(command.is(1, FORCE_ARMING)));
+    }
+    if command.p[0] != 0.0 {
+        return MavResult::MAV_RESULT_UNSUPPORTED;
+    }
+    let forced = (command.p[1] - FORCE).abs() < 0.5;
+    let allowed = forced || autopilot.safety.landed || !autopilot.safety.armed;
+    if allowed {
+        autopilot.disarm();
+    }
+    done(allowed)
+}
+
+pub(super) fn terminate(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    if command.p[0] > 0.5 {
+        autopilot.disarm();
+        MavResult::MAV_RESULT_ACCEPTED
+    } else {
+        MavResult::MAV_RESULT_FAILED
+    }
+}
+
+pub(super) fn set_mode(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let (Some(base), Some(custom)) = (command.whole(0), command.whole(1)) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    if base & CUSTOM_MODE != 0 {
+        // Fractions are cut off and -1 wraps to 255.
+        return done(autopilot.set_mode(custom as u8));
+    }
+    if base == SAFETY_SWITCH && (custom == 0 || custom == 1) {
+        autopilot.workbench.safety_on = custom == 1;
+        return MavResult::MAV_RESULT_ACCEPTED;
+    }
+    MavResult::MAV_RESULT_DENIED
+}
+
+pub(super) fn loiter(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    done(autopilot.set_mode(mode::LOITER))
+}
+
+pub(super) fn return_to_launch(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    done(autopilot.set_mode(mode::RTL))
+}
+
+pub(super) fn land(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    done(autopilot.set_mode(mode::LAND))
+}
+
+/// A return path is part of a plan.
+pub(super) fn start_return_path(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    autopilot.say(
+        MavSeverity::MAV_SEVERITY_WARNING,
+        "Mode change to AUTO RTL failed: No return path found",
+    );
+    MavResult::MAV_RESULT_FAILED
+}
+
+pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    if command
+        .frame
+        .is_some_and(|frame| frame != RELATIVE_ALTITUDE)
+    {
+        return MavResult::MAV_RESULT_DENIED;
+    }
+    // With a third parameter of zero the vehicle must hold its place by itself.
+    let navigates = command.p[2] == 0.0;
+    done(autopilot.take_off(f64::from(command.z), navigates))
+}
+
+/// Solo's fly button: LOITER, or `ALT_HOLD` where that is impossible.
+pub(super) fn fly_button(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    if !autopilot.set_mode(mode::LOITER) {
+        autopilot.set_mode(mode::ALT_HOLD);
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// Held down: arms, takes off or lands.
+pub(super) fn fly_button_held(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    if !autopilot.safety.armed {
+        autopilot.arm(false);
+    } else if autopilot.safety.landed {
+        if autopilot.set_mode(mode::LOITER) {
+            autopilot.take_off(f64::from(command.p[0]), true);
+        }
+    } else {
+        autopilot.set_mode(mode::LAND);
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// Solo's pause button: disarms on the ground, brakes in the air.
+pub(super) fn pause_button(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    if !autopilot.safety.armed {
+        return MavResult::MAV_RESULT_ACCEPTED;
+    }
+    let takes_pictures = command.p[0] != 0.0 && mode::is_guided(autopilot.mode.number);
+    if autopilot.safety.landed {
+        autopilot.disarm();
+    } else if !takes_pictures {
+        if autopilot.set_mode(mode::BRAKE) {
+            autopilot.brake_until = Some(autopilot.uptime() + PAUSE_BUTTON_BRAKE);
+        } else {
+            autopilot.set_mode(mode::ALT_HOLD);
+        }
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+impl Autopilot {
+    /// Takes off to a height above home in metres, if the mode and the moment allow it.
+    fn take_off(&mut self, above_home_m: f64, navigates: bool) -> bool {
+        let height_m = above_home_m - self.home_point().z;
+        let climb_m = height_m - self.believed().height_m();
+        let sensible = climb_m > 0.0 && climb_m < ALTITUDE_MAX_M;
+        let able = mode::takes_off(self.mode.number, navigates);
+        if !self.safety.armed || !self.safety.landed || !able || !sensible {
+            return false;
+        }
+        // AUTO entered from here on needs no raised throttle.
+        self.mission.allow_lifting();
+        let low = self.mode.number != mode::GUIDED && self.sticks().throttle_is_low();
+        let height_m = if low {
+            self.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
+        } else {
+            height_m
+        };
+        if let Task::Takeoff(takeoff) = &mut self.task {
+            takeoff.goal_m.z = -height_m;
+            return true;
+        }
+        let begins = self.safety.takeoff_begins(self.uptime());
+        self.task = Task::Takeoff(Takeoff::new(self.believed().position_m, height_m, begins));
+        self.yaw.settle(self.body.yaw_deg);
+        true
+    }
+}

@@ -1,0 +1,166 @@
+//! Commands that change how the vehicle moves: heading, speed, goal.
+
+use glam::DVec3;
+use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+
+use super::{Command, done};
+use crate::autopilot::{Autopilot, Speeds};
+use crate::mode;
+use crate::place::Place;
+use crate::port::Link;
+use crate::task::Task;
+use crate::yaw::YawDemand;
+
+/// Heights beyond this cannot be stored in a location.
+const HEIGHT_MAX_M: f64 = 83_000.0;
+/// The frame that a `COMMAND_LONG` with a place means: `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
+const RELATIVE_ALTITUDE: u8 = 3;
+
+pub(super) fn yaw(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let [angle, rate, direction, relative] = command.p.map(f64::from);
+    let known = (0.0..=360.0).contains(&angle) && (command.is(3, 0.0) || command.is(3, 1.0));
+    if !known || !rate.is_finite() {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    if relative > 0.0 {
+        let signed = if direction < 0.0 { -angle } else { angle };
+        autopilot.yaw.turn_by(signed, rate);
+    } else {
+        autopilot.yaw.turn_to(angle, rate, direction);
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn change_speed(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    let [kind, speed, ..] = command.p.map(f64::from);
+    let able = mode::changes_speed(autopilot.mode.number);
+    if !(able && speed > 0.0 && speed.is_finite()) {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    // The autopilot sets climb and descent together: asking for one resets the other. The kinds are compared
+    // like this by the real one too: 9 is a descent, -1 the speed over ground.
+    let ground_m_s = autopilot.speeds.ground_m_s;
+    autopilot.speeds = if kind > 2.9 {
+        Speeds {
+            ground_m_s,
+            up_m_s: None,
+            down_m_s: Some(speed),
+        }
+    } else if kind > 1.9 {
+        Speeds {
+            ground_m_s,
+            up_m_s: Some(speed),
+            down_m_s: None,
+        }
+    } else {
+        Speeds {
+            ground_m_s: Some(speed),
+            ..autopilot.speeds
+        }
+    };
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// The place of a command, with the height that its frame means; `None` where it cannot be one.
+pub(super) fn place(autopilot: &mut Autopilot, command: &Command, frame: u8) -> Option<Place> {
+    let height_m = f64::from(command.z);
+    if height_m.is_nan() || height_m.abs() > HEIGHT_MAX_M {
+        return None;
+    }
+    let Some(altitude_amsl_m) = autopilot.altitude_amsl_m(frame, height_m) else {
+        let text = format!("Unknown mavlink coordinate frame {frame}");
+        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        return None;
+    };
+    Some(Place {
+        at: command.at(),
+        altitude_amsl_m,
+    })
+}
+
+pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let Some(frame) = command.frame else {
+        return MavResult::MAV_RESULT_UNSUPPORTED;
+    };
+    let may_change_mode = command.whole(1).is_some_and(|flags| flags & 1 == 1);
+    let guided = mode::is_guided(autopilot.mode.number);
+    let somewhere = command.at().is_valid() && (command.x, command.y) != (0, 0);
+    if !somewhere || !(guided || may_change_mode) {
+        return MavResult::MAV_RESULT_DENIED;
+    }
+    let Some(place) = place(autopilot, command, frame) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    let goal = autopilot.point_of(place);
+    if !autopilot.safety.landed && !autopilot.may_fly_to(goal) {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    if !guided && !autopilot.set_mode(mode::GUIDED) {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    if !autopilot.safety.landed {
+        autopilot.go_to(goal, DVec3::ZERO);
+        autopilot.yaw.demand = autopilot.default_yaw();
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn pause_or_continue(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    if autopilot.mode.number == mode::AUTO {
+        return super::plan::pause_or_continue(autopilot, command);
+    }
+    let pause = match command.whole(0) {
+        Some(0) => true,
+        Some(1) => false,
+        _ => return MavResult::MAV_RESULT_DENIED,
+    };
+    if !mode::is_guided(autopilot.mode.number) {
+        let text = if pause {
+            "Failed to pause"
+        } else {
+            "Failed to resume"
+        };
+        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, text);
+        return done(false);
+    }
+    if !autopilot.safety.landed {
+        if !pause {
+            if let Some(task) = autopilot.paused.take() {
+                autopilot.task = task;
+            }
+        } else if autopilot.paused.is_none() {
+            let interrupted = std::mem::replace(&mut autopilot.task, Task::STOP);
+            autopilot.paused = Some(interrupted);
+        }
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn look_at(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
+    let frame = command.frame.unwrap_or(RELATIVE_ALTITUDE);
+    let Some(place) = place(autopilot, command, frame) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    if !place.at.is_valid() {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    if (command.x, command.y) == (0, 0) {
+        return look_ahead(autopilot, link, command);
+    }
+    let (north, east) = autopilot.start.at.offset_to(place.at);
+    autopilot.yaw.demand = YawDemand::Towards(glam::DVec2::new(north, east));
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn look_ahead(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    autopilot.yaw.demand = autopilot.default_yaw();
+    MavResult::MAV_RESULT_ACCEPTED
+}

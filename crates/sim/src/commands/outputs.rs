@@ -1,0 +1,116 @@
+//! Commands to servos, relays, motors and what else hangs on the outputs.
+
+use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+
+use super::{Command, done};
+use crate::autopilot::Autopilot;
+use crate::port::Link;
+use crate::workbench::MotorTest;
+
+/// `SERVOn_FUNCTION` of outputs that a command may drive: none, RC input through, sprayer, gripper.
+const FREE_FUNCTIONS: &[i32] = &[0, 1, 22, 23, 28];
+const RC_THROUGH: std::ops::RangeInclusive<i32> = 51..=66;
+/// Outputs with and without pins.
+const SERVOS: std::ops::RangeInclusive<i32> = 1..=16;
+const BACK_SERVOS: std::ops::RangeInclusive<i32> = 17..=32;
+
+pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let (Some(channel), Some(width_us)) = (command.whole(0), command.whole(1)) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    let function = if SERVOS.contains(&channel) {
+        autopilot
+            .parameters
+            .value(&format!("SERVO{channel}_FUNCTION")) as i32
+    } else if BACK_SERVOS.contains(&channel) {
+        // General inputs and outputs.
+        -1
+    } else {
+        return MavResult::MAV_RESULT_FAILED;
+    };
+    if !FREE_FUNCTIONS.contains(&function) && !RC_THROUGH.contains(&function) {
+        let text = format!("ServoRelayEvent: Channel {channel} is already in use");
+        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    let place = usize::try_from(channel - 1).ok();
+    if let Some(servo) = place.and_then(|place| autopilot.servos_us.get_mut(place)) {
+        *servo = width_us.clamp(0, i32::from(u16::MAX)) as u16;
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// There is one relay, with number 0.
+pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let known = command.whole(0) == Some(0) && command.whole(1).is_some();
+    if known && command.number == 181 {
+        autopilot.workbench.relay_on = command.p[1] > 0.0;
+    }
+    done(known)
+}
+
+pub(super) fn parachute(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    match command.whole(0) {
+        Some(on @ (0 | 1)) => autopilot.workbench.parachute = on == 1,
+        Some(2) if autopilot.workbench.parachute && autopilot.safety.landed => {
+            autopilot.say(MavSeverity::MAV_SEVERITY_INFO, "Parachute: Landed");
+        }
+        Some(2) => {}
+        _ => return MavResult::MAV_RESULT_FAILED,
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn safety_switch(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    match command.whole(0) {
+        Some(0) => autopilot.workbench.safety_on = true,
+        Some(1) => autopilot.workbench.safety_on = false,
+        _ => return MavResult::MAV_RESULT_DENIED,
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// Sets what is left in the battery, in percent.
+pub(super) fn battery_reset(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    let (Some(batteries), Some(_)) = (command.whole(0), command.whole(1)) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    if batteries & 1 == 1 {
+        let left = f64::from(command.p[1].clamp(0.0, 100.0)) / 100.0;
+        autopilot.battery.consumed_mah = autopilot.tuning.battery_capacity_mah * (1.0 - left);
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn motor_test(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let (Some(motor), Some(kind)) = (command.whole(0), command.whole(1)) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    if autopilot.workbench.motor_test.is_none() {
+        if !autopilot.safety.landed {
+            autopilot.say(
+                MavSeverity::MAV_SEVERITY_CRITICAL,
+                "Motor Test: vehicle not landed",
+            );
+            return MavResult::MAV_RESULT_FAILED;
+        }
+        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, "starting motor test");
+    }
+    let [_, _, throttle, timeout_s] = command.p;
+    let test = MotorTest::new(
+        [motor, kind, command.x],
+        throttle,
+        timeout_s,
+        autopilot.uptime(),
+    );
+    autopilot.workbench.motor_test = Some(test);
+    MavResult::MAV_RESULT_ACCEPTED
+}

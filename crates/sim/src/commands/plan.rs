@@ -1,0 +1,93 @@
+//! Commands about the mission that is flown.
+
+use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+
+use super::{Command, done};
+use crate::autopilot::Autopilot;
+use crate::port::Link;
+use crate::telemetry;
+
+/// `MISSION_CURRENT`.
+const MISSION_CURRENT: u32 = 42;
+
+pub(super) fn start(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    done(autopilot.start_mission())
+}
+
+/// The mission goes on at the nearest start of a landing; without one there is no such mode.
+pub(super) fn start_landing_sequence(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    _: &Command,
+) -> MavResult {
+    if autopilot.fly_landing_sequence() {
+        return MavResult::MAV_RESULT_ACCEPTED;
+    }
+    for text in [
+        "Unable to start landing sequence",
+        "Mode change to AUTO RTL failed: No landing sequence found",
+    ] {
+        autopilot.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+    }
+    MavResult::MAV_RESULT_FAILED
+}
+
+/// The item must exist; the second parameter forgets the jumps and lets the mission run.
+pub(super) fn set_current(
+    autopilot: &mut Autopilot,
+    link: &mut Link,
+    command: &Command,
+) -> MavResult {
+    let items = autopilot.plans.mission.len();
+    let Some(at) = whole(command.p[0]).filter(|&at| usize::from(at) < items) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    let worked = if (command.p[1] - 1.0).abs() < f32::EPSILON {
+        autopilot.reset_to_mission_item(at)
+    } else {
+        autopilot.set_mission_item(at)
+    };
+    if worked {
+        report(autopilot, link);
+    }
+    done(worked)
+}
+
+pub(super) fn jump_to_tag(
+    autopilot: &mut Autopilot,
+    link: &mut Link,
+    command: &Command,
+) -> MavResult {
+    let Some(tag) = whole(command.p[0]) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    let worked = autopilot.jump_to_tag(tag);
+    if worked {
+        report(autopilot, link);
+    }
+    done(worked)
+}
+
+pub(super) fn pause_or_continue(autopilot: &mut Autopilot, command: &Command) -> MavResult {
+    let pause = match command.whole(0) {
+        Some(0) => true,
+        Some(1) => false,
+        _ => return MavResult::MAV_RESULT_DENIED,
+    };
+    let worked = autopilot.pause_mission(pause);
+    if !worked {
+        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, "Failed to pause");
+    }
+    done(worked)
+}
+
+fn report(autopilot: &Autopilot, link: &mut Link) {
+    if let Some(message) = telemetry::message(MISSION_CURRENT, autopilot) {
+        link.reply(message);
+    }
+}
+
+/// An item or a tag; `None` for what is no such number.
+fn whole(value: f32) -> Option<u16> {
+    (value > -1.0 && value < 65536.0).then_some(value as u16)
+}

@@ -1,0 +1,104 @@
+//! Commands that configure the vehicle.
+
+use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+
+use super::{Command, done, motion};
+use crate::autopilot::Autopilot;
+use crate::port::Link;
+
+/// The sixth parameter that reboots an armed vehicle too.
+const FORCE_REBOOT: i32 = 20_190_226;
+
+pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    if !autopilot.is_ready() {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    if command.is(0, 1.0) || (command.x, command.y) == (0, 0) {
+        autopilot.set_home_here();
+        return MavResult::MAV_RESULT_ACCEPTED;
+    }
+    if command.p[0] != 0.0 {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    let Some(place) = motion::place(autopilot, command, command.frame.unwrap_or(0)) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    done(
+        autopilot.may_be_home(place) && {
+            autopilot.set_home(place);
+            true
+        },
+    )
+}
+
+/// The system id of a vehicle to follow is stored; nothing follows it, since the mode is not enabled.
+pub(super) fn follow(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    if command.p[0] > 0.0 && command.p[0] <= 255.0 {
+        MavResult::MAV_RESULT_ACCEPTED
+    } else {
+        MavResult::MAV_RESULT_DENIED
+    }
+}
+
+/// The estimator has sources 1 to 3.
+pub(super) fn estimator_source(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    match command.whole(0) {
+        Some(1..=3) => MavResult::MAV_RESULT_ACCEPTED,
+        _ => MavResult::MAV_RESULT_DENIED,
+    }
+}
+
+pub(super) fn high_latency(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    let text = if command.is(0, 1.0) {
+        "High Latency enabled"
+    } else {
+        "High Latency disabled"
+    };
+    autopilot.say(MavSeverity::MAV_SEVERITY_NOTICE, text);
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// Says which pre-arm checks fail.
+pub(super) fn run_checks(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    if autopilot.safety.armed {
+        return MavResult::MAV_RESULT_TEMPORARILY_REJECTED;
+    }
+    for reason in autopilot.arming_obstacles() {
+        let text = format!("PreArm: {reason}");
+        autopilot.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+    }
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// The store is erased, also in flight; the values at work stay until the reboot.
+pub(super) fn storage(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    if !command.is(0, 2.0) {
+        return MavResult::MAV_RESULT_DENIED;
+    }
+    autopilot.workbench.erased = true;
+    autopilot.say(
+        MavSeverity::MAV_SEVERITY_WARNING,
+        "All parameters reset, reboot board",
+    );
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn reboot(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    if autopilot.safety.armed && command.y != FORCE_REBOOT {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    if !command.is(0, 1.0) && !command.is(0, 3.0) {
+        return MavResult::MAV_RESULT_UNSUPPORTED;
+    }
+    autopilot.schedule_reboot();
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn banner(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    autopilot.say_banner();
+    MavResult::MAV_RESULT_ACCEPTED
+}

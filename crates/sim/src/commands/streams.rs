@@ -1,0 +1,84 @@
+//! Commands that ask for messages.
+
+use mavlink::dialects::ardupilotmega::{MESSAGE_INTERVAL_DATA, MavMessage, MavResult, MavSeverity};
+
+use super::{Command, done};
+use crate::autopilot::Autopilot;
+use crate::port::Link;
+use crate::telemetry;
+
+/// A message id from a float parameter; fractions are cut off, everything else that is no id is no message.
+fn id(parameter: f32) -> u32 {
+    if (0.0..16_777_216.0).contains(&parameter) {
+        parameter as u32
+    } else {
+        u32::MAX
+    }
+}
+
+pub(super) fn set_interval(
+    autopilot: &mut Autopilot,
+    link: &mut Link,
+    command: &Command,
+) -> MavResult {
+    let id = id(command.p[0]);
+    if !telemetry::is_known(id) {
+        let text = format!("No ap_message for mavlink id ({})", command.p[0] as i64);
+        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        return MavResult::MAV_RESULT_DENIED;
+    }
+    link.schedule
+        .set(id, i64::from(command.p[1] as i32), autopilot.uptime());
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn get_interval(_: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
+    let id = id(command.p[0]);
+    let known = telemetry::is_known(id);
+    let interval_us = if known {
+        link.schedule.interval_us(id)
+    } else {
+        0
+    };
+    link.reply(MavMessage::MESSAGE_INTERVAL(MESSAGE_INTERVAL_DATA {
+        interval_us: interval_us as i32,
+        message_id: id as u16,
+    }));
+    done(known)
+}
+
+pub(super) fn request(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
+    let id = id(command.p[0]);
+    let known = telemetry::is_known(id);
+    if known {
+        link.replies
+            .extend(telemetry::message(id, autopilot).map(Into::into));
+    }
+    if id == telemetry::TERRAIN_REQUEST {
+        link.replies
+            .extend(telemetry::message(telemetry::TERRAIN_REPORT, autopilot).map(Into::into));
+    }
+    done(known)
+}
+
+pub(super) fn capabilities(
+    autopilot: &mut Autopilot,
+    link: &mut Link,
+    command: &Command,
+) -> MavResult {
+    let asked = (command.p[0] - 1.0).abs() < f32::EPSILON;
+    if asked {
+        link.replies
+            .extend(telemetry::message(148, autopilot).map(Into::into));
+    }
+    done(asked)
+}
+
+pub(super) fn home_position(autopilot: &mut Autopilot, link: &mut Link, _: &Command) -> MavResult {
+    let home = telemetry::message(242, autopilot);
+    let known = home.is_some();
+    link.replies.extend(home.map(Into::into));
+    link.replies
+        .extend(telemetry::message(49, autopilot).map(Into::into));
+    done(known)
+}

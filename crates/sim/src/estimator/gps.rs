@@ -1,0 +1,152 @@
+//! What the GPS receiver delivers: samples at its rate, some time after they were taken.
+
+use std::time::Duration;
+
+use glam::DVec3;
+
+use super::faults::GpsFault;
+use sortie_geo::METRES_PER_DEGREE;
+
+/// A receiver without a position still sees this many satellites.
+const SATELLITES_WITHOUT_FIX: u8 = 3;
+/// RTK fixed; no fix.
+const FIXED: u8 = 6;
+const NO_FIX: u8 = 1;
+/// How far a jammed receiver's position leaps, and how fast it claims to be.
+const JAM_LEAP_M: f64 = 200.0;
+const JAM_SPEED_M_S: f64 = 400.0;
+/// A jammed receiver first loses everything for one to six seconds.
+const JAM_SILENCE_S: (f64, f64) = (1.0, 6.0);
+
+/// One report of the receiver, as the difference to the truth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fix {
+    /// `fix_type` on the wire.
+    pub(crate) kind: u8,
+    pub(crate) satellites: u8,
+    /// Metres north, east and down.
+    pub(crate) offset_m: DVec3,
+    /// Metres per second north, east and down.
+    pub(crate) velocity_offset_m_s: DVec3,
+}
+
+impl Fix {
+    /// Whether there is a position.
+    pub(crate) fn is_locked(&self) -> bool {
+        self.kind >= 3
+    }
+}
+
+/// A receiver with the reports under way.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Receiver {
+    /// The last report that arrived.
+    pub(super) fix: Fix,
+    under_way: Option<(Duration, Fix)>,
+    seed: u64,
+    jammed_since: Option<Duration>,
+    jam_m: DVec3,
+}
+
+impl Receiver {
+    pub(super) fn new(seed: u64) -> Self {
+        Self {
+            fix: Fix {
+                kind: FIXED,
+                satellites: 10,
+                offset_m: DVec3::ZERO,
+                velocity_offset_m_s: DVec3::ZERO,
+            },
+            under_way: None,
+            seed,
+            jammed_since: None,
+            jam_m: DVec3::ZERO,
+        }
+    }
+
+    /// When the last report before `now` arrived or will arrive.
+    pub(super) fn last_arrival(now: Duration, fault: &GpsFault) -> Duration {
+        let periods = now.as_micros() / fault.period.as_micros().max(1);
+        let taken = fault.period * u32::try_from(periods).unwrap_or(u32::MAX);
+        taken + fault.lag
+    }
+
+    /// Takes a sample when its time has come; says whether a report arrived in this step.
+    pub(super) fn step(&mut self, now: Duration, latitude_deg: f64, fault: &GpsFault) -> bool {
+        let arrived = match self.under_way {
+            Some((due, fix)) if now >= due => {
+                self.fix = fix;
+                self.under_way = None;
+                true
+            }
+            _ => false,
+        };
+        let period_us = fault.period.as_micros().max(1);
+        if now.as_micros() % period_us < 10_000 {
+            let sample = self.sample(now, latitude_deg, fault);
+            self.under_way = Some((now + fault.lag, sample));
+        }
+        arrived
+    }
+
+    fn sample(&mut self, now: Duration, latitude_deg: f64, fault: &GpsFault) -> Fix {
+        let east_m = METRES_PER_DEGREE * latitude_deg.to_radians().cos();
+        let noise_m = fault.altitude_noise_m * self.random();
+        let up_m = fault.glitch.z + fault.altitude_offset_m + noise_m;
+        let mut fix = Fix {
+            kind: FIXED,
+            satellites: fault.satellites,
+            offset_m: DVec3::new(
+                fault.glitch.x * METRES_PER_DEGREE,
+                fault.glitch.y * east_m,
+                -up_m,
+            ),
+            velocity_offset_m_s: DVec3::ZERO,
+        };
+        if fault.jammed {
+            self.jam(now, &mut fix);
+        } else {
+            self.jammed_since = None;
+            self.jam_m = DVec3::ZERO;
+        }
+        if fault.disabled || now < fault.lock_after {
+            fix.kind = NO_FIX;
+        }
+        if !fix.is_locked() {
+            fix.satellites = SATELLITES_WITHOUT_FIX;
+        }
+        fix
+    }
+
+    /// After a silence the lock comes and goes, and position and speed leap about.
+    fn jam(&mut self, now: Duration, fix: &mut Fix) {
+        let since = *self.jammed_since.get_or_insert(now);
+        let (least, most) = JAM_SILENCE_S;
+        let silence = Duration::from_secs_f64(least + self.random().abs() * (most - least));
+        if now < since + silence {
+            fix.kind = NO_FIX;
+            return;
+        }
+        if self.random() < -0.6 {
+            let leap = DVec3::new(self.random(), self.random(), 0.0);
+            self.jam_m += leap * JAM_LEAP_M;
+        }
+        fix.offset_m += self.jam_m;
+        fix.velocity_offset_m_s =
+            DVec3::new(self.random(), self.random(), self.random()) * JAM_SPEED_M_S;
+        fix.satellites = 2 + ((self.random() + 1.0) * 7.0) as u8;
+        if fix.satellites < 4 || self.random() < 0.0 {
+            fix.kind = NO_FIX;
+        }
+    }
+
+    /// The next of a sequence of numbers from -1 to 1 (splitmix64).
+    pub(super) fn random(&mut self) -> f64 {
+        self.seed = self.seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.seed;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^= z >> 31;
+        (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}

@@ -1,0 +1,53 @@
+//! Two cores of the estimator, each with an accelerometer of its own; one of them is believed.
+
+use std::time::Duration;
+
+use glam::DVec3;
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+
+use super::{Estimator, NEGLIGIBLE_M, Surroundings};
+use crate::body::STEP_S;
+use crate::texts;
+
+/// A stuck accelerometer is noticed after this time; until then it enters the velocity by this share.
+const LANE_PATIENCE: Duration = Duration::from_millis(300);
+const STUCK_SHARE: f64 = 0.5;
+/// What it has brought about dies away with this time constant: the vehicle is displaced by 1.4 m in all.
+const CALM_S: f64 = 0.6;
+
+impl Estimator {
+    /// An accelerometer that is stuck misleads its core until the other one takes over.
+    pub(super) fn watch_lanes(&mut self, around: &Surroundings<'_>, outbox: &mut Vec<MavMessage>) {
+        let stuck = &around.faults.accelerometers_stuck_m_s2;
+        let other_works = stuck[1 - self.lane] == 0.0;
+        if stuck[self.lane] == 0.0 || !other_works {
+            self.stuck_since = None;
+            self.calm_down();
+            return;
+        }
+        let since = *self.stuck_since.get_or_insert(around.now);
+        let push = stuck[self.lane] * STUCK_SHARE * STEP_S;
+        self.shake_m_s += DVec3::new(push, push, 0.0);
+        if around.now >= since + LANE_PATIENCE {
+            self.switch_lane(outbox);
+            self.stuck_since = None;
+        }
+    }
+
+    /// The other core has been misled a little, too.
+    fn calm_down(&mut self) {
+        self.shake_m_s *= 1.0 - STEP_S / CALM_S;
+        if self.shake_m_s.length_squared() < NEGLIGIBLE_M {
+            self.shake_m_s = DVec3::ZERO;
+        }
+    }
+
+    pub(super) fn switch_lane(&mut self, outbox: &mut Vec<MavMessage>) {
+        self.lane = 1 - self.lane;
+        self.velocity_error_m_s = DVec3::ZERO;
+        let text = format!("EKF3 lane switch {}", self.lane);
+        texts::say(outbox, MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+        let text = format!("EKF primary changed:{}", self.lane);
+        texts::say(outbox, MavSeverity::MAV_SEVERITY_WARNING, &text);
+    }
+}

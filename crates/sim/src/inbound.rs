@@ -1,0 +1,269 @@
+//! What a ground station says, and the vehicle's answers.
+
+mod fields;
+
+use mavlink::dialects::ardupilotmega::{
+    MISSION_CURRENT_DATA, MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA,
+    PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, TIMESYNC_DATA,
+};
+use mavlink::types::CharArray;
+
+use self::fields::{Addressed, Request};
+use super::autopilot::Autopilot;
+use super::commands::{self, Command};
+use super::parameters::Parameter;
+use super::place::Place;
+use super::port::Link;
+use super::radio::CHANNELS;
+use super::{signing, telemetry, transfer};
+use sortie_geo::LatLon;
+use sortie_wire::{Content, Frame, Outgoing};
+
+/// `COMMAND_ACK`.
+const COMMAND_ACK: u32 = 77;
+/// The index in the answer to a parameter that was asked or set by name.
+const BY_NAME: u16 = u16::MAX;
+
+/// Handles one frame.
+pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) {
+    let enforced = autopilot.tuning.only_ground_station;
+    if enforced && frame.system != autopilot.tuning.ground_station {
+        return;
+    }
+    if let Some(Addressed { to, request }) = Request::read(&frame.content) {
+        if to == 0 || to == autopilot.system {
+            carry_out(autopilot, link, frame, &request);
+        }
+        return;
+    }
+    if transfer::handle(autopilot, link, frame) {
+        return;
+    }
+    if let Content::Message(message) = &frame.content {
+        converse(autopilot, link, frame, message);
+    }
+}
+
+fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request: &Request) {
+    match request {
+        Request::Command(command) => {
+            let result = commands::execute(autopilot, link, command);
+            let place = if commands::answers_first(command.number) {
+                link.replies.len()
+            } else {
+                0
+            };
+            link.replies
+                .insert(place, acknowledgement(command, result, frame));
+        }
+        Request::Setpoint(setpoint) => autopilot.take_setpoint(setpoint),
+        Request::SetMode { base, custom } if base & 1 == 1 => {
+            // Only the lowest byte counts, as in the real vehicle.
+            autopilot.set_mode(*custom as u8);
+        }
+        Request::SetMode { .. } => {}
+        Request::Attitude(asked) => autopilot.take_attitude(asked),
+        Request::SetParameter { name, value } => {
+            if autopilot.store_parameter(name, *value) {
+                autopilot.retune();
+            }
+        }
+    }
+}
+
+fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgoing {
+    let mut payload = Vec::with_capacity(10);
+    payload.extend_from_slice(&command.number.to_le_bytes());
+    payload.push(result as u8);
+    payload.extend_from_slice(&[0; 5]);
+    payload.extend_from_slice(&[frame.system, frame.component]);
+    Outgoing::Raw {
+        id: COMMAND_ACK,
+        payload,
+    }
+}
+
+/// Everything that is neither a command nor a setpoint.
+#[expect(
+    deprecated,
+    reason = "ground stations in use still send what the dialect calls superseded"
+)]
+fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
+    if frame.system == autopilot.tuning.ground_station {
+        hear_pilot(autopilot, message);
+    }
+    let own = |target: u8| target == 0 || target == autopilot.system;
+    match message {
+        MavMessage::REQUEST_DATA_STREAM(data) if own(data.target_system) => {
+            let rate = data.req_message_rate * u16::from(data.start_stop.min(1));
+            link.schedule
+                .set_stream(data.req_stream_id as u8, rate, autopilot.uptime());
+        }
+        // A vehicle that still initialises itself does not hear this.
+        MavMessage::PARAM_REQUEST_LIST(data)
+            if own(data.target_system) && !autopilot.boot.is_initialising() =>
+        {
+            link.listing = Some(0);
+            autopilot.say_banner();
+        }
+        MavMessage::PARAM_REQUEST_READ(data) if own(data.target_system) => {
+            read_parameter(autopilot, link, data);
+        }
+        MavMessage::TIMESYNC(data) if data.tc1 == 0 => link.reply(time(autopilot, frame, data.ts1)),
+        MavMessage::AUTOPILOT_VERSION_REQUEST(data) if own(data.target_system) => {
+            link.replies
+                .extend(telemetry::message(148, autopilot).map(Into::into));
+        }
+        MavMessage::SETUP_SIGNING(data) if own(data.target_system) => {
+            signing::set_up(autopilot, link, data);
+        }
+        MavMessage::MISSION_SET_CURRENT(data) if own(data.target_system) => {
+            set_current(autopilot, link, data.seq);
+        }
+        MavMessage::SET_HOME_POSITION(data) if own(data.target_system) => {
+            let at = LatLon::from_e7(data.latitude, data.longitude);
+            take_home(autopilot, at, f64::from(data.altitude) / 1000.0);
+        }
+        _ => {}
+    }
+}
+
+/// What only the vehicle's own ground station may say: that it is still there, and where the sticks are.
+fn hear_pilot(autopilot: &mut Autopilot, message: &MavMessage) {
+    match message {
+        MavMessage::HEARTBEAT(_) => {}
+        MavMessage::RC_CHANNELS_OVERRIDE(data)
+            if data.target_system == 0 || data.target_system == autopilot.system =>
+        {
+            autopilot.override_channels(channels(data));
+        }
+        MavMessage::MANUAL_CONTROL(data) if data.target == autopilot.system => {
+            autopilot.control_manually([data.x, data.y, data.z, data.r]);
+        }
+        _ => return,
+    }
+    autopilot.failsafe.heard = Some(autopilot.uptime());
+}
+
+fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
+    let home = Place {
+        at,
+        altitude_amsl_m,
+    };
+    if autopilot.is_ready() && autopilot.may_be_home(home) {
+        autopilot.set_home(home);
+    }
+}
+
+/// Jumps to an item of the mission. The answer shows the item that was asked, as ground stations take it for an
+/// acknowledgement.
+fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
+    if autopilot.set_mission_item(seq)
+        && let Some(MavMessage::MISSION_CURRENT(now)) = telemetry::message(42, autopilot)
+    {
+        link.reply(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
+            seq,
+            ..now
+        }));
+    }
+}
+
+/// The vehicle's clock beside the asker's stamp.
+fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
+    MavMessage::TIMESYNC(TIMESYNC_DATA {
+        tc1: autopilot.uptime().as_nanos() as i64,
+        ts1,
+        target_system: frame.system,
+        target_component: frame.component,
+    })
+}
+
+/// The channels of an override, in order.
+fn channels(data: &RC_CHANNELS_OVERRIDE_DATA) -> [u16; CHANNELS] {
+    [
+        data.chan1_raw,
+        data.chan2_raw,
+        data.chan3_raw,
+        data.chan4_raw,
+        data.chan5_raw,
+        data.chan6_raw,
+        data.chan7_raw,
+        data.chan8_raw,
+        data.chan9_raw,
+        data.chan10_raw,
+        data.chan11_raw,
+        data.chan12_raw,
+        data.chan13_raw,
+        data.chan14_raw,
+        data.chan15_raw,
+        data.chan16_raw,
+    ]
+}
+
+fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_READ_DATA) {
+    if let Ok(index) = u16::try_from(data.param_index) {
+        if let Some(parameter) = autopilot.parameters.at(index) {
+            link.reply(parameter_value(autopilot, &parameter));
+        }
+        return;
+    }
+    let found = data
+        .param_id
+        .to_str()
+        .ok()
+        .and_then(|name| autopilot.parameters.named(name));
+    if let Some(parameter) = found {
+        link.reply(MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
+            param_index: BY_NAME,
+            // The name is echoed as it was asked.
+            param_id: data.param_id,
+            ..value_of(autopilot, &parameter)
+        }));
+    }
+}
+
+/// `PARAM_VALUE` with the place in the list.
+pub(super) fn parameter_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
+    MavMessage::PARAM_VALUE(value_of(autopilot, parameter))
+}
+
+fn value_of(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
+    let mut name = [0; 16];
+    let len = parameter.name.len().min(name.len());
+    name[..len].copy_from_slice(&parameter.name.as_bytes()[..len]);
+    PARAM_VALUE_DATA {
+        param_value: parameter.value,
+        param_count: autopilot.parameters.count(),
+        param_index: parameter.index,
+        param_id: CharArray::new(name),
+        param_type: parameter.kind.on_the_wire(),
+    }
+}
+
+impl Autopilot {
+    /// Sets a parameter, and tells every link that it has changed; `false` if there is no such parameter.
+    pub(super) fn store_parameter(&mut self, name: &str, value: f32) -> bool {
+        let Some(parameter) = self.parameters.set(name, value) else {
+            return false;
+        };
+        // Without its place in the list, as it was not asked for by that.
+        let told = PARAM_VALUE_DATA {
+            param_index: BY_NAME,
+            ..value_of(self, &parameter)
+        };
+        self.outbox.push(MavMessage::PARAM_VALUE(told));
+        true
+    }
+
+    /// Version, board and frame, as three texts.
+    pub(super) fn say_banner(&mut self) {
+        let board = format!("{:016x}{:016x}", self.board_id, u64::from(self.system));
+        for text in [
+            "ArduCopter V4.6.0-dev (sortie)",
+            board.as_str(),
+            "Frame: QUAD/PLUS",
+        ] {
+            self.say(MavSeverity::MAV_SEVERITY_INFO, text);
+        }
+    }
+}

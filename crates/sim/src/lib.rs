@@ -1,0 +1,393 @@
+//! The embedded simulator: `ArduCopters` that speak `MAVLink`, stepped by hand.
+//!
+//! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push bytes in and take
+//! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. The
+//! world is a function of its configuration, the bytes it received and the steps between them.
+//!
+//! How the parts fit, from the socket to the ground and back:
+//!
+//! - `slot` is a vehicle with its connections: `port` frames, paces (`schedule`) and signs (`signing`).
+//! - `inbound` understands what came. `commands` and `targets` are orders; `transfer` carries missions, fences,
+//!   rally points (together the `plan`), files and logs, read and written as a `payload`.
+//! - `autopilot` is the vehicle's whole state and its step; what a subsystem does stands beside its own state. A
+//!   `mode` is entered by `switching`, and gives the autopilot a `task` that steers the path of `control`, along
+//!   `leg`s, and the nose (`yaw`). `mission` gives one task after the other; a pilot's sticks come by `radio`.
+//! - `arming`, `failsafe`, `fence`, `rally` and `crash` judge and step in; `boot`, `workbench` (what is done by hand)
+//!   and `counters` are the rest of a vehicle's life.
+//! - `body` is what really moves: `airframe`, `battery` and `wind` drive it, and with a motor lost `upset` and `mixer`.
+//!   The autopilot knows it only through its `estimator`, which errs as the sensors do. `collision` is between bodies.
+//! - `telemetry` and `texts` report. `parameters` rule everything; `place` says where on the earth a point is.
+//!
+//! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
+
+mod airframe;
+mod arming;
+mod autopilot;
+mod battery;
+mod body;
+mod boot;
+mod collision;
+mod commands;
+mod control;
+mod counters;
+mod crash;
+mod estimator;
+mod failsafe;
+mod fence;
+mod inbound;
+mod mission;
+mod mixer;
+mod mode;
+mod parameters;
+mod payload;
+mod place;
+mod plan;
+mod port;
+mod radio;
+mod rally;
+mod schedule;
+mod signing;
+mod slot;
+mod switching;
+mod targets;
+mod task;
+mod telemetry;
+mod texts;
+mod trail;
+mod transfer;
+mod upset;
+mod wind;
+mod workbench;
+mod yaw;
+
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+use std::time::Duration;
+
+pub use self::airframe::{Airframe, AirframeError};
+use self::autopilot::Autopilot;
+use self::collision::Collisions;
+pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
+pub use self::parameters::{AliasSense, other_name};
+use self::slot::Slot;
+use self::wind::Wind;
+use sortie_geo::{LatLon, wrap_360};
+
+/// The fixed time step of [`World::step`].
+pub const STEP: Duration = Duration::from_millis(10);
+/// How far apart the vehicles of a row stand.
+const ROW_SPACING_M: f64 = 5.0;
+/// Vehicles have the system ids 1 to 254 (255 is the ground station's); further vehicles begin again at 1 and can
+/// only be told apart by their ports.
+pub const SYSTEMS: usize = 254;
+
+/// What a world consists of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorldConfig {
+    /// One start per vehicle; the first has system id 1.
+    pub starts: Vec<Start>,
+    /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
+    /// follow, and without any the vehicles are SITL's default quadcopter.
+    pub airframes: Vec<Arc<Airframe>>,
+    /// Seed of everything random (gusts).
+    pub seed: u64,
+    /// What stands in the way.
+    pub obstacles: Vec<Obstacle>,
+    /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
+    /// GUIDED. Else they are ready after little more than a second.
+    pub realistic_boot: bool,
+}
+
+impl WorldConfig {
+    /// Vehicles side by side to the east, 5 m apart, seed 0.
+    pub fn row(vehicles: usize, first: Start) -> Self {
+        let starts = (0..vehicles)
+            .map(|place| Start {
+                at: first.at.moved(0.0, ROW_SPACING_M * place as f64),
+                ..first
+            })
+            .collect();
+        Self {
+            starts,
+            airframes: Vec::new(),
+            seed: 0,
+            realistic_boot: false,
+            obstacles: Vec::new(),
+        }
+    }
+
+    fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
+        let own = self.airframes.get(vehicle).or(self.airframes.last());
+        Arc::clone(own.unwrap_or(usual))
+    }
+}
+
+/// Where a vehicle stands when it is switched on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
+    /// The place.
+    pub at: LatLon,
+    /// Height of the ground there, metres above mean sea level.
+    pub altitude_amsl_m: f64,
+    /// Where the nose points, degrees clockwise from north.
+    pub heading_deg: f64,
+}
+
+/// A serial port of a vehicle. Each has its own rates of telemetry.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Serial {
+    /// Where a cable is supposed to be: it accepts unsigned packets too.
+    Zero,
+    /// A radio.
+    One,
+    /// Another radio.
+    Two,
+}
+
+impl Serial {
+    /// All that a vehicle has.
+    pub const ALL: [Self; 3] = [Self::Zero, Self::One, Self::Two];
+
+    /// Its number, from 0.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// A connection of a ground station to a vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PortId {
+    vehicle: usize,
+    number: u64,
+}
+
+/// What really is the case, whatever the telemetry says: for tests and benches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Truth {
+    /// Where the vehicle is.
+    pub at: LatLon,
+    /// Metres above mean sea level.
+    pub altitude_amsl_m: f64,
+    /// Metres north, east and down from the start.
+    pub position_ned_m: [f64; 3],
+    /// Metres per second north, east and down.
+    pub velocity_ned_m_s: [f64; 3],
+    /// Degrees; positive to the right.
+    pub roll_deg: f64,
+    /// Degrees; positive nose up.
+    pub pitch_deg: f64,
+    /// Degrees clockwise from north, 0 to 360.
+    pub heading_deg: f64,
+    /// Whether the motors are armed.
+    pub armed: bool,
+    /// Whether the vehicle touches the ground.
+    pub on_ground: bool,
+    /// `ArduCopter`'s `custom_mode`.
+    pub mode: u8,
+    /// Volts.
+    pub battery_voltage_v: f64,
+    /// Amperes.
+    pub battery_current_a: f64,
+    /// Milliampere hours drawn since boot.
+    pub battery_consumed_mah: f64,
+    /// Throttle, 0 to 1.
+    pub throttle: f64,
+}
+
+/// Vehicles and the ground stations on them.
+#[derive(Debug)]
+pub struct World {
+    slots: Vec<Slot>,
+    next_port: u64,
+    connections: usize,
+    steps: u64,
+    collisions: Collisions,
+}
+
+impl World {
+    /// Switches the vehicles on. Beyond 254 vehicles the system ids begin again at 1.
+    pub fn new(config: &WorldConfig) -> Self {
+        let usual = Airframe::shared_default();
+        let slots = config
+            .starts
+            .iter()
+            .enumerate()
+            .map(|(vehicle, start)| {
+                let system = (vehicle % SYSTEMS) as u8 + 1;
+                let airframe = config.airframe(vehicle, &usual);
+                let wind = Wind::new(config.seed, vehicle as u64);
+                let mut autopilot = Autopilot::new(system, *start, airframe, wind);
+                if config.realistic_boot {
+                    autopilot = autopilot.booting_realistically();
+                }
+                Slot::new(autopilot)
+            })
+            .collect();
+        Self {
+            slots,
+            next_port: 0,
+            connections: 0,
+            steps: 0,
+            collisions: Collisions::new(config.starts.first().copied(), &config.obstacles),
+        }
+    }
+
+    /// How many vehicles there are.
+    pub fn vehicles(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// Simulated time since the world began.
+    pub fn now(&self) -> Duration {
+        STEP * u32::try_from(self.steps).unwrap_or(u32::MAX)
+    }
+
+    /// From now on serial 0 of a vehicle that signs drops unsigned packets too, as its other ports do.
+    pub fn require_signatures(&mut self) {
+        for slot in &mut self.slots {
+            slot.require_signatures();
+        }
+    }
+
+    /// Attaches a ground station to serial 0 of a vehicle, counted from 0. A port to a vehicle that does not exist
+    /// is closed from the start.
+    pub fn connect(&mut self, vehicle: usize) -> PortId {
+        self.connect_to(vehicle, Serial::Zero)
+    }
+
+    /// Attaches a ground station to a serial port of a vehicle, counted from 0. Ground stations on the same serial
+    /// port get the same telemetry, at the rates that any of them has asked for; rates last until the vehicle
+    /// reboots, also when everybody has left. Answers go to the one who asked.
+    pub fn connect_to(&mut self, vehicle: usize, serial: Serial) -> PortId {
+        let number = self.next_port;
+        self.next_port += 1;
+        if let Some(slot) = self.slots.get_mut(vehicle) {
+            slot.connect(number, serial);
+            self.connections += 1;
+        }
+        PortId { vehicle, number }
+    }
+
+    /// Detaches a ground station. The vehicle flies on.
+    pub fn disconnect(&mut self, port: PortId) {
+        let slot = self.slots.get_mut(port.vehicle);
+        if slot.is_some_and(|slot| slot.disconnect(port.number)) {
+            self.connections -= 1;
+        }
+    }
+
+    /// How many ground stations are attached and have not been detached.
+    pub fn connections(&self) -> usize {
+        self.connections
+    }
+
+    /// Whether the connection stands; a vehicle that reboots drops its connections.
+    pub fn is_open(&self, port: PortId) -> bool {
+        self.slots
+            .get(port.vehicle)
+            .is_some_and(|slot| slot.is_open(port.number))
+    }
+
+    /// Hands bytes to the vehicle. It handles them at once: the answers are ready for
+    /// [`take_output`](Self::take_output).
+    pub fn receive(&mut self, port: PortId, bytes: &[u8]) {
+        if let Some(slot) = self.slots.get_mut(port.vehicle) {
+            slot.receive(port.number, bytes);
+        }
+    }
+
+    /// Advances every vehicle by [`STEP`] and sends what is due.
+    pub fn step(&mut self) {
+        self.step_in_parts(1, |parts| {
+            for part in parts {
+                part.step();
+            }
+        });
+    }
+
+    /// [`World::step`] in parts that do not touch each other, so that `run` can step them at the same time. The
+    /// outcome is the same for any number of parts and any order. A part that is not stepped stands still.
+    pub fn step_in_parts(&mut self, parts: usize, run: impl FnOnce(Vec<Part<'_>>)) {
+        self.steps += 1;
+        let size = self.slots.len().div_ceil(parts.max(1)).max(1);
+        run(self.slots.chunks_mut(size).map(Part).collect());
+        self.collide();
+    }
+
+    /// What has collided so far, in order.
+    pub fn collisions(&self) -> &[Collision] {
+        self.collisions.events()
+    }
+
+    fn collide(&mut self) {
+        let now = self.now();
+        let autopilots = self.slots.iter().map(|slot| &slot.autopilot);
+        for hit in self.collisions.find(now, autopilots) {
+            if let Some(slot) = self.slots.get_mut(hit.vehicle) {
+                slot.autopilot.body.take(hit);
+            }
+        }
+    }
+
+    /// Moves the bytes that wait for a ground station to the end of `into`. At most 256 KiB wait; beyond that whole
+    /// frames are lost, telemetry first.
+    pub fn take_output(&mut self, port: PortId, into: &mut Vec<u8>) {
+        if let Some(slot) = self.slots.get_mut(port.vehicle) {
+            slot.take_output(port.number, into);
+        }
+    }
+
+    /// Simulated seconds per second, if a ground station has asked a vehicle for it (`SIM_SPEEDUP` other than 1).
+    /// The world cannot set its own pace; whoever steps it should.
+    pub fn wanted_speedup(&self) -> Option<f64> {
+        self.slots
+            .iter()
+            .map(|slot| slot.autopilot.tuning.faults.speedup)
+            .find(|speedup| *speedup > 0.0 && (*speedup - 1.0).abs() > f64::EPSILON)
+    }
+
+    /// The truth about a vehicle, counted from 0.
+    ///
+    /// # Panics
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
+    pub fn truth(&self, vehicle: usize) -> Truth {
+        truth_of(&self.slots[vehicle].autopilot)
+    }
+}
+
+/// Some of the vehicles of a world: see [`World::step_in_parts`].
+#[derive(Debug)]
+pub struct Part<'a>(&'a mut [Slot]);
+
+impl Part<'_> {
+    /// Advances these vehicles by [`STEP`] and sends what is due.
+    pub fn step(self) {
+        for slot in self.0 {
+            slot.step();
+        }
+    }
+}
+
+fn truth_of(autopilot: &Autopilot) -> Truth {
+    let body = &autopilot.body;
+    let here = autopilot.truly_here();
+    let (roll, pitch) = body.roll_pitch_rad();
+    Truth {
+        at: here.at,
+        altitude_amsl_m: here.altitude_amsl_m,
+        position_ned_m: body.position_m.to_array(),
+        velocity_ned_m_s: body.velocity_m_s.to_array(),
+        roll_deg: roll.to_degrees(),
+        pitch_deg: pitch.to_degrees(),
+        heading_deg: wrap_360(body.yaw_deg),
+        armed: autopilot.safety.armed,
+        on_ground: body.on_ground,
+        mode: autopilot.reported_mode(),
+        battery_voltage_v: autopilot.battery.voltage_v,
+        battery_current_a: autopilot.battery.current_a,
+        battery_consumed_mah: autopilot.battery.consumed_mah,
+        throttle: body.throttle,
+    }
+}

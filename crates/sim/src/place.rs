@@ -1,0 +1,79 @@
+//! Places on the earth, the points in metres from the start that stand for them, and what heights mean.
+
+use glam::DVec3;
+
+use super::Start;
+use super::autopilot::Autopilot;
+use sortie_geo::LatLon;
+
+/// Home lies at most this far above or below the origin.
+const HOME_HEIGHT_MAX_M: f64 = 50_000.0;
+
+/// A place with its altitude.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    pub(super) at: LatLon,
+    pub(super) altitude_amsl_m: f64,
+}
+
+/// The altitude above sea level that a height means in a global frame (`MAV_FRAME`), with home as a point; `None` in
+/// a frame the vehicle lacks. Without terrain data the ground counts as level with the start.
+pub(super) fn altitude_amsl_m(
+    frame: u8,
+    height_m: f64,
+    start: &Start,
+    home_m: DVec3,
+) -> Option<f64> {
+    match frame {
+        0 | 5 => Some(height_m),
+        3 | 6 => Some(start.altitude_amsl_m - home_m.z + height_m),
+        10 | 11 => Some(start.altitude_amsl_m + height_m),
+        _ => None,
+    }
+}
+
+impl Autopilot {
+    /// Where the vehicle believes to be.
+    pub(super) fn here(&self) -> Place {
+        self.place_of(self.believed().position_m)
+    }
+
+    /// Where the vehicle really is.
+    pub(super) fn truly_here(&self) -> Place {
+        self.place_of(self.body.position_m)
+    }
+
+    /// The place of a point in metres north, east and down from the start.
+    pub(super) fn place_of(&self, point_m: DVec3) -> Place {
+        Place {
+            at: self.start.at.moved(point_m.x, point_m.y),
+            altitude_amsl_m: self.start.altitude_amsl_m - point_m.z,
+        }
+    }
+
+    /// The point of a place in metres north, east and down from the start.
+    pub(super) fn point_of(&self, place: Place) -> DVec3 {
+        let (north, east) = self.start.at.offset_to(place.at);
+        DVec3::new(
+            north,
+            east,
+            self.start.altitude_amsl_m - place.altitude_amsl_m,
+        )
+    }
+
+    /// Home as a point; the start until home is set.
+    pub(super) fn home_point(&self) -> DVec3 {
+        self.home.map_or(DVec3::ZERO, |home| self.point_of(home))
+    }
+
+    /// [`altitude_amsl_m`] for this vehicle.
+    pub(super) fn altitude_amsl_m(&self, frame: u8, height_m: f64) -> Option<f64> {
+        altitude_amsl_m(frame, height_m, &self.start, self.home_point())
+    }
+
+    /// Whether a place may be home.
+    pub(super) fn may_be_home(&self, place: Place) -> bool {
+        let above_m = place.altitude_amsl_m - self.start.altitude_amsl_m;
+        place.at.is_valid() && above_m.abs() <= HOME_HEIGHT_MAX_M
+    }
+}

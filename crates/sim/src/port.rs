@@ -1,0 +1,278 @@
+//! A vehicle's serial ports, and the ground stations on them.
+//!
+//! A serial port has one [`Link`]: the rates asked for on it outlast whoever asked. On a real one there is room for
+//! one ground station; here any number can be on it. Each of them gets the same streams and texts; an answer (and a
+//! parameter list) goes only to the one who asked.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+
+use super::autopilot::Autopilot;
+use super::parameters::Parameters;
+use super::schedule::Schedule;
+use super::signing::Signing;
+use super::{Serial, inbound, transfer};
+use sortie_wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing, SigningKey};
+
+/// Bytes that wait for a reader at most.
+const PENDING_MAX: usize = 256 * 1024;
+/// Beyond this only answers are still kept, no telemetry.
+const TELEMETRY_MAX: usize = PENDING_MAX - 32 * 1024;
+/// A buffer that has grown beyond this is given back once it is empty.
+const PENDING_KEPT: usize = 4096;
+/// Beyond this transfers pause.
+const TRANSFERS_MAX: usize = PENDING_MAX / 2;
+/// Incoming bytes are decoded in pieces, so that a flood does not gather in memory.
+const PIECE: usize = 4096;
+/// After a pause of this many steps nothing more belongs to the bytes that have come (a frame takes far less).
+const PAUSE_STEPS: u32 = 50;
+/// Parameters sent per step while a list is under way (2300 per second).
+const PARAMETERS_PER_STEP: u16 = 23;
+
+/// What the vehicle keeps for one serial port, and what the handling of one frame leaves for the one who sent it.
+#[derive(Debug)]
+pub(super) struct Link {
+    pub(super) schedule: Schedule,
+    /// Who on this port is being answered, in transfers.
+    pub(super) transfer: transfer::Own,
+    /// Whether anything was ever received: until then the vehicle says little.
+    pub(super) heard: bool,
+    /// Asked for: a list of parameters from this one on.
+    pub(super) listing: Option<u16>,
+    /// Answers to the asker alone.
+    pub(super) replies: Vec<Outgoing>,
+    /// Asked for: this key, and the time from which on it counts.
+    pub(super) key: Option<(SigningKey, u64)>,
+}
+
+impl Link {
+    fn new(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
+        Self {
+            schedule: Schedule::booted(serial, parameters, now),
+            transfer: transfer::Own::default(),
+            heard: false,
+            listing: None,
+            replies: Vec::new(),
+            key: None,
+        }
+    }
+
+    /// Queues an answer.
+    pub(super) fn reply(&mut self, message: MavMessage) {
+        self.replies.push(message.into());
+    }
+}
+
+/// The serial ports of one vehicle.
+#[derive(Debug)]
+pub(super) struct Serials {
+    pub(super) links: [Link; Serial::ALL.len()],
+    pub(super) signing: Signing,
+}
+
+impl Serials {
+    /// As they are after boot.
+    pub(super) fn booted(autopilot: &Autopilot, signing: Signing) -> Self {
+        let now = autopilot.uptime();
+        Self {
+            links: Serial::ALL.map(|serial| Link::new(serial, &autopilot.parameters, now)),
+            signing,
+        }
+    }
+
+    pub(super) fn link_mut(&mut self, serial: Serial) -> &mut Link {
+        &mut self.links[serial.index()]
+    }
+}
+
+/// One ground station on a serial port.
+#[derive(Debug)]
+pub(super) struct Port {
+    pub(super) serial: Serial,
+    pub(super) open: bool,
+    decoder: Decoder,
+    encoder: Encoder,
+    pending: Vec<u8>,
+    /// The next parameter of a list that is being sent.
+    listing: Option<u16>,
+    /// What tells this ground station from the others in transfers.
+    transfer: transfer::Own,
+    quiet_steps: u32,
+}
+
+impl Port {
+    pub(super) fn new(system: u8, serial: Serial) -> Self {
+        Self {
+            serial,
+            open: true,
+            decoder: Decoder::new(),
+            encoder: Encoder::new(system, AUTOPILOT_COMPONENT),
+            pending: Vec::new(),
+            listing: None,
+            transfer: transfer::Own::default(),
+            quiet_steps: 0,
+        }
+    }
+
+    /// Takes in bytes and answers what they ask. What the vehicle has to say to everybody is returned for the
+    /// others; this ground station gets it in order with its answers.
+    pub(super) fn receive(
+        &mut self,
+        autopilot: &mut Autopilot,
+        serials: &mut Serials,
+        bytes: &[u8],
+    ) -> Vec<MavMessage> {
+        let mut for_others = Vec::new();
+        self.quiet_steps = 0;
+        for piece in bytes.chunks(PIECE) {
+            self.decoder.push(piece);
+            while let Some(frame) = self.decoder.next_frame() {
+                for_others.extend(self.handle(autopilot, serials, &frame));
+            }
+        }
+        for_others
+    }
+
+    /// Counts the pause since the last bytes, and says when it has become so long that frames behind a false start
+    /// may come out: see [`Port::end_of_burst`].
+    pub(super) fn is_pause(&mut self) -> bool {
+        self.quiet_steps = self.quiet_steps.saturating_add(1);
+        self.quiet_steps == PAUSE_STEPS && self.decoder.has_tail()
+    }
+
+    /// Handles what was hidden behind a false start, as [`Port::receive`] does.
+    pub(super) fn end_of_burst(
+        &mut self,
+        autopilot: &mut Autopilot,
+        serials: &mut Serials,
+    ) -> Vec<MavMessage> {
+        let mut for_others = Vec::new();
+        while let Some(frame) = self.decoder.next_frame_at_end() {
+            for_others.extend(self.handle(autopilot, serials, &frame));
+        }
+        for_others
+    }
+
+    fn handle(
+        &mut self,
+        autopilot: &mut Autopilot,
+        serials: &mut Serials,
+        frame: &Frame,
+    ) -> Vec<MavMessage> {
+        let bytes = self.decoder.bytes_of(frame);
+        if !frame.is_verified() || !serials.signing.admits(self.serial, frame, bytes) {
+            return Vec::new();
+        }
+        let Serials { links, signing } = serials;
+        let link = &mut links[self.serial.index()];
+        link.heard = true;
+        link.transfer = self.transfer;
+        inbound::handle(autopilot, link, frame);
+        self.transfer = link.transfer;
+        if let Some((key, timestamp)) = link.key.take() {
+            signing.load(key, timestamp);
+        }
+        self.listing = link.listing.take().or(self.listing);
+        for reply in link.replies.drain(..) {
+            self.answer(&reply, signing);
+        }
+        let said = std::mem::take(&mut autopilot.outbox);
+        self.broadcast(&said, serials);
+        said
+    }
+
+    /// Sends what every ground station hears.
+    pub(super) fn broadcast(&mut self, messages: &[MavMessage], serials: &mut Serials) {
+        let heard = serials.link_mut(self.serial).heard;
+        for message in messages {
+            let unasked = matches!(
+                message,
+                MavMessage::HEARTBEAT(_)
+                    | MavMessage::TIMESYNC(_)
+                    | MavMessage::HOME_POSITION(_)
+                    | MavMessage::GPS_GLOBAL_ORIGIN(_)
+            );
+            if heard || unasked {
+                self.say(message, &mut serials.signing, PENDING_MAX);
+            }
+        }
+    }
+
+    /// Sends plain text between the frames.
+    pub(super) fn print(&mut self, text: &str) {
+        if self.pending.len() + text.len() <= TELEMETRY_MAX {
+            self.pending.extend_from_slice(text.as_bytes());
+        }
+    }
+
+    /// Sends telemetry; answers have precedence when nobody reads.
+    pub(super) fn stream(&mut self, message: &MavMessage, signing: &mut Signing) {
+        self.say(message, signing, TELEMETRY_MAX);
+    }
+
+    /// Goes on with a list of parameters.
+    pub(super) fn list(&mut self, autopilot: &Autopilot, signing: &mut Signing) {
+        let Some(first) = self.listing else {
+            return;
+        };
+        let count = autopilot.parameters.count();
+        let next = (first + PARAMETERS_PER_STEP).min(count);
+        for index in first..next {
+            if let Some(parameter) = autopilot.parameters.at(index) {
+                let value = inbound::parameter_value(autopilot, &parameter);
+                self.say(&value, signing, PENDING_MAX);
+            }
+        }
+        self.listing = (next < count).then_some(next);
+    }
+
+    /// Goes on with transfers; they wait for a reader that is slow.
+    pub(super) fn transfer(&mut self, autopilot: &mut Autopilot, serials: &mut Serials) {
+        if self.pending.len() >= TRANSFERS_MAX {
+            return;
+        }
+        let Serials { links, signing } = serials;
+        let link = &mut links[self.serial.index()];
+        link.transfer = self.transfer;
+        transfer::step(autopilot, link);
+        for reply in link.replies.drain(..) {
+            self.answer(&reply, signing);
+        }
+    }
+
+    /// Moves the bytes that wait.
+    pub(super) fn take_output(&mut self, into: &mut Vec<u8>) {
+        into.append(&mut self.pending);
+        if self.pending.capacity() > PENDING_KEPT {
+            self.pending = Vec::new();
+        }
+    }
+
+    fn answer(&mut self, outgoing: &Outgoing, signing: &mut Signing) {
+        self.seal(signing);
+        let before = self.pending.len();
+        self.encoder.encode(outgoing, &mut self.pending);
+        self.keep_within(PENDING_MAX, before);
+    }
+
+    fn say(&mut self, message: &MavMessage, signing: &mut Signing, room: usize) {
+        self.seal(signing);
+        let before = self.pending.len();
+        self.encoder.encode_message(message, &mut self.pending);
+        self.keep_within(room, before);
+    }
+
+    fn seal(&mut self, signing: &mut Signing) {
+        if let Some((key, stamp)) = signing.seal(self.serial) {
+            self.encoder.sign_next(&key, stamp);
+        }
+    }
+
+    /// Takes back a frame that exceeds the room; the gap in the sequence numbers then tells of the loss.
+    fn keep_within(&mut self, room: usize, before: usize) {
+        if self.pending.len() > room {
+            self.pending.truncate(before);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! `MAVLink` 2 signing as the vehicle does it.
+//!
+//! One key for all serial ports, and per port a clock that counts the packets sent and follows later timestamps of
+//! others. The table against replays is shared by all ports. Serial 0 is meant to be a cable and goes on accepting
+//! everything; the others silently drop what is not signed rightly.
+
+use mavlink::dialects::ardupilotmega::{MavSeverity, SETUP_SIGNING_DATA};
+
+use super::autopilot::Autopilot;
+use super::port::Link;
+use super::{Serial, texts};
+use sortie_wire::{Frame, SigningKey, Stamp, is_signed_with};
+
+/// Timestamps count tens of microseconds.
+const SECOND: u64 = 100_000;
+/// A sender that is heard for the first time may be this far behind the vehicle's clock, and a clock begins this far
+/// after the timestamp that was stored, so that nothing said before can be said again.
+const MARGIN: u64 = 60 * SECOND;
+/// Senders that the table against replays has room for.
+const STREAMS: usize = 16;
+/// `RADIO_STATUS` and `RADIO` come from modems, which cannot sign.
+const ALWAYS_ACCEPTED: [u32; 2] = [109, 166];
+
+/// A sender on a link, and the timestamp that it last used.
+#[derive(Debug, Clone)]
+struct Stream {
+    system: u8,
+    component: u8,
+    link: u8,
+    timestamp: u64,
+}
+
+/// The signing of one vehicle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Signing {
+    key: Option<SigningKey>,
+    clocks: [u64; Serial::ALL.len()],
+    streams: Vec<Stream>,
+    /// Serial 0 does not accept everything either.
+    strict: bool,
+}
+
+/// Takes a key over from a ground station, for all links; refused while armed. Without an acknowledgement: the
+/// protocol has none.
+pub(super) fn set_up(autopilot: &Autopilot, link: &mut Link, data: &SETUP_SIGNING_DATA) {
+    if autopilot.safety.armed {
+        let mut said = Vec::new();
+        texts::say(
+            &mut said,
+            MavSeverity::MAV_SEVERITY_WARNING,
+            "ERROR: Won't setup signing when armed",
+        );
+        link.replies.extend(said.into_iter().map(Into::into));
+        return;
+    }
+    link.key = Some((data.secret_key, data.initial_timestamp));
+}
+
+impl Signing {
+    /// Accepts nothing unsigned on any port once there is a key.
+    pub(super) fn be_strict(&mut self) {
+        self.strict = true;
+    }
+
+    /// Signs from now on. Zeros for both switch signing off.
+    pub(super) fn load(&mut self, key: SigningKey, timestamp: u64) {
+        let off = key == [0; 32] && timestamp == 0;
+        self.key = (!off).then_some(key);
+        self.clocks = [timestamp.saturating_add(MARGIN); Serial::ALL.len()];
+    }
+
+    /// The key and the time survive a reboot; who was heard does not.
+    pub(super) fn reboot(&mut self) {
+        self.streams.clear();
+        let stored = self.clocks.into_iter().max().unwrap_or_default();
+        if let Some(key) = self.key {
+            self.load(key, stored);
+        }
+    }
+
+    /// What to sign the next packet of a port with, if signing is on.
+    pub(super) fn seal(&mut self, serial: Serial) -> Option<(SigningKey, Stamp)> {
+        let key = self.key?;
+        let clock = self.clocks.get_mut(serial.index())?;
+        let stamp = Stamp {
+            link: serial.index() as u8,
+            timestamp: *clock,
+        };
+        *clock = clock.wrapping_add(1);
+        Some((key, stamp))
+    }
+
+    /// Whether a frame may be listened to.
+    pub(super) fn admits(&mut self, serial: Serial, frame: &Frame, bytes: &[u8]) -> bool {
+        let Some(key) = self.key else {
+            return true;
+        };
+        // The table learns from what is signed rightly, also where everything is accepted.
+        let is_signed_rightly = frame.signed
+            && is_signed_with(&key, bytes)
+            && Stamp::of(bytes).is_some_and(|stamp| self.is_new(serial, frame, stamp));
+        let is_cable = serial == Serial::Zero && !self.strict;
+        is_signed_rightly || is_cable || ALWAYS_ACCEPTED.contains(&frame.content.id())
+    }
+
+    fn is_new(&mut self, serial: Serial, frame: &Frame, stamp: Stamp) -> bool {
+        let clock = &mut self.clocks[serial.index()];
+        let is_full = self.streams.len() >= STREAMS;
+        let known = self.streams.iter_mut().find(|known| {
+            (known.system, known.component, known.link)
+                == (frame.system, frame.component, stamp.link)
+        });
+        if let Some(known) = known {
+            if stamp.timestamp <= known.timestamp {
+                return false;
+            }
+            known.timestamp = stamp.timestamp;
+        } else {
+            if is_full || stamp.timestamp + MARGIN < *clock {
+                return false;
+            }
+            self.streams.push(Stream {
+                system: frame.system,
+                component: frame.component,
+                link: stamp.link,
+                timestamp: stamp.timestamp,
+            });
+        }
+        *clock = stamp.timestamp.max(*clock);
+        true
+    }
+}

@@ -1,0 +1,71 @@
+//! `SET_ATTITUDE_TARGET` in GUIDED: a lean, a heading or turning rate, and a climb or thrust.
+
+use std::time::Duration;
+
+use glam::DVec2;
+
+use super::{Act, Cockpit};
+use crate::body::{GRAVITY_M_S2, STEP_S};
+
+/// Leans beyond this are flown as this: the level part of thrust would otherwise grow without bound.
+const LEAN_MAX_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
+
+/// What holds the vehicle up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Lift {
+    /// A climb rate, metres per second upwards.
+    Climb(f64),
+    /// A share of the full thrust, as `GUID_OPTIONS` asks.
+    Thrust(f64),
+}
+
+/// An attitude that a ground station asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Attitude {
+    /// Forward and right lean in radians; with rates instead of an attitude it turns with them.
+    pub(crate) lean_rad: DVec2,
+    pub(crate) rates_rad_s: DVec2,
+    pub(crate) lift: Lift,
+    /// After this the vehicle levels and holds its height, without braking.
+    pub(crate) until: Duration,
+}
+
+impl Attitude {
+    pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
+        if cockpit.now > self.until {
+            self.lean_rad = DVec2::ZERO;
+            self.rates_rad_s = DVec2::ZERO;
+            self.lift = Lift::Climb(0.0);
+        }
+        let up = match self.lift {
+            Lift::Climb(climb) | Lift::Thrust(climb) => climb,
+        };
+        if cockpit.body.on_ground && up <= 0.0 {
+            return Act::Idle;
+        }
+        self.lean_rad = (self.lean_rad + self.rates_rad_s * STEP_S).clamp_length_max(LEAN_MAX_RAD);
+        let lean = DVec2::new(self.lean_rad.x.tan(), self.lean_rad.y.tan()) * GRAVITY_M_S2;
+        let (sin, cos) = cockpit.body.yaw_deg.to_radians().sin_cos();
+        let flat = DVec2::new(lean.x * cos - lean.y * sin, lean.x * sin + lean.y * cos);
+        let moving = cockpit.body.velocity_m_s.truncate();
+        let here = cockpit.body.position_m.truncate();
+        let limits = cockpit.limits;
+        let climb = match self.lift {
+            Lift::Climb(climb) => climb.clamp(-limits.speed_down_m_s, limits.speed_up_m_s),
+            Lift::Thrust(_) => -cockpit.body.velocity_m_s.z,
+        };
+        cockpit
+            .control
+            .steered((here, moving, DVec2::ZERO), -climb, &limits);
+        if let Lift::Thrust(share) = self.lift
+            && self.lean_rad == DVec2::ZERO
+        {
+            return Act::Throttle(share.max(0.0));
+        }
+        let down = match self.lift {
+            Lift::Climb(_) => cockpit.control.lift(cockpit.body),
+            Lift::Thrust(share) => GRAVITY_M_S2 * (1.0 - share / cockpit.tuning.pilot.hover()),
+        };
+        Act::Accelerate(flat.extend(down))
+    }
+}

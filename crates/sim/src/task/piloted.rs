@@ -1,0 +1,379 @@
+//! Modes that listen to a pilot's sticks.
+//!
+//! After `ArduCopter`'s `mode_loiter`, `mode_poshold`, `mode_althold`, `mode_stabilize`, `mode_acro` and
+//! `mode_drift`, and its loiter controller (`AC_Loiter`).
+
+mod rules;
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+
+pub(crate) use self::rules::PilotRules;
+use super::{Act, Cockpit};
+use crate::body::{GRAVITY_M_S2, STEP_S};
+use crate::control::{Limits, square_root};
+use crate::mode;
+use crate::radio::CHANNELS;
+
+/// Rotors that climb lose thrust to the air that streams through them, per metre per second.
+const INFLOW_PER_S: f64 = 0.27;
+/// The pilot's lean follows the stick with this lag in LOITER (`ATC_INPUT_TC`).
+const STICK_LAG_S: f64 = 0.15;
+/// From the stick's climb to the moment when the wheels leave the ground.
+const SPOOL: Duration = Duration::from_millis(1400);
+/// The loiter target leads the vehicle by at most this much.
+const LEAD_MAX_M: f64 = 2.0;
+/// POSHOLD: how fast the lean decays when the stick is let go, when braking begins, and when it is over.
+const RELEASE_PER_S: f64 = 5.0;
+const RELEASED_RAD: f64 = 0.003;
+const STANDING_M_S: f64 = 0.1;
+/// DRIFT: how much of the speed the released sticks turn into lean, and how fast that grows.
+const DRIFT_BRAKE_RAD_S_M: f64 = 0.14;
+const DRIFT_BRAKE_GROWS_PER_S: f64 = 0.03;
+const DRIFT_LEAN_MAX_RAD: f64 = 45.0 * std::f64::consts::PI / 180.0;
+/// DRIFT: a throttle stick in the middle third holds the height with this much per metre per second.
+const DRIFT_ASSIST: f64 = 0.18;
+
+/// Pulse widths of the channels in microseconds: roll, pitch, throttle, yaw, then switches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sticks {
+    pub(crate) channels_us: [u16; CHANNELS],
+}
+
+impl Sticks {
+    /// Sticks centred and throttle down, as a SITL without a transmitter sees them.
+    pub(crate) const RELEASED: Self = Self {
+        channels_us: [
+            1500, 1500, 1000, 1500, 1800, 1000, 1000, 1800, 0, 0, 0, 0, 0, 0, 0, 0,
+        ],
+    };
+
+    /// Whether the throttle is all the way down.
+    pub(crate) fn throttle_is_low(&self) -> bool {
+        self.channels_us[2] <= 1050
+    }
+}
+
+/// How the sticks fly the vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Style {
+    /// Lean and throttle.
+    #[default]
+    Stabilize,
+    /// Rates and throttle.
+    Acro,
+    /// Lean forward, turn with the roll stick, throttle with help.
+    Drift,
+    /// Lean and climb.
+    HoldHeight,
+    /// Lean and climb; brakes and holds the place when let go.
+    HoldPlace,
+    /// Acceleration and climb, with a target that the vehicle follows.
+    Loiter,
+}
+
+/// What the piloted modes remember.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Pilot {
+    style: Style,
+    /// Since when the sticks are centred.
+    released: Duration,
+    brake_m_s2: f64,
+    /// LOITER: the acceleration expected from the lean. POSHOLD: the lean that is flown. Forward, right.
+    lean_m_s2: DVec2,
+    braking: bool,
+    holding: bool,
+    drift_brake: f64,
+    /// ACRO: forward and right lean in radians.
+    angles_rad: DVec2,
+    /// Since when the throttle stick has asked a vehicle on the ground to climb.
+    spooling_since: Option<Duration>,
+}
+
+impl Pilot {
+    /// Begins to fly in a mode.
+    pub(crate) fn begin(number: u8, lean_ne_m_s2: DVec2) -> Self {
+        Self {
+            style: match number {
+                mode::ACRO => Style::Acro,
+                mode::DRIFT => Style::Drift,
+                mode::ALT_HOLD => Style::HoldHeight,
+                mode::POSHOLD => Style::HoldPlace,
+                mode::STABILIZE => Style::Stabilize,
+                _ => Style::Loiter,
+            },
+            lean_m_s2: lean_ne_m_s2,
+            holding: lean_ne_m_s2.length_squared() < 1.0,
+            ..Self::default()
+        }
+    }
+
+    /// Whether a vehicle on the ground leaves it now: its motors spool up first.
+    fn lifts(&mut self, climb_m_s: f64, now: Duration) -> bool {
+        if climb_m_s <= 0.0 {
+            self.spooling_since = None;
+            return false;
+        }
+        now >= *self.spooling_since.get_or_insert(now) + SPOOL
+    }
+
+    /// The turning rate that the sticks ask for, degrees per second.
+    pub(crate) fn turn_deg_s(&self, cockpit: &Cockpit<'_>) -> f64 {
+        let (rules, sticks) = (&cockpit.tuning.pilot, &cockpit.sticks.channels_us);
+        let [roll, _, _, yaw] = &cockpit.tuning.radio.sticks;
+        match self.style {
+            Style::Acro => yaw.off_centre(sticks[3]) * rules.acro_turn_deg_s,
+            Style::Drift => {
+                let speed = cockpit.body.velocity_m_s.truncate().length().min(20.0);
+                let lean_deg = roll.off_centre(sticks[0]) * rules.lean_max_rad.to_degrees();
+                lean_deg * (1.0 - speed / 50.0) * rules.acro_turn_deg_s / 45.0
+            }
+            _ => yaw.off_centre(sticks[3]) * rules.turn_deg_s,
+        }
+    }
+}
+
+/// Forward and right lean that the sticks ask for, as accelerations, with a largest lean.
+fn leaning(cockpit: &Cockpit<'_>, lean_max_rad: f64) -> DVec2 {
+    let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
+    let channels = &cockpit.sticks.channels_us;
+    let (right, back) = (roll.off_centre(channels[0]), pitch.off_centre(channels[1]));
+    if right == 0.0 && back == 0.0 {
+        return DVec2::ZERO;
+    }
+    let lean = DVec2::new(-(back * lean_max_rad).tan(), (right * lean_max_rad).tan());
+    lean.clamp_length_max(lean_max_rad.tan()) * GRAVITY_M_S2
+}
+
+/// A vector forward and right, turned to north and east.
+fn north_east(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
+    if v == DVec2::ZERO {
+        return v;
+    }
+    let (sin, cos) = cockpit.body.yaw_deg.to_radians().sin_cos();
+    DVec2::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
+}
+
+/// The reverse.
+fn forward_right(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
+    let (sin, cos) = cockpit.body.yaw_deg.to_radians().sin_cos();
+    DVec2::new(v.x * cos + v.y * sin, -v.x * sin + v.y * cos)
+}
+
+/// The velocity to which the sticks move a vehicle that lands by itself; zero where they may not.
+pub(super) fn moved_landing(cockpit: &Cockpit<'_>, most_m_s: f64) -> DVec2 {
+    if !cockpit.tuning.pilot.moves_landing {
+        return DVec2::ZERO;
+    }
+    let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
+    let channels = &cockpit.sticks.channels_us;
+    let asked = DVec2::new(-pitch.off_centre(channels[1]), roll.off_centre(channels[0]));
+    north_east(cockpit, asked.clamp_length_max(1.0) * most_m_s)
+}
+
+/// The climb that the throttle stick asks for, metres per second upwards.
+pub(crate) fn climb_m_s(cockpit: &Cockpit<'_>) -> f64 {
+    let rules = &cockpit.tuning.pilot;
+    let throttle = &cockpit.tuning.radio.sticks[2];
+    let share = throttle.pushed(cockpit.sticks.channels_us[2]);
+    let (top, bottom) = (
+        (throttle.middle() + rules.dead_throttle).min(0.99),
+        (throttle.middle() - rules.dead_throttle).max(0.01),
+    );
+    if share > top {
+        rules.climb_m_s * (share - top) / (1.0 - top)
+    } else if share < bottom {
+        rules.sink_m_s * (share - bottom) / bottom
+    } else {
+        0.0
+    }
+}
+
+/// One step of a mode in which the autopilot holds the height.
+pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
+    let climb = climb_m_s(cockpit);
+    let climb = -cockpit.keep_inside(DVec3::new(0.0, 0.0, -climb)).z;
+    if cockpit.body.on_ground && !cockpit.pilot.lifts(climb, cockpit.now) {
+        return Act::Idle;
+    }
+    let limits = Limits {
+        accel_z_m_s2: cockpit.tuning.pilot.accel_z_m_s2,
+        jerk_z_m_s3: cockpit.limits.jerk_z_m_s3.max(5.0),
+        ..cockpit.limits
+    };
+    match cockpit.pilot.style {
+        Style::HoldHeight => {
+            let lean = leaning(cockpit, cockpit.tuning.pilot.lean_max_rad);
+            leant(cockpit, lean, climb, &limits)
+        }
+        Style::HoldPlace => hold_place(cockpit, climb, &limits),
+        _ => loiter(cockpit, climb, &limits),
+    }
+}
+
+/// Leans as asked and holds the climb.
+fn leant(cockpit: &mut Cockpit<'_>, lean_m_s2: DVec2, climb_m_s: f64, limits: &Limits) -> Act {
+    let moving = cockpit.body.velocity_m_s.truncate();
+    let here = cockpit.body.position_m.truncate();
+    let flat = (here, moving, DVec2::ZERO);
+    cockpit.control.steered(flat, -climb_m_s, limits);
+    let lift = cockpit.control.lift(cockpit.body);
+    Act::Accelerate(north_east(cockpit, lean_m_s2).extend(lift))
+}
+
+/// The loiter controller: the stick accelerates a target, drag and brake slow it, the vehicle follows it.
+fn loiter(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
+    let rules = cockpit.tuning.pilot.clone();
+    let asked = north_east(cockpit, leaning(cockpit, rules.loiter_lean_rad));
+    let pilot = &mut *cockpit.pilot;
+    pilot.lean_m_s2 += (asked - pilot.lean_m_s2) * (STEP_S / (STEP_S + STICK_LAG_S));
+    let mut velocity = cockpit.control.velocity_m_s.truncate() + pilot.lean_m_s2 * STEP_S;
+    let speed = velocity.length();
+    let mut brake = 0.0;
+    if asked == DVec2::ZERO {
+        if cockpit.now >= pilot.released + rules.brake_delay {
+            brake =
+                square_root(speed, 1.0, rules.brake_jerk_m_s3).clamp(0.0, rules.brake_accel_m_s2);
+        }
+    } else {
+        pilot.released = cockpit.now;
+    }
+    let change = rules.brake_jerk_m_s3 * STEP_S;
+    pilot.brake_m_s2 += (brake - pilot.brake_m_s2).clamp(-change, change);
+    let mut accel = asked;
+    if speed > 1e-6 {
+        let way = velocity / speed;
+        let drag = GRAVITY_M_S2 * rules.loiter_lean_rad.tan() * speed / rules.loiter_speed_m_s;
+        let slower = (speed - (drag + pilot.brake_m_s2) * STEP_S).max(0.0);
+        velocity = way * slower.min(rules.loiter_speed_m_s);
+        accel -= way * pilot.brake_m_s2;
+    }
+    let velocity = cockpit.keep_inside(velocity.extend(0.0)).truncate();
+    let here = cockpit.body.position_m.truncate();
+    let path = cockpit.control.path_m.truncate() + velocity * STEP_S;
+    let path = here + (path - here).clamp_length_max(LEAD_MAX_M);
+    let accel = accel.clamp_length_max(rules.loiter_accel_m_s2.max(limits.accel_m_s2));
+    cockpit
+        .control
+        .steered((path, velocity, accel), -climb_m_s, limits);
+    Act::Fly
+}
+
+/// POSHOLD: leans with the stick; let go, it brakes with a lean that grows, then holds the place.
+fn hold_place(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
+    let rules = cockpit.tuning.pilot.clone();
+    let asked = leaning(cockpit, rules.lean_max_rad);
+    let moving = forward_right(cockpit, cockpit.body.velocity_m_s.truncate());
+    let pilot = &mut *cockpit.pilot;
+    if asked != DVec2::ZERO {
+        pilot.lean_m_s2 = asked;
+        (pilot.braking, pilot.holding) = (false, false);
+    } else if pilot.holding {
+        return loiter_still(cockpit, climb_m_s, limits);
+    } else if pilot.braking {
+        // The lean that the speed asks for: 2.15 degrees per metre per second, more when slow.
+        let speed = moving.length();
+        let lean_rad = (0.0215 * speed * 100.0 * (1.0 + 500.0 / (speed * 100.0 + 60.0)))
+            .to_radians()
+            .min(rules.hold_brake_rad);
+        let wanted = -moving.normalize_or_zero() * GRAVITY_M_S2 * lean_rad.tan();
+        let most = GRAVITY_M_S2 * rules.hold_brake_rad_s * STEP_S;
+        pilot.lean_m_s2 += (wanted - pilot.lean_m_s2).clamp_length_max(most);
+        if speed < STANDING_M_S {
+            pilot.holding = true;
+            cockpit.control.take_over(cockpit.body);
+        }
+    } else {
+        pilot.lean_m_s2 *= 1.0 - RELEASE_PER_S * STEP_S;
+        pilot.braking = pilot.lean_m_s2.length() < RELEASED_RAD * GRAVITY_M_S2;
+    }
+    let lean = cockpit.pilot.lean_m_s2;
+    leant(cockpit, lean, climb_m_s, limits)
+}
+
+fn loiter_still(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
+    cockpit
+        .control
+        .at_velocity(DVec3::new(0.0, 0.0, -climb_m_s), limits);
+    Act::Fly
+}
+
+/// One step of a mode in which the throttle stick drives the motors.
+pub(super) fn manual(cockpit: &mut Cockpit<'_>) -> Act {
+    let throttle = &cockpit.tuning.radio.sticks[2];
+    let share = throttle.pushed(cockpit.sticks.channels_us[2]);
+    if cockpit.body.on_ground && share <= 0.0 {
+        return Act::Idle;
+    }
+    let rules = &cockpit.tuning.pilot;
+    let mut weights = thrust_weights(share, throttle.middle(), rules.hover);
+    let lean = match cockpit.pilot.style {
+        Style::Acro => acro(cockpit),
+        Style::Drift => {
+            weights = drift_throttle(cockpit, weights);
+            drift(cockpit)
+        }
+        _ => leaning(cockpit, rules.lean_max_rad),
+    };
+    let sinking = cockpit.body.velocity_m_s.z;
+    let down = GRAVITY_M_S2 * (1.0 - weights) - INFLOW_PER_S * sinking;
+    Act::Accelerate(north_east(cockpit, lean).extend(down))
+}
+
+/// The thrust of a throttle stick in weights of the vehicle: the middle hovers, with `ArduCopter`'s curve.
+fn thrust_weights(share: f64, middle: f64, hover: f64) -> f64 {
+    let input = if share < middle {
+        0.5 * share / middle
+    } else {
+        0.5 + 0.5 * (share - middle) / (1.0 - middle)
+    };
+    let expo = ((0.5 - hover) / 0.375).clamp(-0.5, 1.0);
+    (input * (1.0 - expo) + expo * input.powi(3)) / hover
+}
+
+/// Turns the lean with the rates that the sticks ask for; let go, it comes back slowly.
+fn acro(cockpit: &mut Cockpit<'_>) -> DVec2 {
+    let rules = &cockpit.tuning.pilot;
+    let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
+    let channels = &cockpit.sticks.channels_us;
+    let asked = DVec2::new(-pitch.off_centre(channels[1]), roll.off_centre(channels[0]));
+    // The stick's exponential curve (ACRO_RP_EXPO 0.3).
+    let rate = asked * (0.7 + 0.3 * asked.length_squared()) * rules.acro_rate_rad_s;
+    let angles = &mut cockpit.pilot.angles_rad;
+    *angles += (rate - *angles * rules.acro_balance_per_s) * STEP_S;
+    *angles = angles.clamp_length_max(rules.lean_max_rad);
+    DVec2::new(angles.x.tan(), angles.y.tan()) * GRAVITY_M_S2
+}
+
+/// DRIFT leans forward with the stick, against slipping sideways, and brakes when let go.
+fn drift(cockpit: &mut Cockpit<'_>) -> DVec2 {
+    let forward = leaning(cockpit, cockpit.tuning.pilot.lean_max_rad).x;
+    let moving = forward_right(cockpit, cockpit.body.velocity_m_s.truncate());
+    // 8 hundredths of a degree per centimetre per second, each way.
+    let against = |speed: f64, gain: f64| {
+        let lean = (-speed * gain).clamp(-DRIFT_LEAN_MAX_RAD, DRIFT_LEAN_MAX_RAD);
+        GRAVITY_M_S2 * lean.tan()
+    };
+    let brake = &mut cockpit.pilot.drift_brake;
+    if forward == 0.0 {
+        *brake = (*brake + DRIFT_BRAKE_GROWS_PER_S * 3.0 * STEP_S / 0.01 * 0.14)
+            .min(DRIFT_BRAKE_RAD_S_M);
+    } else {
+        *brake = 0.0;
+    }
+    let pitch = if forward == 0.0 {
+        against(moving.x, *brake)
+    } else {
+        forward
+    };
+    DVec2::new(pitch, against(moving.y, DRIFT_BRAKE_RAD_S_M))
+}
+
+/// DRIFT helps a throttle stick near its middle to hold the height.
+fn drift_throttle(cockpit: &Cockpit<'_>, weights: f64) -> f64 {
+    let hover = cockpit.tuning.pilot.hover;
+    let off = (weights * hover - 0.5).abs() / 0.24;
+    let help = (1.2 - off).clamp(0.0, 1.0) * DRIFT_ASSIST * cockpit.body.velocity_m_s.z;
+    (weights + help.clamp(-0.3, 0.3) / hover).clamp(0.0, 1.0 / hover)
+}

@@ -1,0 +1,212 @@
+//! Return to launch: stop and climb, fly home or to a rally point, wait, come down. Or back the way that the vehicle
+//! came, and down.
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+
+use super::{Act, Cockpit, Landing, Route};
+
+/// The way home begins this long after the vehicle is near enough to where it stops: a climb of next to nothing still
+/// is a leg of its own.
+const PLAN_TIME: Duration = Duration::from_millis(700);
+/// The climb is over within this distance.
+const HEIGHT_REACHED_M: f64 = 0.2;
+/// Home is reached within this distance (`WPNAV_RADIUS`) once the leg has been flown, and so is the stopping point.
+const HOME_REACHED_M: f64 = 2.0;
+/// A return is never lower than this (`RTL_ALT_MIN`).
+const LEAST_HEIGHT_M: f64 = 2.0;
+/// A cone that is flatter than this does not count (`RTL_MIN_CONE_SLOPE`).
+const CONE_SLOPE_MIN: f64 = 0.5;
+/// The way back ends this far above where it began.
+const ABOVE_FIRST_M: f64 = 2.0;
+
+#[derive(Debug, Clone, PartialEq)]
+enum Stage {
+    Climb {
+        standing_since: Option<Duration>,
+    },
+    Fly(Box<Route>),
+    Wait {
+        until: Duration,
+    },
+    Hold {
+        down_m: f64,
+    },
+    Land(Landing),
+    /// Back along the breadcrumbs.
+    Retrace(Box<Route>),
+}
+
+/// A return under way.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Returning {
+    stage: Stage,
+    /// Where it ends, north and east.
+    goal_m: DVec2,
+    /// The height to fly at, as metres down from the start.
+    down_m: f64,
+    /// Where to climb: decided in the first step.
+    over_m: Option<DVec2>,
+}
+
+impl Returning {
+    /// Chooses where to (home or a rally point) and the height: `RTL_ALT` above home, not above the cone nor the
+    /// fence, never below the present height.
+    pub(crate) fn new(cockpit: &Cockpit<'_>) -> Self {
+        let tuning = cockpit.tuning;
+        let (here, home) = (cockpit.body.position_m, cockpit.home_m);
+        let goal = cockpit
+            .rally
+            .destination(&tuning.rally, here, home, |point| {
+                cockpit.fence.allows(&tuning.fence, point, home)
+            });
+        let here_m = home.z - here.z;
+        let least_m = (here_m + tuning.return_climb_min_m).max(LEAST_HEIGHT_M);
+        let mut height_m = tuning.return_altitude_m.max(least_m).max(home.z - goal.z);
+        if tuning.return_cone_slope >= CONE_SLOPE_MIN {
+            let way_m = (here - goal).truncate().length();
+            height_m = height_m.min((way_m * tuning.return_cone_slope).max(least_m));
+        }
+        if let Some(highest_m) = tuning.fence.highest_m() {
+            height_m = height_m.min(highest_m);
+        }
+        Self {
+            stage: Stage::Climb {
+                standing_since: None,
+            },
+            goal_m: goal.truncate(),
+            down_m: home.z - height_m.max(here_m),
+            over_m: None,
+        }
+    }
+
+    /// Stops, and goes back along the breadcrumbs to where the motors were armed.
+    pub(crate) fn retracing(cockpit: &mut Cockpit<'_>) -> Self {
+        cockpit.trail.tidy(&cockpit.tuning.trail);
+        let route = Route::standing(cockpit);
+        Self {
+            goal_m: route.goal_m().truncate(),
+            down_m: route.goal_m().z,
+            over_m: None,
+            stage: Stage::Retrace(Box::new(route)),
+        }
+    }
+
+    /// The landing, once it has come to that.
+    pub(crate) fn landing(&self) -> Option<&Landing> {
+        match &self.stage {
+            Stage::Land(landing) => Some(landing),
+            _ => None,
+        }
+    }
+
+    pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
+        let limits = cockpit.limits;
+        match &mut self.stage {
+            Stage::Climb { .. } => self.climb(cockpit),
+            Stage::Fly(route) => {
+                cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
+                let act = route.step(cockpit);
+                if !route.reached {
+                    return act;
+                }
+                self.stage = Stage::Wait {
+                    until: cockpit.now + cockpit.tuning.return_loiter,
+                };
+            }
+            Stage::Wait { until } => {
+                let over = self.goal_m.extend(self.down_m);
+                cockpit.control.towards(over, &limits);
+                if cockpit.now >= *until {
+                    self.stage = Self::end(cockpit);
+                }
+            }
+            Stage::Hold { down_m } => {
+                let over = self.goal_m.extend(*down_m);
+                cockpit.control.towards(over, &limits);
+            }
+            Stage::Land(landing) => return landing.step(cockpit),
+            Stage::Retrace(_) => return self.retrace(cockpit),
+        }
+        Act::Fly
+    }
+
+    /// Flies to one breadcrumb after the other, and comes down over the first.
+    fn retrace(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
+        let Stage::Retrace(route) = &mut self.stage else {
+            return Act::Fly;
+        };
+        if cockpit.body.on_ground {
+            self.stage = Stage::Land(Landing::default());
+            return Act::Fly;
+        }
+        if route.reached {
+            let Some(point) = cockpit.trail.pop() else {
+                self.stage = Self::end(cockpit);
+                return Act::Fly;
+            };
+            let goal_m = above_first(point);
+            self.goal_m = goal_m.truncate();
+            route.go_to(goal_m, cockpit);
+            if let Some(next) = cockpit.trail.peek() {
+                route.then_to(above_first(next), cockpit);
+            }
+        }
+        route.step(cockpit)
+    }
+
+    /// Stops and climbs over the place where it stops, and plans the leg to the goal.
+    fn climb(&mut self, cockpit: &mut Cockpit<'_>) {
+        if cockpit.body.on_ground {
+            self.stage = Stage::Land(Landing::default());
+            return;
+        }
+        let limits = cockpit.limits;
+        let over = *self
+            .over_m
+            .get_or_insert_with(|| cockpit.control.stopping_point(&limits));
+        // The path waits at the stopping point: the error of the place alone brings the vehicle there.
+        let still = (over, DVec2::ZERO, DVec2::ZERO);
+        cockpit.control.along(still, self.down_m, &limits);
+        let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
+        let near = cockpit.body.position_m.truncate().distance(over) < HOME_REACHED_M;
+        if let Stage::Climb { standing_since } = &mut self.stage
+            && high
+            && near
+        {
+            let since = *standing_since.get_or_insert(cockpit.now);
+            if cockpit.now >= since + PLAN_TIME {
+                self.stage = self.leg_home(over, cockpit);
+            }
+        }
+    }
+
+    /// Over home: land, or come down to `RTL_ALT_FINAL` and stay.
+    fn end(cockpit: &Cockpit<'_>) -> Stage {
+        let stay_m = cockpit.tuning.return_final_altitude_m;
+        if stay_m > 0.0 {
+            Stage::Hold {
+                down_m: cockpit.home_m.z - stay_m,
+            }
+        } else {
+            Stage::Land(Landing::default())
+        }
+    }
+
+    fn leg_home(&self, from_m: DVec2, cockpit: &mut Cockpit<'_>) -> Stage {
+        cockpit.limits.speed_m_s = cockpit.tuning.return_speed_m_s;
+        let mut route = Route::waiting_at(from_m.extend(self.down_m), cockpit);
+        route.go_to(self.goal_m.extend(self.down_m), cockpit);
+        Stage::Fly(Box::new(route))
+    }
+}
+
+/// Where to fly for a breadcrumb: a little higher for the first of the flight, which lies on the ground.
+fn above_first((point_m, first): (DVec3, bool)) -> DVec3 {
+    if first {
+        point_m - DVec3::Z * ABOVE_FIRST_M
+    } else {
+        point_m
+    }
+}

@@ -1,0 +1,309 @@
+//! Messages that ground stations ask for less often: outputs and inputs, further sensors, terrain, summaries.
+
+use mavlink::dialects::ardupilotmega::{
+    ATTITUDE_TARGET_DATA, AUTOPILOT_STATE_FOR_GIMBAL_DEVICE_DATA, AttitudeTargetTypemask,
+    ESC_TELEMETRY_1_TO_4_DATA, EstimatorStatusFlags, HIGH_LATENCY2_DATA, HlFailureFlag,
+    MISSION_ITEM_REACHED_DATA, MavAutopilot, MavLandedState, MavMessage, MavType, RC_CHANNELS_DATA,
+    RELAY_STATUS_DATA, SCALED_IMU_DATA, SCALED_IMU3_DATA, SCALED_PRESSURE2_DATA,
+    SERVO_OUTPUT_RAW_DATA, SIM_STATE_DATA, TERRAIN_REPORT_DATA, TERRAIN_REQUEST_DATA,
+};
+
+use super::{boot_ms, boot_us, health, sensors};
+use crate::autopilot::Autopilot;
+use crate::body::GRAVITY_M_S2;
+use sortie_geo::wrap_360;
+
+/// The earth's magnetic field at the place of the measurements, in the vehicle's axes facing north, milligauss.
+const FIELD_MGAUSS: [i16; 3] = [232, 52, -528];
+/// Degrees Celsius times 100 on the board's second barometer.
+const BOARD_CDEG: i16 = 3015;
+/// Terrain is asked for in squares of 100 m; how many of them are still wanted.
+const TERRAIN_SPACING_M: u16 = 100;
+const TERRAIN_PENDING: u16 = 504;
+/// All 56 blocks of a grid.
+const TERRAIN_MASK: u64 = (1 << 56) - 1;
+/// The south-western corner of the grid that is asked for lies this far away, metres south and west.
+const TERRAIN_CORNER_M: (f64, f64) = (1281.0, 1038.0);
+/// A motor of a SITL quad at full output, revolutions per minute.
+const FULL_RPM: f64 = 7000.0;
+/// `HIGH_LATENCY2`'s failure flag of the differential pressure sensor, which a copter lacks.
+const NO_AIRSPEED: u16 = 2;
+
+pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
+    let mut servos = autopilot.servos_us;
+    let count = autopilot.airframe.motors();
+    for (motor, servo) in servos.iter_mut().enumerate().take(count) {
+        *servo = autopilot.motor_pulse_us(motor);
+    }
+    if let Some(test) = &autopilot.workbench.motor_test {
+        servos
+            .iter_mut()
+            .take(count)
+            .for_each(|servo| *servo = 1000);
+        if let Some((motor, pulse_us)) = test.turning(autopilot.uptime())
+            && let Some(place) = usize::try_from(motor).ok().and_then(|n| n.checked_sub(1))
+            && let Some(output) = servos.get_mut(MOTOR_ORDER.get(place).copied().unwrap_or(place))
+        {
+            *output = pulse_us;
+        }
+    }
+    MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
+        time_usec: boot_us(autopilot) as u32,
+        servo1_raw: servos[0],
+        servo2_raw: servos[1],
+        servo3_raw: servos[2],
+        servo4_raw: servos[3],
+        servo5_raw: servos[4],
+        servo6_raw: servos[5],
+        servo7_raw: servos[6],
+        servo8_raw: servos[7],
+        servo9_raw: servos[8],
+        servo10_raw: servos[9],
+        servo11_raw: servos[10],
+        servo12_raw: servos[11],
+        servo13_raw: servos[12],
+        servo14_raw: servos[13],
+        servo15_raw: servos[14],
+        servo16_raw: servos[15],
+        ..Default::default()
+    })
+}
+
+/// Motor tests count clockwise from the front: outputs 3, 1, 4, 2 of a quad in plus shape.
+const MOTOR_ORDER: [usize; 4] = [2, 0, 3, 1];
+
+pub(super) fn rc_channels(autopilot: &Autopilot) -> MavMessage {
+    let mut channels = autopilot.sticks().channels_us;
+    channels[2] = autopilot.radio_throttle_us() as u16;
+    MavMessage::RC_CHANNELS(RC_CHANNELS_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        chan1_raw: channels[0],
+        chan2_raw: channels[1],
+        chan3_raw: channels[2],
+        chan4_raw: channels[3],
+        chan5_raw: channels[4],
+        chan6_raw: channels[5],
+        chan7_raw: channels[6],
+        chan8_raw: channels[7],
+        chan9_raw: channels[8],
+        chan10_raw: channels[9],
+        chan11_raw: channels[10],
+        chan12_raw: channels[11],
+        chan13_raw: channels[12],
+        chan14_raw: channels[13],
+        chan15_raw: channels[14],
+        chan16_raw: channels[15],
+        chancount: 8,
+        rssi: 255,
+        ..Default::default()
+    })
+}
+
+pub(super) fn scaled_imu(autopilot: &Autopilot) -> MavMessage {
+    let MavMessage::RAW_IMU(raw) = sensors::raw_imu(autopilot) else {
+        return MavMessage::SCALED_IMU(SCALED_IMU_DATA::default());
+    };
+    MavMessage::SCALED_IMU(SCALED_IMU_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        xacc: raw.xacc,
+        yacc: raw.yacc,
+        zacc: raw.zacc,
+        xgyro: raw.xgyro,
+        ygyro: raw.ygyro,
+        zgyro: raw.zgyro,
+        xmag: raw.xmag,
+        ymag: raw.ymag,
+        zmag: raw.zmag,
+        temperature: raw.temperature,
+    })
+}
+
+/// There is a third compass but no third inertial sensor.
+pub(super) fn scaled_imu3(autopilot: &Autopilot) -> MavMessage {
+    let (sin, cos) = autopilot.body.yaw_deg.to_radians().sin_cos();
+    let [north, east, down] = FIELD_MGAUSS.map(f64::from);
+    MavMessage::SCALED_IMU3(SCALED_IMU3_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        xmag: (north * cos + east * sin) as i16,
+        ymag: (east * cos - north * sin) as i16,
+        zmag: down as i16,
+        ..Default::default()
+    })
+}
+
+pub(super) fn scaled_pressure2(autopilot: &Autopilot) -> MavMessage {
+    let press_abs = match sensors::scaled_pressure(autopilot) {
+        MavMessage::SCALED_PRESSURE(data) => data.press_abs,
+        _ => 0.0,
+    };
+    MavMessage::SCALED_PRESSURE2(SCALED_PRESSURE2_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        press_abs,
+        temperature: BOARD_CDEG,
+        ..Default::default()
+    })
+}
+
+pub(super) fn mission_item_reached(_autopilot: &Autopilot) -> MavMessage {
+    MavMessage::MISSION_ITEM_REACHED(MISSION_ITEM_REACHED_DATA { seq: u16::MAX })
+}
+
+fn attitude(autopilot: &Autopilot) -> glam::DQuat {
+    let (roll, pitch) = autopilot.body.roll_pitch_rad();
+    let yaw = autopilot.body.yaw_deg.to_radians();
+    glam::DQuat::from_euler(glam::EulerRot::ZYX, yaw, pitch, roll)
+}
+
+pub(super) fn attitude_target(autopilot: &Autopilot) -> MavMessage {
+    let q = attitude(autopilot);
+    let (roll_rate, pitch_rate) = autopilot.body.angle_rates_rad_s;
+    MavMessage::ATTITUDE_TARGET(ATTITUDE_TARGET_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        q: [q.w as f32, q.x as f32, q.y as f32, q.z as f32],
+        body_roll_rate: roll_rate as f32,
+        body_pitch_rate: pitch_rate as f32,
+        body_yaw_rate: autopilot.body.yaw_rate_deg_s.to_radians() as f32,
+        thrust: autopilot.body.throttle as f32,
+        type_mask: AttitudeTargetTypemask::empty(),
+    })
+}
+
+pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
+    let body = &autopilot.body;
+    let (roll, pitch) = body.roll_pitch_rad();
+    let q = attitude(autopilot);
+    let here = autopilot.here();
+    let (lat_int, lon_int) = here.at.to_e7();
+    let felt = q.inverse() * (body.accel_m_s2 - glam::DVec3::new(0.0, 0.0, GRAVITY_M_S2));
+    MavMessage::SIM_STATE(SIM_STATE_DATA {
+        q1: q.w as f32,
+        q2: q.x as f32,
+        q3: q.y as f32,
+        q4: q.z as f32,
+        roll: roll as f32,
+        pitch: pitch as f32,
+        yaw: sortie_geo::wrap_180(body.yaw_deg).to_radians() as f32,
+        xacc: felt.x as f32,
+        yacc: felt.y as f32,
+        zacc: felt.z as f32,
+        xgyro: body.angle_rates_rad_s.0 as f32,
+        ygyro: body.angle_rates_rad_s.1 as f32,
+        zgyro: body.yaw_rate_deg_s.to_radians() as f32,
+        // The real one sends degrees times 1e7 in these, too.
+        lat: lat_int as f32,
+        lon: lon_int as f32,
+        alt: here.altitude_amsl_m as f32,
+        vn: body.velocity_m_s.x as f32,
+        ve: body.velocity_m_s.y as f32,
+        vd: body.velocity_m_s.z as f32,
+        lat_int,
+        lon_int,
+        ..Default::default()
+    })
+}
+
+/// Without terrain data everything is still wanted and the height is that above the sea.
+pub(super) fn terrain_report(autopilot: &Autopilot) -> MavMessage {
+    let here = autopilot.here();
+    let (lat, lon) = here.at.to_e7();
+    MavMessage::TERRAIN_REPORT(TERRAIN_REPORT_DATA {
+        lat,
+        lon,
+        current_height: here.altitude_amsl_m as f32,
+        pending: TERRAIN_PENDING,
+        ..Default::default()
+    })
+}
+
+pub(super) fn terrain_request(autopilot: &Autopilot) -> MavMessage {
+    let (south, west) = TERRAIN_CORNER_M;
+    let (lat, lon) = autopilot.here().at.moved(-south, -west).to_e7();
+    MavMessage::TERRAIN_REQUEST(TERRAIN_REQUEST_DATA {
+        mask: TERRAIN_MASK,
+        lat,
+        lon,
+        grid_spacing: TERRAIN_SPACING_M,
+    })
+}
+
+#[expect(deprecated, reason = "the vehicle still sends it when it is asked to")]
+pub(super) fn hwstatus(_autopilot: &Autopilot) -> MavMessage {
+    MavMessage::HWSTATUS(mavlink::dialects::ardupilotmega::HWSTATUS_DATA {
+        Vcc: 5000,
+        I2Cerr: 0,
+    })
+}
+
+pub(super) fn high_latency2(autopilot: &Autopilot) -> MavMessage {
+    let body = &autopilot.body;
+    let here = autopilot.here();
+    let (latitude, longitude) = here.at.to_e7();
+    let heading = (wrap_360(body.yaw_deg) / 2.0) as u8;
+    let speed = (body.velocity_m_s.truncate().length() * 5.0).min(255.0) as u8;
+    let goal = super::navigation::goal(autopilot);
+    let way = goal.map_or(glam::DVec3::ZERO, |goal| goal - body.position_m);
+    let (base_mode, battery) = match health::heartbeat(autopilot) {
+        MavMessage::HEARTBEAT(beat) => (beat.base_mode.bits(), health::remaining(autopilot)),
+        _ => (0, 0),
+    };
+    MavMessage::HIGH_LATENCY2(HIGH_LATENCY2_DATA {
+        timestamp: boot_ms(autopilot),
+        latitude,
+        longitude,
+        custom_mode: u16::from(autopilot.mode.number),
+        altitude: here.altitude_amsl_m as i16,
+        target_altitude: (here.altitude_amsl_m - way.z) as i16,
+        target_distance: (way.truncate().length() / 10.0) as u16,
+        failure_flags: HlFailureFlag::from_bits_truncate(NO_AIRSPEED),
+        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
+        heading,
+        target_heading: (wrap_360(way.y.atan2(way.x).to_degrees()) / 2.0) as u8,
+        throttle: (body.throttle * 100.0) as u8,
+        airspeed: speed,
+        groundspeed: speed,
+        wind_heading: 90,
+        temperature_air: -128,
+        climb_rate: (-body.velocity_m_s.z * 10.0) as i8,
+        battery,
+        custom0: base_mode as i8,
+        ..Default::default()
+    })
+}
+
+pub(super) fn state_for_gimbal(autopilot: &Autopilot) -> MavMessage {
+    let q = attitude(autopilot);
+    let v = autopilot.body.velocity_m_s;
+    MavMessage::AUTOPILOT_STATE_FOR_GIMBAL_DEVICE(AUTOPILOT_STATE_FOR_GIMBAL_DEVICE_DATA {
+        time_boot_us: boot_us(autopilot),
+        q: [q.w as f32, q.x as f32, q.y as f32, q.z as f32],
+        vx: v.x as f32,
+        vy: v.y as f32,
+        vz: v.z as f32,
+        estimator_status: EstimatorStatusFlags::from_bits_truncate(0x033F),
+        target_system: autopilot.system,
+        landed_state: MavLandedState::MAV_LANDED_STATE_UNDEFINED,
+        angular_velocity_z: autopilot.body.yaw_rate_deg_s.to_radians() as f32,
+        ..Default::default()
+    })
+}
+
+pub(super) fn relay_status(autopilot: &Autopilot) -> MavMessage {
+    MavMessage::RELAY_STATUS(RELAY_STATUS_DATA {
+        time_boot_ms: boot_ms(autopilot),
+        on: u16::from(autopilot.workbench.relay_on),
+        present: 1,
+    })
+}
+
+pub(super) fn esc_telemetry(autopilot: &Autopilot) -> MavMessage {
+    let spin = f64::from(autopilot.motor_pulse_us(0).saturating_sub(1000)) / 1000.0;
+    MavMessage::ESC_TELEMETRY_1_TO_4(ESC_TELEMETRY_1_TO_4_DATA {
+        voltage: [1679; 4],
+        current: [80; 4],
+        totalcurrent: [1; 4],
+        rpm: [(spin * FULL_RPM) as u16; 4],
+        count: [(boot_ms(autopilot) / 3) as u16; 4],
+        temperature: [32; 4],
+    })
+}

@@ -1,0 +1,230 @@
+//! State of the autopilot, its power and its estimator.
+
+use mavlink::dialects::ardupilotmega::{
+    AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
+    EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFunction, MavBatteryType,
+    MavLandedState, MavMessage, MavModeFlag, MavPowerStatus, MavProtocolCapability, MavState,
+    MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState, POWER_STATUS_DATA,
+    SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+};
+
+use super::{boot_ms, boot_us};
+use crate::autopilot::Autopilot;
+use crate::mode;
+use crate::task::Task;
+
+/// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery,
+/// pre-arm check, propulsion. There is no terrain data, and the log is not claimed.
+const SENSORS: u32 = 0x5221_9C2F;
+const GYRO: u32 = 0x01;
+const ACCELEROMETER: u32 = 0x02;
+const COMPASS: u32 = 0x04;
+const BAROMETER: u32 = 0x08;
+const GPS: u32 = 0x20;
+const RADIO: u32 = 0x0001_0000;
+const BATTERY: u32 = 0x0200_0000;
+const HEIGHT_CONTROL: u32 = 0x2000;
+const POSITION_CONTROL: u32 = 0x4000;
+const AHRS: u32 = 0x0020_0000;
+const FENCE: u32 = 0x0010_0000;
+const PREARM_CHECK: u32 = 0x1000_0000;
+/// Missions, fences and rally points, parameters, `COMMAND_INT`, FTP, setpoints of attitude and position, terrain,
+/// flight termination, compass calibration, `MAVLink` 2.
+const CAPABILITIES: u64 = 0xFBEF;
+/// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
+pub(crate) const EPOCH_US: u64 = 1_767_225_600_000_000;
+
+pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
+    let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+        | MavModeFlag::MAV_MODE_FLAG_STABILIZE_ENABLED
+        | MavModeFlag::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED;
+    if autopilot.mode.autonomous {
+        base_mode |= MavModeFlag::MAV_MODE_FLAG_GUIDED_ENABLED;
+    }
+    if autopilot.safety.armed {
+        base_mode |= MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED;
+    }
+    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        custom_mode: u32::from(autopilot.reported_mode()),
+        mavtype: autopilot.airframe.vehicle_type(),
+        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
+        base_mode,
+        system_status: if autopilot.failsafe.is_active() {
+            MavState::MAV_STATE_CRITICAL
+        } else if autopilot.safety.landed && !autopilot.boot.is_initialising() {
+            MavState::MAV_STATE_STANDBY
+        } else {
+            MavState::MAV_STATE_ACTIVE
+        },
+        mavlink_version: 3,
+    })
+}
+
+/// Which sensors and functions there are at present, which are in use, and which of these are healthy.
+fn sensors(autopilot: &Autopilot) -> [u32; 3] {
+    let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
+    let mut enabled = SENSORS;
+    if autopilot
+        .boot
+        .early_fix()
+        .is_some_and(|(kind, _)| kind == 0)
+    {
+        present &= !GPS;
+        enabled &= !GPS;
+    }
+    if !autopilot.boot.has_reference() {
+        enabled &= !AHRS;
+    }
+    if autopilot.mode.controls_height {
+        enabled |= HEIGHT_CONTROL;
+    }
+    if autopilot.mode.autonomous {
+        enabled |= POSITION_CONTROL;
+    }
+    let fence = autopilot.fence_health();
+    if fence.is_enabled {
+        enabled |= FENCE;
+    }
+    if fence.is_present {
+        present |= FENCE;
+    }
+    // A fence that does not exist is never breached: ground stations look at this bit alone.
+    let healthy = if fence.is_healthy {
+        enabled | FENCE
+    } else {
+        enabled & !FENCE
+    };
+    [present, enabled, healthy & !failed(autopilot)]
+}
+
+/// What has failed.
+fn failed(autopilot: &Autopilot) -> u32 {
+    let faults = &autopilot.tuning.faults;
+    let failures = [
+        (!autopilot.is_armable(), PREARM_CHECK),
+        (!autopilot.boot.has_reference(), AHRS),
+        (faults.gyro_failed, GYRO),
+        (faults.accelerometer_failed, ACCELEROMETER),
+        (!autopilot.estimator.compass_is_healthy(), COMPASS),
+        (faults.barometers[0].disabled, BAROMETER),
+        (autopilot.failsafe.radio_is_lost(), RADIO),
+        (autopilot.failsafe.battery_is_down(), BATTERY),
+    ];
+    failures
+        .into_iter()
+        .filter(|(is_so, _)| *is_so)
+        .fold(0, |bits, (_, bit)| bits | bit)
+}
+
+pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
+    let [present, enabled, health] = sensors(autopilot);
+    let none = MavSysStatusSensorExtended::empty();
+    MavMessage::SYS_STATUS(SYS_STATUS_DATA {
+        onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(present),
+        onboard_control_sensors_enabled: MavSysStatusSensor::from_bits_truncate(enabled),
+        onboard_control_sensors_health: MavSysStatusSensor::from_bits_truncate(health),
+        voltage_battery: (autopilot.battery.voltage_v * 1000.0) as u16,
+        current_battery: (autopilot.battery.current_a * 100.0) as i16,
+        battery_remaining: remaining(autopilot),
+        onboard_control_sensors_present_extended: none,
+        onboard_control_sensors_enabled_extended: none,
+        onboard_control_sensors_health_extended: none,
+        ..Default::default()
+    })
+}
+
+pub(super) fn system_time(autopilot: &Autopilot) -> MavMessage {
+    MavMessage::SYSTEM_TIME(SYSTEM_TIME_DATA {
+        time_unix_usec: EPOCH_US + boot_us(autopilot),
+        time_boot_ms: boot_ms(autopilot),
+    })
+}
+
+pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
+    let mut voltages = [u16::MAX; 10];
+    voltages[0] = (autopilot.battery.voltage_v * 1000.0) as u16;
+    MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
+        current_consumed: autopilot.battery.consumed_mah as i32,
+        energy_consumed: (autopilot.battery.consumed_wh * 36.0) as i32,
+        temperature: i16::MAX,
+        voltages,
+        current_battery: (autopilot.battery.current_a * 100.0) as i16,
+        id: 0,
+        battery_function: MavBatteryFunction::MAV_BATTERY_FUNCTION_UNKNOWN,
+        mavtype: MavBatteryType::MAV_BATTERY_TYPE_UNKNOWN,
+        battery_remaining: remaining(autopilot),
+        charge_state: autopilot.failsafe.charge_state(),
+        ..Default::default()
+    })
+}
+
+pub(super) fn remaining(autopilot: &Autopilot) -> i8 {
+    autopilot
+        .battery
+        .remaining_percent(autopilot.tuning.battery_capacity_mah)
+}
+
+pub(super) fn power_status(_autopilot: &Autopilot) -> MavMessage {
+    MavMessage::POWER_STATUS(POWER_STATUS_DATA {
+        Vcc: 5000,
+        Vservo: 0,
+        flags: MavPowerStatus::empty(),
+    })
+}
+
+pub(super) fn meminfo(_autopilot: &Autopilot) -> MavMessage {
+    MavMessage::MEMINFO(MEMINFO_DATA {
+        brkval: 0,
+        freemem: u16::MAX,
+        freemem32: 131_072,
+    })
+}
+
+pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
+    let ratios = autopilot.estimator.ratios();
+    let flags = if autopilot.boot.is_over() {
+        autopilot.estimator.flags()
+    } else {
+        autopilot.boot.flags()
+    };
+    MavMessage::EKF_STATUS_REPORT(EKF_STATUS_REPORT_DATA {
+        velocity_variance: ratios.velocity as f32,
+        pos_horiz_variance: ratios.position as f32,
+        pos_vert_variance: ratios.height as f32,
+        compass_variance: ratios.compass as f32,
+        flags: EkfStatusFlags::from_bits_truncate(flags),
+        ..Default::default()
+    })
+}
+
+pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
+    let descending = matches!(&autopilot.task, Task::Land(_))
+        || matches!(&autopilot.task, Task::Return(way) if way.landing().is_some());
+    let landed_state = if autopilot.safety.landed {
+        MavLandedState::MAV_LANDED_STATE_ON_GROUND
+    } else if matches!(autopilot.task, Task::Takeoff(_)) {
+        MavLandedState::MAV_LANDED_STATE_TAKEOFF
+    } else if descending || autopilot.mode.number == mode::LAND {
+        MavLandedState::MAV_LANDED_STATE_LANDING
+    } else {
+        MavLandedState::MAV_LANDED_STATE_IN_AIR
+    };
+    MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA {
+        vtol_state: MavVtolState::MAV_VTOL_STATE_MC,
+        landed_state,
+    })
+}
+
+pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
+    let mut uid2 = [0; 18];
+    uid2[..8].copy_from_slice(&autopilot.board_id.to_le_bytes());
+    uid2[8] = autopilot.system;
+    MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
+        capabilities: MavProtocolCapability::from_bits_truncate(CAPABILITIES),
+        uid: autopilot.board_id,
+        flight_sw_version: 0x0406_0000,
+        flight_custom_version: *b"sortie\0\0",
+        uid2,
+        ..Default::default()
+    })
+}

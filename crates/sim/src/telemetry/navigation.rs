@@ -1,0 +1,143 @@
+//! Home, origin, targets and the plan.
+
+use glam::DVec3;
+use mavlink::dialects::ardupilotmega::{
+    GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, MISSION_CURRENT_DATA, MavFrame, MavMessage,
+    NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA,
+    PositionTargetTypemask,
+};
+
+use super::{boot_ms, boot_us};
+use crate::autopilot::Autopilot;
+use crate::mode;
+use crate::task::Task;
+use sortie_geo::{wrap_180, wrap_360};
+
+/// Only the position is meant, and only the velocity is meant.
+const POSITION_ONLY: u16 = 0x0DF8;
+/// Velocity with acceleration.
+const VELOCITY_ONLY: u16 = 0x0C07;
+
+pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {
+    let home = autopilot.home?;
+    let (latitude, longitude) = home.at.to_e7();
+    let point = autopilot.home_point();
+    Some(MavMessage::HOME_POSITION(HOME_POSITION_DATA {
+        latitude,
+        longitude,
+        altitude: (home.altitude_amsl_m * 1000.0) as i32,
+        x: point.x as f32,
+        y: point.y as f32,
+        z: point.z as f32,
+        q: [f32::NAN; 4],
+        time_usec: boot_us(autopilot),
+        ..Default::default()
+    }))
+}
+
+pub(super) fn gps_global_origin(autopilot: &Autopilot) -> Option<MavMessage> {
+    autopilot.home?;
+    let (latitude, longitude) = autopilot.start.at.to_e7();
+    Some(MavMessage::GPS_GLOBAL_ORIGIN(GPS_GLOBAL_ORIGIN_DATA {
+        latitude,
+        longitude,
+        altitude: (autopilot.start.altitude_amsl_m * 1000.0) as i32,
+        time_usec: boot_us(autopilot),
+    }))
+}
+
+pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
+    let items = autopilot.plans.mission.len();
+    MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
+        seq: autopilot.mission.current(),
+        total: items.saturating_sub(1) as u16,
+        mission_state: autopilot.mission.reported_state(items),
+        mission_mode: u8::from(autopilot.mode.number == mode::AUTO),
+        ..Default::default()
+    })
+}
+
+/// Where the vehicle is going, and how fast, if its task says.
+fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
+    if autopilot.mode.number != mode::GUIDED || !autopilot.safety.armed {
+        return None;
+    }
+    match &autopilot.task {
+        Task::Goto {
+            goal_m, drift_m_s, ..
+        } => Some((*goal_m, *drift_m_s, POSITION_ONLY)),
+        Task::Velocity { wanted_m_s, .. } => Some((DVec3::ZERO, *wanted_m_s, VELOCITY_ONLY)),
+        _ => None,
+    }
+}
+
+pub(super) fn position_target_local_ned(autopilot: &Autopilot) -> Option<MavMessage> {
+    let (at, v, mask) = target(autopilot)?;
+    Some(MavMessage::POSITION_TARGET_LOCAL_NED(
+        POSITION_TARGET_LOCAL_NED_DATA {
+            time_boot_ms: boot_ms(autopilot),
+            x: at.x as f32,
+            y: at.y as f32,
+            z: at.z as f32,
+            vx: v.x as f32,
+            vy: v.y as f32,
+            vz: v.z as f32,
+            type_mask: PositionTargetTypemask::from_bits_truncate(mask),
+            coordinate_frame: MavFrame::MAV_FRAME_LOCAL_NED,
+            ..Default::default()
+        },
+    ))
+}
+
+pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMessage> {
+    let goal = goal(autopilot)?;
+    let place = autopilot.place_of(goal);
+    let (lat_int, lon_int) = place.at.to_e7();
+    Some(MavMessage::POSITION_TARGET_GLOBAL_INT(
+        POSITION_TARGET_GLOBAL_INT_DATA {
+            time_boot_ms: boot_ms(autopilot),
+            lat_int,
+            lon_int,
+            alt: place.altitude_amsl_m as f32,
+            type_mask: PositionTargetTypemask::from_bits_retain(0xF000 | POSITION_ONLY),
+            coordinate_frame: MavFrame::MAV_FRAME_GLOBAL,
+            ..Default::default()
+        },
+    ))
+}
+
+/// The point the vehicle flies to, if there is one; where a takeoff has ended it flies to none.
+pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
+    match &autopilot.task {
+        Task::Goto { .. } if autopilot.holds_takeoff() => None,
+        Task::Goto { goal_m, .. } => Some(*goal_m),
+        Task::Return(_) => Some(autopilot.home_point()),
+        Task::Route(route) => Some(route.goal_m()),
+        _ => None,
+    }
+}
+
+pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
+    let body = autopilot.believed();
+    let (roll, pitch) = body.roll_pitch_rad();
+    let way = goal(autopilot).map_or(DVec3::ZERO, |goal| goal - body.position_m);
+    let bearing = if way.truncate() == glam::DVec2::ZERO {
+        0.0
+    } else {
+        wrap_180(way.y.atan2(way.x).to_degrees())
+    };
+    let alt_error = if autopilot.body.on_ground {
+        0.0
+    } else {
+        body.position_m.z - autopilot.control.path_m.z
+    };
+    MavMessage::NAV_CONTROLLER_OUTPUT(NAV_CONTROLLER_OUTPUT_DATA {
+        nav_roll: roll.to_degrees() as f32,
+        nav_pitch: pitch.to_degrees() as f32,
+        alt_error: alt_error as f32,
+        nav_bearing: bearing as i16,
+        target_bearing: wrap_360(bearing) as i16,
+        wp_dist: way.truncate().length() as u16,
+        ..Default::default()
+    })
+}

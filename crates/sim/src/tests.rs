@@ -1,0 +1,34 @@
+//! The simulator as a ground station sees it.
+
+mod airframes;
+mod booting;
+mod failsafes;
+mod faults;
+mod files;
+mod flight;
+mod ground;
+mod links;
+mod messages;
+mod numbers;
+mod piloted;
+mod protocol;
+mod retracing;
+mod serials;
+mod signing;
+mod sweep;
+mod takeoff;
+mod timeline;
+mod transfers;
+
+use super::*;
+
+pub(super) use ground::Ground;
+
+/// The field at Canberra where the real vehicle was measured.
+pub(super) fn start() -> Start {
+    Start {
+        at: LatLon::new(-35.363_262, 149.165_237),
+        altitude_amsl_m: 584.0,
+        heading_deg: 0.0,
+    }
+}

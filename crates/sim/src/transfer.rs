@@ -1,0 +1,158 @@
+//! What ground stations carry to and from the vehicle: lists of items, files and flight logs.
+//!
+//! As in the real vehicle one upload per list, one open file and one log download are under way at a time,
+//! whichever link they came by.
+
+mod content;
+mod fence;
+mod files;
+mod flash;
+mod items;
+mod lists;
+mod logs;
+mod packed;
+mod plan_file;
+mod tree;
+
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+
+use self::files::Files;
+use self::lists::Lists;
+use self::logs::Logs;
+use super::autopilot::Autopilot;
+use super::payload::Payload;
+use super::plan::ListKind;
+use super::port::Link;
+use super::texts;
+use sortie_wire::{Frame, Outgoing};
+
+pub(super) use logs::Recorder;
+
+/// Every transfer of a vehicle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Transfers {
+    lists: Lists,
+    files: Files,
+    logs: Logs,
+    /// How many links have asked for something.
+    links: u32,
+}
+
+impl Transfers {
+    /// What a reboot leaves: files and logs.
+    pub(super) fn rebooted(self) -> Self {
+        Self {
+            files: self.files.rebooted(),
+            logs: self.logs.rebooted(),
+            ..Self::default()
+        }
+    }
+}
+
+/// What tells one link from the others: a number, from its first request on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Own(u32);
+
+/// A ground station on a link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Peer {
+    link: u32,
+    system: u8,
+    component: u8,
+}
+
+impl Peer {
+    fn is_same_sender(self, other: Self) -> bool {
+        (self.system, self.component) == (other.system, other.component)
+    }
+}
+
+/// A conversation with a ground station.
+struct Talk<'a> {
+    autopilot: &'a mut Autopilot,
+    link: &'a mut Link,
+    peer: Peer,
+}
+
+impl Talk<'_> {
+    fn is_for_us(&self, to: u8) -> bool {
+        to == 0 || to == self.autopilot.system
+    }
+
+    fn raw(&mut self, id: u32, payload: Vec<u8>) {
+        self.link.replies.push(Outgoing::Raw { id, payload });
+    }
+
+    /// Says something on this link alone.
+    fn text(&mut self, severity: MavSeverity, text: &str) {
+        let mut said = Vec::new();
+        texts::say(&mut said, severity, text);
+        self.link.replies.extend(said.into_iter().map(Into::into));
+    }
+}
+
+/// Answers a message that belongs to a transfer; `false` if it belongs to none.
+pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) -> bool {
+    let id = frame.content.id();
+    if !matches!(id, 38..=51 | 73 | 110 | 117..=122) {
+        return false;
+    }
+    let Some(payload) = Payload::of(&frame.content) else {
+        return false;
+    };
+    if link.transfer.0 == 0 {
+        autopilot.transfers.links += 1;
+        link.transfer = Own(autopilot.transfers.links);
+    }
+    let peer = Peer {
+        link: link.transfer.0,
+        system: frame.system,
+        component: frame.component,
+    };
+    let mut talk = Talk {
+        autopilot,
+        link,
+        peer,
+    };
+    lists::handle(&mut talk, id, &payload)
+        || files::handle(&mut talk, id, &payload)
+        || logs::handle(&mut talk, id, &payload)
+}
+
+/// Carries on with what is under way on a link.
+pub(super) fn step(autopilot: &mut Autopilot, link: &mut Link) {
+    let transfers = &autopilot.transfers;
+    if transfers.lists.is_idle() && transfers.files.is_idle() && transfers.logs.is_idle() {
+        return;
+    }
+    let peer = Peer {
+        link: link.transfer.0,
+        ..Peer::default()
+    };
+    let mut talk = Talk {
+        autopilot,
+        link,
+        peer,
+    };
+    lists::step(&mut talk);
+    files::step(&mut talk);
+    logs::step(&mut talk);
+}
+
+impl Autopilot {
+    /// Something in a list is no longer what it was.
+    pub(super) fn plans_changed(&mut self, kind: ListKind) {
+        match kind {
+            ListKind::Mission => self.mission_changed(),
+            ListKind::Fence => self.fence_changed(),
+            ListKind::Rally => {}
+        }
+    }
+
+    /// Version, board and frame, for one link.
+    fn banner(&mut self) -> Vec<MavMessage> {
+        let before = self.outbox.len();
+        self.say_banner();
+        self.outbox.split_off(before)
+    }
+}

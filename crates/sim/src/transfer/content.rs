@@ -1,0 +1,203 @@
+//! What the vehicle's folders and files hold, also those that are made when they are read.
+
+use super::packed::{self, Wanted};
+use super::tree::{Entry, INVALID, NO_SUCH_FILE, READ_ONLY, clean};
+use super::{logs, plan_file};
+use crate::autopilot::Autopilot;
+use crate::parameters::Parameters;
+
+/// The system's files and how long they are said to be.
+const SYSTEM: [(&str, usize); 11] = [
+    ("threads.txt", 100_000),
+    ("tasks.txt", 100_000),
+    ("dma.txt", 100_000),
+    ("memory.txt", 100_000),
+    ("uarts.txt", 100_000),
+    ("timers.txt", 100_000),
+    ("can_log.txt", 100_000),
+    ("can0_stats.txt", 100_000),
+    ("can1_stats.txt", 100_000),
+    ("crash_dump.bin", 100_000),
+    (STORAGE_FILE, STORAGE_BYTES),
+];
+const STORAGE_FILE: &str = "storage.bin";
+const STORAGE_BYTES: usize = 16_384;
+
+/// Where a path leads.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Place {
+    System(String),
+    Parameters(String),
+    Plans(String),
+    /// What came with the firmware: nothing.
+    Firmware(String),
+    Logs(String),
+    Disk(String),
+}
+
+impl Place {
+    pub(super) fn of(path: &str) -> Self {
+        let path = clean(path);
+        let (root, rest) = path.split_once('/').unwrap_or((&path, ""));
+        match root {
+            "@SYS" => Self::System(rest.to_owned()),
+            "@PARAM" => Self::Parameters(rest.to_owned()),
+            "@MISSION" => Self::Plans(rest.to_owned()),
+            "@ROMFS" => Self::Firmware(rest.to_owned()),
+            logs::FOLDER => Self::Logs(rest.to_owned()),
+            _ => Self::Disk(path),
+        }
+    }
+}
+
+/// A file that is open for reading.
+#[derive(Debug, Clone)]
+pub(super) enum Content {
+    Bytes(Vec<u8>),
+    /// Packed at the first read, which tells the size of the blocks.
+    Parameters {
+        wanted: Wanted,
+        block: usize,
+        packed: Vec<u8>,
+    },
+}
+
+impl Content {
+    /// Opens a file; also how long it is said to be. An error is an error number.
+    pub(super) fn open(autopilot: &Autopilot, path: &str) -> Result<(Self, usize), u8> {
+        let bytes = match Place::of(path) {
+            Place::System(name) => return system(autopilot, &name),
+            Place::Parameters(name) if packed::is_name(&name) => {
+                let wanted = Wanted::read(&name).ok_or(INVALID)?;
+                let content = Self::Parameters {
+                    wanted,
+                    block: 0,
+                    packed: Vec::new(),
+                };
+                return Ok((content, packed::estimated_len(&autopilot.parameters)));
+            }
+            Place::Plans(name) => {
+                let kind = plan_file::kind_of(&name).ok_or(NO_SUCH_FILE)?;
+                let content = Self::Bytes(plan_file::pack(autopilot, kind));
+                return Ok((content, plan_file::ESTIMATED_LEN));
+            }
+            Place::Parameters(_) | Place::Firmware(_) => return Err(NO_SUCH_FILE),
+            Place::Logs(name) => logs::file(autopilot, &name).ok_or(NO_SUCH_FILE)?,
+            Place::Disk(path) => autopilot.transfers.files.disk().read(&path)?.to_vec(),
+        };
+        let len = bytes.len();
+        Ok((Self::Bytes(bytes), len))
+    }
+
+    /// Up to `len` bytes from an offset on; none behind the end.
+    pub(super) fn read(
+        &mut self,
+        parameters: &Parameters,
+        offset: usize,
+        len: usize,
+    ) -> Result<&[u8], u8> {
+        let bytes = match self {
+            Self::Bytes(bytes) => bytes,
+            Self::Parameters {
+                wanted,
+                block,
+                packed,
+            } => {
+                if *block == 0 && len > 0 {
+                    *packed = wanted.pack(parameters, len).ok_or(INVALID)?;
+                    *block = len;
+                }
+                if *block != len {
+                    return Err(INVALID);
+                }
+                packed
+            }
+        };
+        let rest = bytes.get(offset..).unwrap_or_default();
+        Ok(&rest[..rest.len().min(len)])
+    }
+}
+
+/// What a folder holds.
+pub(super) fn list(autopilot: &Autopilot, path: &str) -> Result<Vec<Entry>, u8> {
+    let disk = autopilot.transfers.files.disk();
+    match Place::of(path) {
+        Place::System(rest) if rest.is_empty() => {
+            Ok(SYSTEM.map(|(name, len)| Entry::file(name, len)).to_vec())
+        }
+        Place::Firmware(rest) if rest.is_empty() => Ok(Vec::new()),
+        Place::Logs(rest) if rest.is_empty() => Ok(dotted(logs::entries(autopilot))),
+        Place::Disk(path) => {
+            let mut entries = dotted(disk.entries(&path).ok_or(NO_SUCH_FILE)?);
+            if path.is_empty() {
+                let logs = logs::entries(autopilot);
+                entries.extend((!logs.is_empty()).then(|| Entry::folder(logs::FOLDER)));
+                entries.extend(["@ROMFS", "@SYS"].map(Entry::folder));
+            }
+            Ok(entries)
+        }
+        _ => Err(NO_SUCH_FILE),
+    }
+}
+
+/// The path on the disk, if something may be written there.
+pub(super) fn writable(path: &str) -> Result<String, u8> {
+    match Place::of(path) {
+        Place::Disk(path) => Ok(path),
+        _ => Err(READ_ONLY),
+    }
+}
+
+/// The check sum of a file as `MAVLink` FTP has it: CRC-32 without the inversions of zip.
+pub(super) fn crc32(bytes: &[u8]) -> u32 {
+    bytes.iter().fold(0, |crc: u32, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+            (crc >> 1) ^ if crc & 1 == 1 { 0xEDB8_8320 } else { 0 }
+        })
+    })
+}
+
+fn dotted(entries: Vec<Entry>) -> Vec<Entry> {
+    let mut all = vec![Entry::folder("."), Entry::folder("..")];
+    all.extend(entries);
+    all
+}
+
+/// Of the system's files those that a simulated board has something to write into.
+fn system(autopilot: &Autopilot, name: &str) -> Result<(Content, usize), u8> {
+    let (_, said) = SYSTEM
+        .iter()
+        .find(|(known, _)| *known == name)
+        .ok_or(NO_SUCH_FILE)?;
+    let seconds = autopilot.uptime().as_secs();
+    let bytes = match name {
+        "tasks.txt" => format!(
+            "TasksV2\nfast_loop                 TIM={:>10} ms\n",
+            seconds * 1000
+        ),
+        "uarts.txt" => "UARTV1\nSERIAL0 TX=0 RX=0\nSERIAL1 TX=0 RX=0\nSERIAL2 TX=0 RX=0\n".into(),
+        STORAGE_FILE => return Ok((Content::Bytes(vec![0; STORAGE_BYTES]), *said)),
+        _ => return Err(NO_SUCH_FILE),
+    };
+    Ok((Content::Bytes(bytes.into_bytes()), *said))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_lead_to_their_places() {
+        assert_eq!(Place::of("/@SYS/"), Place::System(String::new()));
+        let parameters = Place::Parameters("param.pck?start=1".into());
+        assert_eq!(Place::of("@PARAM/param.pck?start=1"), parameters);
+        assert_eq!(Place::of("/a/b"), Place::Disk("a/b".into()));
+        assert_eq!(writable("@SYS/tasks.txt"), Err(READ_ONLY));
+    }
+
+    #[test]
+    fn the_check_sum_starts_from_nothing() {
+        assert_eq!(crc32(b""), 0);
+        assert_eq!(crc32(b"123456789"), 0x2DFD_2D88);
+    }
+}

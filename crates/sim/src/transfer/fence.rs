@@ -1,0 +1,74 @@
+//! How much room a fence takes in the vehicle's storage, and how long it is said to be. Whether it makes sense is for
+//! [`Fence::check`](crate::fence::Fence::check).
+
+use crate::plan::{
+    CIRCLE_EXCLUSION, CIRCLE_INCLUSION, FENCE_RETURN_POINT, Item, POLYGON_EXCLUSION,
+    POLYGON_INCLUSION,
+};
+
+/// Bytes of storage for fences.
+const STORAGE: usize = 560;
+
+/// Whether there is room to keep it.
+pub(super) fn fits(items: &[Item]) -> bool {
+    let mut needed = 4;
+    let mut rest = items;
+    while let Some(item) = rest.first() {
+        let (bytes, length) = match item.command {
+            POLYGON_INCLUSION | POLYGON_EXCLUSION => {
+                let corners = usize::from(item.p[0] as u8);
+                (2 + 8 * corners, corners.max(1))
+            }
+            CIRCLE_INCLUSION | CIRCLE_EXCLUSION => (13, 1),
+            _ => (9, 1),
+        };
+        needed += bytes;
+        rest = rest.get(length..).unwrap_or_default();
+    }
+    needed <= STORAGE
+}
+
+/// The value of `FENCE_TOTAL`: corners and circles, and two more that the old fence protocol counts.
+pub(super) fn total(items: &[Item]) -> f32 {
+    let counted = items
+        .iter()
+        .filter(|item| item.command != FENCE_RETURN_POINT)
+        .count();
+    if counted < 3 {
+        0.0
+    } else {
+        (counted + 2) as f32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn corner(corners: u8) -> Item {
+        Item {
+            command: POLYGON_INCLUSION,
+            p: [f32::from(corners), 0.0, 0.0, 0.0],
+            ..Item::default()
+        }
+    }
+
+    #[test]
+    fn the_old_protocol_counts_two_points_more_and_no_return_point() {
+        let returning = Item {
+            command: FENCE_RETURN_POINT,
+            ..Item::default()
+        };
+        for (corners, expected) in [(2, 0.0), (3, 5.0), (4, 6.0)] {
+            let mut items = vec![corner(corners); usize::from(corners)];
+            items.push(returning);
+            assert!((total(&items) - expected).abs() < f32::EPSILON, "{corners}");
+        }
+    }
+
+    #[test]
+    fn a_large_fence_does_not_fit() {
+        assert!(fits(&vec![corner(60); 60]));
+        assert!(!fits(&vec![corner(70); 70]));
+    }
+}

@@ -1,0 +1,400 @@
+//! `MAVLink` FTP: one session at a time, whichever link it came by.
+
+mod wire;
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavSeverity::MAV_SEVERITY_DEBUG;
+
+use self::wire::{
+    ACCEPTED, BURST_READ, CRC32, CREATE, DATA, LIST, MAKE_FOLDER, OPEN_RO, OPEN_WO, READ, REFUSED,
+    REMOVE_FILE, REMOVE_FOLDER, RENAME, RESET, Refusal, Reply, Request, TERMINATE, WRITE, listing,
+};
+use super::content::{self, Content, Place};
+use super::packed;
+use super::tree::{self, Disk, NO_SPACE, NO_SUCH_FILE};
+use super::{Talk, plan_file};
+use crate::autopilot::Autopilot;
+use crate::payload::Payload;
+use crate::plan::ListKind;
+
+/// `FILE_TRANSFER_PROTOCOL`.
+const MESSAGE: u32 = 110;
+/// Requests that wait while a burst is under way; more are lost.
+const MOST_WAITING: usize = 5;
+/// A session that nothing was sent to for this long makes room for another.
+const SESSION_TIMEOUT: Duration = Duration::from_secs(3);
+/// Messages of one burst at most, and how many of them leave in one step of 10 ms.
+const BURST: usize = 500;
+const BURST_PER_STEP: usize = 2;
+/// Bytes of a file of parameters or of a plan that is being written.
+const MOST_WRITTEN: usize = 64 * 1024;
+
+#[derive(Debug, Clone)]
+enum Open {
+    Reading(Content),
+    /// A file on the disk, by its path.
+    Writing(String),
+    WritingParameters(Vec<u8>),
+    WritingPlan(ListKind, Vec<u8>),
+}
+
+/// A burst of messages that is being sent.
+#[derive(Debug, Clone)]
+struct Burst {
+    request: Request,
+    sent: usize,
+    reply: Reply,
+}
+
+/// The file server.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Files {
+    disk: Disk,
+    open: Option<(u8, Open)>,
+    /// The last answer, to be repeated when its request comes again.
+    last: Option<Reply>,
+    waiting: VecDeque<Request>,
+    burst: Option<Box<Burst>>,
+    sent_at: Duration,
+}
+
+impl Files {
+    /// Whether nothing is left to be sent.
+    pub(super) fn is_idle(&self) -> bool {
+        self.burst.is_none() && self.waiting.is_empty()
+    }
+
+    pub(super) fn disk(&self) -> &Disk {
+        &self.disk
+    }
+
+    /// A file server after a reboot: files stay, sessions do not.
+    pub(super) fn rebooted(self) -> Self {
+        Self {
+            disk: self.disk,
+            ..Self::default()
+        }
+    }
+}
+
+/// Answers a message of the protocol; `false` if it is none.
+pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
+    if id != MESSAGE {
+        return false;
+    }
+    if talk.is_for_us(payload.byte(1)) {
+        let request = Request::read(payload, talk.peer);
+        let files = &mut talk.autopilot.transfers.files;
+        if files.burst.is_none() {
+            talk.serve(request);
+        } else if files.waiting.len() < MOST_WAITING {
+            files.waiting.push_back(request);
+        }
+    }
+    true
+}
+
+/// Sends the next messages of a burst, then answers what waited for its end.
+pub(super) fn step(talk: &mut Talk<'_>) {
+    let now = talk.autopilot.uptime();
+    let files = &mut talk.autopilot.transfers.files;
+    if let Some(burst) = &files.burst {
+        if burst.request.from.link == talk.peer.link {
+            talk.continue_burst(BURST_PER_STEP);
+        } else if now.saturating_sub(files.sent_at) > SESSION_TIMEOUT {
+            // Its link is gone.
+            files.burst = None;
+        }
+        return;
+    }
+    // Answers go out by the link that the request came by.
+    let due = files.waiting.front().map(|request| request.from.link);
+    if due == Some(talk.peer.link) {
+        if let Some(request) = files.waiting.pop_front() {
+            talk.serve(request);
+        }
+    } else if now.saturating_sub(files.sent_at) > SESSION_TIMEOUT {
+        files.waiting.clear();
+    }
+}
+
+impl Talk<'_> {
+    fn files(&mut self) -> &mut Files {
+        &mut self.autopilot.transfers.files
+    }
+
+    fn send(&mut self, reply: Reply) {
+        self.raw(MESSAGE, reply.payload());
+        let now = self.autopilot.uptime();
+        let files = self.files();
+        files.sent_at = now;
+        files.last = Some(reply);
+    }
+
+    fn serve(&mut self, request: Request) {
+        if matches!(request.opcode, ACCEPTED | REFUSED) {
+            return;
+        }
+        let again = self.files().last.as_ref().is_some_and(|reply| {
+            // A request that follows a burst may have the number of the burst's end.
+            reply.asked == request.opcode
+                && reply.to.is_same_sender(request.from)
+                && reply.session == request.session
+                && reply.seq == request.seq.wrapping_add(1)
+        });
+        if again && let Some(reply) = self.files().last.take() {
+            return self.send(reply);
+        }
+        let mut reply = request.reply();
+        let wants_banner =
+            request.opcode == OPEN_RO && request.data.starts_with(b"@PARAM/param.pck");
+        if request.opcode == BURST_READ
+            && usize::from(request.size) <= DATA
+            && self.check_session(&request).is_ok()
+        {
+            return self.begin_burst(request, reply);
+        }
+        let done = self.carry_out(&request, &mut reply);
+        if let Err(reason) = done {
+            reply.refuse(reason);
+        }
+        self.send(reply);
+        if wants_banner && done.is_ok() {
+            let banner = self.autopilot.banner();
+            self.link.replies.extend(banner.into_iter().map(Into::into));
+        }
+    }
+
+    /// Keeps a second session out while the first is alive.
+    fn check_session(&mut self, request: &Request) -> Result<(), Refusal> {
+        let now = self.autopilot.uptime();
+        let files = &self.autopilot.transfers.files;
+        let idle = now.saturating_sub(files.sent_at) >= SESSION_TIMEOUT;
+        match &files.open {
+            Some((session, _)) if *session != request.session && !idle => {
+                Err(Refusal::InvalidSession)
+            }
+            Some((session, _)) if *session != request.session => {
+                self.close();
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn carry_out(&mut self, request: &Request, reply: &mut Reply) -> Result<(), Refusal> {
+        if usize::from(request.size) > DATA {
+            return Err(Refusal::InvalidSize);
+        }
+        if matches!(request.opcode, TERMINATE | RESET) {
+            let own = |(session, _): &(u8, Open)| *session == request.session;
+            if self.files().open.as_ref().is_some_and(own) {
+                self.close();
+            }
+            return Ok(());
+        }
+        self.check_session(request)?;
+        match request.opcode {
+            0 => {}
+            LIST => {
+                reply.offset = request.offset;
+                let entries = content::list(self.autopilot, &request.path()?)?;
+                reply.data = listing(&entries, request.offset)?;
+            }
+            OPEN_RO => reply.data = self.open(request)?.to_le_bytes().to_vec(),
+            READ => {
+                reply.data = self.read(request.offset as usize, usize::from(request.size))?;
+                reply.offset = request.offset;
+            }
+            CREATE | OPEN_WO => self.open_to_write(request)?,
+            WRITE => {
+                self.write(request)?;
+                reply.offset = request.offset;
+            }
+            CRC32 => reply.data = self.crc32(request)?.to_le_bytes().to_vec(),
+            _ => self.rearrange(request)?,
+        }
+        Ok(())
+    }
+
+    /// Makes, moves and removes names.
+    fn rearrange(&mut self, request: &Request) -> Result<(), Refusal> {
+        match request.opcode {
+            REMOVE_FILE | REMOVE_FOLDER => {
+                let path = content::writable(&request.path()?)?;
+                self.files().disk.remove(&path)?;
+            }
+            MAKE_FOLDER => {
+                let path = content::writable(&request.path()?)?;
+                self.files().disk.make_folder(&path)?;
+            }
+            RENAME => {
+                let (from, to) = request.paths()?;
+                let (from, to) = (content::writable(&from)?, content::writable(&to)?);
+                self.files().disk.rename(&from, &to)?;
+            }
+            opcode => {
+                let text = format!("Unsupported FTP: {opcode}");
+                self.autopilot.say(MAV_SEVERITY_DEBUG, &text);
+                return Err(Refusal::Fail);
+            }
+        }
+        Ok(())
+    }
+
+    /// Opens a file for reading and tells its length.
+    fn open(&mut self, request: &Request) -> Result<u32, Refusal> {
+        let idle = self.autopilot.uptime().saturating_sub(self.files().sent_at);
+        if self.files().open.is_some() && idle > SESSION_TIMEOUT {
+            self.close();
+        }
+        if self.files().open.is_some() {
+            return Err(Refusal::Fail);
+        }
+        let (content, len) = Content::open(self.autopilot, &request.path()?)?;
+        self.files().open = Some((request.session, Open::Reading(content)));
+        Ok(len as u32)
+    }
+
+    fn open_to_write(&mut self, request: &Request) -> Result<(), Refusal> {
+        if self.files().open.is_some() {
+            return Err(Refusal::Fail);
+        }
+        let path = request.path()?;
+        let open = match Place::of(&path) {
+            Place::Parameters(name) if packed::is_name(&name) => {
+                Open::WritingParameters(Vec::new())
+            }
+            Place::Plans(name) => {
+                let kind = plan_file::kind_of(&name).ok_or(NO_SUCH_FILE)?;
+                Open::WritingPlan(kind, Vec::new())
+            }
+            _ => {
+                let path = content::writable(&path)?;
+                if request.opcode == CREATE {
+                    self.files().disk.create(&path)?;
+                }
+                self.files().disk.read(&path)?;
+                Open::Writing(path)
+            }
+        };
+        self.files().open = Some((request.session, open));
+        Ok(())
+    }
+
+    fn read(&mut self, offset: usize, len: usize) -> Result<Vec<u8>, Refusal> {
+        let Autopilot {
+            transfers,
+            parameters,
+            ..
+        } = &mut *self.autopilot;
+        match &mut transfers.files.open {
+            None => Err(Refusal::NothingOpen),
+            Some((_, Open::Reading(content))) => {
+                let bytes = content.read(parameters, offset, len)?;
+                if bytes.is_empty() {
+                    return Err(Refusal::EndOfFile);
+                }
+                Ok(bytes.to_vec())
+            }
+            Some(_) => Err(Refusal::Fail),
+        }
+    }
+
+    fn write(&mut self, request: &Request) -> Result<(), Refusal> {
+        let offset = request.offset as usize;
+        let bytes = &request.data[..usize::from(request.size).min(request.data.len())];
+        let files = self.files();
+        match &mut files.open {
+            None => return Err(Refusal::NothingOpen),
+            Some((_, Open::Reading(_))) => return Err(Refusal::Fail),
+            Some((_, Open::Writing(path))) => files.disk.write(path, offset, bytes)?,
+            Some((_, Open::WritingParameters(file) | Open::WritingPlan(_, file))) => {
+                if offset.saturating_add(bytes.len()) > MOST_WRITTEN {
+                    return Err(Refusal::System(NO_SPACE));
+                }
+                tree::write_into(file, offset, bytes);
+            }
+        }
+        Ok(())
+    }
+
+    fn crc32(&mut self, request: &Request) -> Result<u32, Refusal> {
+        let (mut content, _) = Content::open(self.autopilot, &request.path()?)?;
+        // Files that are packed while they are read are read in blocks of this size.
+        let block = match &content {
+            Content::Bytes(bytes) => bytes.len(),
+            Content::Parameters { .. } => 64,
+        };
+        let mut all = Vec::new();
+        loop {
+            let bytes = content.read(&self.autopilot.parameters, all.len(), block)?;
+            if bytes.is_empty() {
+                return Ok(content::crc32(&all));
+            }
+            all.extend_from_slice(bytes);
+        }
+    }
+
+    /// Closes the file; what was written to the parameters or a plan takes effect.
+    fn close(&mut self) {
+        match self.files().open.take() {
+            Some((_, Open::WritingParameters(file))) => {
+                for (name, value) in packed::unpack(&file).unwrap_or_default() {
+                    self.autopilot.parameters.set(&name, value);
+                }
+                self.autopilot.retune();
+            }
+            Some((_, Open::WritingPlan(kind, file))) => {
+                plan_file::take(self.autopilot, kind, &file);
+            }
+            _ => {}
+        }
+    }
+
+    fn begin_burst(&mut self, request: Request, reply: Reply) {
+        let burst = Burst {
+            request,
+            sent: 0,
+            reply,
+        };
+        self.files().burst = Some(Box::new(burst));
+        self.continue_burst(1);
+    }
+
+    fn continue_burst(&mut self, messages: usize) {
+        for _ in 0..messages {
+            let Some(mut burst) = self.files().burst.take() else {
+                return;
+            };
+            let size = match burst.request.size {
+                0 => DATA,
+                size => usize::from(size),
+            };
+            let offset = (burst.request.offset as usize).saturating_add(burst.sent * size);
+            let reply = &mut burst.reply;
+            match self.read(offset, size) {
+                Ok(data) => {
+                    burst.sent += 1;
+                    reply.offset = offset as u32;
+                    reply.burst_complete = burst.sent == BURST;
+                    let short = (data.len() < size).then_some(data.len() as u32);
+                    reply.data = data;
+                    self.send(reply.clone());
+                    reply.seq = reply.seq.wrapping_add(1);
+                    // The refusal that ends the burst stands where the file ends.
+                    reply.offset += short.unwrap_or(0);
+                    if burst.sent < BURST {
+                        self.files().burst = Some(burst);
+                    }
+                }
+                Err(reason) => {
+                    reply.refuse(reason);
+                    self.send(reply.clone());
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! What the vehicle keeps of an item: its storage is small, and what does not fit is cut off or forgotten, so that
+//! a download shows what will be flown.
+
+use mavlink::dialects::ardupilotmega::MavMissionResult::{
+    self, MAV_MISSION_INVALID, MAV_MISSION_INVALID_PARAM1, MAV_MISSION_INVALID_PARAM2,
+    MAV_MISSION_INVALID_PARAM3, MAV_MISSION_INVALID_PARAM4, MAV_MISSION_INVALID_PARAM5_X,
+    MAV_MISSION_INVALID_PARAM6_Y, MAV_MISSION_INVALID_PARAM7, MAV_MISSION_UNSUPPORTED,
+    MAV_MISSION_UNSUPPORTED_FRAME,
+};
+
+use crate::plan::{
+    CIRCLE_EXCLUSION, CIRCLE_INCLUSION, FENCE_RETURN_POINT, Item, POLYGON_EXCLUSION,
+    POLYGON_INCLUSION, RALLY_POINT,
+};
+use sortie_geo::LatLon;
+
+/// Altitudes in metres from here on do not fit.
+const ALTITUDE_LIMIT_M: f32 = 83_000.0;
+
+/// How the seven parameters of each command are kept, one letter each: `.` not at all, `B` and `b` as unsigned and
+/// signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a yes or no, `L` as part of a place,
+/// and four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the direction alone.
+const COMMANDS: &[(u16, &[u8; 7])] = &[
+    (16, b"H...LLL"),
+    (17, b"..s.LLL"),
+    (18, b"t.roLLL"),
+    (19, b"H.doLLL"),
+    (20, b"......."),
+    (21, b"H..dLLL"),
+    (22, b"H...LLL"),
+    (30, b"H...LLL"),
+    (31, b".s.oLLL"),
+    (82, b"H...LLL"),
+    (83, b"ffB...."),
+    (84, b"....LLL"),
+    (85, b"H...LLL"),
+    (92, b"H...LLL"),
+    (93, b"fbbb..."),
+    (94, b"c...LLL"),
+    (112, b"f......"),
+    (114, b"f......"),
+    (115, b"ffbB..."),
+    (177, b"Hh....."),
+    (178, b"Bff...."),
+    (179, b"H...LLL"),
+    (181, b"BB....."),
+    (182, b"Bhf...."),
+    (183, b"BH....."),
+    (184, b"BHhf..."),
+    (188, b"....LLL"),
+    (189, b"....LLL"),
+    (191, b"....LLL"),
+    (193, b"H......"),
+    (194, b"H......"),
+    (201, b"H...LLL"),
+    (202, b"BHBHBBf"),
+    (203, b"BBbBBB."),
+    (205, b"fff...."),
+    (206, b"f.B...."),
+    (207, b"H......"),
+    (208, b"H......"),
+    (210, b"H......"),
+    (211, b"BB....."),
+    (212, b"H......"),
+    (213, b"ffB...."),
+    (215, b"H......"),
+    (216, b"H......"),
+    (217, b"Hfff..."),
+    (218, b"HB....."),
+    (222, b"Hfff..."),
+    (223, b"ooco..."),
+    (531, b"Bf....."),
+    (532, b"Bf....."),
+    (534, b"BBB...."),
+    (600, b"H......"),
+    (601, b"Hh....."),
+    (1000, b"bhbbB.B"),
+    (2000, b"BfHH..."),
+    (2001, b"H......"),
+    (2500, b"B......"),
+    (2501, b"B......"),
+    (3000, b"B......"),
+    (42_600, b"BBff..."),
+    (42_702, b"BBffhh."),
+    (42_703, b"Hhbhh.."),
+];
+
+fn letters(command: u16) -> Option<&'static [u8; 7]> {
+    let at = COMMANDS
+        .binary_search_by_key(&command, |(number, _)| *number)
+        .ok()?;
+    COMMANDS.get(at).map(|(_, letters)| *letters)
+}
+
+/// Whether the command's fifth and sixth parameters are a latitude and a longitude.
+pub(super) fn has_place(command: u16) -> bool {
+    letters(command).is_some_and(|kept| kept[4] == b'L')
+}
+
+/// The item of a mission as the vehicle keeps it, or why it does not take it.
+pub(super) fn mission_item(item: &Item) -> Result<Item, MavMissionResult> {
+    check_numbers(item)?;
+    if item.command <= 1 {
+        return Err(MAV_MISSION_INVALID);
+    }
+    let kept = letters(item.command).ok_or(MAV_MISSION_UNSUPPORTED)?;
+    let mut stored = Item {
+        command: item.command,
+        auto_continue: true,
+        ..Item::default()
+    };
+    for (place, value) in item.p.iter().enumerate() {
+        stored.p[place] = shortened(kept[place], *value);
+    }
+    if kept[4] == b'L' {
+        check_place(item)?;
+        if item.z.is_nan() || item.z.abs() >= ALTITUDE_LIMIT_M {
+            return Err(MAV_MISSION_INVALID_PARAM7);
+        }
+        stored.x = item.x;
+        stored.y = item.y;
+        stored.z = (item.z * 100.0).trunc() * 0.01;
+        stored.frame = match item.frame {
+            2 => 0,
+            other => height_frame(other)?,
+        };
+    } else {
+        stored.x = shortened(kept[4], item.x as f32) as i32;
+        stored.y = shortened(kept[5], item.y as f32) as i32;
+        stored.z = shortened(kept[6], item.z);
+    }
+    Ok(stored)
+}
+
+/// A rally point as the vehicle keeps it, or why it does not take it.
+pub(super) fn rally_item(item: &Item) -> Result<Item, MavMissionResult> {
+    if item.command != RALLY_POINT {
+        return Err(MAV_MISSION_UNSUPPORTED);
+    }
+    check_place(item)?;
+    // Whole metres in 16 bits.
+    if item.z.is_nan() || item.z < f32::from(i16::MIN) || item.z > f32::from(i16::MAX) {
+        return Err(MAV_MISSION_INVALID_PARAM7);
+    }
+    Ok(Item {
+        command: item.command,
+        frame: height_frame(item.frame)?,
+        x: item.x,
+        y: item.y,
+        z: item.z.trunc(),
+        ..Item::default()
+    })
+}
+
+/// A corner, circle or return point of a fence as the vehicle keeps it, or why it does not take it. Whether the
+/// fence makes sense is seen when it is complete.
+pub(super) fn fence_item(item: &Item) -> Result<Item, MavMissionResult> {
+    height_frame(item.frame)?;
+    let first = match item.command {
+        POLYGON_INCLUSION | POLYGON_EXCLUSION => f32::from(item.p[0] as u8),
+        // Radii close to whole metres are kept as whole metres.
+        CIRCLE_INCLUSION | CIRCLE_EXCLUSION if item.p[0].fract() < 0.001 => item.p[0].trunc(),
+        CIRCLE_INCLUSION | CIRCLE_EXCLUSION => item.p[0],
+        FENCE_RETURN_POINT => 0.0,
+        _ => return Err(MAV_MISSION_UNSUPPORTED),
+    };
+    Ok(Item {
+        command: item.command,
+        p: [first, 0.0, 0.0, 0.0],
+        x: item.x,
+        y: item.y,
+        ..Item::default()
+    })
+}
+
+fn check_place(item: &Item) -> Result<(), MavMissionResult> {
+    if !LatLon::from_e7(item.x, 0).is_valid() {
+        return Err(MAV_MISSION_INVALID_PARAM5_X);
+    }
+    if !LatLon::from_e7(0, item.y).is_valid() {
+        return Err(MAV_MISSION_INVALID_PARAM6_Y);
+    }
+    Ok(())
+}
+
+/// Infinite parameters are refused, and those that are not a number except where they mean "as it is".
+fn check_numbers(item: &Item) -> Result<(), MavMissionResult> {
+    let may_be_nan: &[usize] = match item.command {
+        16 | 21 | 22 | 84 => &[3],
+        85 => &[2, 3],
+        _ => &[],
+    };
+    let reasons = [
+        MAV_MISSION_INVALID_PARAM1,
+        MAV_MISSION_INVALID_PARAM2,
+        MAV_MISSION_INVALID_PARAM3,
+        MAV_MISSION_INVALID_PARAM4,
+    ];
+    for (place, reason) in reasons.into_iter().enumerate() {
+        let value = item.p[place];
+        if value.is_infinite() || (value.is_nan() && !may_be_nan.contains(&place)) {
+            return Err(reason);
+        }
+    }
+    Ok(())
+}
+
+/// The frame as a download names it: sea level, home, terrain.
+fn height_frame(frame: u8) -> Result<u8, MavMissionResult> {
+    match frame {
+        0 | 5 => Ok(0),
+        3 | 6 => Ok(3),
+        10 | 11 => Ok(10),
+        _ => Err(MAV_MISSION_UNSUPPORTED_FRAME),
+    }
+}
+
+fn shortened(letter: u8, value: f32) -> f32 {
+    let direction = if value < 0.0 { -1.0 } else { 1.0 };
+    match letter {
+        b't' if value > 0.0 && value < 1.0 => (value * 256.0).trunc() / 256.0,
+        b'B' | b't' => f32::from(value as u8),
+        b'b' => f32::from(value as i8),
+        b'H' => f32::from(value as u16),
+        b'h' => f32::from(value as i16),
+        b'f' if value.is_finite() => value,
+        b'c' => f32::from((value * 100.0) as u16) / 100.0,
+        b'o' => f32::from(u8::from(value > 0.0)),
+        b'r' if value.abs() <= 255.0 => direction * value.abs().trunc(),
+        b'r' => direction * 10.0 * f32::from((value.abs() * 0.1) as u8),
+        b's' => direction * f32::from(value.abs() as u16),
+        b'd' => direction,
+        _ => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn item(command: u16, p: [f32; 4]) -> Item {
+        Item {
+            command,
+            frame: 3,
+            p,
+            x: -353_632_620,
+            y: 1_491_652_370,
+            z: 20.25,
+            ..Item::default()
+        }
+    }
+
+    #[test]
+    fn the_commands_are_sorted() {
+        assert!(COMMANDS.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    }
+
+    #[test]
+    fn parameters_are_kept_as_the_storage_allows() {
+        for (command, sent, kept) in [
+            (16, [3.9, 5.0, 6.0, f32::NAN], [3.0, 0.0, 0.0, 0.0]),
+            (18, [0.5, 0.0, -80.0, 1.0], [0.5, 0.0, -80.0, 1.0]),
+            (18, [3.0, 0.0, 777.0, 0.0], [3.0, 0.0, 770.0, 0.0]),
+            (19, [30.0, 0.0, 0.0, 0.0], [30.0, 0.0, 1.0, 0.0]),
+            (21, [0.0, 0.0, 0.0, f32::NAN], [0.0, 0.0, 0.0, 1.0]),
+            (93, [5.0, -1.0, -1.0, -1.0], [5.0, -1.0, -1.0, -1.0]),
+            (177, [2.0, -1.0, 0.0, 0.0], [2.0, -1.0, 0.0, 0.0]),
+            (178, [1.0, 4.5, -1.0, 9.0], [1.0, 4.5, -1.0, 0.0]),
+            (183, [9.0, 1700.0, 0.0, 0.0], [9.0, 1700.0, 0.0, 0.0]),
+        ] {
+            let stored = mission_item(&item(command, sent)).expect("known");
+            let stored = stored.p.map(f32::to_bits);
+            assert_eq!(stored, kept.map(f32::to_bits), "command {command}");
+        }
+    }
+
+    #[test]
+    fn places_are_kept_only_by_commands_that_have_one() {
+        let waypoint = mission_item(&item(16, [0.0; 4])).expect("known");
+        assert_eq!((waypoint.frame, waypoint.x), (3, -353_632_620));
+        assert!((waypoint.z - 20.25).abs() < 0.011);
+        let home = mission_item(&item(20, [0.0; 4])).expect("known");
+        assert_eq!((home.frame, home.x, home.y), (0, 0, 0));
+    }
+
+    #[test]
+    fn what_cannot_be_kept_is_refused_with_its_reason() {
+        let far = Item {
+            x: 910_000_000,
+            ..item(16, [0.0; 4])
+        };
+        let frame = Item {
+            frame: 12,
+            ..item(16, [0.0; 4])
+        };
+        let nan = Item {
+            z: f32::NAN,
+            ..item(16, [0.0; 4])
+        };
+        for (bad, reason) in [
+            (item(31_010, [0.0; 4]), MAV_MISSION_UNSUPPORTED),
+            (item(195, [0.0; 4]), MAV_MISSION_UNSUPPORTED),
+            (item(1, [0.0; 4]), MAV_MISSION_INVALID),
+            (
+                item(16, [f32::NAN, 0.0, 0.0, 0.0]),
+                MAV_MISSION_INVALID_PARAM1,
+            ),
+            (far, MAV_MISSION_INVALID_PARAM5_X),
+            (frame, MAV_MISSION_UNSUPPORTED_FRAME),
+            (nan, MAV_MISSION_INVALID_PARAM7),
+        ] {
+            assert_eq!(mission_item(&bad), Err(reason), "{bad:?}");
+        }
+    }
+}

@@ -1,0 +1,425 @@
+//! The mission protocol: missions, fences and rally points, item by item.
+
+mod guided;
+mod kept;
+mod layout;
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMissionResult::{
+    self, MAV_MISSION_ACCEPTED, MAV_MISSION_DENIED, MAV_MISSION_ERROR,
+    MAV_MISSION_INVALID_SEQUENCE, MAV_MISSION_NO_SPACE, MAV_MISSION_OPERATION_CANCELLED,
+    MAV_MISSION_UNSUPPORTED,
+};
+use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_INFO, MAV_SEVERITY_WARNING};
+
+use self::kept::announce;
+pub(super) use self::kept::{as_sent, leads_somewhere, replace, take_fence};
+use self::layout::{Travelling, float_place, read_floats};
+pub(super) use self::layout::{item_at, laid_out, whole_place};
+use super::{Peer, Talk, items};
+use crate::mode;
+use crate::payload::{Payload, Writer};
+use crate::plan::{Item, ListKind};
+
+/// An item that does not come is asked for again after this long.
+const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
+/// An upload ends when no item has come for this long.
+const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
+/// Message ids of what is said and heard.
+const PARTIAL: u32 = 38;
+const ITEM: u32 = 39;
+const REQUEST: u32 = 40;
+const REQUEST_LIST: u32 = 43;
+const COUNT: u32 = 44;
+const CLEAR_ALL: u32 = 45;
+const ACK: u32 = 47;
+const REQUEST_INT: u32 = 51;
+const ITEM_INT: u32 = 73;
+/// What is under way with the three lists.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Lists([State; 3]);
+
+#[derive(Debug, Clone, Default)]
+struct State {
+    upload: Option<Upload>,
+    /// Whether the sender was told that it speaks an old dialect.
+    warned_item: bool,
+    warned_request: bool,
+}
+
+#[derive(Debug, Clone)]
+struct Upload {
+    peer: Peer,
+    /// The item that is asked for, and the last one to come.
+    next: u16,
+    last: u16,
+    heard_at: Duration,
+    asked_at: Duration,
+    /// A fence takes effect as a whole: the items that it will have.
+    staged: Vec<Item>,
+}
+
+impl ListKind {
+    const ALL: [Self; 3] = [Self::Mission, Self::Fence, Self::Rally];
+
+    fn numbered(number: u8) -> Option<Self> {
+        Self::ALL.get(usize::from(number)).copied()
+    }
+
+    /// `MAV_MISSION_TYPE`.
+    fn number(self) -> u8 {
+        self as u8
+    }
+
+    /// How many items there can be.
+    fn most(self) -> usize {
+        match self {
+            Self::Mission => 650,
+            Self::Fence => 70,
+            Self::Rally => 46,
+        }
+    }
+}
+
+impl Lists {
+    /// Whether nothing is being uploaded.
+    pub(super) fn is_idle(&self) -> bool {
+        self.0.iter().all(|state| state.upload.is_none())
+    }
+
+    fn of(&mut self, kind: ListKind) -> &mut State {
+        &mut self.0[usize::from(kind.number())]
+    }
+}
+
+/// Answers a message of the protocol; `false` if it is none.
+pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
+    // Where the receiver's system id and the list's number stand.
+    let (to, list) = match id {
+        PARTIAL => (4, 6),
+        ITEM | ITEM_INT => (32, 37),
+        REQUEST | REQUEST_INT | COUNT => (2, 4),
+        REQUEST_LIST | CLEAR_ALL => (0, 2),
+        // A ground station's acknowledgement says nothing that the vehicle needs, not even a cancellation.
+        ACK => return true,
+        _ => return false,
+    };
+    if !talk.is_for_us(payload.byte(to)) {
+        return true;
+    }
+    let number = payload.byte(list);
+    if matches!(id, ITEM | ITEM_INT) {
+        talk.item(&Travelling::read(payload), id == ITEM);
+        return true;
+    }
+    let Some(kind) = ListKind::numbered(number) else {
+        if !matches!(id, REQUEST | REQUEST_INT) {
+            talk.ack(number, MAV_MISSION_UNSUPPORTED);
+        }
+        return true;
+    };
+    match id {
+        PARTIAL => talk.partial(kind, payload.short(0) as i16, payload.short(2) as i16),
+        REQUEST | REQUEST_INT => talk.request(kind, payload.short(0), id == REQUEST),
+        REQUEST_LIST => talk.request_list(kind),
+        COUNT => talk.count(kind, payload.short(0)),
+        _ => talk.clear(kind),
+    }
+    true
+}
+
+/// Asks again for what does not come, and gives up in the end.
+pub(super) fn step(talk: &mut Talk<'_>) {
+    let now = talk.autopilot.uptime();
+    for kind in ListKind::ALL {
+        let Some(upload) = &mut talk.autopilot.transfers.lists.of(kind).upload else {
+            continue;
+        };
+        let silent = now.saturating_sub(upload.heard_at);
+        if upload.peer.link != talk.peer.link {
+            // The link it came by may be gone.
+            if silent > GIVE_UP_AFTER + ASK_AGAIN_AFTER {
+                talk.autopilot.transfers.lists.of(kind).upload = None;
+            }
+        } else if silent > GIVE_UP_AFTER {
+            talk.peer = upload.peer;
+            talk.autopilot.transfers.lists.of(kind).upload = None;
+            talk.ack(kind.number(), MAV_MISSION_OPERATION_CANCELLED);
+            let name = match kind {
+                ListKind::Mission => "Mission",
+                ListKind::Fence => "Fence",
+                ListKind::Rally => "Rally",
+            };
+            talk.text(MAV_SEVERITY_WARNING, &format!("{name} upload timeout"));
+        } else if now.saturating_sub(upload.asked_at) > ASK_AGAIN_AFTER {
+            talk.ask(kind);
+        }
+    }
+}
+
+impl Talk<'_> {
+    fn state(&mut self, kind: ListKind) -> &mut State {
+        self.autopilot.transfers.lists.of(kind)
+    }
+
+    fn ack(&mut self, list: u8, result: MavMissionResult) {
+        let payload = vec![self.peer.system, self.peer.component, result as u8, list];
+        self.raw(ACK, payload);
+    }
+
+    fn say_count(&mut self, kind: ListKind) {
+        let count = self.autopilot.plans.list(kind).len() as u16;
+        let to = [self.peer.system, self.peer.component, kind.number()];
+        self.raw(COUNT, Writer::default().short(count).bytes(&to).done());
+    }
+
+    /// Asks the uploader for its next item.
+    fn ask(&mut self, kind: ListKind) {
+        let now = self.autopilot.uptime();
+        let Some(upload) = &mut self.state(kind).upload else {
+            return;
+        };
+        upload.asked_at = now;
+        let (next, to) = (upload.next, upload.peer);
+        let to = [to.system, to.component, kind.number()];
+        self.raw(REQUEST, Writer::default().short(next).bytes(&to).done());
+    }
+
+    fn begin(&mut self, kind: ListKind, range: (u16, u16), staged: Vec<Item>) {
+        let now = self.autopilot.uptime();
+        *self.state(kind) = State {
+            upload: Some(Upload {
+                peer: self.peer,
+                next: range.0,
+                last: range.1,
+                heard_at: now,
+                asked_at: now,
+                staged,
+            }),
+            ..State::default()
+        };
+        self.ask(kind);
+    }
+
+    fn count(&mut self, kind: ListKind, count: u16) {
+        let peer = self.peer;
+        if let Some(upload) = &self.state(kind).upload
+            && !upload.peer.is_same_sender(peer)
+        {
+            self.ack(kind.number(), MAV_MISSION_DENIED);
+            return;
+        }
+        if usize::from(count) > kind.most() {
+            self.ack(kind.number(), MAV_MISSION_NO_SPACE);
+            let text = format!("Only {} items are supported", kind.most());
+            self.autopilot.say(MAV_SEVERITY_WARNING, &text);
+            return;
+        }
+        if kind != ListKind::Fence {
+            self.truncate(kind, usize::from(count));
+        }
+        if count == 0 {
+            self.state(kind).upload = None;
+            self.complete(kind, Vec::new());
+            return;
+        }
+        let staged = match kind {
+            ListKind::Fence => vec![Item::default(); usize::from(count)],
+            ListKind::Mission | ListKind::Rally => Vec::new(),
+        };
+        self.begin(kind, (0, count - 1), staged);
+    }
+
+    fn partial(&mut self, kind: ListKind, first: i16, last: i16) {
+        let length = self.autopilot.plans.list(kind).len();
+        let range = (u16::try_from(first), u16::try_from(last));
+        let (Ok(first), Ok(last)) = range else {
+            return self.refuse_partial(kind);
+        };
+        if usize::from(first) > length || usize::from(last) > length || last < first {
+            return self.refuse_partial(kind);
+        }
+        let staged = match kind {
+            ListKind::Fence => self.autopilot.plans.fence.clone(),
+            ListKind::Mission | ListKind::Rally => Vec::new(),
+        };
+        self.begin(kind, (first, last), staged);
+    }
+
+    fn refuse_partial(&mut self, kind: ListKind) {
+        self.ack(kind.number(), MAV_MISSION_ERROR);
+        self.autopilot
+            .say(MAV_SEVERITY_WARNING, "Flight plan update rejected");
+    }
+
+    fn clear(&mut self, kind: ListKind) {
+        let autopilot = &*self.autopilot;
+        // A mission that is being flown cannot be taken away.
+        let flown = kind == ListKind::Mission
+            && autopilot.safety.armed
+            && autopilot.mode.number == mode::AUTO;
+        let cleared = self.state(kind).upload.is_none() && !flown;
+        if !cleared {
+            self.ack(kind.number(), MAV_MISSION_ERROR);
+            return;
+        }
+        if kind == ListKind::Fence {
+            take_fence(self.autopilot, Vec::new());
+        } else {
+            self.truncate(kind, 0);
+        }
+        self.ack(kind.number(), MAV_MISSION_ACCEPTED);
+    }
+
+    fn truncate(&mut self, kind: ListKind, length: usize) {
+        let items = self.autopilot.plans.list_mut(kind);
+        if items.len() > length {
+            items.truncate(length);
+            announce(self.autopilot, kind);
+            self.autopilot.plans_changed(kind);
+        }
+    }
+
+    fn request_list(&mut self, kind: ListKind) {
+        if self.state(kind).upload.is_some() {
+            self.ack(kind.number(), MAV_MISSION_DENIED);
+        } else {
+            self.say_count(kind);
+        }
+    }
+
+    fn request(&mut self, kind: ListKind, seq: u16, with_floats: bool) {
+        if self.state(kind).upload.is_some() {
+            self.ack(kind.number(), MAV_MISSION_DENIED);
+            return;
+        }
+        let Some(item) = as_sent(self.autopilot, kind, usize::from(seq)) else {
+            let result = match kind {
+                ListKind::Mission => {
+                    self.say_count(kind);
+                    MAV_MISSION_ERROR
+                }
+                ListKind::Fence if usize::from(seq) == self.autopilot.plans.fence.len() => {
+                    MAV_MISSION_ERROR
+                }
+                ListKind::Fence | ListKind::Rally => MAV_MISSION_INVALID_SEQUENCE,
+            };
+            self.ack(kind.number(), result);
+            return;
+        };
+        let to = [self.peer.system, self.peer.component];
+        if !with_floats {
+            self.raw(ITEM_INT, laid_out(&item, seq, to, kind, whole_place(&item)));
+            return;
+        }
+        self.raw(ITEM, laid_out(&item, seq, to, kind, float_place(&item)));
+        if !std::mem::replace(&mut self.state(kind).warned_request, true) {
+            let text = "got MISSION_REQUEST; use MISSION_REQUEST_INT!";
+            self.autopilot.say(MAV_SEVERITY_WARNING, text);
+        }
+    }
+
+    fn item(&mut self, travelling: &Travelling, with_floats: bool) {
+        let mut item = travelling.item;
+        if with_floats && let Err(reason) = read_floats(&mut item) {
+            self.ack(travelling.number, reason);
+            return;
+        }
+        let Some(kind) = ListKind::numbered(travelling.number) else {
+            self.ack(travelling.number, MAV_MISSION_UNSUPPORTED);
+            return;
+        };
+        if kind == ListKind::Mission && guided::is_meant(travelling.current) {
+            let result = guided::go(self.autopilot, &item, travelling.current);
+            self.ack(travelling.number, result);
+            return;
+        }
+        if with_floats && !std::mem::replace(&mut self.state(kind).warned_item, true) {
+            let text = "got MISSION_ITEM; GCS should send MISSION_ITEM_INT";
+            self.autopilot.say(MAV_SEVERITY_WARNING, text);
+        }
+        let peer = self.peer;
+        let refusal = match &self.state(kind).upload {
+            None => Some(MAV_MISSION_ERROR),
+            Some(upload) if upload.next != travelling.seq => Some(MAV_MISSION_INVALID_SEQUENCE),
+            Some(upload) if !upload.peer.is_same_sender(peer) => Some(MAV_MISSION_DENIED),
+            Some(_) => None,
+        };
+        if let Some(reason) = refusal {
+            self.ack(travelling.number, reason);
+            return;
+        }
+        if let Err(reason) = self.store(kind, travelling.seq, &item) {
+            self.state(kind).upload = None;
+            self.ack(travelling.number, reason);
+            return;
+        }
+        self.proceed(kind);
+    }
+
+    /// Asks for the item after the one that came, or ends the upload.
+    fn proceed(&mut self, kind: ListKind) {
+        let now = self.autopilot.uptime();
+        let Some(upload) = &mut self.state(kind).upload else {
+            return;
+        };
+        upload.heard_at = now;
+        upload.next += 1;
+        if upload.next <= upload.last {
+            self.ask(kind);
+            return;
+        }
+        let staged = std::mem::take(&mut upload.staged);
+        self.state(kind).upload = None;
+        self.complete(kind, staged);
+    }
+
+    fn complete(&mut self, kind: ListKind, staged: Vec<Item>) {
+        let mut result = MAV_MISSION_ACCEPTED;
+        if kind == ListKind::Fence && !take_fence(self.autopilot, staged) {
+            result = MAV_MISSION_ERROR;
+        }
+        self.ack(kind.number(), result);
+        if kind == ListKind::Mission {
+            self.text(MAV_SEVERITY_INFO, "Flight plan received");
+        }
+    }
+
+    /// Keeps one item of an upload.
+    fn store(&mut self, kind: ListKind, seq: u16, item: &Item) -> Result<(), MavMissionResult> {
+        let place = usize::from(seq);
+        let item = match kind {
+            ListKind::Mission => items::mission_item(item)?,
+            ListKind::Fence => {
+                let item = items::fence_item(item)?;
+                let upload = self.state(kind).upload.as_mut();
+                let slot = upload.and_then(|upload| upload.staged.get_mut(place));
+                *slot.ok_or(MAV_MISSION_INVALID_SEQUENCE)? = item;
+                return Ok(());
+            }
+            ListKind::Rally => items::rally_item(item)?,
+        };
+        let last = self
+            .state(kind)
+            .upload
+            .as_ref()
+            .map_or(0, |upload| upload.last);
+        let length = self.autopilot.plans.list(kind).len();
+        let in_sight = length.max(usize::from(last) + 1);
+        if kind == ListKind::Mission && !leads_somewhere(&item, in_sight) {
+            return Err(MAV_MISSION_ERROR);
+        }
+        let items = self.autopilot.plans.list_mut(kind);
+        if let Some(slot) = items.get_mut(place) {
+            *slot = item;
+        } else if place == length && length < kind.most() {
+            items.push(item);
+            announce(self.autopilot, kind);
+        } else {
+            return Err(MAV_MISSION_ERROR);
+        }
+        self.autopilot.plans_changed(kind);
+        Ok(())
+    }
+}

@@ -1,0 +1,52 @@
+//! Places to go to at once, said as mission items: an old way that ground stations still use in GUIDED.
+
+use glam::DVec3;
+use mavlink::dialects::ardupilotmega::MavMissionResult::{
+    self, MAV_MISSION_ACCEPTED, MAV_MISSION_ERROR,
+};
+
+use crate::autopilot::Autopilot;
+use crate::mission::command;
+use crate::mode;
+use crate::plan::Item;
+use crate::targets::{Point, Setpoint};
+use crate::transfer::items;
+use sortie_geo::LatLon;
+
+/// In the `current` field of an item: where to go now, and how high.
+const GO_THERE: u8 = 2;
+const CHANGE_HEIGHT: u8 = 3;
+/// A setpoint that asks for a position only.
+const POSITION_ONLY: u16 = 0x0DF8;
+
+/// Whether an item with that `current` field is not for the mission.
+pub(super) fn is_meant(current: u8) -> bool {
+    matches!(current, GO_THERE | CHANGE_HEIGHT)
+}
+
+/// Goes there, in GUIDED. A copter takes a change of height and does nothing.
+pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMissionResult {
+    let item = match items::mission_item(item) {
+        Ok(item) => item,
+        Err(reason) => return reason,
+    };
+    if current == CHANGE_HEIGHT {
+        return MAV_MISSION_ACCEPTED;
+    }
+    if autopilot.mode.number != mode::GUIDED || item.command != command::NAV_WAYPOINT {
+        return MAV_MISSION_ERROR;
+    }
+    autopilot.take_setpoint(&Setpoint {
+        point: Point::Global {
+            at: LatLon::from_e7(item.x, item.y),
+            height_m: f64::from(item.z),
+        },
+        velocity_m_s: DVec3::ZERO,
+        accel_m_s2: DVec3::ZERO,
+        yaw_rad: 0.0,
+        yaw_rate_rad_s: 0.0,
+        mask: POSITION_ONLY,
+        frame: item.frame,
+    });
+    MAV_MISSION_ACCEPTED
+}

@@ -1,0 +1,82 @@
+//! The lists as the vehicle keeps them, and what follows from a change.
+
+use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_DEBUG, MAV_SEVERITY_WARNING};
+
+use crate::autopilot::Autopilot;
+use crate::fence::Fence;
+use crate::mission::command;
+use crate::plan::{Item, ListKind};
+use crate::transfer::fence;
+
+/// The items of a list in a download's form, `MISSION_ITEM_INT` without its sender and receiver.
+pub(in crate::transfer) fn as_sent(
+    autopilot: &Autopilot,
+    kind: ListKind,
+    seq: usize,
+) -> Option<Item> {
+    if kind == ListKind::Mission && seq == 0 {
+        return Some(home(autopilot));
+    }
+    autopilot.plans.list(kind).get(seq).copied()
+}
+
+/// Replaces a whole list by items that were looked over; `false` if there are too many.
+pub(in crate::transfer) fn replace(
+    autopilot: &mut Autopilot,
+    kind: ListKind,
+    items: Vec<Item>,
+) -> bool {
+    if items.len() > kind.most() {
+        return false;
+    }
+    *autopilot.plans.list_mut(kind) = items;
+    announce(autopilot, kind);
+    autopilot.plans_changed(kind);
+    true
+}
+
+/// Takes a complete fence, or says why not.
+pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item>) -> bool {
+    if let Err(error) = Fence::check(&items) {
+        autopilot.say(error.severity(), &error.to_string());
+        autopilot.say(MAV_SEVERITY_WARNING, "Fence validation failed");
+        return false;
+    }
+    if !fence::fits(&items) {
+        autopilot.say(MAV_SEVERITY_WARNING, "Fence exceeds storage size");
+        return false;
+    }
+    autopilot.say(MAV_SEVERITY_DEBUG, "Fence Indexed OK");
+    replace(autopilot, ListKind::Fence, items)
+}
+
+/// Whether an item may stand in a mission of that many items: jumps lead to an item that there is.
+pub(in crate::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
+    let target = item.p[0] as usize;
+    item.command != command::DO_JUMP || (target != 0 && target < items)
+}
+
+/// The lengths of the lists are parameters too.
+pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
+    let length = autopilot.plans.list(kind).len() as f32;
+    let (name, total) = match kind {
+        ListKind::Mission => ("MIS_TOTAL", length),
+        ListKind::Fence => ("FENCE_TOTAL", fence::total(&autopilot.plans.fence)),
+        ListKind::Rally => ("RALLY_TOTAL", length),
+    };
+    autopilot.store_parameter(name, total);
+}
+
+/// Item 0 of a mission is wherever home is now.
+fn home(autopilot: &Autopilot) -> Item {
+    let mut item = Item {
+        command: command::NAV_WAYPOINT,
+        auto_continue: true,
+        ..Item::default()
+    };
+    if let Some(home) = autopilot.home {
+        (item.x, item.y) = home.at.to_e7();
+        item.z = (home.altitude_amsl_m * 100.0).round() as f32 * 0.01;
+    }
+    item
+}

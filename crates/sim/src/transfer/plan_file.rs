@@ -1,0 +1,103 @@
+//! A list as a file: `@MISSION/mission.dat`, `fence.dat` and `rally.dat`.
+//!
+//! A header of five 16-bit numbers (magic, list, options, first item, items), then each item as `MISSION_ITEM_INT`
+//! lays it out.
+
+use super::items;
+use super::lists::{self, item_at, laid_out, leads_somewhere, whole_place};
+use crate::autopilot::Autopilot;
+use crate::payload::{Payload, Writer};
+use crate::plan::{Item, ListKind};
+
+const MAGIC: u16 = 0x763D;
+const HEADER: usize = 10;
+const ITEM: usize = 38;
+/// An option: items are added to or written over what is there.
+const KEEP_THE_REST: u16 = 1;
+/// How long each file is said to be.
+pub(super) const ESTIMATED_LEN: usize = 1024 * 1024;
+
+/// The list of a file.
+pub(super) fn kind_of(name: &str) -> Option<ListKind> {
+    match name {
+        "mission.dat" => Some(ListKind::Mission),
+        "fence.dat" => Some(ListKind::Fence),
+        "rally.dat" => Some(ListKind::Rally),
+        _ => None,
+    }
+}
+
+/// A list as a file.
+pub(super) fn pack(autopilot: &Autopilot, kind: ListKind) -> Vec<u8> {
+    let length = autopilot.plans.list(kind).len();
+    let mut writer = Writer::default();
+    for number in [MAGIC, kind as u16, 0, 0, length as u16] {
+        writer = writer.short(number);
+    }
+    let to = [u8::from(kind == ListKind::Mission); 2];
+    for seq in 0..length {
+        if let Some(item) = lists::as_sent(autopilot, kind, seq) {
+            let place = whole_place(&item);
+            writer = writer.bytes(&laid_out(&item, seq as u16, to, kind, place));
+        }
+    }
+    writer.done()
+}
+
+/// Takes a file that a ground station wrote; `false` if it is not complete or makes no sense.
+pub(super) fn take(autopilot: &mut Autopilot, kind: ListKind, file: &[u8]) -> bool {
+    let number = |at: usize| {
+        let bytes = file.get(at..at + 2).and_then(|two| two.try_into().ok());
+        bytes.map_or(0, u16::from_le_bytes)
+    };
+    let items = file.get(HEADER..).unwrap_or_default();
+    let (options, start, count) = (number(4), usize::from(number(6)), usize::from(number(8)));
+    let blank = items
+        .chunks_exact(ITEM)
+        .any(|item| item.iter().all(|byte| *byte == 0));
+    if number(0) != MAGIC || items.len() / ITEM != count || blank {
+        return false;
+    }
+    let items: Vec<Item> = items
+        .chunks_exact(ITEM)
+        .map(|bytes| item_at(&Payload::new(bytes), 0))
+        .collect();
+    let keep = options & KEEP_THE_REST != 0;
+    match kind {
+        ListKind::Mission => take_mission(autopilot, &items, start, keep),
+        ListKind::Fence | ListKind::Rally if keep => false,
+        ListKind::Fence => {
+            let stored: Result<Vec<_>, _> = items.iter().map(items::fence_item).collect();
+            stored.is_ok_and(|stored| lists::take_fence(autopilot, stored))
+        }
+        ListKind::Rally => {
+            let stored: Result<Vec<_>, _> = items.iter().map(items::rally_item).collect();
+            let Ok(stored) = stored else { return false };
+            lists::replace(autopilot, kind, stored)
+        }
+    }
+}
+
+fn take_mission(autopilot: &mut Autopilot, items: &[Item], start: usize, keep: bool) -> bool {
+    let mut mission = if keep {
+        autopilot.plans.mission.clone()
+    } else {
+        Vec::new()
+    };
+    for (seq, item) in items.iter().enumerate() {
+        let Ok(item) = items::mission_item(item) else {
+            return false;
+        };
+        if !leads_somewhere(&item, items.len()) {
+            return false;
+        }
+        if let Some(slot) = mission.get_mut(start + seq) {
+            *slot = item;
+        } else if mission.len() == start + seq {
+            mission.push(item);
+        } else {
+            return false;
+        }
+    }
+    lists::replace(autopilot, ListKind::Mission, mission)
+}

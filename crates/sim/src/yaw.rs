@@ -1,0 +1,183 @@
+//! Where the nose should point and how fast it may turn.
+
+use glam::DVec2;
+
+use super::body::STEP_S;
+use sortie_geo::wrap_180;
+
+/// A nose that a pilot turns, or that does not do what it should, is made to follow its setpoint with this lag.
+const LAG_S: f64 = 0.3;
+/// The autopilot's own turns swing: the natural frequency in radians per second and the damping, from a turn at 60
+/// degrees per second that comes to 68 after 0.75 s, trails by 12 degrees and overshoots by 5.
+const SWING_RAD_S: f64 = 4.6;
+const SWING_DAMPING: f64 = 0.5;
+/// The path must move faster than this before the nose follows it.
+const COURSE_MIN_M_S: f64 = 0.5;
+
+/// What the nose does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum YawDemand {
+    /// Keeps its heading.
+    Hold,
+    /// Turns to the course over ground.
+    Course,
+    /// Turns by what is left (signed degrees) at a rate in degrees per second.
+    Turn { left_deg: f64, rate_deg_s: f64 },
+    /// Turns for ever, degrees per second, clockwise positive.
+    Rate(f64),
+    /// Turns as a pilot's stick says, degrees per second; the limit of the autopilot's own turns does not count.
+    Stick(f64),
+    /// Looks at a point (north, east).
+    Towards(DVec2),
+}
+
+/// What a nose can do now.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Turning {
+    /// The autopilot turns no faster (`ATC_SLEW_YAW`).
+    pub(super) fastest_deg_s: f64,
+    /// How fast a pilot's turn begins and ends.
+    pub(super) accel_deg_s2: f64,
+    /// The vehicle tumbles: the nose does not turn as it is told.
+    pub(super) is_upset: bool,
+}
+
+/// The demand and the heading it has brought the setpoint to.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct YawControl {
+    pub(super) demand: YawDemand,
+    setpoint_deg: f64,
+    stick_deg_s: f64,
+    /// How fast the nose turns now.
+    rate_deg_s: f64,
+}
+
+impl YawControl {
+    /// Keeps a heading.
+    pub(super) fn holding(yaw_deg: f64) -> Self {
+        Self {
+            demand: YawDemand::Hold,
+            setpoint_deg: yaw_deg,
+            stick_deg_s: 0.0,
+            rate_deg_s: 0.0,
+        }
+    }
+
+    /// Turns to a heading: the shorter way (`direction` 0), clockwise (positive) or anticlockwise (negative).
+    /// A rate of zero means the fastest.
+    pub(super) fn turn_to(&mut self, heading_deg: f64, rate_deg_s: f64, direction: f64) {
+        let shortest = wrap_180(heading_deg - self.setpoint_deg);
+        let left_deg = if direction > 0.0 && shortest < -0.5 {
+            shortest + 360.0
+        } else if direction < 0.0 && shortest > 0.5 {
+            shortest - 360.0
+        } else {
+            shortest
+        };
+        self.demand = YawDemand::Turn {
+            left_deg,
+            rate_deg_s,
+        };
+    }
+
+    /// Turns by a signed angle.
+    pub(super) fn turn_by(&mut self, angle_deg: f64, rate_deg_s: f64) {
+        self.demand = YawDemand::Turn {
+            left_deg: angle_deg,
+            rate_deg_s,
+        };
+    }
+
+    /// One step: the rate at which the nose turns now. `moving` is the path's horizontal velocity, `here` the
+    /// vehicle's place.
+    pub(super) fn step(
+        &mut self,
+        yaw_deg: f64,
+        moving: DVec2,
+        here: DVec2,
+        turning: Turning,
+    ) -> f64 {
+        let fastest_deg_s = turning.fastest_deg_s;
+        self.rate_deg_s = if let YawDemand::Stick(rate) = self.demand {
+            self.by_stick(rate, yaw_deg, turning.accel_deg_s2)
+        } else {
+            let change = self.change(moving, here, fastest_deg_s);
+            self.setpoint_deg = wrap_180(self.setpoint_deg + change);
+            let behind_deg = wrap_180(self.setpoint_deg - yaw_deg);
+            if turning.is_upset {
+                self.rate_deg_s = 0.0;
+                return (behind_deg / LAG_S).clamp(-fastest_deg_s, fastest_deg_s);
+            }
+            let pull = SWING_RAD_S * SWING_RAD_S * behind_deg;
+            let drag = 2.0 * SWING_DAMPING * SWING_RAD_S * self.rate_deg_s;
+            self.rate_deg_s + (pull - drag) * STEP_S
+        };
+        self.rate_deg_s
+    }
+
+    /// Turns at a rate that changes as fast as the acceleration lets it; at rest the heading is held again.
+    fn by_stick(&mut self, rate_deg_s: f64, yaw_deg: f64, accel_deg_s2: f64) -> f64 {
+        let most = accel_deg_s2 * STEP_S;
+        self.stick_deg_s += (rate_deg_s - self.stick_deg_s).clamp(-most, most);
+        self.setpoint_deg = wrap_180(self.setpoint_deg + self.stick_deg_s * STEP_S);
+        if rate_deg_s == 0.0 && self.stick_deg_s == 0.0 {
+            self.demand = YawDemand::Hold;
+        }
+        self.stick_deg_s + wrap_180(self.setpoint_deg - yaw_deg) / LAG_S
+    }
+
+    /// By how many degrees the setpoint moves in this step.
+    fn change(&mut self, moving: DVec2, here: DVec2, fastest: f64) -> f64 {
+        let most = fastest * STEP_S;
+        match &mut self.demand {
+            YawDemand::Hold | YawDemand::Stick(_) => 0.0,
+            YawDemand::Rate(rate) => rate.clamp(-fastest, fastest) * STEP_S,
+            YawDemand::Turn {
+                left_deg,
+                rate_deg_s,
+            } => {
+                let rate = if *rate_deg_s > 0.0 {
+                    rate_deg_s.min(fastest)
+                } else {
+                    fastest
+                };
+                let change = left_deg.clamp(-rate * STEP_S, rate * STEP_S);
+                *left_deg -= change;
+                change
+            }
+            YawDemand::Course => {
+                if moving.length_squared() > COURSE_MIN_M_S * COURSE_MIN_M_S {
+                    turn_towards(self.setpoint_deg, moving).clamp(-most, most)
+                } else {
+                    0.0
+                }
+            }
+            YawDemand::Towards(point) => {
+                let way = *point - here;
+                if way.length_squared() > 1.0 {
+                    turn_towards(self.setpoint_deg, way).clamp(-most, most)
+                } else {
+                    0.0
+                }
+            }
+        }
+    }
+
+    /// Whether a turn has come to its end, within 2 degrees.
+    pub(super) fn has_turned(&self, yaw_deg: f64) -> bool {
+        let left = match self.demand {
+            YawDemand::Turn { left_deg, .. } => left_deg,
+            _ => 0.0,
+        };
+        left == 0.0 && wrap_180(self.setpoint_deg - yaw_deg).abs() <= 2.0
+    }
+
+    /// Forgets where the setpoint was: the nose stays where it is.
+    pub(super) fn settle(&mut self, yaw_deg: f64) {
+        *self = Self::holding(wrap_180(yaw_deg));
+    }
+}
+
+fn turn_towards(from_deg: f64, way: DVec2) -> f64 {
+    wrap_180(way.y.atan2(way.x).to_degrees() - from_deg)
+}

@@ -1,0 +1,96 @@
+//! The parts of a frame's bytes, for showing them.
+
+use mavlink::{MavlinkVersion, calculate_crc};
+
+use super::decoder::{FLAG_SIGNED, SIGNATURE_LEN, STX_V1, STX_V2};
+use super::{ComponentId, SystemId};
+
+/// One frame taken apart, without a look at what its payload means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Anatomy<'a> {
+    /// MAVLink 1 or 2.
+    pub version: MavlinkVersion,
+    /// Whether a signature follows the checksum.
+    pub signed: bool,
+    /// The sender's system id.
+    pub system: SystemId,
+    /// The sender's component id.
+    pub component: ComponentId,
+    /// The sender's sequence number.
+    pub sequence: u8,
+    /// The message id.
+    pub id: u32,
+    /// The payload as it was sent: in MAVLink 2 without the zeros at its end.
+    pub payload: &'a [u8],
+    /// What the checksum covers, but for the message's seed.
+    covered: &'a [u8],
+    checksum: u16,
+}
+
+impl<'a> Anatomy<'a> {
+    /// Takes the bytes of exactly one frame apart; `None` if they are not laid out as one.
+    pub fn of(bytes: &'a [u8]) -> Option<Self> {
+        let (version, header_len, flags, id) = match *bytes {
+            [STX_V1, _, _, _, _, id, ..] => (MavlinkVersion::V1, 6, 0, u32::from(id)),
+            [STX_V2, _, flags, _, _, _, _, id0, id1, id2, ..] => {
+                let id = u32::from_le_bytes([id0, id1, id2, 0]);
+                (MavlinkVersion::V2, 10, flags, id)
+            }
+            _ => return None,
+        };
+        let signed = flags & FLAG_SIGNED != 0;
+        let crc_at = header_len + usize::from(bytes[1]);
+        let end = crc_at + 2 + if signed { SIGNATURE_LEN } else { 0 };
+        if bytes.len() != end {
+            return None;
+        }
+        let sender = match version {
+            MavlinkVersion::V1 => &bytes[2..5],
+            MavlinkVersion::V2 => &bytes[4..7],
+        };
+        Some(Self {
+            version,
+            signed,
+            system: sender[1],
+            component: sender[2],
+            sequence: sender[0],
+            id,
+            payload: &bytes[header_len..crc_at],
+            covered: &bytes[1..crc_at],
+            checksum: u16::from_le_bytes([bytes[crc_at], bytes[crc_at + 1]]),
+        })
+    }
+
+    /// Whether the checksum is right for a message with this seed (`CRC_EXTRA`).
+    pub fn matches(&self, seed: u8) -> bool {
+        calculate_crc(self.covered, seed) == self.checksum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Encoder, ground_station_heartbeat};
+
+    #[test]
+    fn a_frame_falls_into_its_parts_in_both_versions() {
+        for version in [MavlinkVersion::V1, MavlinkVersion::V2] {
+            let mut encoder = Encoder::new(7, 9);
+            encoder.set_version(version);
+            let mut bytes = Vec::new();
+            encoder.encode(&ground_station_heartbeat(), &mut bytes);
+            bytes.clear();
+            encoder.encode(&ground_station_heartbeat(), &mut bytes);
+            let frame = Anatomy::of(&bytes).expect("a frame");
+            let said = (frame.system, frame.component, frame.sequence, frame.id);
+            assert_eq!(said, (7, 9, 1, 0));
+            assert_eq!((frame.version, frame.signed), (version, false));
+            assert!(frame.matches(50), "HEARTBEAT's seed");
+            assert!(!frame.matches(51));
+            bytes.pop();
+            assert_eq!(Anatomy::of(&bytes), None, "cut short");
+        }
+        assert_eq!(Anatomy::of(b""), None);
+        assert_eq!(Anatomy::of(b"no frame"), None);
+    }
+}

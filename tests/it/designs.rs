@@ -1,0 +1,192 @@
+//! Drones of the workshop: what was computed of them against what they do in the air, at sea level and without wind.
+
+use std::sync::Arc;
+
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_LONG_DATA, MavCmd, MavMessage, PARAM_SET_DATA, RC_CHANNELS_OVERRIDE_DATA,
+};
+use mavlink::types::CharArray;
+use sortie::geo::LatLon;
+use sortie::sim::{Airframe, PortId, STEP, Start, Truth, World, WorldConfig};
+use sortie::wire::Encoder;
+use sortie::workshop::{Air, Design, Figures};
+
+const ALT_HOLD: f32 = 2.0;
+const GUIDED: f32 = 4.0;
+/// The part of the charge that the endurance is compared over.
+const USED: f64 = 0.8;
+
+/// A quad, a hexa, one with lithium ion cells, a heavy one and a racer.
+const DESIGNS: [&str; 5] = [
+    include_str!("../../designs/starter.toml"),
+    include_str!("../../designs/gas-hexa.toml"),
+    include_str!("../../designs/endurance.toml"),
+    include_str!("../../designs/deminer.toml"),
+    include_str!("../../designs/scout.toml"),
+];
+
+/// A simulated vehicle and the ground station that flies it.
+struct Flight {
+    world: World,
+    port: PortId,
+    encoder: Encoder,
+}
+
+impl Flight {
+    /// Hovers at 20 m. Nothing brings the vehicle home before its battery is empty.
+    fn hovering(airframe: Airframe) -> Self {
+        let start = Start {
+            at: LatLon::new(-35.363_262, 149.165_237),
+            altitude_amsl_m: 0.0,
+            heading_deg: 0.0,
+        };
+        let mut world = World::new(&WorldConfig {
+            airframes: vec![Arc::new(airframe)],
+            ..WorldConfig::row(1, start)
+        });
+        let port = world.connect(0);
+        let mut flight = Self {
+            world,
+            port,
+            encoder: Encoder::new(255, 190),
+        };
+        for name in ["BATT_FS_LOW_ACT", "BATT_FS_CRT_ACT"] {
+            flight.say(MavMessage::PARAM_SET(PARAM_SET_DATA {
+                param_value: 0.0,
+                target_system: 1,
+                target_component: 1,
+                param_id: CharArray::from(name),
+                ..Default::default()
+            }));
+        }
+        flight.run(2.0);
+        flight.command(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, GUIDED], 0.0);
+        flight.command(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0], 0.0);
+        flight.command(MavCmd::MAV_CMD_NAV_TAKEOFF, [0.0, 0.0], 20.0);
+        flight.run(35.0);
+        assert!(flight.truth().armed && flight.height_m() > 19.0, "hovers");
+        flight
+    }
+
+    fn say(&mut self, message: MavMessage) {
+        let mut bytes = Vec::new();
+        self.encoder.encode(&message.into(), &mut bytes);
+        self.world.receive(self.port, &bytes);
+    }
+
+    fn command(&mut self, command: MavCmd, [param1, param2]: [f32; 2], param7: f32) {
+        self.say(MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
+            command,
+            param1,
+            param2,
+            param7,
+            target_system: 1,
+            target_component: 1,
+            ..Default::default()
+        }));
+    }
+
+    fn run(&mut self, seconds: f64) {
+        for _ in 0..(seconds * 100.0).round() as usize {
+            self.world.step();
+        }
+    }
+
+    fn truth(&self) -> Truth {
+        self.world.truth(0)
+    }
+
+    fn height_m(&self) -> f64 {
+        -self.truth().position_ned_m[2]
+    }
+}
+
+/// A design, what was computed of it, and it in the air.
+fn flown(source: &str) -> (Design, Figures, Flight) {
+    let design = Design::from_toml(source).expect("a good design");
+    let figures = design.figures(Air::default()).expect("complete");
+    let built = design.airframe().expect("complete");
+    let (airframe, warnings) = Airframe::from_json(&built.frame.to_string()).expect("valid");
+    assert_eq!(warnings, []);
+    let airframe = airframe.with_parameters(built.parameters);
+    (design, figures, Flight::hovering(airframe))
+}
+
+fn compare(name: &str, what: &str, computed: f64, found: f64, within: f64) {
+    println!("{name:14} {what:14} computed {computed:8.2} flown {found:8.2}");
+    let error = (found - computed).abs();
+    assert!(
+        error <= within,
+        "{name}: {what} {found:.3} instead of {computed:.3}"
+    );
+}
+
+/// Seconds in the hover from a full battery until a share of its charge is used. What take-off took counts as hover.
+fn endurance_s(flight: &mut Flight, capacity_ah: f64, share: f64) -> f64 {
+    let begun = flight.truth();
+    let before_s = begun.battery_consumed_mah * 3.6 / begun.battery_current_a;
+    let mut steps = 0_u32;
+    while flight.truth().battery_consumed_mah < share * capacity_ah * 1000.0 {
+        flight.world.step();
+        steps += 1;
+    }
+    before_s + f64::from(steps) * STEP.as_secs_f64()
+}
+
+#[test]
+fn a_design_hovers_with_the_throttle_the_power_and_for_as_long_as_computed() {
+    for source in DESIGNS {
+        let (design, figures, mut flight) = flown(source);
+        let name = design.name.as_str();
+        let truth = flight.truth();
+        compare(
+            name,
+            "throttle",
+            figures.hover_throttle,
+            truth.throttle,
+            0.03,
+        );
+        let power_w = truth.battery_current_a * truth.battery_voltage_v;
+        compare(
+            name,
+            "hover W",
+            figures.hover_power_w,
+            power_w,
+            0.02 * power_w,
+        );
+        let time_s = endurance_s(&mut flight, figures.capacity_ah, USED);
+        compare(name, "hover s", figures.hover_80_s, time_s, 0.05 * time_s);
+        let height_m = flight.height_m();
+        assert!(
+            (height_m - 20.0).abs() < 1.0,
+            "{name}: still up at {height_m} m"
+        );
+    }
+}
+
+#[test]
+fn a_design_flies_as_fast_as_computed() {
+    for source in DESIGNS {
+        let (design, figures, mut flight) = flown(source);
+        let name = design.name.as_str();
+        flight.command(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, ALT_HOLD], 0.0);
+        // The nose is held down until it gets no faster.
+        for _ in 0..600 {
+            flight.say(MavMessage::RC_CHANNELS_OVERRIDE(
+                RC_CHANNELS_OVERRIDE_DATA {
+                    chan1_raw: 1500,
+                    chan2_raw: 1000,
+                    chan3_raw: 1500,
+                    chan4_raw: 1500,
+                    target_system: 1,
+                    target_component: 1,
+                    ..Default::default()
+                },
+            ));
+            flight.run(0.1);
+        }
+        let [north, east, _] = flight.truth().velocity_ned_m_s;
+        let speed = north.hypot(east);
+        compare(name, "top m/s", figures.top_speed_m_s, speed, 0.1 * speed);
+    }
+}
