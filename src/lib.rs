@@ -8,7 +8,7 @@
 //! | --- | --- |
 //! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
 //! | input and output | [`fleet`] (a task per vehicle), [`hangar`] (SITL processes, here or by HTTP), [`link`] (transports, and the simulator as a server), [`store`] (files) |
-//! | pure | [`headless`] (a mission in lock step), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
+//! | pure | [`exercise`] (a mission flown by a pilot script), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
 //! | libraries | [`sim`] (simulated vehicles), [`wire`] (frames), [`geo`] (positions and maps) |
 //!
 //! # A telemetry packet
@@ -23,7 +23,7 @@
 //!
 //! # Invariants
 //! - Pure modules have no clock, no randomness of their own, no files and no sockets: `now` and seeds are arguments.
-//! - The same [`session`] runs in the console's tasks and in the headless lock step.
+//! - The same [`session`] runs in the console's tasks and in the lock step of an exercise.
 //! - State goes through `watch`, occurrences through bounded `mpsc`, shutdown through a cancellation token.
 //! - Nothing queues without bound; telemetry merges when the terminal is slow.
 //! - Text from a vehicle is cleaned of control characters before it reaches the model.
@@ -37,10 +37,10 @@ pub mod console;
 pub mod debrief;
 pub mod diagnostic;
 pub mod doctor;
+pub mod exercise;
 pub mod fidelity;
 pub mod fleet;
 pub mod hangar;
-pub mod headless;
 pub mod inspector;
 pub mod language;
 pub mod ledger;

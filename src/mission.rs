@@ -82,9 +82,6 @@ pub use stake::Stake;
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
 
-/// A mission does not wait longer than this for its vehicles to be heard.
-pub(crate) const HEARD_WITHIN: Duration = Duration::from_secs(10);
-
 /// Whether something that happens so often happens now, both in whole steps.
 pub(crate) fn is_due(now: Duration, every: Duration) -> bool {
     now.as_millis().is_multiple_of(every.as_millis())

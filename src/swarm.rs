@@ -1,7 +1,7 @@
 //! What several vehicles do together: surveys, formations, following, spreading, searches and relay chains.
 //!
 //! The [`Conductor`] turns each [`Manoeuvre`] into setpoints for each of its vehicles and judges from their telemetry
-//! how far they are. It is pure: whoever owns it (the console, the headless runner) calls [`Conductor::step`] some
+//! how far they are. It is pure: whoever owns it (the console, an exercise) calls [`Conductor::step`] some
 //! ten times a second, sends what comes out and takes the rows into the ledger.
 //!
 //! **Separation.** Everybody first takes a way on which nobody meets anybody (`transit`), then works where nobody

@@ -15,8 +15,8 @@ use super::{Failure, parse_speedup, trainee};
 use crate::campaign::Stake;
 use crate::debrief;
 use crate::diagnostic::Diagnostic;
+use crate::exercise::Exercise;
 use crate::hangar::Backend;
-use crate::headless::{Exercise, Live};
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
@@ -239,7 +239,7 @@ fn fly(
     };
     let speedup = options.speedup.of_sitl(mission.vehicles);
     let launches = backend.launches(mission.world(seed), speedup);
-    let mut live = Live::new(Arc::clone(mission), seed, script, speedup);
+    let mut live = Exercise::live(Arc::clone(mission), seed, script, speedup);
     witness.prepare(live.flight_mut());
     ardupilot::fly(source, launches, live, witness)
 }

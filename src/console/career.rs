@@ -365,7 +365,7 @@ mod tests {
 
     use super::*;
     use crate::campaign::Aids;
-    use crate::headless::Exercise;
+    use crate::exercise::Exercise;
     use crate::language::{Context, Script};
     use crate::mission::{Mission, Stake};
 

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::thread;
 
-use sortie::headless::Exercise;
+use sortie::exercise::Exercise;
 use sortie::language::{Context, Script};
 use sortie::mission::record::{Occasion, Stored};
 use sortie::mission::{Mission, Report};

@@ -21,7 +21,7 @@ const PURE: &[&[&str]] = &[
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["campaign"],
-    &["headless"],
+    &["exercise"],
 ];
 /// Modules with input and output: they may use pure ones, and those before them.
 const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar"]];

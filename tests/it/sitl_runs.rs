@@ -146,7 +146,7 @@ fn the_reference_pilot_passes_on_the_stand_in() {
         (&report["backend"], &report["passed"]),
         (&"ardupilot".into(), &true.into())
     );
-    // How well depends on how soon a busy machine lets the pilot react; the tests of `headless` see to the score.
+    // How well depends on how soon a busy machine lets the pilot react; the tests of `exercise` see to the score.
     assert!(report["score"].is_u64(), "{}", report["score"]);
     for stage in ["its process runs", "it can be armed", "the mission begins"] {
         assert!(said(&output).contains(stage), "{}", said(&output));

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::super::Failure;
 use super::super::run::{load_mission, load_script};
-use crate::headless::{Lap, Playthrough};
+use crate::exercise::{Playthrough, PlaythroughFlight};
 use crate::store;
 
 /// A day to begin on: nothing depends on which.
@@ -38,7 +38,7 @@ pub(in crate::cli) fn campaign(options: &CampaignArguments) -> Result<ExitCode, 
         pilots.push((mission, script));
     }
     let mut career = Playthrough::new(pilots, FIRST_DAY, options.seed);
-    let mut laps: Vec<Lap> = Vec::new();
+    let mut laps: Vec<PlaythroughFlight> = Vec::new();
     if !options.json {
         say!(
             "flight  day  mission                 score  medal   credits  level  licence  skill  bought"

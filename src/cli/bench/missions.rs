@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::super::Failure;
 use super::super::run::{load_mission, load_script};
-use crate::headless::Exercise;
+use crate::exercise::Exercise;
 use crate::mission::{Mission, Report};
 use crate::store;
 

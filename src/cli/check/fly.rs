@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::cli::Failure;
 use crate::cli::run::{load_mission, load_script};
-use crate::headless::Exercise;
+use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::{Mission, Report};
 use crate::scoring::Medal;

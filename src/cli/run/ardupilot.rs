@@ -13,8 +13,8 @@ use tokio::time::{MissedTickBehavior, interval, timeout};
 
 use super::witness::Witness;
 use crate::cli::{Failure, runtime};
+use crate::exercise::{Exercise, Streams};
 use crate::hangar::{Berth, Hangars, Instance, Launch, Place, Seen, Source, Stage};
-use crate::headless::Live;
 use crate::mission::Report;
 
 /// A vehicle that is not ready by then will not be.
@@ -34,7 +34,7 @@ const PIECE_LEN: usize = 4096;
 pub(super) fn fly(
     source: &Source,
     launches: Vec<Launch>,
-    live: Live,
+    live: Exercise<Streams>,
     witness: &mut Witness<'_>,
 ) -> Result<Report, Failure> {
     let runtime = runtime()?;
@@ -58,7 +58,7 @@ async fn session(
     hangars: &Hangars,
     launches: Vec<Launch>,
     launched: &RefCell<Vec<Place>>,
-    live: Live,
+    live: Exercise<Streams>,
     witness: &mut Witness<'_>,
 ) -> anyhow::Result<Report> {
     let started = Instant::now();
@@ -164,7 +164,7 @@ impl Fleet {
     }
 
     /// Carries bytes between the vehicles and the mission until it is over.
-    async fn fly(&mut self, mut live: Live, witness: &mut Witness<'_>) -> Report {
+    async fn fly(&mut self, mut live: Exercise<Streams>, witness: &mut Witness<'_>) -> Report {
         let begun = Instant::now();
         let mut looks = interval(LOOK_EVERY);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -199,7 +199,7 @@ impl Fleet {
     }
 
     /// Vehicles whose process has ended do not come back.
-    fn note_losses(&mut self, live: &mut Live) {
+    fn note_losses(&mut self, live: &mut Exercise<Streams>) {
         let all = self.seen.borrow_and_update().clone();
         for (index, place) in self.places.iter().enumerate() {
             let instance = find(&all, *place);

@@ -9,9 +9,10 @@ use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{Session as Shown, Stage};
 use crate::commands::Deed;
+use crate::exercise::{FlightDriver, FlightPace};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::record::Occasion;
-use crate::mission::{self, Clock, Demand, Flight, HEARD_WITHIN, Mission, Pledge};
+use crate::mission::{Clock, Demand, Flight, Mission, Pledge};
 use crate::notice::Notice;
 use crate::scoring::{FlightBackend, Report, TryReport};
 use crate::store::{self, Runs};
@@ -21,20 +22,11 @@ use crate::vehicle::{Severity, VehicleId};
 
 /// A mission that is flown.
 pub(super) struct Course {
-    /// The try at it.
-    pub flight: Flight,
+    driver: FlightDriver,
     /// What records it.
     logbook: Option<Logbook>,
-    pace: Pace,
-    /// Simulated seconds per second.
-    speedup: f64,
     /// What its vehicles are.
     backend: FlightBackend,
-    /// Since when its vehicles are there to be heard.
-    awaited: Option<Duration>,
-    /// When it began.
-    begun: Option<Duration>,
-    stepped: Duration,
     /// What the mission demands of vehicles that have not been told yet, oldest first.
     wanted: VecDeque<Demand>,
     /// The vehicles whose processes have ended.
@@ -58,36 +50,24 @@ pub(in crate::console) struct Finished {
     pub is_recorded: bool,
 }
 
-/// By whose clock mission time passes.
-enum Pace {
-    /// By ours: the embedded simulator keeps up with it.
-    Ours,
-    /// By the vehicles': a slow machine slows the mission down with them.
-    Vehicles(Clock),
-}
-
 impl Course {
-    /// A mission with the embedded simulator.
+    /// A mission with the embedded simulator, so many simulated seconds per second.
     pub fn embedded(flight: Flight, speedup: f64) -> Self {
-        Self::new(flight, Pace::Ours, (FlightBackend::Embedded, speedup))
+        let driver = FlightDriver::new(flight, FlightPace::Scaled(speedup));
+        Self::new(driver, FlightBackend::Embedded)
     }
 
     /// A mission with vehicles that have to be started first.
     pub fn of_processes(flight: Flight, speedup: f64) -> Self {
-        let pace = Pace::Vehicles(Clock::new(speedup));
-        Self::new(flight, pace, (FlightBackend::ArduPilot, speedup))
+        let pace = FlightPace::VehicleClocks(Clock::new(speedup));
+        Self::new(FlightDriver::new(flight, pace), FlightBackend::ArduPilot)
     }
 
-    fn new(flight: Flight, pace: Pace, (backend, speedup): (FlightBackend, f64)) -> Self {
+    fn new(driver: FlightDriver, backend: FlightBackend) -> Self {
         Self {
-            flight,
+            driver,
             logbook: None,
-            pace,
-            speedup,
             backend,
-            awaited: None,
-            begun: None,
-            stepped: Duration::ZERO,
             wanted: VecDeque::new(),
             lost: BTreeSet::new(),
             ended: false,
@@ -101,7 +81,7 @@ impl Course {
             backend: self.backend,
             ..occasion
         };
-        let logbook = Logbook::begin(runs, &mut self.flight, occasion, earlier);
+        let logbook = Logbook::begin(runs, self.driver.flight_mut(), occasion, earlier);
         self.logbook = Some(logbook);
     }
 
@@ -112,39 +92,43 @@ impl Course {
         }
         let until = self.time(now, shown);
         let mut events = self.note_losses(now, shown);
-        while self.stepped + mission::TICK <= until && self.flight.outcome().is_none() {
-            self.stepped += mission::TICK;
-            let said = self
-                .flight
-                .step(self.stepped, &shown.vehicles, &shown.ledger);
+        while let Some(tick) = self.driver.tick(until) {
+            let flight = self.driver.flight_mut();
+            let said = flight.step(tick, &shown.vehicles, &shown.ledger);
             events.extend(heard(said, now));
         }
         events.extend(self.keep_record(now));
-        events.push(SessionEvent::Mission(Box::new(self.flight.progress())).into());
-        if self.flight.outcome().is_some() {
+        events.push(SessionEvent::Mission(Box::new(self.driver.flight().progress())).into());
+        if self.driver.is_over() {
             self.ended = true;
-            let mut report = self.flight.close(&shown.ledger);
+            let mut report = self.driver.flight_mut().close(&shown.ledger);
+            events.extend(self.keep_record(now));
             report.drill = store::drill_of(&report.mission);
             report.backend = self.backend;
-            events.extend(self.keep_record(now));
-            if let Some(logbook) = &self.logbook {
-                report.tries = logbook.tries(&report);
-                self.finished = Some(Finished {
-                    mission: Arc::clone(self.flight.mission()),
-                    report: report.clone(),
-                    occasion: logbook.occasion().clone(),
-                    run_id: logbook.run_id().to_owned(),
-                    is_recorded: logbook.is_whole(),
-                });
-            }
+            self.finish(&mut report);
             events.push(SessionEvent::MissionEnded(Box::new(report)).into());
         }
         events
     }
 
+    /// Names the tries in the report, and keeps it for the career that it was flown for.
+    fn finish(&mut self, report: &mut Report) {
+        let Some(logbook) = &self.logbook else {
+            return;
+        };
+        report.tries = logbook.tries(report);
+        self.finished = Some(Finished {
+            mission: Arc::clone(self.driver.flight().mission()),
+            report: report.clone(),
+            occasion: logbook.occasion().clone(),
+            run_id: logbook.run_id().to_owned(),
+            is_recorded: logbook.is_whole(),
+        });
+    }
+
     /// Writes what was recorded; that it cannot be is said once.
     fn keep_record(&mut self, now: Duration) -> Option<Event> {
-        let text = self.logbook.as_mut()?.keep(&mut self.flight, now)?;
+        let text = self.logbook.as_mut()?.keep(self.driver.flight_mut(), now)?;
         Some(Event::Notice(Notice {
             at: now,
             vehicle: None,
@@ -155,7 +139,7 @@ impl Course {
 
     /// Vehicles whose processes have ended by themselves do not come back.
     fn note_losses(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
-        if self.begun.is_none() {
+        if !self.driver.has_begun() {
             return Vec::new();
         }
         let instances = shown.hangar.iter().flat_map(|hangar| &hangar.instances);
@@ -163,43 +147,32 @@ impl Course {
         let mut events = Vec::new();
         for instance in ended {
             if self.lost.insert(instance.vehicle) {
-                let said = self.flight.lose(instance.vehicle, &shown.vehicles);
+                let said = self
+                    .driver
+                    .flight_mut()
+                    .lose(instance.vehicle, &shown.vehicles);
                 events.extend(heard(said, now));
             }
         }
         events
     }
 
-    /// When the mission began: once its vehicles are there and heard, because what each has on board goes by their
-    /// order. One that stays silent does not hold it up for ever.
-    fn beginning(&mut self, now: Duration, shown: &Shown) -> Option<Duration> {
-        if self.begun.is_none() && !shown.is_starting() {
-            let awaited = *self.awaited.get_or_insert(now);
-            let are_all_heard = shown.vehicles.len() >= self.flight.mission().vehicles;
-            let is_time = are_all_heard || now.saturating_sub(awaited) >= HEARD_WITHIN;
-            self.begun = is_time.then_some(now);
-        }
-        self.begun
-    }
-
-    /// Mission time.
+    /// Mission time, which passes once the vehicles are there and heard.
     fn time(&mut self, now: Duration, shown: &Shown) -> Duration {
-        let Some(begun) = self.beginning(now, shown) else {
-            return Duration::ZERO;
-        };
-        match &mut self.pace {
-            Pace::Ours => now.saturating_sub(begun).mul_f64(self.speedup),
-            // One that boots runs at another speed.
-            Pace::Vehicles(clock) => {
-                let flies = |id| {
-                    let hangar = shown.hangar.as_ref();
-                    let instance = hangar.and_then(|hangar| hangar.of(id));
-                    instance.is_some_and(|instance| instance.stage == Stage::Ready)
-                };
-                let vehicles = shown.vehicles.iter().filter(|(id, _)| flies(**id));
-                clock.step(now, vehicles.map(|(&id, vehicle)| (id, vehicle.clock_ms())))
-            }
+        if !shown.is_starting() {
+            let wanted = self.driver.flight().mission().vehicles;
+            self.driver
+                .begin_when_heard(now, shown.vehicles.len() >= wanted);
         }
+        // A vehicle that boots runs at another speed.
+        let flies = |id| {
+            let hangar = shown.hangar.as_ref();
+            let instance = hangar.and_then(|hangar| hangar.of(id));
+            instance.is_some_and(|instance| instance.stage == Stage::Ready)
+        };
+        let vehicles = shown.vehicles.iter().filter(|(id, _)| flies(**id));
+        let clocks = vehicles.map(|(&id, vehicle)| (id, vehicle.clock_ms()));
+        self.driver.advance(now, clocks)
     }
 }
 
@@ -232,7 +205,9 @@ impl Running {
             return Vec::new();
         };
         let events = course.fly(now, shown);
-        course.wanted.extend(course.flight.take_demands());
+        course
+            .wanted
+            .extend(course.driver.flight_mut().take_demands());
         // What a vehicle cannot be told before it is heard waits until it is.
         tell_demands(
             &mut course.wanted,
@@ -249,13 +224,13 @@ impl Running {
 
     /// What the trainee has said before launch, as long as nothing has flown.
     pub fn open_pledge(&self) -> Option<Pledge> {
-        self.course.as_ref()?.flight.open_pledge()
+        self.course.as_ref()?.driver.flight().open_pledge()
     }
 
     /// Takes over what the trainee has said before the try before this one, in which nothing has flown.
     pub fn renew(&mut self, pledge: Pledge) {
         if let Some(course) = &mut self.course {
-            course.flight.renew(pledge);
+            course.driver.flight_mut().renew(pledge);
         }
     }
 
@@ -268,7 +243,7 @@ impl Running {
         now: Duration,
     ) -> Vec<RowUpdate> {
         if let Some(course) = &mut self.course {
-            let rows = course.flight.act(entry, deed, vehicles);
+            let rows = course.driver.flight_mut().act(entry, deed, vehicles);
             // The mission speaks on its own clock; the ledger is on the program's.
             return rows
                 .into_iter()
@@ -288,20 +263,25 @@ impl Running {
 
     /// Has something happen in the mission; `None` without one.
     pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
-        Some(self.course.as_mut()?.flight.inject(name))
+        Some(self.course.as_mut()?.driver.flight_mut().inject(name))
     }
 
     /// Takes down in the mission's record that all stood still for so long.
     pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
         self.inspection.rest(now);
-        let notice = self.course.as_mut()?.flight.note_pause(lasted)?;
+        let notice = self
+            .course
+            .as_mut()?
+            .driver
+            .flight_mut()
+            .note_pause(lasted)?;
         Some(Notice { at: now, ..notice })
     }
 
     /// Ends the mission; its report comes with the next tick.
     pub fn abandon(&mut self) {
         if let Some(course) = &mut self.course {
-            course.flight.abandon();
+            course.driver.flight_mut().abandon();
         }
     }
 }

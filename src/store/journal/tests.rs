@@ -5,7 +5,7 @@ use std::time::{Duration, UNIX_EPOCH};
 
 use super::*;
 use crate::campaign::{Entry, Evidence, Standing};
-use crate::headless::Exercise;
+use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::scoring::FlightBackend;

@@ -11,7 +11,7 @@ use proptest::sample::select;
 
 use super::{Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, RunEntry};
 use crate::campaign::{Aids, Course, Entry, Flight, Offer, Refusal, Stake, Standing};
-use crate::headless::Exercise;
+use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::{Mission, Requires};
 use crate::scoring::{Medal, Report};

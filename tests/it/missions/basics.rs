@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use sortie::headless::Exercise;
+use sortie::exercise::Exercise;
 use sortie::language::{Context, Script};
 use sortie::mission::{Mission, Report};
 

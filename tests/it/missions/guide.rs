@@ -4,7 +4,7 @@ use std::process::Command;
 use std::sync::Arc;
 
 use serde_json::Value;
-use sortie::headless::Exercise;
+use sortie::exercise::Exercise;
 use sortie::language::{Context, Script};
 use sortie::mission::{Mission, schema};
 use toml::Table;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
-use sortie::headless::Exercise;
+use sortie::exercise::Exercise;
 use sortie::language::{Context, Script};
 use sortie::mission::Mission;
 

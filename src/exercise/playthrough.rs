@@ -34,7 +34,7 @@ pub struct Playthrough {
 
 /// A flight of it, and what it left.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Lap {
+pub struct PlaythroughFlight {
     /// Id of the mission.
     pub mission: String,
     /// The day of the flight, in days since 1970.
@@ -94,7 +94,7 @@ impl Playthrough {
     }
 
     /// The next flight; `None` if nothing may be flown.
-    pub fn fly(&mut self) -> Option<Lap> {
+    pub fn fly(&mut self) -> Option<PlaythroughFlight> {
         let day = self.first_day + (self.flown.len() / FLIGHTS_A_DAY) as i64;
         let id = self.choose(day)?;
         let (mission, script) = self.pilots.get(&id)?.clone();
@@ -109,7 +109,7 @@ impl Playthrough {
         self.flown.push(id.clone());
         let bought = self.shop();
         let progress = Progress::of(&self.course, &self.history, day);
-        Some(Lap {
+        Some(PlaythroughFlight {
             mission: id,
             day,
             seed,

@@ -1,10 +1,13 @@
 //! The same mission in lock step and on a byte stream.
 
+use std::sync::Arc;
+
 use super::*;
 use crate::language::Context;
+use crate::mission::Mission;
 use crate::mission::record::{Occasion, Stored};
 use crate::scoring::{EventKind, FlightBackend};
-use crate::sim::STEP;
+use crate::sim::{PortId, STEP, World};
 use crate::text;
 use crate::workshop::Design;
 
@@ -32,7 +35,7 @@ fn mission_with(more: &str) -> (Arc<Mission>, Script) {
 struct Process {
     world: World,
     port: PortId,
-    live: Live,
+    live: Exercise<Streams>,
     /// Time of ours per time of the simulator.
     pace: f64,
 }
@@ -47,7 +50,7 @@ impl Process {
         Self {
             port: world.connect(0),
             world,
-            live: Live::new(mission, 1, script, speedup),
+            live: Exercise::live(mission, 1, script, speedup),
             pace: 1.0 / speedup,
         }
     }

@@ -1,0 +1,233 @@
+//! A mission flown by a pilot script.
+//!
+//! Sessions, pilot, mission and scoring are the same whatever flies: the embedded simulator in lock step and without
+//! a clock ([`LockStep`], whose outcome depends on the mission, the seed and the script alone), or vehicles that keep
+//! time themselves, behind byte streams ([`Streams`]). When a mission begins and how its time passes is decided by the
+//! [`FlightDriver`], which the console uses as well.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::geo::{LatLon, Outline};
+use crate::language::{Pilot, PilotEvent, Script, Seen};
+use crate::ledger::Ledger;
+use crate::mission::{Flight, Report as MissionReport, is_due};
+use crate::notice::Notice;
+use crate::session::{Report, Session};
+use crate::swarm::Conductor;
+use crate::text;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::wire::{
+    AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
+    SystemId, ground_station_heartbeat,
+};
+
+mod driver;
+mod lock_step;
+mod orders;
+mod playthrough;
+mod streams;
+#[cfg(test)]
+mod tests;
+
+pub use driver::{FlightDriver, FlightPace};
+pub use lock_step::LockStep;
+pub use playthrough::{Playthrough, PlaythroughFlight};
+pub use streams::Streams;
+
+/// How often sessions look at their deadlines.
+const SESSION_POLL: Duration = Duration::from_millis(50);
+/// How often a ground station says that it is there.
+const HEARTBEAT_EVERY: Duration = Duration::from_secs(1);
+
+/// A session per vehicle, the pilot, and the mission that watches them; `L` is how the vehicles are reached, which also
+/// decides what time it is.
+#[derive(Debug)]
+pub struct Exercise<L = LockStep> {
+    link: L,
+    seats: Vec<Seat>,
+    vehicles: BTreeMap<VehicleId, Vehicle>,
+    ledger: Ledger,
+    pilot: Pilot,
+    driver: FlightDriver,
+    conductor: Conductor,
+    places: BTreeMap<String, LatLon>,
+    areas: BTreeMap<String, Outline>,
+    notices: Vec<Notice>,
+    /// For how long the sessions had talked when the mission began.
+    prelude: Duration,
+}
+
+/// The ground station's end of one vehicle's link.
+#[derive(Debug)]
+struct Seat {
+    decoder: Decoder,
+    encoder: Encoder,
+    session: Session,
+    /// What is to be sent.
+    outgoing: Vec<u8>,
+}
+
+impl Seat {
+    fn new(system: SystemId) -> Self {
+        Self {
+            decoder: Decoder::new(),
+            encoder: Encoder::new(GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT),
+            session: Session::new(system, AUTOPILOT_COMPONENT, Duration::ZERO),
+            outgoing: Vec::new(),
+        }
+    }
+
+    /// Takes in the next message of the bytes that have come, if one is complete.
+    fn hear(&mut self, now: Duration) -> bool {
+        let Some(frame) = self.decoder.next_frame() else {
+            return false;
+        };
+        self.session.receive(&frame, now);
+        true
+    }
+
+    /// Does what is due in a step of session time.
+    fn poll(&mut self, now: Duration) {
+        if is_due(now, SESSION_POLL) {
+            self.session.poll(now);
+        }
+        if is_due(now, HEARTBEAT_EVERY) {
+            self.send_heartbeat();
+        }
+    }
+
+    fn send_heartbeat(&mut self) {
+        if !self.session.is_cut() {
+            self.encoder
+                .encode(&ground_station_heartbeat(), &mut self.outgoing);
+        }
+    }
+
+    /// Encodes what the session has to send.
+    fn send(&mut self) {
+        for message in self.session.take_outgoing() {
+            self.encoder.encode(&message, &mut self.outgoing);
+        }
+    }
+}
+
+impl<L> Exercise<L> {
+    /// So many vehicles, with system ids from 1, at time 0.
+    fn on(link: L, driver: FlightDriver, script: Script, vehicles: usize) -> Self {
+        let mission = driver.flight().mission();
+        Self {
+            link,
+            seats: (1..=SystemId::MAX).take(vehicles).map(Seat::new).collect(),
+            vehicles: BTreeMap::new(),
+            ledger: Ledger::new(),
+            pilot: Pilot::new(script),
+            conductor: Conductor::new(mission.swarm_rules()),
+            places: mission.places(),
+            areas: mission.named_areas(),
+            driver,
+            notices: Vec::new(),
+            prelude: Duration::ZERO,
+        }
+    }
+
+    /// The time since the mission began.
+    pub fn now(&self) -> Duration {
+        self.driver.time()
+    }
+
+    /// Whether the mission has come to its end.
+    pub fn is_over(&self) -> bool {
+        self.driver.is_over()
+    }
+
+    /// The flight, for what concerns its try and its record.
+    pub fn flight_mut(&mut self) -> &mut Flight {
+        self.driver.flight_mut()
+    }
+
+    /// The result, everything explained, and the end of the record.
+    pub fn close(&mut self) -> MissionReport {
+        self.driver.flight_mut().close(&self.ledger)
+    }
+
+    /// The result so far, everything explained.
+    pub fn report(&self) -> MissionReport {
+        self.driver.flight().report(&self.ledger)
+    }
+
+    /// Removes and returns the notices so far, oldest first, on mission time.
+    pub fn take_notices(&mut self) -> Vec<Notice> {
+        std::mem::take(&mut self.notices)
+    }
+
+    /// Takes down what became of a vehicle's commands, and what is to be heard of it.
+    fn take_reports(&mut self, index: usize) {
+        for report in self.seats[index].session.take_reports() {
+            match report {
+                Report::Row(update) => self.ledger.apply(&update),
+                Report::Notice(notice) => self.notices.push(since(self.prelude, notice)),
+            }
+        }
+    }
+
+    /// Steps pilot and mission by the ticks that are due at a session time.
+    fn fly_until(&mut self, now: Duration) {
+        let until = now.saturating_sub(self.prelude);
+        while let Some(tick) = self.driver.tick(until) {
+            self.fly(now, tick);
+        }
+    }
+
+    /// One tick of the mission, at a session time.
+    fn fly(&mut self, now: Duration, tick: Duration) {
+        self.take_snapshots();
+        let seen = Seen {
+            vehicles: &self.vehicles,
+            ledger: &self.ledger,
+            findings: &self.driver.flight().findings(),
+        };
+        for event in self.pilot.step(now, seen) {
+            match event {
+                PilotEvent::Do(statement) => self.carry_out(&statement, now),
+                PilotEvent::WaitTimedOut { line, text } => self.notices.push(Notice {
+                    at: tick,
+                    vehicle: None,
+                    severity: Severity::Warning,
+                    text: text!("grammar-wait-timed-out", line = line, wait = text),
+                }),
+                PilotEvent::Finished => {}
+            }
+        }
+        self.conduct(now);
+        let flight = self.driver.flight_mut();
+        let said = flight.step(tick, &self.vehicles, &self.ledger);
+        self.notices.extend(said);
+        for demand in flight.take_demands() {
+            if let Some(session) = session(&mut self.seats, demand.vehicle) {
+                session.carry_out(demand.want);
+            }
+        }
+    }
+
+    fn take_snapshots(&mut self) {
+        for seat in &self.seats {
+            let vehicle = seat.session.vehicle();
+            self.vehicles.insert(vehicle.id, vehicle.clone());
+        }
+    }
+}
+
+/// A vehicle's session.
+fn session(seats: &mut [Seat], vehicle: VehicleId) -> Option<&mut Session> {
+    let mut sessions = seats.iter_mut().map(|seat| &mut seat.session);
+    sessions.find(|session| session.vehicle().id == vehicle)
+}
+
+/// A notice of the sessions on mission time.
+fn since(begun: Duration, notice: Notice) -> Notice {
+    Notice {
+        at: notice.at.saturating_sub(begun),
+        ..notice
+    }
+}

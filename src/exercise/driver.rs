@@ -1,0 +1,114 @@
+//! When a mission begins, and by whose clock its time passes.
+
+use std::time::Duration;
+
+use crate::mission::{Clock, Flight, TICK};
+use crate::vehicle::VehicleId;
+
+/// A mission does not wait longer than this for its vehicles to be heard.
+const HEARD_WITHIN: Duration = Duration::from_secs(10);
+
+/// By whose clock mission time passes once the mission has begun.
+#[derive(Debug, Clone)]
+pub enum FlightPace {
+    /// By the time that the driver is given: the simulator is stepped together with the mission.
+    LockStep,
+    /// By the same time, this many mission seconds per second: the simulator keeps up with it.
+    Scaled(f64),
+    /// By the vehicles' own clocks: a slow machine slows the mission down with them.
+    VehicleClocks(Clock),
+}
+
+/// Begins a flight and divides its time into ticks. Whoever owns it steps the flight by each tick.
+#[derive(Debug)]
+pub struct FlightDriver {
+    flight: Flight,
+    pace: FlightPace,
+    /// Since when the vehicles are there to be heard.
+    awaited: Option<Duration>,
+    /// When the mission began.
+    begun: Option<Duration>,
+    /// Mission time.
+    time: Duration,
+    /// Mission time of the last tick.
+    ticked: Duration,
+}
+
+impl FlightDriver {
+    /// A flight that has not begun.
+    pub fn new(flight: Flight, pace: FlightPace) -> Self {
+        Self {
+            flight,
+            pace,
+            awaited: None,
+            begun: None,
+            time: Duration::ZERO,
+            ticked: Duration::ZERO,
+        }
+    }
+
+    /// The flight.
+    pub fn flight(&self) -> &Flight {
+        &self.flight
+    }
+
+    /// The flight, to step it, and for what concerns its try and its record.
+    pub fn flight_mut(&mut self) -> &mut Flight {
+        &mut self.flight
+    }
+
+    /// Whether the mission has begun.
+    pub fn has_begun(&self) -> bool {
+        self.begun.is_some()
+    }
+
+    /// Whether the mission has ended.
+    pub fn is_over(&self) -> bool {
+        self.flight.outcome().is_some()
+    }
+
+    /// Mission time; 0 until the mission begins.
+    pub fn time(&self) -> Duration {
+        self.time
+    }
+
+    /// Begins the mission once all its vehicles are heard: what each has on board depends on their order. A vehicle
+    /// that stays silent delays it by [`HEARD_WITHIN`] at most. To be called from when the vehicles are there to be
+    /// heard; true if the mission begins now.
+    pub fn begin_when_heard(&mut self, now: Duration, are_all_heard: bool) -> bool {
+        if self.has_begun() {
+            return false;
+        }
+        let awaited = *self.awaited.get_or_insert(now);
+        if are_all_heard || now.saturating_sub(awaited) >= HEARD_WITHIN {
+            self.begun = Some(now);
+        }
+        self.has_begun()
+    }
+
+    /// Moves mission time on, and returns it. `clocks` is what the vehicles' clocks say, where they count
+    /// ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms)).
+    pub fn advance(
+        &mut self,
+        now: Duration,
+        clocks: impl IntoIterator<Item = (VehicleId, Option<u32>)>,
+    ) -> Duration {
+        if let Some(begun) = self.begun {
+            self.time = match &mut self.pace {
+                FlightPace::LockStep => now.saturating_sub(begun),
+                FlightPace::Scaled(speedup) => now.saturating_sub(begun).mul_f64(*speedup),
+                FlightPace::VehicleClocks(clock) => clock.step(now, clocks),
+            };
+        }
+        self.time
+    }
+
+    /// The next tick of the flight that is due at a mission time; none after its end.
+    pub fn tick(&mut self, until: Duration) -> Option<Duration> {
+        if self.is_over() || self.ticked + TICK > until {
+            return None;
+        }
+        self.ticked += TICK;
+        Some(self.ticked)
+    }
+}

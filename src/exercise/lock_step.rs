@@ -1,0 +1,84 @@
+//! A mission in the embedded simulator.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::{Exercise, FlightDriver, FlightPace};
+use crate::language::Script;
+use crate::mission::{Flight, Mission};
+use crate::sim::{Airframe, PortId, World};
+
+/// The embedded simulator, stepped together with the mission: a flight takes no longer than its computation.
+#[derive(Debug)]
+pub struct LockStep {
+    world: World,
+    ports: Vec<PortId>,
+    bytes: Vec<u8>,
+}
+
+impl Exercise {
+    /// Puts the mission's vehicles on their pads: all of the first airframe or one each, the last one for all that
+    /// follow; without any, the drones that were built for it, or the simulator's own.
+    pub fn new(
+        mission: Arc<Mission>,
+        seed: u64,
+        script: Script,
+        airframes: Vec<Arc<Airframe>>,
+    ) -> Self {
+        let mut config = mission.world(seed);
+        if !airframes.is_empty() {
+            config.airframes = airframes;
+        }
+        let mut world = World::new(&config);
+        let vehicles = world.vehicles();
+        let link = LockStep {
+            ports: (0..vehicles).map(|index| world.connect(index)).collect(),
+            world,
+            bytes: Vec::new(),
+        };
+        let mut driver = FlightDriver::new(Flight::new(mission, seed), FlightPace::LockStep);
+        driver.begin_when_heard(Duration::ZERO, true);
+        Self::on(link, driver, script, vehicles)
+    }
+
+    /// Advances by one step of the simulator.
+    pub fn step(&mut self) {
+        self.link.world.step();
+        let now = self.link.world.now();
+        for index in 0..self.seats.len() {
+            self.exchange(index, now);
+        }
+        let time = self.driver.advance(now, []);
+        self.fly_until(time);
+    }
+
+    /// Carries bytes both ways between a vehicle and its session.
+    fn exchange(&mut self, index: usize, now: Duration) {
+        let port = self.link.open_port(index);
+        let LockStep { world, bytes, .. } = &mut self.link;
+        let seat = &mut self.seats[index];
+        bytes.clear();
+        world.take_output(port, bytes);
+        seat.decoder.push(bytes);
+        while seat.hear(now) {}
+        seat.poll(now);
+        seat.send();
+        if !seat.outgoing.is_empty() {
+            world.receive(port, &seat.outgoing);
+            seat.outgoing.clear();
+        }
+        self.take_reports(index);
+    }
+}
+
+impl LockStep {
+    /// A vehicle's connection. Of one that has rebooted it is made again, as a real one would be.
+    fn open_port(&mut self, index: usize) -> PortId {
+        let port = &mut self.ports[index];
+        if !self.world.is_open(*port) {
+            self.world.disconnect(*port);
+            *port = self.world.connect(index);
+        }
+        *port
+    }
+}
