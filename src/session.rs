@@ -1,8 +1,8 @@
 //! The conversation with one vehicle, without any input or output of its own.
 //!
 //! A [`Session`] takes in frames and orders together with the time, keeps the [`Vehicle`] model, and gives
-//! out messages to send and things to report. The fleet drives one per vehicle from a task; the headless
-//! runner drives them in lock step with the simulator. Both therefore behave the same, and every
+//! out messages to send and things to report. The fleet drives one per vehicle from a task; an exercise
+//! drives them in lock step with the simulator. Both therefore behave the same, and every
 //! time-out and retry can be tested without waiting for it.
 
 use std::sync::Arc;
