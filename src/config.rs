@@ -8,17 +8,20 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
+use crate::alert::AlertKind;
 use crate::text::Language;
 
 mod layers;
 mod setting;
 mod show;
+mod table;
 
 #[cfg(test)]
 mod tests;
 
 pub use layers::{Layers, Origin, WordCheck};
 pub use setting::{Kind, SETTINGS, Setting};
+pub use table::{Column, TableConfig, TableSort};
 
 /// The settings; each has a default.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -37,7 +40,7 @@ pub struct Config {
     /// Whether the mouse is listened to.
     pub mouse: bool,
     /// The swarm table.
-    pub table: Table,
+    pub table: TableConfig,
     /// How alerts make themselves noticed.
     pub alerts: Alerts,
     /// Named sequences of lines of the command language.
@@ -63,16 +66,6 @@ pub enum Symbols {
     Ascii,
 }
 
-/// The swarm table.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Table {
-    /// The columns from the left, by name; empty means as many as fit.
-    pub columns: Vec<String>,
-    /// The column to sort by, with a `-` before it for the largest first; empty means by number.
-    pub sort: String,
-}
-
 /// How alerts make themselves noticed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -82,7 +75,7 @@ pub struct Alerts {
     /// Whether serious ones ask the terminal for a desktop notification (OSC 9).
     pub notify: bool,
     /// The kinds that stay silent.
-    pub mute: Vec<String>,
+    pub mute: Vec<AlertKind>,
 }
 
 /// SITL processes: what the hangar starts, and how much of it.
@@ -167,7 +160,7 @@ impl Default for Config {
             fps: 10,
             symbols: None,
             mouse: false,
-            table: Table::default(),
+            table: TableConfig::default(),
             alerts: Alerts::default(),
             macros: BTreeMap::new(),
             keymap: None,

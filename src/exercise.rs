@@ -194,6 +194,7 @@ impl<L> Exercise<L> {
                     at: tick,
                     vehicle: None,
                     severity: Severity::Warning,
+                    kind: None,
                     text: text!("grammar-wait-timed-out", line = line, wait = text),
                 }),
                 PilotEvent::Finished => {}

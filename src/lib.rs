@@ -28,6 +28,7 @@
 //! - Nothing queues without bound; telemetry merges when the terminal is slow.
 //! - Text from a vehicle is cleaned of control characters before it reaches the model.
 
+pub mod alert;
 pub mod app;
 pub mod campaign;
 pub mod cli;

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
+use crate::alert::AlertKind;
 use crate::notice::Notice;
 use crate::parameters::Parameters;
 use crate::text;
@@ -63,10 +64,19 @@ struct Report<'a> {
 
 impl Report<'_> {
     fn say(&mut self, severity: Severity, text: Text) {
+        self.push(severity, None, text);
+    }
+
+    fn alert(&mut self, severity: Severity, kind: AlertKind, text: Text) {
+        self.push(severity, Some(kind), text);
+    }
+
+    fn push(&mut self, severity: Severity, kind: Option<AlertKind>, text: Text) {
         self.notices.push(Notice {
             at: self.now,
             vehicle: Some(self.vehicle),
             severity,
+            kind,
             text,
         });
     }

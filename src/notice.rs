@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::alert::AlertKind;
 use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::vehicle::VehicleId;
@@ -15,6 +16,8 @@ pub struct Notice {
     pub vehicle: Option<VehicleId>,
     /// How serious it is.
     pub severity: Severity,
+    /// Which alert it is about, where whoever made it knows.
+    pub kind: Option<AlertKind>,
     /// What is said; foreign words in it are free of control characters.
     pub text: Text,
 }

@@ -52,5 +52,4 @@ alert-muted-list = silent kinds: { $kinds }
 alert-muted-none = no kind of alert is silent
 alert-no-kind = no kind of alert is named `{ $word }`
 alert-no-kind-or-vehicle = `{ $word }` is neither a vehicle nor a kind of alert
-alert-no-kinds = the configuration mutes kinds of alert that there are not: { $words }. There are: { $kinds }
 alert-kinds-are = kinds: { $kinds }

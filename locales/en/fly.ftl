@@ -15,7 +15,6 @@ fly-sorted = ordered by { $column }; S turns it round
 fly-sorted-reversed = ordered by { $column }, the largest first
 fly-no-column = there is no column `{ $word }`
 fly-columns-are = there are: { $columns }
-fly-no-columns = the configuration names columns that there are not: { $words }. There are: { $columns }
 fly-no-group = no group is named `{ $name }`
 fly-ungrouped = @{ $name } is no group any more
 fly-place = { $at } of { $count }

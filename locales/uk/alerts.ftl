@@ -55,5 +55,4 @@ alert-muted-list = беззвучні види: { $kinds }
 alert-muted-none = беззвучних видів немає
 alert-no-kind = немає виду тривог `{ $word }`
 alert-no-kind-or-vehicle = `{ $word }` — не апарат і не вид тривоги
-alert-no-kinds = у налаштуваннях заглушено види тривог, яких немає: { $words }. Є такі: { $kinds }
 alert-kinds-are = види: { $kinds }

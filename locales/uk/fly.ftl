@@ -15,7 +15,6 @@ fly-sorted = порядок за «{ $column }»; S обертає його
 fly-sorted-reversed = порядок за «{ $column }», найбільші спочатку
 fly-no-column = немає стовпця `{ $word }`
 fly-columns-are = є такі: { $columns }
-fly-no-columns = у налаштуваннях названо стовпці, яких немає: { $words }. Є такі: { $columns }
 fly-no-group = немає групи `{ $name }`
 fly-ungrouped = групу @{ $name } розпущено
 fly-place = { $at } з { $count }

@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 use tracing_subscriber::EnvFilter;
 
 use super::Failure;
-use crate::app::console::swarm;
 use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Origin};
@@ -380,7 +379,7 @@ fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic>
             Ok(_) => Ok(()),
             Err(error) => fault(text!("config-log-level", error = error.to_string())),
         },
-        _ => swarm::check_setting(setting, word),
+        _ => Ok(()),
     }
 }
 

@@ -13,8 +13,8 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
 
-/// Says what is wrong with a word or line of a file: the name of its setting, and what it says. What a setting may name
-/// (themes, columns, commands) is known elsewhere.
+/// Says what is wrong with a word or line of a file: the name of its setting, and what it says. Which themes and
+/// commands there are is known elsewhere.
 pub type WordCheck<'a> = &'a dyn Fn(&str, &str) -> Result<(), Diagnostic>;
 
 /// Where a value came from.
@@ -282,7 +282,8 @@ impl Reading<'_> {
             return self.wrong(name, span, fault);
         }
         for word in &words {
-            if let Err(fault) = (self.check)(setting.name, word.get_ref()) {
+            let named = setting.kind.check_word(word.get_ref());
+            if let Err(fault) = named.and_then(|()| (self.check)(setting.name, word.get_ref())) {
                 let fault = fault.in_string(word.span(), word.get_ref().len());
                 return self.faults.push(fault);
             }

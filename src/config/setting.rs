@@ -2,6 +2,8 @@
 
 use toml::Value;
 
+use super::{Column, TableSort};
+use crate::alert::AlertKind;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text;
 use crate::text::Text;
@@ -32,6 +34,12 @@ pub enum Kind {
     Flag,
     /// A list of words.
     Words,
+    /// A list of columns of the swarm table.
+    Columns,
+    /// A column of the swarm table to sort by, or nothing.
+    Sort,
+    /// A list of kinds of alerts.
+    AlertKinds,
     /// A table of named lines: each a text or a list of texts.
     Lines,
 }
@@ -83,13 +91,13 @@ pub const SETTINGS: &[Setting] = &[
     ),
     setting(
         "table.columns",
-        Kind::Words,
+        Kind::Columns,
         None,
         "The columns of the swarm table from the left; none means as many as fit.",
     ),
     setting(
         "table.sort",
-        Kind::Text,
+        Kind::Sort,
         None,
         "The column to sort by, with - before it for the largest first.",
     ),
@@ -107,7 +115,7 @@ pub const SETTINGS: &[Setting] = &[
     ),
     setting(
         "alerts.mute",
-        Kind::Words,
+        Kind::AlertKinds,
         None,
         "The kinds of alerts that stay silent.",
     ),
@@ -227,7 +235,7 @@ impl Setting {
 }
 
 impl Kind {
-    /// Checks a value of a file.
+    /// Checks what a value of a file is; [`Self::check_word`] checks what its words name.
     ///
     /// # Errors
     /// It is of another kind; the span is left empty.
@@ -241,9 +249,12 @@ impl Kind {
                 }
                 known
             }
-            (Self::Text | Self::Lines, Value::String(_)) | (Self::Flag, Value::Boolean(_)) => true,
+            (Self::Text | Self::Sort | Self::Lines, Value::String(_))
+            | (Self::Flag, Value::Boolean(_)) => true,
             (Self::Whole(least, most), Value::Integer(number)) => (least..=most).contains(number),
-            (Self::Words, Value::Array(words)) => words.iter().all(Value::is_str),
+            (Self::Words | Self::Columns | Self::AlertKinds, Value::Array(words)) => {
+                words.iter().all(Value::is_str)
+            }
             (Self::Lines, Value::Array(lines)) => {
                 !lines.is_empty() && lines.iter().all(Value::is_str)
             }
@@ -256,22 +267,46 @@ impl Kind {
         }
     }
 
+    /// Checks what a word names: the value itself, or one of its list.
+    ///
+    /// # Errors
+    /// There is no such thing; the place is the whole word.
+    pub fn check_word(self, word: &str) -> Result<(), Diagnostic> {
+        match self {
+            Self::Columns => Column::read(word).map(drop),
+            Self::Sort if word.is_empty() => Ok(()),
+            Self::Sort => TableSort::read(word).map(drop),
+            Self::AlertKinds => AlertKind::read(word).map(drop),
+            Self::OneOf(_)
+            | Self::Text
+            | Self::Whole(..)
+            | Self::Flag
+            | Self::Words
+            | Self::Lines => Ok(()),
+        }
+    }
+
     /// The value of a word of the environment or the command line; `None` if it is of another kind.
     pub fn read(self, word: &str) -> Option<Value> {
         let value = match self {
             Self::OneOf(_) | Self::Text => Value::String(word.to_owned()),
+            Self::Sort => {
+                self.check_word(word).ok()?;
+                Value::String(word.to_owned())
+            }
             Self::Whole(..) => Value::Integer(word.parse().ok()?),
             Self::Flag => Value::Boolean(match word.to_lowercase().as_str() {
                 "true" | "yes" | "on" | "1" => true,
                 "false" | "no" | "off" | "0" => false,
                 _ => return None,
             }),
-            Self::Words => {
-                let words = word
-                    .split(',')
-                    .map(str::trim)
-                    .filter(|word| !word.is_empty());
-                Value::Array(words.map(|word| Value::String(word.to_owned())).collect())
+            Self::Words | Self::Columns | Self::AlertKinds => {
+                let words = word.split(',').map(str::trim);
+                let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+                for word in &words {
+                    self.check_word(word).ok()?;
+                }
+                Value::from(words)
             }
             Self::Lines => return None,
         };
@@ -282,12 +317,12 @@ impl Kind {
     pub fn expected(self) -> Text {
         match self {
             Self::OneOf(choices) => text!("config-expected-word", choices = choices.join(", ")),
-            Self::Text => text!("config-expected-text"),
+            Self::Text | Self::Sort => text!("config-expected-text"),
             Self::Whole(least, most) => {
                 text!("config-expected-number", least = least, most = most)
             }
             Self::Flag => text!("config-expected-flag"),
-            Self::Words => text!("config-expected-words"),
+            Self::Words | Self::Columns | Self::AlertKinds => text!("config-expected-words"),
             Self::Lines => text!("config-expected-lines"),
         }
     }

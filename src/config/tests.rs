@@ -43,6 +43,9 @@ fn every_setting_of_the_table_is_one_of_the_configuration() {
             Kind::Whole(_, most) => (most.to_string(), ""),
             Kind::Flag => ("true".to_owned(), ""),
             Kind::Words => ("[\"a\", \"b\"]".to_owned(), ""),
+            Kind::Columns => ("[\"id\", \"alt\"]".to_owned(), ""),
+            Kind::Sort => ("\"-bat\"".to_owned(), ""),
+            Kind::AlertKinds => ("[\"gps\"]".to_owned(), ""),
             Kind::Lines => ("\"all arm\"".to_owned(), ".m"),
         };
         // Booleans have different defaults: one of the two values differs.
@@ -154,8 +157,16 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
             "c.toml:1:29: no verb",
         ),
         (
-            "table.columns = [\"id\", \"wrong\"]",
-            "c.toml:1:25: no verb",
+            "table.columns = [\"id\", \"mod\"]",
+            "c.toml:1:25: there is no column `mod` (did you mean `mode`?)",
+        ),
+        (
+            "table.sort = \"-btt\"",
+            "c.toml:1:15: there is no column `btt` (did you mean `bat`?)",
+        ),
+        (
+            "alerts.mute = [\"crash\", \"batery\"]",
+            "c.toml:1:26: no kind of alert is named `batery` (did you mean `battery`?)",
         ),
         ("macros.x = \"\\u0061 wrong\"", "c.toml:1:12: no verb"),
         (

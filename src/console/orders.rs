@@ -55,6 +55,7 @@ impl Console {
                 at: now,
                 vehicle: None,
                 severity: Severity::Warning,
+                kind: None,
                 text: Text::joined(": ", vec![given.line.as_str().into(), reason]),
             };
             self.post(notice);

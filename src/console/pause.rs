@@ -43,6 +43,7 @@ impl Console {
                 at: self.clock.now(),
                 vehicle: None,
                 severity: Severity::Notice,
+                kind: None,
                 text: text!("inject-done", what = text),
             }),
             Err(text) => Event::Failed(text),

@@ -52,6 +52,7 @@ impl<L> Exercise<L> {
                     at: now.saturating_sub(self.prelude),
                     vehicle: None,
                     severity: Severity::Error,
+                    kind: None,
                     text: Text::joined(": ", vec![format!("`{}`", statement.line).into(), text]),
                 });
                 return;

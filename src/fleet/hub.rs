@@ -327,6 +327,7 @@ impl Hub {
             at: now,
             vehicle: Some(VehicleId::from(system)),
             severity: Severity::Error,
+            kind: None,
             text,
         };
         self.tell(FleetEvent::Report(Report::Notice(notice))).await;

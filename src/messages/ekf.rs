@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::EKF_STATUS_REPORT_DATA;
 
 use super::Report;
+use crate::alert::AlertKind;
 use crate::text;
 use crate::vehicle::{Ekf, EkfFlags, Severity, Vehicle};
 
@@ -21,7 +22,9 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &EKF_STATUS_REPORT_DATA, report
     };
     let knows = |ekf: Ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE);
     match (knows(before), knows(ekf)) {
-        (true, false) => report.say(Severity::Error, text!("heard-ekf-lost")),
+        (true, false) => {
+            report.alert(Severity::Error, AlertKind::Ekf, text!("heard-ekf-lost"));
+        }
         (false, true) => report.say(Severity::Notice, text!("heard-ekf-good")),
         _ => {}
     }

@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::{FENCE_STATUS_DATA, FenceBreach};
 
 use super::Report;
+use crate::alert::AlertKind;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Fence, Severity, Vehicle};
@@ -18,7 +19,11 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &FENCE_STATUS_DATA, report: &mu
     vehicle.fence = Some(fence);
     match (was_breached, fence.breached) {
         (false, true) => {
-            report.say(Severity::Warning, breached(data.breach_type));
+            report.alert(
+                Severity::Warning,
+                AlertKind::Fence,
+                breached(data.breach_type),
+            );
         }
         (true, false) => report.say(Severity::Notice, text!("heard-fence-back")),
         _ => {}

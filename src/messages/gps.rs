@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::GPS_RAW_INT_DATA;
 
 use super::Report;
+use crate::alert::AlertKind;
 use crate::text;
 use crate::vehicle::{FixType, Gps, GpsAccuracy, Severity, Vehicle};
 
@@ -24,8 +25,9 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut
         return;
     };
     match (locates(before.fix), locates(gps.fix)) {
-        (true, false) => report.say(
+        (true, false) => report.alert(
             Severity::Warning,
+            AlertKind::Gps,
             text!("heard-fix-lost", fix = gps.fix.text()),
         ),
         (false, true) => report.say(Severity::Notice, text!("heard-fix", fix = gps.fix.text())),

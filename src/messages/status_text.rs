@@ -6,6 +6,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::STATUSTEXT_DATA;
 
 use super::Report;
+use crate::alert::AlertKind;
 use crate::notice::sanitised;
 use crate::vehicle::{Severity, StatusText, TEXTS_KEPT, Vehicle};
 use crate::wire::ComponentId;
@@ -212,7 +213,8 @@ pub(super) fn apply(
         let excess = vehicle.prearm.len().saturating_sub(TEXTS_KEPT);
         vehicle.prearm.drain(..excess);
     }
-    report.say(joined.severity, text.clone().into());
+    let kind = AlertKind::of_status_text(&text);
+    report.alert(joined.severity, kind, text.clone().into());
     vehicle.texts.push(StatusText {
         severity: joined.severity,
         text,

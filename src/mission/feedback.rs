@@ -69,6 +69,7 @@ mod tests {
                 at: now,
                 vehicle: None,
                 severity,
+                kind: None,
                 text: text.into(),
             });
             feedback.hear(notice.as_slice(), now);

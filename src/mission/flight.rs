@@ -354,6 +354,7 @@ impl Flight {
                 at: self.elapsed,
                 vehicle: Some(id),
                 severity: Severity::Info,
+                kind: None,
                 text,
             });
         }
@@ -395,6 +396,7 @@ impl Flight {
             at: self.elapsed,
             vehicle,
             severity,
+            kind: None,
             text: text.clone(),
         });
         self.record(kind, vehicle, text);

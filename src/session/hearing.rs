@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::alert::AlertKind;
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -48,7 +49,10 @@ pub(super) fn watch_silence(vehicle: &mut Vehicle, now: Duration) -> Option<Noti
         return None;
     }
     let text = text!("heard-link-lost");
-    Some(notice(vehicle, Severity::Critical, text, now))
+    Some(Notice {
+        kind: Some(AlertKind::LinkLost),
+        ..notice(vehicle, Severity::Critical, text, now)
+    })
 }
 
 fn notice(vehicle: &Vehicle, severity: Severity, text: Text, now: Duration) -> Notice {
@@ -56,6 +60,7 @@ fn notice(vehicle: &Vehicle, severity: Severity, text: Text, now: Duration) -> N
         at: now,
         vehicle: Some(vehicle.id),
         severity,
+        kind: None,
         text,
     }
 }

@@ -332,6 +332,7 @@ fn notice(vehicle: VehicleId, severity: Severity, text: Text, at: Duration) -> N
         at,
         vehicle: Some(vehicle),
         severity,
+        kind: None,
         text,
     }
 }

@@ -147,6 +147,7 @@ impl Console {
             at: self.state.now,
             vehicle,
             severity,
+            kind: None,
             text: text.into(),
         }))
     }

@@ -9,7 +9,7 @@ const LIBRARIES: &[&[&str]] = &[&["geo", "wire", "sim"]];
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
     &["text"],
-    &["diagnostic", "config"],
+    &["diagnostic", "alert", "config"],
     &["parameters", "workshop"],
     &["inspector"],
     &["doctor"],

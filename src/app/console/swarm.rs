@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::app::state::{AlertKind, Column, Sort};
+use crate::alert::AlertKind;
+use crate::config::{Column, TableSort};
 use crate::diagnostic::Diagnostic;
 use crate::text;
 
@@ -29,11 +30,11 @@ pub enum SwarmVerb {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SwarmLine {
     /// Order by a column.
-    Sort(Sort),
+    Sort(TableSort),
     /// Show only what fits; everything if empty.
     Filter(String),
     /// Show these columns; as many as fit if empty.
-    Columns(Vec<String>),
+    Columns(Vec<Column>),
     /// Forget a group's name.
     Ungroup(String),
     /// Keep a kind of alert silent; none asks which are.
@@ -60,7 +61,7 @@ pub fn read(verb: SwarmVerb, words: &Words<'_>) -> Result<SwarmLine, Diagnostic>
     Ok(match verb {
         SwarmVerb::Sort => SwarmLine::Sort(match first {
             Some(word) => sort(word)?,
-            None => Sort::BY_ID,
+            None => TableSort::BY_ID,
         }),
         SwarmVerb::Filter => {
             let words: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
@@ -86,27 +87,11 @@ pub fn read(verb: SwarmVerb, words: &Words<'_>) -> Result<SwarmLine, Diagnostic>
     })
 }
 
-/// Checks a word of a setting of the table or of its alerts; other settings have nothing to do with them.
-///
-/// # Errors
-/// It names no column or no kind of alert; the place is the whole word.
-pub fn check_setting(setting: &str, word: &str) -> Result<(), Diagnostic> {
-    let word = (word, 0..word.len());
-    match setting {
-        "table.columns" => column(&word).map(drop),
-        "table.sort" if !word.0.is_empty() => sort(&word).map(drop),
-        "alerts.mute" => kind(&word).map(drop),
-        _ => Ok(()),
-    }
-}
-
 /// The words that may follow a verb, for completion.
 pub fn choices(verb: SwarmVerb) -> Vec<&'static str> {
     match verb {
-        SwarmVerb::Sort | SwarmVerb::Columns => Column::ALL.iter().map(|(name, _)| *name).collect(),
-        SwarmVerb::Mute | SwarmVerb::Unmute | SwarmVerb::Acknowledge => {
-            AlertKind::ALL.iter().map(|(name, _)| *name).collect()
-        }
+        SwarmVerb::Sort | SwarmVerb::Columns => Column::NAMES.to_vec(),
+        SwarmVerb::Mute | SwarmVerb::Unmute | SwarmVerb::Acknowledge => AlertKind::NAMES.to_vec(),
         SwarmVerb::Filter | SwarmVerb::Ungroup => Vec::new(),
     }
 }
@@ -117,32 +102,25 @@ fn names_vehicles(word: &str) -> bool {
         || word.starts_with(|c: char| c == '@' || c.is_ascii_digit())
 }
 
-fn columns(words: &Words<'_>) -> Result<Vec<String>, Diagnostic> {
-    let name = |word: &(&str, Range<usize>)| column(word).map(|column| column.name().to_owned());
-    words.iter().map(name).collect()
+fn columns(words: &Words<'_>) -> Result<Vec<Column>, Diagnostic> {
+    words.iter().map(column).collect()
 }
 
 fn column((word, span): &(&str, Range<usize>)) -> Result<Column, Diagnostic> {
-    Column::named(word).ok_or_else(|| no_column(word, span))
+    Column::read(word).map_err(|fault| placed(fault, span))
 }
 
-fn sort((word, span): &(&str, Range<usize>)) -> Result<Sort, Diagnostic> {
-    Sort::named(word).ok_or_else(|| no_column(word.trim_start_matches('-'), span))
+fn sort((word, span): &(&str, Range<usize>)) -> Result<TableSort, Diagnostic> {
+    TableSort::read(word).map_err(|fault| placed(fault, span))
 }
 
 fn kind((word, span): &(&str, Range<usize>)) -> Result<AlertKind, Diagnostic> {
-    let names = || AlertKind::ALL.iter().map(|(name, _)| *name);
-    AlertKind::named(word).ok_or_else(|| {
-        let kinds: Vec<&str> = names().collect();
-        Diagnostic::new(span.clone(), text!("alert-no-kind", word = *word))
-            .with_help(text!("alert-kinds-are", kinds = kinds.join(" ")))
-            .with_nearest(word, names())
-    })
+    AlertKind::read(word).map_err(|fault| placed(fault, span))
 }
 
-fn no_column(word: &str, span: &Range<usize>) -> Diagnostic {
-    let names = Column::ALL.iter().map(|(name, _)| *name);
-    Diagnostic::new(span.clone(), text!("fly-no-column", word = word))
-        .with_help(text!("fly-columns-are", columns = Column::names()))
-        .with_nearest(word, names)
+fn placed(fault: Diagnostic, span: &Range<usize>) -> Diagnostic {
+    Diagnostic {
+        span: span.clone(),
+        ..fault
+    }
 }

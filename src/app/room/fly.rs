@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use crate::alert::AlertKind;
 use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
 use crate::app::keymap::{Row, does, key, writes};
 use crate::app::room::Room;
-use crate::app::state::{AlertKind, Column, Filter, Key, Overlay, Prompt, Purpose, Sort, State};
-use crate::notice::Notice;
+use crate::app::state::{Filter, Overlay, Prompt, Purpose, SortKey, State};
+use crate::config::{Column, TableSort};
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 /// The order changes at most so often, or nobody could follow a row.
@@ -37,8 +37,8 @@ pub struct Fly {
     /// The vehicles in the table, in the order of their rows.
     rows: Vec<VehicleId>,
     /// What they were ordered by last.
-    keys: BTreeMap<VehicleId, Key>,
-    ordered: Option<(Sort, Duration)>,
+    keys: BTreeMap<VehicleId, SortKey>,
+    ordered: Option<(TableSort, Duration)>,
 }
 
 /// Its keys.
@@ -90,7 +90,7 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
             let sort = sorted_by(state);
             set_sort(
                 state,
-                Sort {
+                TableSort {
                     reversed: !sort.reversed,
                     ..sort
                 },
@@ -112,17 +112,13 @@ pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
 }
 
 /// What the table is ordered by.
-pub fn sorted_by(state: &State) -> Sort {
-    Sort::named(&state.config.table.sort).unwrap_or(Sort::BY_ID)
+pub fn sorted_by(state: &State) -> TableSort {
+    state.config.table.sort
 }
 
 /// Orders the table.
-pub fn set_sort(state: &mut State, sort: Sort) {
-    state.config.table.sort = if sort == Sort::BY_ID {
-        String::new()
-    } else {
-        sort.name()
-    };
+pub fn set_sort(state: &mut State, sort: TableSort) {
+    state.config.table.sort = sort;
     arrange(state);
     let column = sort.column.title();
     let text = if sort.reversed {
@@ -158,7 +154,7 @@ pub fn heard(state: &mut State, id: VehicleId) {
         vehicle.is_some_and(|vehicle| filter.fits(vehicle, &state.session))
     };
     if filter.is_empty() || fits(state) {
-        let by_id = sorted_by(state) == Sort::BY_ID;
+        let by_id = sorted_by(state) == TableSort::BY_ID;
         let rows = &mut state.rooms.fly.rows;
         let place = rows.partition_point(|&known| known < id);
         rows.insert(if by_id { place } else { rows.len() }, id);
@@ -169,7 +165,7 @@ pub fn heard(state: &mut State, id: VehicleId) {
 pub fn tick(state: &mut State) -> bool {
     let sort = sorted_by(state);
     let fly = &state.rooms.fly;
-    let is_static = sort == Sort::BY_ID && fly.filter.is_empty();
+    let is_static = sort == TableSort::BY_ID && fly.filter.is_empty();
     let is_due = match fly.ordered {
         Some((known, at)) if known == sort => {
             !is_static && state.now.saturating_sub(at) >= RESORT_EVERY
@@ -182,44 +178,6 @@ pub fn tick(state: &mut State) -> bool {
     let before = state.rooms.fly.rows.clone();
     arrange(state);
     before != state.rooms.fly.rows
-}
-
-/// Says so where the configuration names columns or kinds of alert that there are not.
-pub fn check_names(state: &mut State) {
-    let muted = state.config.alerts.mute.iter().map(String::as_str);
-    let unknown: Vec<&str> = muted
-        .filter(|name| AlertKind::named(name).is_none())
-        .collect();
-    if !unknown.is_empty() {
-        let kinds: Vec<&str> = AlertKind::ALL.iter().map(|(name, _)| *name).collect();
-        let (words, kinds) = (unknown.join(" "), kinds.join(" "));
-        warn(state, text!("alert-no-kinds", words = words, kinds = kinds));
-    }
-
-    let table = &state.config.table;
-    let named = table.columns.iter().map(String::as_str);
-    let wrong: Vec<&str> = named.filter(|name| Column::named(name).is_none()).collect();
-    let sort = Some(table.sort.as_str()).filter(|sort| !sort.is_empty());
-    let wrong_sort = sort.filter(|sort| Sort::named(sort).is_none());
-    let wrong: Vec<&str> = wrong.into_iter().chain(wrong_sort).collect();
-    if wrong.is_empty() {
-        return;
-    }
-    let text = text!(
-        "fly-no-columns",
-        words = wrong.join(" "),
-        columns = Column::names()
-    );
-    warn(state, text);
-}
-
-fn warn(state: &mut State, text: Text) {
-    state.notices.push(Notice {
-        at: state.now,
-        vehicle: None,
-        severity: Severity::Warning,
-        text,
-    });
 }
 
 /// Takes note of what the line of alerts says.
@@ -236,15 +194,14 @@ pub fn acknowledge(state: &mut State, which: impl Fn(VehicleId, AlertKind) -> bo
 }
 
 fn next_sort(state: &mut State) {
-    let chosen = state.config.table.columns.iter();
-    let chosen: Vec<Column> = chosen.filter_map(|name| Column::named(name)).collect();
-    let all = if chosen.is_empty() { SORTS } else { &chosen };
+    let chosen = state.config.table.columns.as_slice();
+    let all = if chosen.is_empty() { SORTS } else { chosen };
     let now = sorted_by(state).column;
     let at = all.iter().position(|column| *column == now);
     let column = all[at.map_or(0, |at| (at + 1) % all.len())];
     set_sort(
         state,
-        Sort {
+        TableSort {
             column,
             reversed: false,
         },
@@ -289,7 +246,7 @@ fn arrange(state: &mut State) {
         }
     }
     let keys = &fly.keys;
-    let key = |id: &VehicleId| keys.get(id).unwrap_or(&Key::Missing);
+    let key = |id: &VehicleId| keys.get(id).unwrap_or(&SortKey::Missing);
     fly.rows
         .sort_by(|a, b| key(a).compare(key(b), sort.reversed));
 }

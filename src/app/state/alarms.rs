@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use super::alert::{Alert, AlertKind, alerts};
+use super::alert::{Alert, alerts, process_ended};
 use super::bell::{Bell, Call, Due};
+use crate::alert::AlertKind;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 /// An alert that comes back this soon is the one that was there before.
@@ -48,19 +49,16 @@ pub struct Alarms {
 }
 
 impl Alarms {
-    /// Takes over what the user has muted; what is no kind is passed over.
-    pub fn mute(&mut self, names: &[String]) {
-        self.muted = names
-            .iter()
-            .filter_map(|name| AlertKind::named(name))
-            .collect();
+    /// Takes over what the user has muted.
+    pub fn mute(&mut self, kinds: &[AlertKind]) {
+        self.muted = kinds.to_vec();
     }
 
     /// Looks at a vehicle: what is new or worse rings, what has ended goes. Whether anything changed.
     pub fn observe(&mut self, vehicle: &Vehicle, now: Duration) -> bool {
         let is_down = self.down.contains(&vehicle.id);
         // That nothing is heard of it follows from that.
-        let process = is_down.then(AlertKind::process);
+        let process = is_down.then(process_ended);
         let others = alerts(vehicle, now).filter(|one| !is_down || one.kind != AlertKind::LinkLost);
         let mut present = process.into_iter().chain(others).peekable();
         if present.peek().is_none() && !self.standing.contains_key(&vehicle.id) {

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::alert::{AlertKind, crash};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, StatusText, SystemStatus, Vehicle};
@@ -11,117 +12,10 @@ const TEXT_LIFE: Duration = Duration::from_secs(60);
 /// Battery warnings, in percent of the charge left: soon, and now.
 const BATTERY_LOW: u8 = 25;
 const BATTERY_CRITICAL: u8 = 10;
-/// Hitting the ground faster than this breaks a vehicle, in m/s.
-const HARD_LANDING_M_S: f32 = 3.0;
 /// EKF innovation test ratio above which ArduPilot's own failsafe acts (`FS_EKF_THRESH` 0.8).
 const EKF_LIMIT: f32 = 0.8;
 /// Above this vibration spoils the estimates (ArduPilot's documentation of VIBRATION), in m/s2.
 const VIBRATION_LIMIT: f32 = 60.0;
-
-/// What an alert is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum AlertKind {
-    /// It has come down hard, or its motors have stopped in the air.
-    Crash,
-    /// The process that simulates it has ended.
-    Process,
-    /// Nothing is heard of it.
-    LinkLost,
-    /// Its autopilot acts on a failure.
-    Failsafe,
-    /// It does not know its position by satellites.
-    Gps,
-    /// Its filter's estimates contradict its sensors.
-    Ekf,
-    /// Its charge ends.
-    Battery,
-    /// It is outside its fence.
-    Fence,
-    /// It shakes too much.
-    Vibration,
-    /// It would refuse to arm.
-    Prearm,
-    /// A serious text about none of these.
-    Message,
-}
-
-impl AlertKind {
-    /// Every kind with its name in the configuration and on the command line.
-    pub const ALL: &[(&'static str, Self)] = &[
-        ("crash", Self::Crash),
-        ("process", Self::Process),
-        ("link-lost", Self::LinkLost),
-        ("failsafe", Self::Failsafe),
-        ("gps", Self::Gps),
-        ("ekf", Self::Ekf),
-        ("battery", Self::Battery),
-        ("fence", Self::Fence),
-        ("vibration", Self::Vibration),
-        ("prearm", Self::Prearm),
-        ("message", Self::Message),
-    ];
-
-    /// Its name in the configuration and on the command line.
-    pub fn name(self) -> &'static str {
-        let mut all = Self::ALL.iter();
-        all.find(|(_, kind)| *kind == self)
-            .map_or("", |(name, _)| name)
-    }
-
-    /// The kind of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        let mut all = Self::ALL.iter();
-        all.find(|(known, _)| *known == name).map(|(_, kind)| *kind)
-    }
-
-    /// What is said of several vehicles at once.
-    pub fn title(self) -> Text {
-        match self {
-            Self::Crash => text!("alert-kind-crash"),
-            Self::Process => text!("alert-process"),
-            Self::LinkLost => text!("alert-link-lost"),
-            Self::Failsafe => text!("alert-failsafe"),
-            Self::Gps => text!("alert-kind-gps"),
-            Self::Ekf => text!("alert-kind-ekf"),
-            Self::Battery => text!("alert-kind-battery"),
-            Self::Fence => text!("alert-fence"),
-            Self::Vibration => text!("alert-kind-vibration"),
-            Self::Prearm => text!("alert-prearm"),
-            Self::Message => text!("alert-kind-message"),
-        }
-    }
-
-    /// That the process that simulates a vehicle has ended.
-    pub fn process() -> Alert {
-        condition(Self::Process, Severity::Alert, text!("alert-process"))
-    }
-
-    /// What a text from a vehicle or about it is about.
-    pub fn of_text(words: &str) -> Self {
-        let has = |part: &str| words.contains(part);
-        if has("link lost") {
-            Self::LinkLost
-        } else if has("PreArm") {
-            Self::Prearm
-        } else if has("Crash") || crash(words).is_some() {
-            Self::Crash
-        } else if has("ailsafe") {
-            Self::Failsafe
-        } else if has("EKF") {
-            Self::Ekf
-        } else if has("GPS") {
-            Self::Gps
-        } else if has("attery") {
-            Self::Battery
-        } else if has("ence breach") {
-            Self::Fence
-        } else if has("ibration") {
-            Self::Vibration
-        } else {
-            Self::Message
-        }
-    }
-}
 
 /// A condition that holds now.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -153,6 +47,11 @@ pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
         prearm(vehicle),
     ];
     found.into_iter().flatten()
+}
+
+/// That the process that simulates a vehicle has ended.
+pub fn process_ended() -> Alert {
+    condition(AlertKind::Process, Severity::Alert, text!("alert-process"))
 }
 
 fn condition(kind: AlertKind, severity: Severity, text: impl Into<Text>) -> Alert {
@@ -189,16 +88,6 @@ fn crashed(vehicle: &Vehicle) -> Option<Alert> {
     since_armed
         .find_map(|line| crash(&line.text))
         .and_then(says)
-}
-
-/// What a status text says about a crash: ArduPilot's crash check, or the simulator about the ground.
-fn crash(text: &str) -> Option<Text> {
-    if text.contains("Crash: Disarming") {
-        return Some(text!("alert-crashed"));
-    }
-    let speed = text.strip_prefix("SIM Hit ground at ")?;
-    let speed: f32 = speed.split_whitespace().next()?.parse().ok()?;
-    (speed > HARD_LANDING_M_S).then(|| text!("alert-crashed-at", speed = figure(speed, 0)))
 }
 
 fn link_lost(vehicle: &Vehicle) -> Option<Alert> {

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::AlertKind;
+use crate::alert::AlertKind;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};

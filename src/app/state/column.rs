@@ -1,75 +1,14 @@
-//! The columns of the swarm table: what they are called and by what their rows are ordered.
+//! What the rows of the swarm table are ordered by.
 
 use std::cmp::Ordering;
 
 use super::{Session, Standing};
-use crate::text::Text;
+use crate::config::Column;
 use crate::vehicle::Vehicle;
-
-/// A column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Column {
-    /// Its number.
-    Id,
-    /// What it is.
-    Name,
-    /// Flight mode.
-    Mode,
-    /// Whether it is armed, or ready to be.
-    Armed,
-    /// On the ground or in the air.
-    State,
-    /// Height above home.
-    Altitude,
-    /// Speed over ground.
-    Speed,
-    /// Charge left.
-    Battery,
-    /// Kind of fix, and satellites.
-    Gps,
-    /// How much of what it sends arrives.
-    Link,
-    /// Distance to home.
-    Home,
-    /// The groups it belongs to.
-    Group,
-    /// The newest command and its state.
-    Command,
-    /// Distance to its target.
-    ToGo,
-    /// Heading.
-    Heading,
-    /// Climb rate.
-    Climb,
-    /// Voltage of the pack.
-    Voltage,
-    /// Current drawn.
-    Current,
-    /// Charge used.
-    Used,
-    /// Horizontal dilution of precision.
-    Hdop,
-    /// Round trip of a message.
-    RoundTrip,
-    /// The worst test ratio of the filter.
-    Ekf,
-    /// The worst vibration.
-    Vibration,
-    /// The item of the plan that is flown.
-    Item,
-    /// Height above the sea.
-    Sea,
-    /// Latitude.
-    Latitude,
-    /// Longitude.
-    Longitude,
-    /// The worst alert, and since when.
-    Alert,
-}
 
 /// What a row is ordered by.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Key {
+pub enum SortKey {
     /// A figure.
     Number(f64),
     /// A word.
@@ -78,87 +17,21 @@ pub enum Key {
     Missing,
 }
 
-/// What the table is ordered by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Sort {
-    /// The column.
-    pub column: Column,
-    /// Whether the largest comes first.
-    pub reversed: bool,
-}
-
 impl Column {
-    /// Every column with its name in the configuration and on the command line, in the order of display.
-    pub const ALL: &[(&'static str, Self)] = &[
-        ("id", Self::Id),
-        ("name", Self::Name),
-        ("group", Self::Group),
-        ("mode", Self::Mode),
-        ("armed", Self::Armed),
-        ("state", Self::State),
-        ("alt", Self::Altitude),
-        ("speed", Self::Speed),
-        ("bat", Self::Battery),
-        ("gps", Self::Gps),
-        ("link", Self::Link),
-        ("home", Self::Home),
-        ("command", Self::Command),
-        ("to-go", Self::ToGo),
-        ("heading", Self::Heading),
-        ("climb", Self::Climb),
-        ("volt", Self::Voltage),
-        ("amps", Self::Current),
-        ("used", Self::Used),
-        ("hdop", Self::Hdop),
-        ("ping", Self::RoundTrip),
-        ("ekf", Self::Ekf),
-        ("vibe", Self::Vibration),
-        ("item", Self::Item),
-        ("sea", Self::Sea),
-        ("lat", Self::Latitude),
-        ("lon", Self::Longitude),
-        ("alert", Self::Alert),
-    ];
-
-    /// Its name in the configuration and on the command line.
-    pub fn name(self) -> &'static str {
-        let mut all = Self::ALL.iter();
-        all.find(|(_, column)| *column == self)
-            .map_or("", |(name, _)| name)
-    }
-
-    /// What stands above it.
-    pub fn title(self) -> Text {
-        Text::new(format!("column-{}", self.name()), Vec::new())
-    }
-
-    /// The column of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        let mut all = Self::ALL.iter();
-        all.find(|(known, _)| *known == name)
-            .map(|(_, column)| *column)
-    }
-
-    /// The names of all columns in one line.
-    pub fn names() -> String {
-        let names: Vec<&str> = Self::ALL.iter().map(|(name, _)| *name).collect();
-        names.join(" ")
-    }
-
     /// What a vehicle's row is ordered by. Words come as they are shown in English.
-    pub fn key(self, vehicle: &Vehicle, session: &Session) -> Key {
+    pub fn key(self, vehicle: &Vehicle, session: &Session) -> SortKey {
         match self {
-            Self::Name => Key::word(Session::class(vehicle)),
+            Self::Name => SortKey::word(Session::class(vehicle)),
             Self::Mode => vehicle
                 .mode()
-                .map_or(Key::Missing, |mode| Key::word(&mode.to_string())),
-            Self::Group => Key::word(&session.groups_of(vehicle.id).join(" ")),
+                .map_or(SortKey::Missing, |mode| SortKey::word(&mode.to_string())),
+            Self::Group => SortKey::word(&session.groups_of(vehicle.id).join(" ")),
             Self::Command => session
                 .latest(vehicle.id)
-                .map_or(Key::Missing, |(entry, _)| Key::word(&entry.verb)),
+                .map_or(SortKey::Missing, |(entry, _)| SortKey::word(&entry.verb)),
             _ => self
                 .number(vehicle, session)
-                .map_or(Key::Missing, Key::Number),
+                .map_or(SortKey::Missing, SortKey::Number),
         }
     }
 
@@ -247,7 +120,7 @@ fn seriousness(session: &Session, one: &Standing) -> f64 {
     calm + f64::from(one.alert.severity as u8)
 }
 
-impl Key {
+impl SortKey {
     fn word(word: &str) -> Self {
         if word.is_empty() {
             Self::Missing
@@ -279,53 +152,21 @@ impl Key {
     }
 }
 
-impl Sort {
-    /// By number, as long as nobody wants anything else.
-    pub const BY_ID: Self = Self {
-        column: Column::Id,
-        reversed: false,
-    };
-
-    /// Reads `bat` or `-bat`; `None` if there is no such column.
-    pub fn named(text: &str) -> Option<Self> {
-        let name = text.strip_prefix('-');
-        let column = Column::named(name.unwrap_or(text))?;
-        Some(Self {
-            column,
-            reversed: name.is_some(),
-        })
-    }
-
-    /// The same in writing.
-    pub fn name(self) -> String {
-        let mark = if self.reversed { "-" } else { "" };
-        format!("{mark}{}", self.column.name())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn names_and_orders_read_back() {
-        for (name, column) in Column::ALL {
-            assert_eq!(Column::named(name), Some(*column));
-            assert_eq!(column.name(), *name);
-            let reversed = format!("-{name}");
-            assert_eq!(Sort::named(&reversed).map(Sort::name), Some(reversed));
-        }
-        assert_eq!(Sort::named("colour"), None);
-    }
-
-    #[test]
     fn what_is_not_known_comes_last_in_either_direction() {
         for reversed in [false, true] {
-            let known = Key::Number(3.0);
-            assert_eq!(known.compare(&Key::Missing, reversed), Ordering::Less);
-            assert_eq!(Key::Missing.compare(&known, reversed), Ordering::Greater);
+            let known = SortKey::Number(3.0);
+            assert_eq!(known.compare(&SortKey::Missing, reversed), Ordering::Less);
+            assert_eq!(
+                SortKey::Missing.compare(&known, reversed),
+                Ordering::Greater
+            );
         }
-        let (few, many) = (Key::Number(1.0), Key::Number(2.0));
+        let (few, many) = (SortKey::Number(1.0), SortKey::Number(2.0));
         assert_eq!(few.compare(&many, false), Ordering::Less);
         assert_eq!(few.compare(&many, true), Ordering::Greater);
     }

@@ -4,7 +4,8 @@
 //! that is said of it begins so: what it is, mode, `armed`, `ready`, `air`, the words of its alerts, and `alert` for
 //! any of them. `!` before a word turns it round.
 
-use super::{Column, Session, parse_ranges};
+use super::{Session, parse_ranges};
+use crate::config::Column;
 use crate::vehicle::{LandedState, Vehicle, VehicleId};
 
 /// What a filter asks for.
@@ -86,7 +87,7 @@ impl Term {
 /// `bat<30`, `alt>10`.
 fn comparison(word: &str) -> Option<Test> {
     let at = word.find(['<', '>'])?;
-    let column = Column::named(&word[..at])?;
+    let column: Column = word[..at].parse().ok()?;
     let limit: f64 = word[at + 1..].parse().ok()?;
     Some(if word[at..].starts_with('<') {
         Test::Below(column, limit)

@@ -89,6 +89,7 @@ mod tests {
             at: Duration::ZERO,
             vehicle: Some(vehicle),
             severity: Severity::Info,
+            kind: None,
             text: text.into(),
         }
     }

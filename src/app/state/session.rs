@@ -4,9 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::alert::alert;
-use super::{
-    Alarms, Alert, AlertKind, Groups, Hangar, Histories, LinkSummary, MissionTime, Selection,
-};
+use super::{Alarms, Alert, Groups, Hangar, Histories, LinkSummary, MissionTime, Selection};
 use crate::app::room::Room;
 use crate::doctor::{Cause, Finding, Weight};
 use crate::geo::LatLon;
@@ -171,7 +169,7 @@ impl Session {
     /// The most serious thing that is wrong with a vehicle now, if anything is.
     pub fn alert(&self, vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         let process = self.alarms.down.contains(&vehicle.id);
-        let process = process.then(AlertKind::process);
+        let process = process.then(super::alert::process_ended);
         process
             .into_iter()
             .chain(alert(vehicle, now))

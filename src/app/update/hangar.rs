@@ -1,6 +1,9 @@
 //! What the hangar says of the vehicles' processes.
 
+use std::time::Duration;
+
 use super::telemetry;
+use crate::alert::AlertKind;
 use crate::app::room::{Room, hangar};
 use crate::app::state::{Instance, Stage, State};
 use crate::notice::Notice;
@@ -21,8 +24,8 @@ pub fn changed(state: &mut State, instances: &[Instance]) {
     known.begun |= begins;
     let was = |vehicle| before.iter().find(|one: &&Instance| one.vehicle == vehicle);
     for instance in instances {
-        if let Some((severity, text)) = news(was(instance.vehicle), instance) {
-            say(state, Some(instance.vehicle), severity, text);
+        if let Some(notice) = news(was(instance.vehicle), instance, state.now) {
+            telemetry::notice(state, &notice);
         }
     }
     let crashed = instances.iter().filter(|one| one.has_crashed());
@@ -62,12 +65,14 @@ pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec
 
 /// All are ready: whoever has waited for that is led to the flight.
 fn begin(state: &mut State, count: usize) {
-    say(
-        state,
-        None,
-        Severity::Info,
-        text!("hangar-all-ready", count = count),
-    );
+    let ready = Notice {
+        at: state.now,
+        vehicle: None,
+        severity: Severity::Info,
+        kind: None,
+        text: text!("hangar-all-ready", count = count),
+    };
+    telemetry::notice(state, &ready);
     state.session.began_at = state.now;
     if state.room == Room::Hangar {
         state.room = state.session.first_room;
@@ -76,19 +81,28 @@ fn begin(state: &mut State, count: usize) {
 }
 
 /// What has become of an instance since it was looked at last.
-fn news(before: Option<&Instance>, now: &Instance) -> Option<(Severity, Text)> {
+fn news(before: Option<&Instance>, instance: &Instance, at: Duration) -> Option<Notice> {
+    let notice = |severity, kind, text| Notice {
+        at,
+        vehicle: Some(instance.vehicle),
+        severity,
+        kind,
+        text,
+    };
     let crashed_before = before.is_some_and(Instance::has_crashed);
-    if now.has_crashed() && !crashed_before {
-        return Some((Severity::Critical, crash(now)));
+    if instance.has_crashed() && !crashed_before {
+        let kind = Some(AlertKind::Process);
+        return Some(notice(Severity::Critical, kind, crash(instance)));
     }
     let restarts = before.map_or(0, |before| before.restarts);
-    if now.restarts > restarts {
-        let text = text!("hangar-restarted", count = now.restarts);
-        return Some((Severity::Notice, text));
+    if instance.restarts > restarts {
+        let text = text!("hangar-restarted", count = instance.restarts);
+        return Some(notice(Severity::Notice, None, text));
     }
     let was_ready = before.is_some_and(|before| before.stage == Stage::Ready);
-    if now.restarts > 0 && now.stage == Stage::Ready && !was_ready && before.is_some() {
-        return Some((Severity::Info, text!("hangar-ready-again")));
+    let is_ready = instance.stage == Stage::Ready;
+    if instance.restarts > 0 && is_ready && !was_ready && before.is_some() {
+        return Some(notice(Severity::Info, None, text!("hangar-ready-again")));
     }
     None
 }
@@ -113,15 +127,4 @@ fn crash(instance: &Instance) -> Text {
     );
     let parts = std::iter::once(what).chain(next).chain([again]);
     Text::joined("; ", parts.collect())
-}
-
-fn say(state: &mut State, vehicle: Option<VehicleId>, severity: Severity, text: Text) {
-    let at = state.now;
-    let notice = Notice {
-        at,
-        vehicle,
-        severity,
-        text,
-    };
-    telemetry::notice(state, &notice);
 }

@@ -63,6 +63,7 @@ fn tell(state: &mut State, finding: &Finding) {
         at: state.now,
         vehicle: None,
         severity: Severity::Warning,
+        kind: None,
         text: text!(
             "doctor-notice",
             link = link,

@@ -1,8 +1,9 @@
 //! The console's own lines about the table and its alerts, carried out.
 
+use crate::alert::AlertKind;
 use crate::app::console::swarm::SwarmLine;
 use crate::app::room::fly;
-use crate::app::state::{AlertKind, State};
+use crate::app::state::State;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -15,7 +16,7 @@ pub fn carry_out(state: &mut State, line: SwarmLine) -> Result<(), Text> {
     match line {
         SwarmLine::Sort(sort) => fly::set_sort(state, sort),
         SwarmLine::Filter(text) => fly::filter(state, &text),
-        SwarmLine::Columns(names) => state.config.table.columns = names,
+        SwarmLine::Columns(columns) => state.config.table.columns = columns,
         SwarmLine::Ungroup(name) => ungroup(state, &name)?,
         SwarmLine::Mute(kind) => mute(state, kind),
         SwarmLine::Unmute(kind) => unmute(state, kind),
@@ -41,14 +42,16 @@ fn mute(state: &mut State, kind: Option<AlertKind>) {
     let muted = &mut state.config.alerts.mute;
     let text = match kind {
         Some(kind) => {
-            let name = kind.name().to_owned();
-            if !muted.contains(&name) {
-                muted.push(name);
+            if !muted.contains(&kind) {
+                muted.push(kind);
             }
             text!("alert-muted", kind = kind.name())
         }
         None if muted.is_empty() => text!("alert-muted-none"),
-        None => text!("alert-muted-list", kinds = muted.join(" ")),
+        None => {
+            let names: Vec<&str> = muted.iter().map(|kind| kind.name()).collect();
+            text!("alert-muted-list", kinds = names.join(" "))
+        }
     };
     state.session.alarms.mute(&state.config.alerts.mute);
     state.say(Severity::Notice, text);
@@ -60,7 +63,7 @@ fn unmute(state: &mut State, kind: Option<AlertKind>) {
         None => text!("alert-muted-none"),
     };
     let muted = &mut state.config.alerts.mute;
-    muted.retain(|name| kind.is_some_and(|kind| kind.name() != name));
+    muted.retain(|known| kind.is_some_and(|kind| kind != *known));
     state.session.alarms.mute(&state.config.alerts.mute);
     state.say(Severity::Notice, text);
 }

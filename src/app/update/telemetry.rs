@@ -3,13 +3,14 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use crate::alert::AlertKind;
 use crate::app::effect::{Effect, TerminalEffect};
 use crate::app::event::Started;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{AlertKind, Call, Hangar, NoticeLog, Overlay, Session, State};
+use crate::app::state::{Call, Hangar, NoticeLog, Overlay, Session, State};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -56,7 +57,6 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
 /// Looks at all vehicles again: some alerts end by themselves.
 fn watch(state: &mut State) {
     let session = &mut state.session;
-    session.alarms.mute(&state.config.alerts.mute);
     for vehicle in session.vehicles.values() {
         session.alarms.observe(vehicle, state.now);
     }
@@ -110,7 +110,6 @@ pub fn started(state: &mut State, started: Started) {
     state.overlay = None;
     state.hush();
     state.session.alarms.mute(&state.config.alerts.mute);
-    fly::check_names(state);
 }
 
 pub fn notice(state: &mut State, notice: &Notice) {
@@ -122,7 +121,7 @@ pub fn notice(state: &mut State, notice: &Notice) {
     }
     if notice.severity <= Severity::Critical {
         let call = Call {
-            kind: AlertKind::of_text(&notice.text.to_string()),
+            kind: notice.kind.unwrap_or(AlertKind::Message),
             severity: notice.severity,
             vehicle: notice.vehicle,
             text: notice.text.clone(),
@@ -192,6 +191,7 @@ pub fn failed(state: &mut State, text: Text) {
         at: state.now,
         vehicle: None,
         severity: Severity::Error,
+        kind: None,
         text,
     });
 }
@@ -212,6 +212,7 @@ mod tests {
                 at,
                 vehicle,
                 severity,
+                kind: None,
                 text,
             },
         );

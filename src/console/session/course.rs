@@ -133,6 +133,7 @@ impl Course {
             at: now,
             vehicle: None,
             severity: Severity::Warning,
+            kind: None,
             text,
         }))
     }

@@ -105,6 +105,7 @@ impl LinkNews {
             at: now,
             vehicle: None,
             severity,
+            kind: None,
             text,
         }
     }

@@ -34,6 +34,7 @@ impl Flight {
                 at: self.elapsed,
                 vehicle: Some(sighting.by),
                 severity: Severity::Notice,
+                kind: None,
                 text,
             });
         }

@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::room::fly::sorted_by;
-use crate::app::state::{Selection, Session, Sort, State, ranges};
+use crate::app::state::{Selection, Session, State, ranges};
+use crate::config::TableSort;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -115,7 +116,7 @@ fn title(state: &State, (first, rows): (usize, usize), look: &Look, room: usize)
         parts.push(look.text(&text));
     }
     let sort = sorted_by(state);
-    if sort != Sort::BY_ID {
+    if sort != TableSort::BY_ID {
         let mark = if sort.reversed { "-" } else { "" };
         let title = Text::joined("", vec![mark.into(), sort.column.title()]);
         parts.push(look.text(&text!("fly-by", column = title)));

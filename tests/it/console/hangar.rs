@@ -1,8 +1,9 @@
 //! The vehicles' processes: until they are ready, when one crashes, and what can be done with them.
 
+use sortie::alert::AlertKind;
 use sortie::app::effect::{Effect, HangarDeed, SessionEffect, TerminalEffect};
 use sortie::app::event::{ProcessEvent, SessionEvent, Started};
-use sortie::app::state::{Activity, AlertKind, Instance, Overlay, Room, Stage};
+use sortie::app::state::{Activity, Instance, Overlay, Room, Stage};
 use sortie::vehicle::Severity;
 
 use crate::fixtures;

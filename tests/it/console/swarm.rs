@@ -2,7 +2,7 @@
 
 use sortie::app::effect::{Effect, TerminalEffect};
 use sortie::app::event::TerminalEvent;
-use sortie::app::state::{Activity, Overlay};
+use sortie::app::state::Overlay;
 use sortie::vehicle::Vehicle;
 
 use super::selection;
@@ -160,24 +160,6 @@ fn columns_are_chosen_by_name() {
     console.press("esc");
     console.give("columns");
     assert!(console.screen(80, 24).contains("alert"));
-}
-
-#[test]
-fn names_that_there_are_not_are_told_when_a_session_begins() {
-    let mut console = Console::new();
-    console.state.config.table.columns = ["id", "colour"].map(str::to_owned).to_vec();
-    console.state.config.alerts.mute = vec!["noise".to_owned()];
-    console.start(Activity::Free);
-    let notices = console.state.notices.lines();
-    let texts: Vec<String> = notices.map(|line| line.notice.text.to_string()).collect();
-    let told = |word: &str, known: &str| {
-        let mut texts = texts.iter();
-        texts.any(|text| text.contains(word) && text.contains(known))
-    };
-    assert!(
-        told("colour", "climb") && told("noise", "link-lost"),
-        "{texts:?}"
-    );
 }
 
 #[test]

@@ -77,7 +77,7 @@ fn the_worst_kind_presses_with_all_its_vehicles() {
 #[test]
 fn a_muted_kind_is_shown_but_neither_rings_nor_presses() {
     let mut alarms = Alarms::default();
-    alarms.mute(&["link-lost".to_owned(), "nonsense".to_owned()]);
+    alarms.mute(&[AlertKind::LinkLost]);
     alarms.observe(&silent(1, 1), at(5));
     assert!(alarms.worst(1).is_some());
     assert_eq!(alarms.pressing(), None);

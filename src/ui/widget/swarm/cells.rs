@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use crate::app::state::{AlertKind, Column, Session, Standing, State};
+use crate::alert::AlertKind;
+use crate::app::state::{Session, Standing, State};
+use crate::config::Column;
 use crate::ledger::RowState;
 use crate::text;
 use crate::text::{Text, figure};

@@ -1,7 +1,8 @@
 //! Which columns the swarm table has, and how wide they are.
 
 use super::cells::Words;
-use crate::app::state::{Column, State};
+use crate::app::state::State;
+use crate::config::Column;
 use crate::ui::look::Look;
 use crate::ui::widget::width;
 
@@ -83,14 +84,10 @@ const fn form(column: Column, title: &'static str, width: u16, rank: u8, right: 
 /// The columns that fit into a width: those that the user has chosen, else by rank.
 pub fn columns(state: &State, words: &Words, look: &Look, room: u16) -> Vec<Shown> {
     let chosen = &state.config.table.columns;
-    let chosen: Vec<Column> = chosen
-        .iter()
-        .filter_map(|name| Column::named(name))
-        .collect();
     let (mut columns, left) = if chosen.is_empty() {
         by_rank(state, words, look, room)
     } else {
-        in_order(&chosen, words, look, room)
+        in_order(chosen, words, look, room)
     };
     let alert = columns.iter_mut().find(|it| it.column == Column::Alert);
     if let Some(alert) = alert {

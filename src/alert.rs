@@ -1,0 +1,146 @@
+//! What an alert is about.
+
+use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr, VariantNames};
+
+use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::{Text, figure};
+
+/// Hitting the ground faster than this breaks a vehicle, in m/s.
+const HARD_LANDING_M_S: f32 = 3.0;
+
+/// What an alert is about. The names are those of the configuration and of the command line.
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    EnumString,
+    IntoStaticStr,
+    VariantNames,
+)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum AlertKind {
+    /// It has come down hard, or its motors have stopped in the air.
+    Crash,
+    /// The process that simulates it has ended.
+    Process,
+    /// Nothing is heard of it.
+    LinkLost,
+    /// Its autopilot acts on a failure.
+    Failsafe,
+    /// It does not know its position by satellites.
+    Gps,
+    /// Its filter's estimates contradict its sensors.
+    Ekf,
+    /// Its charge ends.
+    Battery,
+    /// It is outside its fence.
+    Fence,
+    /// It shakes too much.
+    Vibration,
+    /// It would refuse to arm.
+    Prearm,
+    /// A serious text about none of these.
+    Message,
+}
+
+impl AlertKind {
+    /// The names of all kinds.
+    pub const NAMES: &'static [&'static str] = Self::VARIANTS;
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// The kind of a name that somebody has written.
+    ///
+    /// # Errors
+    /// There is no such kind; the place is the whole word.
+    pub fn read(word: &str) -> Result<Self, Diagnostic> {
+        word.parse().map_err(|_| {
+            Diagnostic::new(0..word.len(), text!("alert-no-kind", word = word))
+                .with_help(text!("alert-kinds-are", kinds = Self::NAMES.join(" ")))
+                .with_nearest(word, Self::NAMES.iter().copied())
+        })
+    }
+
+    /// What is said of several vehicles at once.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Crash => text!("alert-kind-crash"),
+            Self::Process => text!("alert-process"),
+            Self::LinkLost => text!("alert-link-lost"),
+            Self::Failsafe => text!("alert-failsafe"),
+            Self::Gps => text!("alert-kind-gps"),
+            Self::Ekf => text!("alert-kind-ekf"),
+            Self::Battery => text!("alert-kind-battery"),
+            Self::Fence => text!("alert-fence"),
+            Self::Vibration => text!("alert-kind-vibration"),
+            Self::Prearm => text!("alert-prearm"),
+            Self::Message => text!("alert-kind-message"),
+        }
+    }
+
+    /// What a vehicle's STATUSTEXT is about. A notice that this program makes says its kind itself.
+    pub fn of_status_text(words: &str) -> Self {
+        let has = |part: &str| words.contains(part);
+        if has("link lost") {
+            Self::LinkLost
+        } else if has("PreArm") {
+            Self::Prearm
+        } else if has("Crash") || crash(words).is_some() {
+            Self::Crash
+        } else if has("ailsafe") {
+            Self::Failsafe
+        } else if has("EKF") {
+            Self::Ekf
+        } else if has("GPS") {
+            Self::Gps
+        } else if has("attery") {
+            Self::Battery
+        } else if has("ence breach") {
+            Self::Fence
+        } else if has("ibration") {
+            Self::Vibration
+        } else {
+            Self::Message
+        }
+    }
+}
+
+/// What a status text says about a crash: ArduPilot's crash check, or the simulator about the ground.
+pub fn crash(text: &str) -> Option<Text> {
+    if text.contains("Crash: Disarming") {
+        return Some(text!("alert-crashed"));
+    }
+    let speed = text.strip_prefix("SIM Hit ground at ")?;
+    let speed: f32 = speed.split_whitespace().next()?.parse().ok()?;
+    (speed > HARD_LANDING_M_S).then(|| text!("alert-crashed-at", speed = figure(speed, 0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_is_read_by_its_name() {
+        for name in AlertKind::NAMES {
+            let kind = AlertKind::read(name).expect(name);
+            assert_eq!(kind.name(), *name);
+            let json = serde_json::to_string(&kind).expect("a word");
+            assert_eq!(json, format!("{name:?}"));
+        }
+        let fault = AlertKind::read("batery").expect_err("it is no kind");
+        let told = fault.one_line("c", "batery");
+        assert!(told.contains("did you mean `battery`"), "{told}");
+    }
+}

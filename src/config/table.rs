@@ -1,0 +1,214 @@
+//! How the swarm table is shown: its columns, and what its rows are ordered by.
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use strum::{EnumString, IntoStaticStr, VariantNames};
+
+use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::Text;
+
+/// The section `table`.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct TableConfig {
+    /// The columns from the left; empty means as many as fit.
+    pub columns: Vec<Column>,
+    /// What the rows are ordered by.
+    pub sort: TableSort,
+}
+
+/// A column, in the order of display. The names are those of the configuration and of the command line.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumString, IntoStaticStr, VariantNames,
+)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Column {
+    /// Its number.
+    Id,
+    /// What it is.
+    Name,
+    /// The groups it belongs to.
+    Group,
+    /// Flight mode.
+    Mode,
+    /// Whether it is armed, or ready to be.
+    Armed,
+    /// On the ground or in the air.
+    State,
+    /// Height above home.
+    #[strum(serialize = "alt")]
+    Altitude,
+    /// Speed over ground.
+    Speed,
+    /// Charge left.
+    #[strum(serialize = "bat")]
+    Battery,
+    /// Kind of fix, and satellites.
+    Gps,
+    /// How much of what it sends arrives.
+    Link,
+    /// Distance to home.
+    Home,
+    /// The newest command and its state.
+    Command,
+    /// Distance to its target.
+    ToGo,
+    /// Heading.
+    Heading,
+    /// Climb rate.
+    Climb,
+    /// Voltage of the pack.
+    #[strum(serialize = "volt")]
+    Voltage,
+    /// Current drawn.
+    #[strum(serialize = "amps")]
+    Current,
+    /// Charge used.
+    Used,
+    /// Horizontal dilution of precision.
+    Hdop,
+    /// Round trip of a message.
+    #[strum(serialize = "ping")]
+    RoundTrip,
+    /// The worst test ratio of the filter.
+    Ekf,
+    /// The worst vibration.
+    #[strum(serialize = "vibe")]
+    Vibration,
+    /// The item of the plan that is flown.
+    Item,
+    /// Height above the sea.
+    Sea,
+    /// Latitude.
+    #[strum(serialize = "lat")]
+    Latitude,
+    /// Longitude.
+    #[strum(serialize = "lon")]
+    Longitude,
+    /// The worst alert, and since when.
+    Alert,
+}
+
+/// What the table is ordered by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TableSort {
+    /// The column.
+    pub column: Column,
+    /// Whether the largest comes first.
+    pub reversed: bool,
+}
+
+impl Column {
+    /// The names of all columns.
+    pub const NAMES: &'static [&'static str] = Self::VARIANTS;
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// What stands above it.
+    pub fn title(self) -> Text {
+        Text::new(format!("column-{}", self.name()), Vec::new())
+    }
+
+    /// The column of a name that somebody has written.
+    ///
+    /// # Errors
+    /// There is no such column; the place is the whole word.
+    pub fn read(word: &str) -> Result<Self, Diagnostic> {
+        word.parse().map_err(|_| {
+            Diagnostic::new(0..word.len(), text!("fly-no-column", word = word))
+                .with_help(text!("fly-columns-are", columns = Self::NAMES.join(" ")))
+                .with_nearest(word, Self::NAMES.iter().copied())
+        })
+    }
+}
+
+impl TableSort {
+    /// By number, as long as nobody wants anything else.
+    pub const BY_ID: Self = Self {
+        column: Column::Id,
+        reversed: false,
+    };
+
+    /// Reads `bat`, or `-bat` for the largest first.
+    ///
+    /// # Errors
+    /// There is no such column; the place is the whole word.
+    pub fn read(word: &str) -> Result<Self, Diagnostic> {
+        let name = word.strip_prefix('-');
+        let column = Column::read(name.unwrap_or(word)).map_err(|fault| Diagnostic {
+            span: 0..word.len(),
+            ..fault
+        })?;
+        Ok(Self {
+            column,
+            reversed: name.is_some(),
+        })
+    }
+
+    /// The same in writing.
+    pub fn name(self) -> String {
+        let mark = if self.reversed { "-" } else { "" };
+        format!("{mark}{}", self.column.name())
+    }
+}
+
+impl Default for TableSort {
+    fn default() -> Self {
+        Self::BY_ID
+    }
+}
+
+impl Serialize for Column {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+impl<'de> Deserialize<'de> for Column {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = String::deserialize(deserializer)?;
+        Self::read(&word).map_err(|fault| D::Error::custom(fault.message))
+    }
+}
+
+/// Nothing is written for the usual order.
+impl Serialize for TableSort {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match *self {
+            Self::BY_ID => serializer.serialize_str(""),
+            sort => serializer.serialize_str(&sort.name()),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for TableSort {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = String::deserialize(deserializer)?;
+        if word.is_empty() {
+            return Ok(Self::BY_ID);
+        }
+        Self::read(&word).map_err(|fault| D::Error::custom(fault.message))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_orders_read_back() {
+        for name in Column::NAMES {
+            assert_eq!(Column::read(name).map(Column::name), Ok(*name));
+            let reversed = format!("-{name}");
+            assert_eq!(
+                TableSort::read(&reversed).map(TableSort::name),
+                Ok(reversed)
+            );
+        }
+        assert!(TableSort::read("colour").is_err());
+    }
+}
