@@ -42,6 +42,7 @@ pub mod exercise;
 pub mod fidelity;
 pub mod fleet;
 pub mod hangar;
+pub mod hash;
 pub mod inspector;
 pub mod language;
 pub mod ledger;

@@ -2,6 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::AUTOPILOT_VERSION_DATA;
 
+use crate::hash::fnv1a;
 use crate::vehicle::{AutopilotVersion, Vehicle};
 
 /// Applies `AUTOPILOT_VERSION`.
@@ -18,14 +19,10 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &AUTOPILOT_VERSION_DATA) {
     });
 }
 
-/// The long id as one number (64-bit FNV-1a), 0 where there is none: `ArduPilot` fills in only the long id.
+/// The hash of the long id, 0 where there is none: `ArduPilot` fills in only the long id.
 fn folded(uid2: &[u8; 18]) -> u64 {
-    const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
-    const PRIME: u64 = 0x0000_0100_0000_01b3;
     if uid2.iter().all(|&byte| byte == 0) {
         return 0;
     }
-    uid2.iter().fold(OFFSET, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(PRIME)
-    })
+    fnv1a(uid2)
 }

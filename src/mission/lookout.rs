@@ -17,6 +17,7 @@ use super::craft::Craft;
 use super::sensor::{DetectorSpec, Look, Sensor, View};
 use super::world::{ObjectId, World};
 use super::{Point, TICK};
+use crate::hash::fnv1a;
 use crate::vehicle::VehicleId;
 
 /// Passes nearer to one another are one.
@@ -266,14 +267,11 @@ impl Chance {
     }
 }
 
-/// The random stream of a name: FNV-1a makes a number of it.
+/// The random stream of a name.
 fn stream(seed: u64, name: &[&[u8]]) -> ChaCha8Rng {
     let bytes = name.iter().flat_map(|part| part.iter().chain(&[0xFF]));
-    let number = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    random.set_stream(number);
+    random.set_stream(fnv1a(bytes));
     random
 }
 

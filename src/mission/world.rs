@@ -11,6 +11,7 @@ use super::ground_truth::{Load, LoadEffect, Object, Quantity, TruthPiece};
 use super::hazard::{Field, Hazard};
 use super::weather::Weather;
 use super::{Mission, Point};
+use crate::hash::fnv1a;
 
 /// A beam is added up in so many slices.
 const COLUMN_SLICES: u32 = 8;
@@ -71,14 +72,9 @@ impl World {
 
     /// Chance for what an objective leaves to it: the same for the same seed and name.
     pub fn random(&self, objective: &str) -> ChaCha8Rng {
-        // FNV-1a of the name, among the streams that neither sensors nor hazards have.
-        let hash = objective
-            .bytes()
-            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-            });
+        // Among the streams that neither sensors nor hazards have.
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        random.set_stream(1 << 62 | hash >> 2);
+        random.set_stream(1 << 62 | fnv1a(objective.as_bytes()) >> 2);
         random
     }
 
