@@ -1,6 +1,7 @@
 use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};
+use crate::scoring::TruthReport;
 use crate::text::Language;
 
 fn bad_flight() -> Report {
@@ -138,7 +139,11 @@ fn flights() -> [(&'static str, Report); 5] {
 
 #[test]
 fn programs_read_the_same_english_words_whatever_people_read() {
-    for (name, report) in flights() {
+    for (name, mut report) in flights() {
+        // Thousands of lines of what lay where: one short flight shows how they are written.
+        if name != "hard" {
+            report.truth = TruthReport::default();
+        }
         let json = serde_json::to_string_pretty(&report).expect("plain data");
         insta::assert_snapshot!(format!("json_{name}"), json);
     }
