@@ -1,7 +1,7 @@
 //! Other people's software against `sortie sim`: scripts as their users write them (tests/clients/README.md).
 //!
-//! `SORTIE_PYTHON` names the Python that has the clients' modules; without it, `python3` is tried. What is not
-//! installed is skipped, and the test says so.
+//! `SORTIE_PYTHON` names the Python that has the clients' modules: `SORTIE_PYTHON=FILE cargo test --test it -- --ignored
+//! clients::` runs them.
 
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
@@ -22,24 +22,23 @@ impl Drop for Running {
     }
 }
 
-/// The interpreter, if it has all the modules.
-fn python_with(modules: &[&str]) -> Option<PathBuf> {
-    let python = interpreter();
+/// Whether the interpreter has all the modules.
+fn has_modules(python: &Path, modules: &[&str]) -> bool {
     let probe = "import sys, importlib.util as u; sys.exit(any(u.find_spec(m) is None for m in sys.argv[1:]))";
-    let found = Command::new(&python)
+    Command::new(python)
         .args(["-c", probe])
         .args(modules)
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .status()
-        .is_ok_and(|status| status.success());
-    found.then_some(python)
+        .expect("SORTIE_PYTHON can be started")
+        .success()
 }
 
 /// A relative path counts from here, not from the folder in which the scripts run; a bare name is looked for on PATH.
 /// Links are not followed: by its link an interpreter knows its virtual environment.
 fn interpreter() -> PathBuf {
-    let named = std::env::var_os("SORTIE_PYTHON").unwrap_or_else(|| "python3".into());
+    let named = std::env::var_os("SORTIE_PYTHON").expect("SORTIE_PYTHON names a Python");
     let path = PathBuf::from(named);
     if path.components().count() > 1 {
         std::path::absolute(&path).unwrap_or(path)
@@ -81,13 +80,13 @@ fn end_of(process: &mut Child) -> Option<ExitStatus> {
 
 /// Runs a script against a vehicle of its own. `prefix` makes an address of HOST:PORT as the client spells it.
 fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
-    let Some(python) = python_with(modules) else {
-        println!(
-            "skipped {script}: {} not installed (see SORTIE_PYTHON)",
-            modules.join(", ")
-        );
-        return;
-    };
+    let python = interpreter();
+    assert!(
+        has_modules(&python, modules),
+        "{} lacks one of: {}",
+        python.display(),
+        modules.join(", ")
+    );
     let (_simulator, address) = simulator(speedup);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let log = folder.path().join("output");
@@ -123,71 +122,72 @@ fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn pymavlink_flies() {
     run("pymavlink_flight.py", &["pymavlink"], "tcp:", 5);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn pymavlink_reads_and_sets_parameters() {
     run("pymavlink_parameters.py", &["pymavlink"], "tcp:", 5);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn pymavlink_flies_a_mission() {
     run("pymavlink_mission.py", &["pymavlink"], "tcp:", 5);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn pymavlink_is_held_by_a_fence() {
     run("pymavlink_fence.py", &["pymavlink"], "tcp:", 5);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn pymavlink_lists_logs() {
     run("pymavlink_logs.py", &["pymavlink"], "tcp:", 5);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn pymavlink_signs_its_link() {
     run("pymavlink_signing.py", &["pymavlink"], "tcp:", 1);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn mavproxy_flies_from_its_command_line() {
     run("mavproxy_flight.py", &["MAVProxy"], "tcp:", 3);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn dronekit_flies() {
     // DroneKit needs `past`, of the package future, without saying so.
     run("dronekit_flight.py", &["dronekit", "past"], "tcp:", 5);
 }
 
-#[test]
-fn mavsdk_flies() {
-    if python_with(&["mavsdk_grpc"]).is_some() {
-        run("mavsdk_flight.py", &["mavsdk_grpc"], "tcpout://", 3);
+/// Runs a script of MAVSDK's users. Until its version 3, the package mavsdk was what `mavsdk_grpc` is now.
+fn run_mavsdk(script: &str) {
+    let modules: &[&str] = if has_modules(&interpreter(), &["mavsdk_grpc"]) {
+        &["mavsdk_grpc"]
     } else {
-        // Until its version 3, the package mavsdk was what mavsdk_grpc is now.
-        run(
-            "mavsdk_flight.py",
-            &["mavsdk", "mavsdk.action_pb2"],
-            "tcpout://",
-            3,
-        );
-    }
+        &["mavsdk", "mavsdk.action_pb2"]
+    };
+    run(script, modules, "tcpout://", 3);
 }
 
 #[test]
+#[ignore = "needs SORTIE_PYTHON"]
+fn mavsdk_flies() {
+    run_mavsdk("mavsdk_flight.py");
+}
+
+#[test]
+#[ignore = "needs SORTIE_PYTHON"]
 fn mavsdk_flies_a_mission() {
-    if python_with(&["mavsdk_grpc"]).is_some() {
-        run("mavsdk_mission.py", &["mavsdk_grpc"], "tcpout://", 3);
-    } else {
-        run(
-            "mavsdk_mission.py",
-            &["mavsdk", "mavsdk.action_pb2"],
-            "tcpout://",
-            3,
-        );
-    }
+    run_mavsdk("mavsdk_mission.py");
 }

@@ -1,4 +1,4 @@
-//! The hangar against a stand-in for `arducopter`, and against a real one where `SORTIE_ARDUCOPTER` names one.
+//! The hangar against a stand-in for `arducopter`, and against a real one, which `SORTIE_ARDUCOPTER` names.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
-//! Drones of the workshop on a real `ArduCopter`, where `SORTIE_ARDUCOPTER` names one: what was computed of them against
+//! Drones of the workshop on a real `ArduCopter`, which `SORTIE_ARDUCOPTER` names: what was computed of them against
 //! what they do in the air.
 
-use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 use sortie::vehicle::VehicleId;
@@ -42,7 +42,7 @@ impl Drop for Sitl {
 }
 
 impl Sitl {
-    fn start(program: &OsStr, design: &Design, instance: u16) -> Self {
+    fn start(program: &Path, design: &Design, instance: u16) -> Self {
         let built = design.airframe().expect("complete");
         let folder = tempfile::tempdir().expect("a temporary folder");
         let mut parameters = String::new();
@@ -118,11 +118,9 @@ async fn top_speed_m_s(console: &mut Console) -> f64 {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 async fn designs_fly_on_a_real_arducopter_as_computed() {
-    let Some(program) = std::env::var_os("SORTIE_ARDUCOPTER") else {
-        eprintln!("skipped: SORTIE_ARDUCOPTER names no arducopter");
-        return;
-    };
+    let program = arducopter::program();
     let mut table = String::new();
     let mut worst: f64 = 0.0;
     for (source, instance) in DESIGNS.into_iter().zip(FIRST_INSTANCE..) {

@@ -1,4 +1,4 @@
-//! `sortie run` on ArduPilot's SITL: on the stand-in, and on a real one where `SORTIE_ARDUCOPTER` names it.
+//! `sortie run` on ArduPilot's SITL: on the stand-in, and on the real one that `SORTIE_ARDUCOPTER` names.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 
+use crate::arducopter::program;
 use crate::stand_in::{Behaviour, StandIn};
 
 /// How long processes may take to be gone.
@@ -35,17 +36,13 @@ impl Scene {
         }
     }
 
-    fn on_the_real_one() -> Option<Self> {
-        let Some(program) = std::env::var_os("SORTIE_ARDUCOPTER") else {
-            eprintln!("skipped: SORTIE_ARDUCOPTER names no arducopter");
-            return None;
-        };
-        Some(Self {
+    fn on_the_real_one() -> Self {
+        Self {
             folder: tempfile::tempdir().expect("a temporary folder"),
-            program: program.into(),
+            program: program(),
             mission: "01".into(),
             _stand_in: None,
-        })
+        }
     }
 
     /// Ends the mission after so many seconds of its time: a pilot who does not pass it waits no longer.
@@ -250,10 +247,9 @@ fn an_airframe_changes_how_the_embedded_vehicle_flies() {
 }
 
 #[test]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator() {
-    let Some(scene) = Scene::on_the_real_one() else {
-        return;
-    };
+    let scene = Scene::on_the_real_one();
     let embedded = Command::new(env!("CARGO_BIN_EXE_sortie"))
         .args(["run", "01", "--pilot", "01-air-sample", "--json"])
         .output()
@@ -282,11 +278,10 @@ const SAME_ON_BOTH: [&str; 4] = [
 ];
 
 #[test]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 fn missions_score_on_real_arducopters_within_a_tenth_of_the_embedded_simulator() {
     for name in SAME_ON_BOTH {
-        let Some(mut scene) = Scene::on_the_real_one() else {
-            return;
-        };
+        let mut scene = Scene::on_the_real_one();
         scene.mission = name.into();
         let embedded = Command::new(env!("CARGO_BIN_EXE_sortie"))
             .args(["run", name, "--pilot", name, "--json"])
@@ -306,10 +301,9 @@ fn missions_score_on_real_arducopters_within_a_tenth_of_the_embedded_simulator()
 }
 
 #[test]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 fn a_real_arducopter_lands_in_a_strong_wind() {
-    let Some(mut scene) = Scene::on_the_real_one() else {
-        return;
-    };
+    let mut scene = Scene::on_the_real_one();
     let text = include_str!("../../missions/01-air-sample.toml");
     let windy = text
         .replace("wind = { speed = 3.0", "wind = { speed = 9.0")
@@ -330,11 +324,9 @@ fn a_real_arducopter_lands_in_a_strong_wind() {
 }
 
 #[test]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 fn a_real_arducopter_loses_its_gps_by_the_newer_firmware_s_name() {
-    let Some(scene) = Scene::on_the_real_one() else {
-        return;
-    };
-    let scene = scene.limited_to(60);
+    let scene = Scene::on_the_real_one().limited_to(60);
     let pilot = scene.pilot(
         "wait all ready timeout 60s\nall guided\nall arm\nall takeoff 20\nwait all altitude > 19 timeout 40s\n\
          all param set SIM_GPS1_ENABLE 0\nwait all disarmed timeout 200s\n",

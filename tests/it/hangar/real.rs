@@ -1,21 +1,19 @@
-//! A real `ArduCopter`, where `SORTIE_ARDUCOPTER` names one.
+//! A real `ArduCopter`, which `SORTIE_ARDUCOPTER` names.
 
 use sortie::hangar::Stage;
 
 use super::restarts::assert_a_reboot_goes_through_the_stages;
 use super::{Stand, assert_a_console_has_it_back, is_gone};
+use crate::arducopter::program;
 
-fn stand() -> Option<Stand> {
-    let program = std::env::var_os("SORTIE_ARDUCOPTER");
-    if program.is_none() {
-        eprintln!("skipped: SORTIE_ARDUCOPTER names no arducopter");
-    }
-    Some(Stand::running(program?.into(), |config| config))
+fn stand() -> Stand {
+    Stand::running(program(), |config| config)
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 async fn a_real_arducopter_becomes_ready() {
-    let Some(stand) = stand() else { return };
+    let stand = stand();
     let (first, second) = (stand.launch().await, stand.launch().await);
     assert_eq!((first, second), (1, 2));
     stand
@@ -32,15 +30,13 @@ async fn a_real_arducopter_becomes_ready() {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 async fn a_real_arducopter_that_reboots_by_mavlink_becomes_ready_again() {
-    if let Some(stand) = stand() {
-        assert_a_reboot_goes_through_the_stages(&stand).await;
-    }
+    assert_a_reboot_goes_through_the_stages(&stand()).await;
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
 async fn a_real_arducopter_that_is_killed_comes_back_to_its_console() {
-    if let Some(stand) = stand() {
-        assert_a_console_has_it_back(&stand).await;
-    }
+    assert_a_console_has_it_back(&stand()).await;
 }
