@@ -25,6 +25,7 @@ use crate::wire::{
 mod address;
 mod beat;
 mod connect;
+mod core;
 mod datagram;
 mod meter;
 mod peer;
@@ -301,7 +302,7 @@ pub fn open_with(
     let refused = Arc::new(AtomicU64::new(0));
     let tap = Tap::new();
     let meter = meter::Meter::new(published, Arc::clone(&refused), tap.clone());
-    let link = task::Link::new(id, config, meter, inbound, to_send, cancel);
+    let link = core::LinkCore::new(id, config, meter, inbound, to_send, cancel);
     let hushed = link.hushed();
     tokio::spawn(task::run(link, transport));
     LinkHandle {

@@ -7,7 +7,7 @@ use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream, UdpSocket, lookup_host};
 use tokio::time::timeout;
 
-use super::task::{Link, Outcome};
+use super::core::{ConnectionEnd, LinkCore};
 use super::{Address, datagram, server, stream};
 use crate::text;
 use crate::text::Text;
@@ -18,9 +18,9 @@ const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 const TCP_SILENCE: Duration = Duration::from_secs(10);
 
 /// Opens an address once and carries its data until that ends.
-pub(super) async fn attempt(link: &mut Link, address: &Address) -> Outcome {
+pub(super) async fn attempt(link: &mut LinkCore, address: &Address) -> ConnectionEnd {
     let opened = match link.meanwhile(open(address)).await {
-        None => return Outcome::Unwanted,
+        None => return ConnectionEnd::Cancelled,
         Some(Err(outcome)) => return outcome,
         Some(Ok(opened)) => opened,
     };
@@ -54,7 +54,7 @@ enum Opened {
     Serial(tokio_serial::SerialStream),
 }
 
-async fn open(address: &Address) -> Result<Opened, Outcome> {
+async fn open(address: &Address) -> Result<Opened, ConnectionEnd> {
     let opened = match address {
         Address::Tcp { host, port } => tcp(host, *port).await.map(Opened::Stream),
         Address::TcpIn { host, port } => TcpListener::bind((host.as_str(), *port))
@@ -68,9 +68,9 @@ async fn open(address: &Address) -> Result<Opened, Outcome> {
         Address::Udp { host, port } => udp_to(host, *port, false).await,
         Address::UdpBroadcast { host, port } => udp_to(host, *port, true).await,
         Address::Serial { path, baud } => return serial(path, *baud),
-        Address::File { .. } => return Err(Outcome::Over(None)), // played, not opened
+        Address::File { .. } => return Err(ConnectionEnd::Final(None)), // played, not opened
     };
-    opened.map_err(Outcome::Lost)
+    opened.map_err(ConnectionEnd::Lost)
 }
 
 async fn tcp(host: &str, port: u16) -> Result<TcpStream, Text> {
@@ -148,12 +148,12 @@ pub(super) fn bind_failure(host: &str, port: u16, error: &io::Error) -> Text {
 }
 
 #[cfg(feature = "serial")]
-fn serial(path: &str, baud: u32) -> Result<Opened, Outcome> {
+fn serial(path: &str, baud: u32) -> Result<Opened, ConnectionEnd> {
     tokio_serial::SerialStream::open(&tokio_serial::new(path, baud))
         .map(Opened::Serial)
         .map_err(|error| {
             let error = error.to_string();
-            Outcome::Lost(text!(
+            ConnectionEnd::Lost(text!(
                 "transport-no-serial",
                 path = path,
                 baud = baud,
@@ -163,7 +163,7 @@ fn serial(path: &str, baud: u32) -> Result<Opened, Outcome> {
 }
 
 #[cfg(not(feature = "serial"))]
-fn serial(path: &str, _baud: u32) -> Result<Opened, Outcome> {
+fn serial(path: &str, _baud: u32) -> Result<Opened, ConnectionEnd> {
     let reason = text!("transport-without-serial", path = path);
-    Err(Outcome::Over(Some(reason)))
+    Err(ConnectionEnd::Final(Some(reason)))
 }

@@ -8,10 +8,10 @@ use std::time::Duration;
 use tokio::net::UdpSocket;
 use tokio::time::{Instant, sleep_until};
 
+use super::core::{ConnectionEnd, LinkCore, LinkWork};
 use super::meter::Meter;
 use super::peer::{Ending, PeerStream};
 use super::stream::PAUSE;
-use super::task::{Chore, Link, Outcome};
 use super::{LinkConfig, Peer, To};
 use crate::text;
 use crate::text::Text;
@@ -29,20 +29,20 @@ const STALE: Duration = Duration::from_secs(10);
 /// Carries data until the socket fails. What is for everyone goes to `target` if there is one, else to whoever
 /// has been heard.
 pub(super) async fn session(
-    link: &mut Link,
+    link: &mut LinkCore,
     socket: UdpSocket,
     target: Option<SocketAddr>,
-) -> Outcome {
+) -> ConnectionEnd {
     let mut peers = Peers::new(link.config, target);
     let mut input = vec![0; DATAGRAM_LEN];
     loop {
         let pause = peers.next_pause();
         tokio::select! {
             biased;
-            chore = link.chore(true) => match chore {
-                Chore::End => return Outcome::Unwanted,
-                Chore::Nothing => {}
-                Chore::Send(batch) => {
+            work = link.next_work(true) => match work {
+                LinkWork::End => return ConnectionEnd::Cancelled,
+                LinkWork::Nothing => {}
+                LinkWork::Send(batch) => {
                     for (to, outgoing) in &batch {
                         peers.send(&socket, *to, outgoing, &mut link.meter).await;
                     }
@@ -56,7 +56,7 @@ pub(super) async fn session(
                     }
                 }
                 Err(error) if is_icmp(&error) => {}
-                Err(error) => return Outcome::Lost(text!("transport-udp-failed", error = error.to_string())),
+                Err(error) => return ConnectionEnd::Lost(text!("transport-udp-failed", error = error.to_string())),
             },
             from = paused(pause), if link.may_read() => {
                 if let Some((peer, frames)) = peers.receive(from, &[], Ending::Closed, &mut link.meter) {

@@ -7,8 +7,8 @@ use std::time::Duration;
 use tokio::sync::mpsc;
 use tokio::time::{Instant, sleep_until};
 
+use super::core::LinkCore;
 use super::peer::{Ending, PeerStream};
-use super::task::Link;
 use super::tlog::{Piece, Salvage};
 use super::{Peer, Playback};
 use crate::text;
@@ -26,7 +26,7 @@ type Chunk = Result<Vec<Piece>, Text>;
 
 /// Plays a recording to its end, and returns what was wrong with it, if anything was. Both directions of the
 /// recorded traffic are delivered.
-pub(super) async fn play(link: &mut Link, path: &Path) -> Option<Text> {
+pub(super) async fn play(link: &mut LinkCore, path: &Path) -> Option<Text> {
     let (read, mut chunks) = mpsc::channel(CHUNKS_AHEAD);
     let path = PathBuf::from(path);
     tokio::task::spawn_blocking(move || read_ahead(&path, &read));
@@ -87,7 +87,7 @@ impl Damage {
 
 impl Player {
     /// Plays a chunk; frames that are due together are delivered together. `None` if nobody wants more.
-    async fn play(&mut self, link: &mut Link, pieces: &[Piece]) -> Option<()> {
+    async fn play(&mut self, link: &mut LinkCore, pieces: &[Piece]) -> Option<()> {
         let mut frames = Vec::new();
         for piece in pieces {
             let record = match piece {
@@ -112,7 +112,7 @@ impl Player {
     }
 
     /// Counts a damaged stretch and tells of the first.
-    fn pass_over(&mut self, link: &mut Link, offset: u64, len: u64) {
+    fn pass_over(&mut self, link: &mut LinkCore, offset: u64, len: u64) {
         link.meter.passed_over(len);
         let is_first = self.damage.first.is_none();
         self.damage.note(offset, len);
@@ -141,7 +141,7 @@ impl Player {
 }
 
 /// Hands frames on and waits until they are taken, even those that were handed on last.
-async fn deliver(link: &mut Link, frames: Vec<Frame>) -> Option<()> {
+async fn deliver(link: &mut LinkCore, frames: Vec<Frame>) -> Option<()> {
     link.deliver(PEER, frames);
     link.delivered().await
 }

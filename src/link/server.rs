@@ -10,9 +10,9 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::time::timeout;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
+use super::core::{ConnectionEnd, LinkCore, LinkWork};
 use super::peer::{Ending, PeerStream};
 use super::stream::{PAUSE, READ_LEN};
-use super::task::{Chore, Link, Outcome};
 use super::{Peer, To};
 use crate::text;
 use crate::wire::Outgoing;
@@ -33,7 +33,7 @@ struct Client {
 }
 
 /// Carries data until the listener fails. Long, because a `select!` cannot be divided.
-pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
+pub(super) async fn session(link: &mut LinkCore, listener: TcpListener) -> ConnectionEnd {
     let mut clients = BTreeMap::new();
     let mut next = 0;
     let mut input = vec![0; READ_LEN];
@@ -42,10 +42,10 @@ pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
     loop {
         tokio::select! {
             biased;
-            chore = link.chore(true) => match chore {
-                Chore::End => return Outcome::Unwanted,
-                Chore::Nothing => {}
-                Chore::Send(batch) => {
+            work = link.next_work(true) => match work {
+                LinkWork::End => return ConnectionEnd::Cancelled,
+                LinkWork::Nothing => {}
+                LinkWork::Send(batch) => {
                     encode(link, &mut clients, &batch);
                     let flushed = clients.iter_mut().filter_map(|(&peer, c)| c.flush(peer));
                     writable.extend(flushed);
@@ -69,7 +69,7 @@ pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
                     link.meter.set_peers(clients.len());
                 }
                 Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
-                Err(error) => return Outcome::Lost(text!("transport-no-clients", error = error.to_string())),
+                Err(error) => return ConnectionEnd::Lost(text!("transport-no-clients", error = error.to_string())),
             },
             Some((peer, has_data)) = readable.next(), if link.may_read() => {
                 let client = clients.get_mut(&peer);
@@ -84,7 +84,7 @@ pub(super) async fn session(link: &mut Link, listener: TcpListener) -> Outcome {
     }
 }
 
-fn encode(link: &mut Link, clients: &mut BTreeMap<Peer, Client>, batch: &[(To, Outgoing)]) {
+fn encode(link: &mut LinkCore, clients: &mut BTreeMap<Peer, Client>, batch: &[(To, Outgoing)]) {
     for (to, outgoing) in batch {
         match to {
             To::Everyone => {
@@ -113,7 +113,7 @@ impl Client {
         }
     }
 
-    fn encode(&mut self, outgoing: &Outgoing, link: &mut Link) {
+    fn encode(&mut self, outgoing: &Outgoing, link: &mut LinkCore) {
         if self.output.len() >= OUTPUT_CAP {
             link.meter.dropped(1);
             return;
@@ -147,7 +147,7 @@ impl Client {
         peer: Peer,
         has_data: bool,
         input: &mut [u8],
-        link: &mut Link,
+        link: &mut LinkCore,
     ) -> Option<(Arc<TcpStream>, Option<Duration>)> {
         let mut patience = Some(PAUSE);
         let frames = if has_data {

@@ -6,8 +6,8 @@ use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::time::{Instant, sleep_until};
 
 use super::Peer;
+use super::core::{ConnectionEnd, LinkCore, LinkWork};
 use super::peer::{Ending, PeerStream};
-use super::task::{Chore, Link, Outcome};
 use crate::text;
 
 /// The one peer of a stream.
@@ -18,7 +18,11 @@ pub(super) const PAUSE: Duration = Duration::from_millis(200);
 
 /// Carries data until the stream ends. With `silence`, a peer that has spoken and then says nothing for so long
 /// is taken for gone: a pulled cable closes no TCP connection. Long, because a `select!` cannot be divided.
-pub(super) async fn session<S>(link: &mut Link, stream: S, silence: Option<Duration>) -> Outcome
+pub(super) async fn session<S>(
+    link: &mut LinkCore,
+    stream: S,
+    silence: Option<Duration>,
+) -> ConnectionEnd
 where
     S: AsyncRead + AsyncWrite,
 {
@@ -33,10 +37,10 @@ where
         let heard_at = last_read.unwrap_or_else(Instant::now);
         tokio::select! {
             biased;
-            chore = link.chore(output.is_empty()) => match chore {
-                Chore::End => return Outcome::Unwanted,
-                Chore::Nothing => {}
-                Chore::Send(batch) => {
+            work = link.next_work(output.is_empty()) => match work {
+                LinkWork::End => return ConnectionEnd::Cancelled,
+                LinkWork::Nothing => {}
+                LinkWork::Send(batch) => {
                     for (_, outgoing) in &batch {
                         peer.encode(outgoing, &mut output, &link.meter);
                     }
@@ -44,19 +48,19 @@ where
                 }
             },
             read = reader.read(&mut input), if link.may_read() => match read {
-                Ok(0) => return Outcome::Lost(text!("transport-closed")),
+                Ok(0) => return ConnectionEnd::Lost(text!("transport-closed")),
                 Ok(count) => {
                     let frames = peer.receive(&input[..count], Ending::Open, &mut link.meter);
                     link.deliver(PEER, frames);
                     last_read = Some(Instant::now());
                     paused = false;
                 }
-                Err(error) => return Outcome::Lost(error.to_string().into()),
+                Err(error) => return ConnectionEnd::Lost(error.to_string().into()),
             },
             written = writer.write(&output), if !output.is_empty() => match written {
-                Ok(0) => return Outcome::Lost(text!("transport-takes-nothing")),
+                Ok(0) => return ConnectionEnd::Lost(text!("transport-takes-nothing")),
                 Ok(count) => drop(output.drain(..count)),
-                Err(error) => return Outcome::Lost(error.to_string().into()),
+                Err(error) => return ConnectionEnd::Lost(error.to_string().into()),
             },
             () = sleep_until(heard_at + PAUSE), if peer.has_tail() && !paused && link.may_read() => {
                 let frames = peer.receive(&[], Ending::Closed, &mut link.meter);
@@ -67,7 +71,7 @@ where
                 if silence.is_some() && last_read.is_some() && link.may_read() =>
             {
                 let seconds = silence.unwrap_or_default().as_secs();
-                return Outcome::Lost(text!("transport-silent", seconds = seconds));
+                return ConnectionEnd::Lost(text!("transport-silent", seconds = seconds));
             }
         }
     }

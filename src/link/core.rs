@@ -1,0 +1,211 @@
+//! The part of a link's task that does not depend on the transport.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use tokio::sync::mpsc;
+use tokio::sync::mpsc::error::TrySendError;
+use tokio::time::Instant;
+use tokio_util::sync::CancellationToken;
+
+use super::beat::{Beat, Pace};
+use super::meter::Meter;
+use super::{Inbound, LinkConfig, LinkId, Peer, To};
+use crate::text::Text;
+use crate::wire::{Frame, Outgoing, ground_station_heartbeat};
+
+const HEARTBEAT: Pace = Pace {
+    handy: Duration::from_millis(900),
+    latest: Duration::from_secs(1),
+};
+const PUBLISH: Pace = Pace {
+    handy: Duration::from_millis(200),
+    latest: Duration::from_millis(300),
+};
+/// How many queued messages go into one write.
+const BATCH_LEN: usize = 64;
+
+/// A link without its socket: what it has read, what it is to send, when to send heartbeats and to publish.
+#[derive(Debug)]
+pub(super) struct LinkCore {
+    id: LinkId,
+    pub(super) config: LinkConfig,
+    pub(super) meter: Meter,
+    inbound: mpsc::Sender<Inbound>,
+    to_send: mpsc::Receiver<(To, Outgoing)>,
+    cancel: CancellationToken,
+    /// Read, but the receiver has no room for it yet. Nothing more is read meanwhile.
+    undelivered: Option<Inbound>,
+    /// Frames have come since work was last asked for: the task is awake anyway.
+    has_heard: bool,
+    heartbeat: Beat,
+    /// Whether heartbeats are withheld, as a radio would that does not reach.
+    hushed: Arc<AtomicBool>,
+    publish: Beat,
+}
+
+/// What the transport has to do next.
+#[derive(Debug)]
+pub(super) enum LinkWork {
+    /// Send these; never none.
+    Send(Vec<(To, Outgoing)>),
+    /// Nothing, but look again whether reading is allowed.
+    Nothing,
+    /// Close.
+    End,
+}
+
+/// How a connection ended.
+#[derive(Debug)]
+pub(super) enum ConnectionEnd {
+    /// The link was cancelled, or the receiver of its frames is gone.
+    Cancelled,
+    /// It failed for this reason, and is to be opened again.
+    Lost(Text),
+    /// It is not to be opened again; with the reason, unless that is the ordinary end.
+    Final(Option<Text>),
+}
+
+impl LinkCore {
+    pub(super) fn new(
+        id: LinkId,
+        config: LinkConfig,
+        meter: Meter,
+        inbound: mpsc::Sender<Inbound>,
+        to_send: mpsc::Receiver<(To, Outgoing)>,
+        cancel: CancellationToken,
+    ) -> Self {
+        Self {
+            id,
+            config,
+            meter,
+            inbound,
+            to_send,
+            cancel,
+            undelivered: None,
+            has_heard: false,
+            heartbeat: Beat::new(HEARTBEAT),
+            hushed: Arc::new(AtomicBool::new(false)),
+            publish: Beat::new(PUBLISH),
+        }
+    }
+
+    /// The switch that withholds heartbeats.
+    pub(super) fn hushed(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.hushed)
+    }
+
+    /// The heartbeat, unless it is withheld.
+    fn beat(&self) -> LinkWork {
+        if self.hushed.load(Ordering::Relaxed) {
+            return LinkWork::Nothing;
+        }
+        LinkWork::Send(vec![(To::Everyone, ground_station_heartbeat())])
+    }
+
+    /// Publishes that the link carries data from now on, and sends a heartbeat at once.
+    pub(super) fn up(&mut self, local: Option<std::net::SocketAddr>) {
+        self.heartbeat.hasten();
+        self.meter.up(local);
+    }
+
+    /// Whether there is room for more from the transport.
+    pub(super) fn may_read(&self) -> bool {
+        self.undelivered.is_none()
+    }
+
+    /// Hands on what a peer sent, at once or as soon as there is room. Only when [`Self::may_read`] allowed the
+    /// reading.
+    pub(super) fn deliver(&mut self, peer: Peer, frames: Vec<Frame>) {
+        if frames.is_empty() {
+            return;
+        }
+        self.has_heard = true;
+        let batch = Inbound {
+            link: self.id,
+            peer,
+            frames,
+            at: Instant::now(),
+        };
+        if let Err(TrySendError::Full(batch)) = self.inbound.try_send(batch) {
+            self.undelivered = Some(batch);
+        }
+    }
+
+    /// Waits until what was read is taken. `None` if the link is to close.
+    pub(super) async fn delivered(&mut self) -> Option<()> {
+        while self.undelivered.is_some() {
+            if let LinkWork::End = self.next_work(false).await {
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    /// Waits for the next thing to do. Safe to drop at any time. Queued messages are left where they are
+    /// unless the transport `may_send`.
+    pub(super) async fn next_work(&mut self, may_send: bool) -> LinkWork {
+        if std::mem::take(&mut self.has_heard) {
+            let now = Instant::now();
+            if self.publish.is_handy(now) {
+                self.meter.publish();
+            }
+            if may_send && self.heartbeat.is_handy(now) {
+                return self.beat();
+            }
+        }
+        tokio::select! {
+            biased;
+            () = self.cancel.cancelled() => LinkWork::End,
+            () = self.inbound.closed() => LinkWork::End,
+            Ok(permit) = self.inbound.reserve(), if self.undelivered.is_some() => {
+                if let Some(batch) = self.undelivered.take() {
+                    permit.send(batch);
+                }
+                LinkWork::Nothing
+            }
+            () = self.publish.due() => {
+                self.meter.publish();
+                LinkWork::Nothing
+            }
+            () = self.heartbeat.due(), if may_send => self.beat(),
+            Some(first) = self.to_send.recv(), if may_send => {
+                let mut batch = vec![first];
+                while batch.len() < BATCH_LEN
+                    && let Ok(next) = self.to_send.try_recv()
+                {
+                    batch.push(next);
+                }
+                LinkWork::Send(batch)
+            }
+        }
+    }
+
+    /// Waits for a future while the link is down: what is to be sent is dropped. `None` if the link is to close.
+    pub(super) async fn meanwhile<F: Future>(&mut self, future: F) -> Option<F::Output> {
+        tokio::pin!(future);
+        loop {
+            tokio::select! {
+                output = &mut future => return Some(output),
+                work = self.next_work(false) => if let LinkWork::End = work {
+                    return None;
+                },
+            }
+            self.drop_queued();
+        }
+    }
+
+    /// Takes nothing more to send, and drops what was queued.
+    pub(super) fn close(&mut self) {
+        self.to_send.close();
+        self.drop_queued();
+    }
+
+    /// Drops what was queued just before the link went down.
+    pub(super) fn drop_queued(&mut self) {
+        while self.to_send.try_recv().is_ok() {
+            self.meter.dropped(1);
+        }
+    }
+}
