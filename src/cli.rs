@@ -36,6 +36,7 @@ mod designs;
 mod doctor;
 mod fly;
 mod hangar;
+mod home;
 mod manual;
 mod profile;
 mod programs;

@@ -9,10 +9,10 @@ use nix::sys::resource::{Resource, getrlimit, setrlimit};
 use tokio_util::sync::CancellationToken;
 
 use super::backend::frame;
+use super::home::StartPlace;
 use super::{Failure, parse_speedup, runtime};
-use crate::geo::LatLon;
 use crate::link::{Endpoint, Simulator, Started};
-use crate::sim::{SYSTEMS, Start, World, WorldConfig};
+use crate::sim::{SYSTEMS, World, WorldConfig};
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
@@ -48,7 +48,7 @@ pub(super) struct SimArguments {
         default_value = "-35.363262,149.165237,584,0",
         allow_hyphen_values = true
     )]
-    home: Home,
+    home: StartPlace,
     /// The airframe of the vehicles: a frame file of ArduPilot's SITL, in JSON. Give the option once for all
     /// vehicles, or several times: one file per vehicle, the last one for all that follow.
     #[arg(long = "frame", value_name = "FILE")]
@@ -86,39 +86,6 @@ fn parse_target(text: &str) -> Result<HostPort, String> {
             "nobody can be reached on port 0; give the one that the ground station listens on, often 14550".to_owned(),
         ),
         target => Ok(target),
-    }
-}
-
-/// LAT,LON,ALT,HDG.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Home(pub Start);
-
-impl FromStr for Home {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let numbers: Result<Vec<f64>, _> =
-            text.split(',').map(|part| part.trim().parse()).collect();
-        let [lat, lon, altitude_amsl_m, heading_deg] = numbers
-            .ok()
-            .and_then(|numbers| <[f64; 4]>::try_from(numbers).ok())
-            .ok_or("expected LAT,LON,ALT,HDG, such as 50.45,30.52,180,90")?;
-        let at = LatLon::new(lat, lon);
-        if !at.is_valid() {
-            return Err("latitude is -90 to 90 and longitude -180 to 180".to_owned());
-        }
-        // Wider than the earth's surface, and far within what messages can carry.
-        if !(-1000.0..=20_000.0).contains(&altitude_amsl_m) || !heading_deg.is_finite() {
-            return Err(
-                "the height above sea level is -1000 to 20000 m, the heading a number of degrees"
-                    .to_owned(),
-            );
-        }
-        Ok(Self(Start {
-            at,
-            altitude_amsl_m,
-            heading_deg,
-        }))
     }
 }
 

@@ -9,9 +9,9 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
+use super::super::home::StartPlace;
 use super::super::programs::ProgramOptions;
 use super::super::settings::Settings;
-use super::super::sim::Home;
 use super::super::{Failure, parse_speedup};
 use crate::parameters;
 use crate::sitl::{CommandLine, Door, Formation, Kind, Recipe, Shape, quoted};
@@ -40,7 +40,7 @@ pub(super) struct CommandArguments {
         default_value = "-35.363262,149.165237,584,0",
         allow_hyphen_values = true
     )]
-    home: Home,
+    home: StartPlace,
     /// The system id of the first vehicle; the others count on.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
     system: u8,
