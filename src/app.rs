@@ -1,9 +1,21 @@
-//! The console's mind: what it shows ([`state`]), what happened ([`event`]), what the user wants
+//! The console without its shell: what it shows ([`state`]), what happened ([`event`]), what the user wants
 //! ([`action`]), what the shell has to do ([`effect`]), and the one function that turns the second and third
-//! into the first and fourth ([`update()`]).
+//! into the first and fourth.
 //!
-//! Nothing in here waits, reads a clock or touches a terminal: the run loop feeds events in, carries effects out
-//! and draws when [`state::State::revision`] has moved.
+//! Nothing in here waits, reads a clock or touches a terminal: the shell feeds events to [`App::update`], carries
+//! the effects out and draws when [`state::State::revision`] has moved. It can read the state and not change it.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::config::Config;
+use crate::scoring::TryReport;
+use crate::text::Locale;
+use crate::workshop::Design;
+use effect::Effect;
+use event::Event;
+use keymap::Keymap;
+use state::{MissionListing, State};
 
 pub mod action;
 pub mod console;
@@ -16,4 +28,73 @@ pub mod setting;
 pub mod state;
 mod update;
 
-pub use update::update;
+/// What the console begins with.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// What the user has set.
+    pub config: Config,
+    /// What the keys do.
+    pub keymap: Keymap,
+    /// The words of the language in use.
+    pub locale: Arc<Locale>,
+    /// The name of the theme in use.
+    pub theme: String,
+    /// The names of the themes on offer.
+    pub themes: Vec<String>,
+    /// The missions on offer.
+    pub missions: Vec<MissionListing>,
+    /// The tries at current revisions of missions, by mission id, oldest first.
+    pub tries: BTreeMap<String, Vec<TryReport>>,
+    /// The designs that everybody has.
+    pub stock: Vec<Design>,
+    /// Earlier lines of the command line, oldest first.
+    pub history: Vec<String>,
+    /// Whether ArduPilot's SITL could be started.
+    pub has_ardupilot: bool,
+    /// Whether rooms are drawn; the plain console stays with the vehicles.
+    pub has_rooms: bool,
+}
+
+impl Default for Setup {
+    fn default() -> Self {
+        Self {
+            config: Config::default(),
+            keymap: Keymap::default(),
+            locale: Arc::default(),
+            theme: "dark".to_owned(),
+            themes: Vec::new(),
+            missions: Vec::new(),
+            tries: BTreeMap::new(),
+            stock: Vec::new(),
+            history: Vec::new(),
+            has_ardupilot: false,
+            has_rooms: true,
+        }
+    }
+}
+
+/// The console: its state, which only [`App::update`] changes.
+#[derive(Debug, Clone)]
+pub struct App {
+    state: State,
+}
+
+impl App {
+    /// The home screen of a console that has just started.
+    pub fn new(setup: Setup) -> Self {
+        Self {
+            state: State::new(setup),
+        }
+    }
+
+    /// What the console shows.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Takes in what happened and returns what the shell has to do.
+    #[must_use = "the shell has to carry the effects out"]
+    pub fn update(&mut self, event: impl Into<Event>) -> Vec<Effect> {
+        update::update(&mut self.state, event.into())
+    }
+}

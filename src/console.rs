@@ -1,6 +1,6 @@
 //! The running console: terminal, keys, time and the session, brought together.
 //!
-//! One loop feeds [`update`](crate::app::update()) with events, carries its effects out, and draws when something visible has
+//! One loop feeds [`App::update`] with events, carries its effects out, and draws when something visible has
 //! changed and the terminal can take a frame. Time, telemetry and missions go on at their own pace.
 
 use std::collections::VecDeque;
@@ -13,9 +13,11 @@ use tokio::time::{Interval, MissedTickBehavior};
 
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
-use crate::app::state::State;
+use crate::app::{App, Setup};
 use crate::campaign::Stake;
+use crate::config::Config;
 use crate::fleet::Clock;
+use crate::store::History;
 use crate::terminal::input::Input;
 use crate::terminal::{self, Keyboard, Screen};
 use crate::text;
@@ -38,7 +40,7 @@ mod signals;
 use begin::Attempt;
 use career::Careers;
 pub use drive::drive;
-use missions::listings;
+use missions::{Tries, listings};
 pub use options::{Opening, Options, Preferences};
 use session::{Ending, Plan, Running};
 use signals::{Happened, Signals};
@@ -68,7 +70,7 @@ pub async fn run(options: Options) -> anyhow::Result<()> {
         options.preferences.config.mouse,
     )?;
     let mut ticks = ticks(options.speedup);
-    let mut console = Console::new(options);
+    let mut console = Console::new(options, true);
     console.measure().await;
     console.draw(&mut screen).await?;
     console.begin().await;
@@ -134,6 +136,22 @@ async fn hear_last_answer(screen: &Screen, keyboard: &mut Keyboard) {
     drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
 }
 
+/// The lines that were entered before, oldest first. A history that cannot be read is one warning more.
+fn earlier_lines(history: Option<&History>, warnings: &mut Vec<Text>) -> Vec<String> {
+    let Some(history) = history else {
+        return Vec::new();
+    };
+    history.read().unwrap_or_else(|error| {
+        let (path, error) = (history.path().display(), error.to_string());
+        warnings.push(text!(
+            "history-unreadable",
+            path = path.to_string(),
+            error = error
+        ));
+        Vec::new()
+    })
+}
+
 fn is_suspend(key: KeyEvent) -> bool {
     key.code == KeyCode::Char('z') && key.modifiers == KeyModifiers::CONTROL
 }
@@ -145,7 +163,7 @@ fn key(code: KeyCode) -> TerminalEvent {
 struct Console {
     options: Options,
     clock: Clock,
-    state: State,
+    app: App,
     look: Look,
     running: Option<Running>,
     /// The try at what runs.
@@ -173,43 +191,40 @@ struct Console {
 }
 
 impl Console {
-    fn new(options: Options) -> Self {
+    fn new(options: Options, has_rooms: bool) -> Self {
         let preferences = &options.preferences;
-        let themes = preferences.themes.names().map(str::to_owned).collect();
-        let theme = options.look.theme.name().to_owned();
         let (missions, course, doubles) = listings();
         let mut warnings = preferences.warnings.clone();
         warnings.extend(doubles);
-        let mut state = State::new(missions, themes, theme);
-        if let Some(runs) = &preferences.runs {
-            state.tries = missions::current(runs.all_tries(None), &state.missions);
-        }
-        state.has_ardupilot = options.ardupilot.is_some() && options.backend.ardupilot.is_none();
-        state.config = preferences.config.clone();
-        state.config.symbols = Some(options.look.symbols);
-        state.locale = Arc::clone(&options.look.locale);
-        state.keymap = preferences.keymap.clone();
-        if let Some(history) = &preferences.history {
-            match history.read() {
-                Ok(lines) => lines.iter().for_each(|line| state.remember(line)),
-                Err(error) => {
-                    let (path, error) = (history.path().display(), error.to_string());
-                    warnings.push(text!(
-                        "history-unreadable",
-                        path = path.to_string(),
-                        error = error
-                    ));
-                }
-            }
-        }
-        state.stock = missions::stock();
+        let tries = match &preferences.runs {
+            Some(runs) => missions::current(runs.all_tries(None), &missions),
+            None => Tries::new(),
+        };
+        let history = earlier_lines(preferences.history.as_ref(), &mut warnings);
+        let kept = history.last().cloned();
+        let setup = Setup {
+            config: Config {
+                symbols: Some(options.look.symbols),
+                ..preferences.config.clone()
+            },
+            keymap: preferences.keymap.clone(),
+            locale: Arc::clone(&options.look.locale),
+            theme: options.look.theme.name().to_owned(),
+            themes: preferences.themes.names().map(str::to_owned).collect(),
+            missions,
+            tries,
+            stock: missions::stock(),
+            history,
+            has_ardupilot: options.ardupilot.is_some() && options.backend.ardupilot.is_none(),
+            has_rooms,
+        };
         let mut console = Self {
             warnings,
-            kept: state.history.back().cloned(),
+            kept,
             look: options.look.clone(),
             options,
             clock: Clock::start(),
-            state,
+            app: App::new(setup),
             running: None,
             attempt: Attempt::default(),
             careers: None,
@@ -248,7 +263,7 @@ impl Console {
     /// How long the frame that is wanted has to wait; `None` if none is wanted or only the terminal can tell.
     fn next_frame_in(&self, screen: &mut Screen) -> Option<Duration> {
         let wanted =
-            self.bell || !self.notes.is_empty() || self.drawn != Some(self.state.revision());
+            self.bell || !self.notes.is_empty() || self.drawn != Some(self.app.state().revision());
         wanted.then(|| screen.next_frame_in()).flatten()
     }
 
@@ -268,13 +283,13 @@ impl Console {
             screen.notify(&note)?;
         }
         let slow = screen.slow_bytes_per_s().map(|rate| rate as u32);
-        if slow != self.state.slow_line {
+        if slow != self.app.state().slow_line {
             self.feed(TerminalEvent::SlowLine(slow)).await;
         }
-        self.drawn = Some(self.state.revision());
-        self.look.locale = Arc::clone(&self.state.locale);
-        self.look.symbols = self.state.config.symbols.unwrap_or_default();
-        screen.draw(|frame| ui::draw(&self.state, &self.look, frame))
+        self.drawn = Some(self.app.state().revision());
+        self.look.locale = Arc::clone(&self.app.state().locale);
+        self.look.symbols = self.app.state().config.symbols.unwrap_or_default();
+        screen.draw(|frame| ui::draw(self.app.state(), &self.look, frame))
     }
 
     async fn hear(&mut self, input: Input, screen: &mut Screen) {
@@ -320,13 +335,13 @@ impl Console {
         }
         self.conduct(now).await;
         self.look_at_messages(now).await;
-        let wanted = hangar::wanted(&self.state);
+        let wanted = hangar::wanted(self.app.state());
         if let Some(running) = &mut self.running {
             running.look_at_output(wanted, now);
         }
         // The mission sees what has just been collected.
         let flown = match &mut self.running {
-            Some(running) => running.fly(now, &self.state.session),
+            Some(running) => running.fly(now, &self.app.state().session),
             None => Vec::new(),
         };
         for event in flown {
@@ -340,7 +355,7 @@ impl Console {
 
     async fn conduct(&mut self, now: Duration) {
         let events = match &mut self.running {
-            Some(running) => running.conduct(now, &self.state.session.vehicles),
+            Some(running) => running.conduct(now, &self.app.state().session.vehicles),
             None => Vec::new(),
         };
         for event in events {
@@ -355,7 +370,7 @@ impl Console {
             return;
         };
         if row.state.is_final()
-            && let Some(entry) = self.state.session.ledger.entry(row.entry)
+            && let Some(entry) = self.app.state().session.ledger.entry(row.entry)
         {
             let (vehicle, line, state) = (row.vehicle, &entry.line, row.state);
             tracing::info!("vehicle {vehicle}: {line}: {state}");
@@ -363,7 +378,7 @@ impl Console {
     }
 
     async fn look_at_messages(&mut self, now: Duration) {
-        let wanted = messages::wanted(&self.state);
+        let wanted = messages::wanted(self.app.state());
         if let Some(running) = &mut self.running
             && let Some(event) = running.inspect(wanted.as_ref(), now)
         {

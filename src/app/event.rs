@@ -69,6 +69,8 @@ pub enum TerminalEvent {
     },
     /// A whole line was entered at the prompt of the plain console.
     Line(String),
+    /// The plain console has told what a screen would show: message and overlays close, except a question.
+    Told,
     /// What the line to the terminal carries in bytes per second, while it cannot keep up.
     SlowLine(Option<u32>),
 }

@@ -1,4 +1,4 @@
-//! Everything that the console shows. Only [`update`](super::update()) changes it; drawing reads it.
+//! Everything that the console shows. Only [`App::update`](super::App::update) changes it; drawing reads it.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -32,6 +32,7 @@ mod profiles;
 mod session;
 mod time;
 
+use super::Setup;
 pub use super::keymap::Keymap;
 pub use super::room::{Room, Rooms};
 pub use crate::mission::Listing as MissionListing;
@@ -110,6 +111,8 @@ pub struct State {
     pub size: (u16, u16),
     /// Whether ArduPilot's SITL could be started.
     pub has_ardupilot: bool,
+    /// Whether rooms are drawn; the plain console has none.
+    pub has_rooms: bool,
     /// What the line to the terminal carries in bytes per second, while it cannot keep up.
     pub slow_line: Option<u32>,
     /// The last answer of the console itself.
@@ -139,35 +142,40 @@ impl Message {
 
 impl State {
     /// The home screen of a console that has just started.
-    pub fn new(missions: Vec<MissionListing>, themes: Vec<String>, theme: String) -> Self {
-        Self {
+    pub(in crate::app) fn new(setup: Setup) -> Self {
+        let mut state = Self {
             now: Duration::ZERO,
             room: Room::Home,
             rooms: Rooms::default(),
             typed: String::new(),
-            config: Config::default(),
-            locale: Arc::default(),
+            config: setup.config,
+            locale: setup.locale,
             pending: VecDeque::new(),
             overlay: None,
             session: Session::default(),
             notices: NoticeLog::default(),
-            missions,
-            tries: BTreeMap::new(),
+            missions: setup.missions,
+            tries: setup.tries,
             career: None,
             reward: None,
             profiles: Vec::new(),
             fleets: BTreeMap::new(),
-            stock: Vec::new(),
-            themes,
-            theme,
-            keymap: Keymap::default(),
+            stock: setup.stock,
+            themes: setup.themes,
+            theme: setup.theme,
+            keymap: setup.keymap,
             history: VecDeque::new(),
             size: SMALLEST,
-            has_ardupilot: false,
+            has_ardupilot: setup.has_ardupilot,
+            has_rooms: setup.has_rooms,
             slow_line: None,
             message: None,
             revision: 0,
+        };
+        for line in &setup.history {
+            state.remember(line);
         }
+        state
     }
 
     /// A number that moves whenever something visible may have changed.

@@ -6,7 +6,7 @@ use super::event::{
     VehicleEvent,
 };
 use super::room::{parameters, workshop};
-use super::state::State;
+use super::state::{Overlay, Room, State};
 
 pub(super) mod act;
 mod console_line;
@@ -23,11 +23,10 @@ mod swarm;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
-#[must_use = "the shell has to carry the effects out"]
-pub fn update(state: &mut State, event: impl Into<Event>) -> Vec<Effect> {
+pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
     let (room, had_overlay) = (state.room, state.overlay.is_some());
     let said = state.message().cloned();
-    let mut effects = react(state, event.into());
+    let mut effects = react(state, event);
     // A message goes with what it was about, unless it has only just been said.
     let is_elsewhere = state.room != room || (state.overlay.is_some() && !had_overlay);
     if is_elsewhere && state.message() == said.as_ref() {
@@ -35,7 +34,16 @@ pub fn update(state: &mut State, event: impl Into<Event>) -> Vec<Effect> {
     }
     effects.extend(telemetry::signals(state));
     workshop::weigh(state);
+    stay_with_vehicles(state);
     effects
+}
+
+/// Without rooms, the vehicles are what a session shows: its stages and its brief are told in lines.
+fn stay_with_vehicles(state: &mut State) {
+    let is_waiting = state.room == Room::Hangar && state.session.is_starting();
+    if !state.has_rooms && (is_waiting || state.room == Room::Mission) {
+        state.room = Room::Fly;
+    }
 }
 
 fn react(state: &mut State, event: Event) -> Vec<Effect> {
@@ -66,9 +74,21 @@ fn terminal(state: &mut State, event: TerminalEvent) -> Vec<Effect> {
         TerminalEvent::Line(line) => return palette::give(state, &line),
         TerminalEvent::Paste(text) => keys::paste(state, &text),
         TerminalEvent::Resize { columns, rows } => keys::resize(state, columns, rows),
+        TerminalEvent::Told => told(state),
         TerminalEvent::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,
     }
     Vec::new()
+}
+
+/// What the last line and the overlays say was told in lines.
+fn told(state: &mut State) {
+    state.hush();
+    if !matches!(state.overlay, Some(Overlay::Confirm(_))) {
+        state.overlay = None;
+    }
+    if state.session.activity.is_some() && state.rooms.debrief.is_none() {
+        state.room = Room::Fly;
+    }
 }
 
 fn vehicle(state: &mut State, event: VehicleEvent) -> Vec<Effect> {

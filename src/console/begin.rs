@@ -100,7 +100,7 @@ impl Console {
     /// Whether a mission can count for the career of whoever trains: not one that is locked, nor one flown with parts that
     /// are not theirs, nor a file, an airframe or a slow motion that others do not have.
     fn may_count(&self, mission: &Mission) -> bool {
-        let Some(career) = &self.state.career else {
+        let Some(career) = &self.app.state().career else {
             return true;
         };
         let mut fleet = mission.fleet().iter();

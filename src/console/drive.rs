@@ -20,7 +20,7 @@ pub async fn drive(
     lines: &[(Duration, &str)],
     mut look: impl FnMut(Duration, u64) -> ControlFlow<()>,
 ) -> anyhow::Result<()> {
-    let mut console = Console::new(options);
+    let mut console = Console::new(options, true);
     let mut screen = Screen::nowhere(size.0, size.1)?;
     let (columns, rows) = size;
     console.feed(TerminalEvent::Resize { columns, rows }).await;

@@ -5,7 +5,6 @@ use super::begin::parse;
 use super::session::Plan;
 use crate::app::effect::{Effect, SessionEffect, TerminalEffect};
 use crate::app::event::Event;
-use crate::app::update;
 use crate::notice::sanitised;
 use crate::session::Order;
 use crate::terminal::Environment;
@@ -27,7 +26,7 @@ impl Console {
     /// Takes in what is waiting, and carries out what comes of it, until nothing is left.
     pub(super) async fn take_in(&mut self) {
         while let Some(event) = self.inbox.pop_front() {
-            for effect in update(&mut self.state, event) {
+            for effect in self.app.update(event) {
                 self.carry_out(effect).await;
             }
         }

@@ -32,7 +32,7 @@ impl Console {
 
     /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
     pub(super) fn keep_line(&mut self) {
-        let newest = self.state.history.back();
+        let newest = self.app.state().history.back();
         let Some(history) = self.options.preferences.history.clone() else {
             return;
         };

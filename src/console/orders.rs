@@ -14,7 +14,7 @@ use crate::vehicle::{Severity, VehicleId};
 impl Console {
     /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
     pub(super) fn command(&mut self, targets: &[VehicleId], order: &Order) {
-        let (now, shown) = (self.clock.now(), &self.state.session);
+        let (now, shown) = (self.clock.now(), &self.app.state().session);
         let (targets, rows) = match &mut self.running {
             Some(running) => running.settle(targets, order, &shown.vehicles, now),
             None => (targets.to_vec(), Vec::new()),
@@ -49,7 +49,7 @@ impl Console {
         let refused = refused.and_then(|row| row.explanation.clone());
         self.post_rows(rows);
         // No vehicle says why, and not every room shows the commands.
-        let given = self.state.session.ledger.entry(entry);
+        let given = self.app.state().session.ledger.entry(entry);
         if let (Some(reason), Some(given)) = (refused, given) {
             let notice = Notice {
                 at: now,
@@ -69,7 +69,7 @@ impl Console {
         manoeuvre: &Manoeuvre,
         targets: &[VehicleId],
     ) {
-        let (now, shown) = (self.clock.now(), &self.state.session);
+        let (now, shown) = (self.clock.now(), &self.app.state().session);
         let rows = match &mut self.running {
             Some(running) => {
                 running.begin_manoeuvre((entry, manoeuvre), targets, &shown.vehicles, now)

@@ -1,6 +1,6 @@
 //! The console without a screen: lines in, lines out, for screen readers and for pipes.
 //!
-//! It is the same console: the same state, [`update`](crate::app::update()) and session. Only what a screen would show is said in lines,
+//! It is the same console: the same [`App`](crate::app::App) and session. Only what a screen would show is said in lines,
 //! each once: what was noticed, what became of commands, how objectives stand, the debrief. Nothing but text is
 //! written.
 //!
@@ -49,7 +49,7 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
     let mut signals = Signals::new()?;
     let mut plain = Plain {
         expected: expected(&options),
-        console: Console::new(options),
+        console: Console::new(options, false),
         report: Report::default(),
         output: Output::start(is_person),
         pilot: None,
@@ -128,11 +128,11 @@ struct Plain {
 
 impl Plain {
     fn greet(&mut self) {
-        if let Some(activity) = &self.console.state.session.activity {
+        if let Some(activity) = &self.console.app.state().session.activity {
             self.say(&activity.title());
         }
         self.say(&text!("plain-greeting"));
-        if self.console.state.flown_mission().is_some() {
+        if self.console.app.state().flown_mission().is_some() {
             self.brief();
         }
         self.output.prompt();
@@ -143,7 +143,7 @@ impl Plain {
     }
 
     fn is_over(&self) -> bool {
-        let state = &self.console.state;
+        let state = self.console.app.state();
         self.console.over || state.rooms.debrief.is_some() || state.session.activity.is_none()
     }
 
@@ -157,7 +157,10 @@ impl Plain {
         let Some(patience) = &mut self.ready else {
             return;
         };
-        let (session, now) = (&self.console.state.session, self.console.state.now);
+        let (session, now) = (
+            &self.console.app.state().session,
+            self.console.app.state().now,
+        );
         let heard = session.vehicles.len() >= self.expected;
         let heard = heard || now.saturating_sub(session.began_at) >= HEARD_PATIENCE;
         let is_there = heard && !session.is_starting();
@@ -167,29 +170,19 @@ impl Plain {
         }
     }
 
-    /// The stages and the brief are told in lines; there is no room to be in.
-    fn leave_rooms(&mut self) {
-        let state = &mut self.console.state;
-        let is_waiting = state.room == Room::Hangar && state.session.is_starting();
-        if is_waiting || state.room == Room::Mission {
-            state.room = Room::Fly;
-        }
-    }
-
     fn is_idle(&self) -> bool {
-        let mut entries = self.console.state.session.ledger.entries();
+        let mut entries = self.console.app.state().session.ledger.entries();
         self.pilot.is_none() && entries.all(crate::ledger::Entry::is_final)
     }
 
     async fn tick(&mut self) -> anyhow::Result<()> {
-        self.leave_rooms();
         self.console.tick().await;
         // The plain console has neither bell nor desktop notifications.
         self.console.bell = false;
         self.console.notes.clear();
         self.hold();
         self.look_for_ready();
-        let now = self.console.state.now;
+        let now = self.console.app.state().now;
         if now.saturating_sub(self.said_at) >= NEWS_EVERY {
             self.said_at = now;
             self.tell_news();
@@ -197,12 +190,12 @@ impl Plain {
         if !self.is_person
             && self
                 .start
-                .is_over(end::cannot_start(&self.console.state), now)
+                .is_over(end::cannot_start(self.console.app.state()), now)
         {
             self.give_up();
         }
         let ends = self.ended && self.is_idle();
-        let lands = end::is_as_good_as_passed(&self.console.state);
+        let lands = end::is_as_good_as_passed(self.console.app.state());
         if ends && (!lands || self.landing.is_over(true, now)) {
             self.abandon().await;
         }
@@ -210,7 +203,7 @@ impl Plain {
     }
 
     fn tell_news(&mut self) {
-        for text in self.report.news(&self.console.state) {
+        for text in self.report.news(self.console.app.state()) {
             self.say(&text);
         }
         self.output.prompt();
@@ -219,7 +212,7 @@ impl Plain {
     /// Goes on with a wait.
     fn hold(&mut self) {
         let Some(pilot) = &mut self.pilot else { return };
-        let state = &self.console.state;
+        let state = self.console.app.state();
         let session = &state.session;
         let findings = session.mission.as_ref().map(|progress| &progress.findings);
         let none = Findings::default();
@@ -250,13 +243,13 @@ impl Plain {
                 self.failed = true;
             }
         }
-        self.tell_outcome();
+        self.tell_outcome().await;
         self.output.prompt();
         self.output.check()
     }
 
     async fn take_text(&mut self, line: &str) {
-        if let Some(Overlay::Confirm(question)) = &self.console.state.overlay {
+        if let Some(Overlay::Confirm(question)) = &self.console.app.state().overlay {
             let answer = question.answer.clone();
             self.answer(&answer, line).await;
         } else if !line.is_empty() && !line.starts_with('#') {
@@ -285,14 +278,12 @@ impl Plain {
     }
 
     /// What a screen would have answered to a line.
-    fn tell_outcome(&mut self) {
-        self.leave_rooms();
-        let state = &mut self.console.state;
+    async fn tell_outcome(&mut self) {
+        let state = self.console.app.state();
         let mut texts = Vec::new();
         if let Some(message) = state.message() {
             self.failed |= message.severity <= Severity::Error;
             texts.push(message.text.clone());
-            state.hush();
         }
         match &state.overlay {
             Some(Overlay::Confirm(question)) => texts.push(text!(
@@ -304,19 +295,17 @@ impl Plain {
             Some(Overlay::Palette(palette)) => {
                 self.failed |= palette.fault.is_some();
                 texts.extend(palette.fault.iter().map(explained));
-                state.overlay = None;
             }
-            Some(_) => state.overlay = None,
-            None => {}
+            _ => {}
         }
         // A line that leads to another room has nothing to show here.
         if state.session.activity.is_some()
             && state.rooms.debrief.is_none()
             && state.room != Room::Fly
         {
-            state.room = Room::Fly;
             texts.push(text!("plain-no-room"));
         }
+        self.console.feed(TerminalEvent::Told).await;
         for text in texts {
             self.say(&text);
         }
@@ -325,7 +314,7 @@ impl Plain {
     /// Lines that show something; true if it was one of them.
     fn carry_out_here(&mut self, line: &str) -> bool {
         let (verb, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-        let state = &self.console.state;
+        let state = self.console.app.state();
         let texts = match verb {
             "status" => report::status(state, rest.trim()),
             "objectives" if rest.is_empty() => report::objectives(state),
@@ -355,7 +344,7 @@ impl Plain {
     }
 
     fn brief(&mut self) {
-        for text in brief::lines(&self.console.state) {
+        for text in brief::lines(self.console.app.state()) {
             self.say(&text);
         }
     }
@@ -364,7 +353,8 @@ impl Plain {
     fn wait(&mut self, line: &str) {
         let script = self
             .console
-            .state
+            .app
+            .state()
             .with_context(|context| Script::parse(line, context));
         match script {
             Ok(script) => self.pilot = Some(Pilot::new(script)),
@@ -379,15 +369,15 @@ impl Plain {
 
     async fn end_of_input(&mut self) {
         self.ended = true;
-        if matches!(self.console.state.overlay, Some(Overlay::Confirm(_))) {
+        if matches!(self.console.app.state().overlay, Some(Overlay::Confirm(_))) {
             self.console.feed(key(KeyCode::Esc)).await;
-            self.tell_outcome();
+            self.tell_outcome().await;
         }
     }
 
     /// Ends what is left at the end of the input: a mission gets its debrief.
     async fn abandon(&mut self) {
-        if self.console.state.session.mission.is_some() {
+        if self.console.app.state().session.mission.is_some() {
             self.console.abandon();
             self.console.tick().await;
         } else {
@@ -403,18 +393,16 @@ impl Plain {
     }
 
     fn finish(mut self, told_to_end: bool) -> anyhow::Result<bool> {
-        for text in self.report.news(&self.console.state) {
+        for text in self.report.news(self.console.app.state()) {
             self.say(&text);
         }
-        let debrief = self.console.state.rooms.debrief.take();
         let is_mission = matches!(self.console.options.opening, Opening::Mission(_));
-        let failed = self.failed || end::has_failures(&self.console.state.session.ledger);
+        let failed = self.failed || end::has_failures(&self.console.app.state().session.ledger);
         let mut passed = !is_mission && (self.is_person || !failed);
-        if let Some(debrief) = debrief {
+        let state = self.console.app.state();
+        if let Some(debrief) = &state.rooms.debrief {
             passed = debrief.report.passed;
-            let state = &self.console.state;
-            let lines = debrief.lines(state.reward.as_ref(), &state.locale);
-            for line in &lines {
+            for line in debrief.lines(state.reward.as_ref(), &state.locale) {
                 self.say(&Text::from(line.as_str()));
             }
         }

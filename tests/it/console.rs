@@ -22,11 +22,11 @@ mod pause;
 mod swarm;
 
 fn selection(console: &Console) -> Vec<u16> {
-    console.state.session.selection.iter().copied().collect()
+    console.state().session.selection.iter().copied().collect()
 }
 
 fn palette_line(console: &Console) -> String {
-    match &console.state.overlay {
+    match &console.state().overlay {
         Some(Overlay::Palette(palette)) => palette.input.value().to_owned(),
         other => panic!("the command line is not open: {other:?}"),
     }
@@ -38,7 +38,7 @@ fn a_line_with_targets_goes_to_exactly_those() {
     console.give("2-3 arm");
     assert_eq!(console.sent_to(), [2, 3]);
     let entry = console
-        .state
+        .state()
         .session
         .ledger
         .entries()
@@ -55,7 +55,7 @@ fn a_line_without_targets_goes_to_the_selection_else_to_the_cursor() {
     console.write("1,4-5").press("enter").give("arm");
     assert_eq!(console.sent_to(), [1, 4, 5]);
     let entry = console
-        .state
+        .state()
         .session
         .ledger
         .entries()
@@ -83,7 +83,7 @@ fn vehicles_are_selected_by_numbers_space_star_and_exclamation_mark() {
     console.write("17-19").press("enter");
     assert_eq!(
         console
-            .state
+            .state()
             .message()
             .map(|it| it.text.to_string())
             .as_deref(),
@@ -110,7 +110,7 @@ fn keys_that_nobody_can_see_the_effect_of_do_nothing() {
     console.give("all arm").press("*").press("j");
     console.hear(TerminalEvent::Paste("1 arm".to_owned()));
     assert!(console.effects.is_empty() && selection(&console).is_empty());
-    assert_eq!(console.state.session.cursor, Some(1));
+    assert_eq!(console.state().session.cursor, Some(1));
     console.hear(large).press("1");
     assert!(console.effects.is_empty(), "it does not come back");
     console.press("esc").press(":").write("1 arm").hear(small);
@@ -144,14 +144,14 @@ fn the_home_screen_starts_what_is_under_the_cursor() {
         [Effect::Session(SessionEffect::Connect(addresses))]
     );
     assert!(
-        console.state.overlay.is_some(),
+        console.state().overlay.is_some(),
         "the prompt waits for the outcome"
     );
     console.start(Activity::Connected {
         addresses: Vec::new(),
     });
-    assert!(console.state.overlay.is_none());
-    assert!(console.state.room == Room::Fly);
+    assert!(console.state().overlay.is_none());
+    assert!(console.state().room == Room::Fly);
 }
 
 #[test]
@@ -170,11 +170,11 @@ fn what_would_be_lost_is_asked_about() {
         console.press("y").effects,
         [Effect::Session(SessionEffect::Leave)]
     );
-    assert!(console.state.room == Room::Home);
-    assert!(console.state.session.vehicles.is_empty());
+    assert!(console.state().room == Room::Home);
+    assert!(console.state().session.vehicles.is_empty());
     console.vehicle(fixtures::parked(1));
     assert!(
-        console.state.session.vehicles.is_empty(),
+        console.state().session.vehicles.is_empty(),
         "late telemetry belongs to nobody"
     );
 }
@@ -186,14 +186,14 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
         .at(100)
         .hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(console.press("h").effects.is_empty());
-    assert!(console.state.room == Room::Debrief);
+    assert!(console.state().room == Room::Debrief);
     let footer = "keys work in a moment";
     assert!(console.screen(80, 24).contains(footer));
-    let before = console.state.revision();
+    let before = console.state().revision();
     console.hear(Event::Tick {
         now: std::time::Duration::from_millis(101_050),
     });
-    assert!(console.state.revision() > before);
+    assert!(console.state().revision() > before);
     assert!(!console.screen(80, 24).contains(footer));
     assert_eq!(
         console.press("h").effects,
@@ -214,14 +214,14 @@ fn a_line_being_typed_survives_the_end_of_the_mission() {
 fn only_visible_changes_move_the_revision() {
     let mut console = Console::flying(2);
     console.at(5);
-    let before = console.state.revision();
+    let before = console.state().revision();
     console.hear(Event::Tick {
         now: std::time::Duration::from_millis(5400),
     });
     console.vehicle(fixtures::parked(1));
-    assert_eq!(console.state.revision(), before);
+    assert_eq!(console.state().revision(), before);
     console.at(6);
-    assert!(console.state.revision() > before);
+    assert!(console.state().revision() > before);
 }
 
 #[test]
@@ -230,9 +230,9 @@ fn the_cursor_begins_on_the_first_vehicle_and_stays_where_it_was_put() {
     console
         .vehicle(fixtures::parked(4))
         .vehicle(fixtures::parked(2));
-    assert_eq!(console.state.session.cursor, Some(2));
+    assert_eq!(console.state().session.cursor, Some(2));
     console.press("j").vehicle(fixtures::parked(1));
-    assert_eq!(console.state.session.cursor, Some(4));
+    assert_eq!(console.state().session.cursor, Some(4));
 }
 
 #[test]
@@ -255,7 +255,7 @@ proptest::proptest! {
             console.press(key);
             let effects = std::mem::take(&mut console.effects);
             if effects.contains(&Effect::Session(SessionEffect::Leave)) {
-                proptest::prop_assert!(console.state.session.activity.is_none());
+                proptest::prop_assert!(console.state().session.activity.is_none());
             }
             proptest::prop_assert!(!effects.iter().any(is_kill), "killed without its question");
         }

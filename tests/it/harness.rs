@@ -10,42 +10,66 @@ use ratatui::backend::TestBackend;
 use sortie::app::effect::Effect;
 use sortie::app::event::{Event, SessionEvent, Started, TerminalEvent, VehicleEvent};
 use sortie::app::state::{Activity, State};
-use sortie::app::update;
+use sortie::app::{App, Setup};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::notice::Notice;
-use sortie::text::Text;
+use sortie::text::{Language, Locale, Text};
 use sortie::ui::{self, Look, Theme};
 use sortie::vehicle::{Severity, Vehicle};
 
 use crate::fixtures;
 
 /// The console and what it asked the shell to do last.
+#[derive(Clone)]
 pub struct Console {
-    pub state: State,
+    app: App,
     pub effects: Vec<Effect>,
 }
 
 impl Console {
     /// On the home screen, with one mission on offer.
     pub fn new() -> Self {
-        let missions = vec![fixtures::listing()];
-        let themes = Theme::names().map(str::to_owned).collect();
+        Self::set_up(|_| {})
+    }
+
+    /// The same with another setup.
+    pub fn set_up(change: impl FnOnce(&mut Setup)) -> Self {
+        let mut setup = Setup {
+            missions: vec![fixtures::listing()],
+            themes: Theme::names().map(str::to_owned).collect(),
+            ..Setup::default()
+        };
+        change(&mut setup);
         let mut console = Self {
-            state: State::new(missions, themes, "dark".to_owned()),
+            app: App::new(setup),
             effects: Vec::new(),
         };
         console.at(0);
         console
     }
 
+    /// The words of a language on the screen from the start.
+    pub fn in_language(language: Language) -> Self {
+        Self::set_up(|setup| setup.locale = Arc::new(Locale::new(language)))
+    }
+
     /// In free flight with `count` vehicles on the ground.
     pub fn flying(count: u16) -> Self {
-        let mut console = Self::new();
-        console.start(Activity::Free);
+        Self::new().in_flight(count)
+    }
+
+    /// Begins free flight with `count` vehicles on the ground.
+    pub fn in_flight(mut self, count: u16) -> Self {
+        self.start(Activity::Free);
         for id in 1..=count {
-            console.hear(VehicleEvent::Telemetry(Arc::new(fixtures::parked(id))));
+            self.vehicle(fixtures::parked(id));
         }
-        console
+        self
+    }
+
+    /// What the console shows.
+    pub fn state(&self) -> &State {
+        self.app.state()
     }
 
     pub fn start(&mut self, activity: Activity) {
@@ -60,7 +84,7 @@ impl Console {
     }
 
     pub fn hear(&mut self, event: impl Into<Event>) -> &mut Self {
-        self.effects = update(&mut self.state, event);
+        self.effects = self.app.update(event);
         self
     }
 
@@ -131,20 +155,20 @@ impl Console {
         state: RowState,
         explanation: Option<Text>,
     ) -> &mut Self {
-        let newest = self.state.session.ledger.entries().len() as u32 - 1;
+        let newest = self.state().session.ledger.entries().len() as u32 - 1;
         self.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(newest),
             vehicle,
             state,
             tries: 1,
-            at: self.state.now,
+            at: self.state().now,
             explanation,
         }))
     }
 
     pub fn notice(&mut self, severity: Severity, vehicle: Option<u16>, text: &str) -> &mut Self {
         self.hear(Event::Notice(Notice {
-            at: self.state.now,
+            at: self.state().now,
             vehicle,
             severity,
             kind: None,
@@ -165,11 +189,11 @@ impl Console {
         let backend = TestBackend::new(width, height);
         let mut terminal = Terminal::new(backend).expect("a test terminal");
         let look = Look {
-            locale: Arc::clone(&self.state.locale),
+            locale: Arc::clone(&self.state().locale),
             ..Look::default()
         };
         terminal
-            .draw(|frame| ui::draw(&self.state, &look, frame))
+            .draw(|frame| ui::draw(self.state(), &look, frame))
             .expect("a test terminal");
         let buffer = terminal.backend().buffer();
         let rows = buffer.content.chunks(usize::from(width.max(1)));

@@ -5,6 +5,7 @@ use std::time::Duration;
 use sortie::app::event::{Event, LinkEvent, SessionEvent};
 use sortie::app::state::{Activity, LinkSummary};
 use sortie::ledger::RowState;
+use sortie::text::Language;
 use sortie::vehicle::{Severity, Vehicle};
 
 use crate::fixtures;
@@ -57,7 +58,11 @@ fn link(name: &str, state: &str, up: bool) -> LinkSummary {
 
 /// A mission with all that can go wrong in it.
 fn busy() -> Console {
-    let mut console = Console::new();
+    busy_in(Language::English)
+}
+
+fn busy_in(language: Language) -> Console {
+    let mut console = Console::in_language(language);
     console.start(Activity::Mission {
         id: "m01".to_owned(),
         title: "Air sample at the yard".into(),

@@ -199,10 +199,11 @@ pub fn failed(state: &mut State, text: Text) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::Setup;
     use crate::vehicle::VehicleId;
 
     fn said_in(room: Room, vehicle: Option<VehicleId>, severity: Severity) -> Option<String> {
-        let mut state = State::new(Vec::new(), Vec::new(), String::new());
+        let mut state = State::new(Setup::default());
         state.room = room;
         let text = Text::from("not recorded");
         let at = Duration::ZERO;

@@ -9,8 +9,8 @@ use serde::Serialize;
 
 use super::super::Failure;
 use crate::app::event::{Event, SessionEvent, Started, TerminalEvent, VehicleEvent};
-use crate::app::state::{Activity, Room, State};
-use crate::app::update;
+use crate::app::state::{Activity, State};
+use crate::app::{App, Setup};
 use crate::geo::LatLon;
 use crate::terminal::Screen;
 use crate::ui::{self, Look};
@@ -88,12 +88,12 @@ pub(in crate::cli) fn frame(options: &FrameArguments) -> Result<ExitCode, Failur
 fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Failure> {
     let look = Look::default();
     let mut screen = Screen::nowhere(options.width, options.height)?;
-    let mut state = swarm(vehicles);
-    if options.map {
-        state.room = Room::Map;
-    }
+    let mut app = swarm(vehicles);
     let (columns, rows) = (options.width, options.height);
-    feed(&mut state, TerminalEvent::Resize { columns, rows });
+    feed(&mut app, TerminalEvent::Resize { columns, rows });
+    if options.map {
+        feed(&mut app, TerminalEvent::Line("show map".to_owned()));
+    }
     let mut drawing = Duration::ZERO;
     let mut bytes_before = 0;
     for frame in 0..FRAMES {
@@ -101,14 +101,15 @@ fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Fa
             drawing = Duration::ZERO;
             bytes_before = screen.bytes();
         }
-        advance(&mut state, vehicles, frame);
+        advance(&mut app, vehicles, frame);
         let started = Instant::now();
-        draw_if_changed(&mut screen, &state, &look, None)?;
+        draw_if_changed(&mut screen, app.state(), &look, None)?;
         drawing += started.elapsed();
     }
     let counted = f64::from(FRAMES - WARM_UP);
     let bytes_after = screen.bytes();
-    draw_if_changed(&mut screen, &state, &look, Some(state.revision()))?;
+    let drawn = Some(app.state().revision());
+    draw_if_changed(&mut screen, app.state(), &look, drawn)?;
     Ok(Measured {
         vehicles,
         width: options.width,
@@ -133,8 +134,8 @@ fn draw_if_changed(
 }
 
 /// A swarm on the flight screen.
-fn swarm(vehicles: VehicleId) -> State {
-    let mut state = State::new(Vec::new(), Vec::new(), "dark".to_owned());
+fn swarm(vehicles: VehicleId) -> App {
+    let mut app = App::new(Setup::default());
     let started = Started {
         activity: Activity::Free,
         mission: None,
@@ -142,26 +143,26 @@ fn swarm(vehicles: VehicleId) -> State {
         areas: Vec::new(),
         processes: None,
     };
-    feed(&mut state, SessionEvent::Started(Box::new(started)));
+    feed(&mut app, SessionEvent::Started(Box::new(started)));
     for id in 1..=vehicles {
-        feed(&mut state, VehicleEvent::Telemetry(Arc::new(flying(id, 0))));
+        feed(&mut app, VehicleEvent::Telemetry(Arc::new(flying(id, 0))));
     }
-    state
+    app
 }
 
 /// The next tenth of the swarm has moved on.
-fn advance(state: &mut State, vehicles: VehicleId, frame: u32) {
+fn advance(app: &mut App, vehicles: VehicleId, frame: u32) {
     let now = Duration::from_millis(u64::from(frame) * 100);
-    feed(state, Event::Tick { now });
+    feed(app, Event::Tick { now });
     let is_due = |id: &VehicleId| vehicles == 1 || u32::from(*id) % ONE_IN == frame % ONE_IN;
     for id in (1..=vehicles).filter(is_due) {
-        feed(state, VehicleEvent::Telemetry(Arc::new(flying(id, frame))));
+        feed(app, VehicleEvent::Telemetry(Arc::new(flying(id, frame))));
     }
 }
 
 /// Takes an event in. Only drawing is measured: nobody carries effects out.
-fn feed(state: &mut State, event: impl Into<Event>) {
-    let _effects = update(state, event);
+fn feed(app: &mut App, event: impl Into<Event>) {
+    let _effects = app.update(event);
 }
 
 /// A copter under way: its figures differ by vehicle and by frame.

@@ -41,8 +41,7 @@ fn an_alert_says_what_and_since_when_until_it_is_over() {
 
 #[test]
 fn alerts_of_many_vehicles_are_one_line_one_ring_and_one_note() {
-    let mut console = Console::flying(5);
-    console.state.config.alerts.notify = true;
+    let mut console = Console::set_up(|setup| setup.config.alerts.notify = true).in_flight(5);
     console.at(10);
     let mut effects = Vec::new();
     for id in 1..=4 {
@@ -82,7 +81,7 @@ fn alerts_are_acknowledged_by_kind_and_by_vehicle() {
         console.vehicle(silent(id, 7));
     }
     let open = |console: &Console| {
-        let pressing = console.state.session.alarms.pressing();
+        let pressing = console.state().session.alarms.pressing();
         pressing.map_or(0, |pressing| pressing.vehicles.len())
     };
     assert_eq!(open(&console), 3);
@@ -107,8 +106,7 @@ fn reasons_not_to_arm_never_ring() {
 
 #[test]
 fn a_bell_that_is_switched_off_is_silent() {
-    let mut console = Console::flying(1);
-    console.state.config.alerts.bell = false;
+    let mut console = Console::set_up(|setup| setup.config.alerts.bell = false).in_flight(1);
     console.notice(Severity::Emergency, Some(1), "Crash: Disarming");
     assert!(console.effects.is_empty());
 }

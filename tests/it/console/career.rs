@@ -14,12 +14,12 @@ use crate::fixtures::career::{TODAY, campaign, career, flight, newcomer, nobody,
 use crate::harness::Console;
 
 fn under_cursor(console: &Console) -> String {
-    let shown = home::under_cursor(&console.state);
+    let shown = home::under_cursor(console.state());
     shown.map_or_else(String::new, |shown| shown.id.clone())
 }
 
 fn said(console: &Console) -> String {
-    let message = console.state.message();
+    let message = console.state().message();
     message.map_or_else(String::new, |message| message.text.to_string())
 }
 
@@ -83,7 +83,7 @@ fn a_locked_mission_is_not_flown_in_any_way_and_says_why() {
         go_to(&mut console, "01-air-sample");
         console.press(key);
         assert!(console.effects.is_empty(), "{key}: {:?}", console.effects);
-        assert!(console.state.overlay.is_none(), "{key}");
+        assert!(console.state().overlay.is_none(), "{key}");
         assert_eq!(
             said(&console),
             "Air sample is locked: pass First flight",
@@ -122,23 +122,36 @@ fn an_open_mission_is_flown_for_credits_with_the_seed_of_the_day_as_an_exam_or_f
     assert_eq!(console.effects, start(Stake::Practice, None));
 }
 
+fn starter() -> Design {
+    let starter = include_str!("../../../designs/starter.toml");
+    Design::from_toml(starter).expect("it is good")
+}
+
+/// A trainee who has chosen a design for the mission under the cursor.
+fn with_a_fleet(career: Career) -> Console {
+    let mut console = Console::set_up(|setup| {
+        setup.missions = campaign().0;
+        setup.stock = vec![starter()];
+    });
+    console.hear(CareerEvent::Career(Some(Box::new(career))));
+    console.press("W").press("f").press("enter");
+    assert_eq!(console.state().fleets.len(), 1);
+    console
+}
+
 #[test]
 fn practice_is_flown_with_the_fleet_that_was_chosen() {
-    let mut console = trained_by(newcomer());
-    let starter = include_str!("../../../designs/starter.toml");
-    let fleet = vec![Design::from_toml(starter).expect("it is good")];
-    let fleets = &mut console.state.fleets;
-    fleets.insert("00-first-flight".to_owned(), fleet.clone());
-    console.press("p").press("enter");
+    let mut console = with_a_fleet(newcomer());
+    console.press("H").press("p").press("enter");
     let [Effect::Session(SessionEffect::StartMission(launch))] = console.effects.as_slice() else {
         panic!("{:?}", console.effects);
     };
-    assert_eq!(launch.fleet, fleet);
+    assert_eq!(launch.fleet, [starter()]);
 }
 
 #[test]
 fn a_trainee_is_met_in_their_language_until_they_choose_another() {
-    let language = |console: &Console| console.state.locale.language();
+    let language = |console: &Console| console.state().locale.language();
     let ukrainian = |name: &str| Career {
         language: Some(Language::Ukrainian),
         name: name.to_owned(),
@@ -173,7 +186,7 @@ fn an_exam_that_would_end_a_flight_says_so() {
     console.press("H").press("e");
     let screen = console.screen(80, 24);
     assert!(screen.contains("mission"), "{screen}");
-    let Some(Overlay::Confirm(question)) = &console.state.overlay else {
+    let Some(Overlay::Confirm(question)) = &console.state().overlay else {
         panic!("{screen}");
     };
     let reason = question.reason.to_string();
@@ -185,7 +198,7 @@ fn an_exam_that_would_end_a_flight_says_so() {
 
 #[test]
 fn profiles_are_chosen_made_and_left() {
-    let names = |console: &Console| console.state.trainees();
+    let names = |console: &Console| console.state().trainees();
     let mut console = trained_by(career());
     assert_eq!(
         names(&console),
@@ -198,7 +211,7 @@ fn profiles_are_chosen_made_and_left() {
     );
     // The one that holds now is under the cursor, and taking it changes nothing.
     console.press("u").press("enter");
-    assert!(console.effects.is_empty() && console.state.overlay.is_none());
+    assert!(console.effects.is_empty() && console.state().overlay.is_none());
     console.press("u").press("j").press("enter");
     assert_eq!(
         console.effects,
@@ -207,7 +220,7 @@ fn profiles_are_chosen_made_and_left() {
     console.press("u").press("end").press("enter");
     assert_eq!(console.effects, [Effect::Career(CareerEffect::Leave)]);
     console.press("u").press("esc");
-    assert!(console.effects.is_empty() && console.state.overlay.is_none());
+    assert!(console.effects.is_empty() && console.state().overlay.is_none());
     console.press("u").press("end").press("k").press("enter");
     console.write("  ").press("enter");
     assert!(console.effects.is_empty(), "a name has letters");
@@ -233,7 +246,7 @@ fn the_prompt_for_a_name_stays_with_the_reason_until_there_is_a_profile() {
     console.hear(Event::Failed("there is one already".into()));
     let screen = console.screen(80, 24);
     assert!(screen.contains("there is one already"), "{screen}");
-    let is_prompt = |console: &Console| match &console.state.overlay {
+    let is_prompt = |console: &Console| match &console.state().overlay {
         Some(Overlay::Prompt(prompt)) => prompt.purpose == Purpose::NewProfile,
         _ => false,
     };
@@ -249,7 +262,7 @@ fn nobody_takes_over_a_flight() {
     let mut console = trained_by(career());
     in_flight(&mut console);
     console.press("H").press("u");
-    assert!(console.state.overlay.is_none());
+    assert!(console.state().overlay.is_none());
     assert!(
         said(&console).contains("end it first"),
         "{}",
@@ -257,31 +270,32 @@ fn nobody_takes_over_a_flight() {
     );
     console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     console.at(5).press("H").press("u");
-    assert!(console.state.overlay.is_some(), "it is over");
+    assert!(console.state().overlay.is_some(), "it is over");
 }
 
 #[test]
 fn what_was_chosen_for_missions_goes_with_who_chose_it() {
-    let mut console = trained_by(career());
-    let fleets = &mut console.state.fleets;
-    fleets.insert("01-air-sample".to_owned(), Vec::new());
+    let mut console = with_a_fleet(career());
     console.hear(CareerEvent::Career(Some(Box::new(career()))));
-    assert_eq!(console.state.fleets.len(), 1);
+    assert_eq!(console.state().fleets.len(), 1);
     console.hear(CareerEvent::Career(None));
-    assert!(console.state.fleets.is_empty());
+    assert!(console.state().fleets.is_empty());
 }
 
 #[test]
 fn advice_goes_round_and_is_kept() {
-    let mut console = trained_by(career());
-    console.press("T");
-    assert_eq!(console.state.room, Room::Standing);
     for (now, next) in [
         (Aids::Fading, Aids::None),
         (Aids::None, Aids::Full),
         (Aids::Full, Aids::Fading),
     ] {
-        console.state.career.as_mut().expect("she trains").aids = now;
+        let career = Career {
+            aids: now,
+            ..career()
+        };
+        let mut console = trained_by(career);
+        console.press("T");
+        assert_eq!(console.state().room, Room::Standing);
         console.press("a");
         assert_eq!(
             console.effects,
@@ -338,19 +352,18 @@ fn hints_that_come_by_themselves_fade_and_those_that_are_asked_for_stay() {
 
 #[test]
 fn a_flight_under_way_hears_of_it_in_every_room() {
-    let (missions, course) = campaign();
+    let (_, course) = campaign();
     let mut console = nobody();
     let career = Career {
         aids: Aids::None,
         ..Career::new("oksana", Vec::new(), course)
     };
-    console.state.missions = missions;
     console.hear(CareerEvent::Career(Some(Box::new(career))));
     in_flight(&mut console);
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    let progress = console.state.session.mission.as_ref();
+    let progress = console.state().session.mission.as_ref();
     assert_eq!(progress.expect("it is flown").hint, None);
-    assert!(console.state.rooms.mission.hints.is_empty());
+    assert!(console.state().rooms.mission.hints.is_empty());
 }
 
 #[test]
@@ -394,7 +407,7 @@ fn credits_are_left_as_long_as_the_best_flight_is_not_perfect() {
 fn a_mission_of_ones_own_progress_is_found_on_the_home_screen() {
     let mut console = trained_by(career());
     console.press("T").press("tab").press("j").press("enter");
-    assert_eq!(console.state.room, Room::Home);
+    assert_eq!(console.state().room, Room::Home);
     // The second line is the drill: it is flown from its mission.
     assert_eq!(under_cursor(&console), "01-air-sample");
 }

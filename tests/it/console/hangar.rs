@@ -48,7 +48,11 @@ pub fn crashed(vehicle: u16) -> Instance {
 
 /// A session whose vehicles have to be started first.
 pub fn starting(activity: Activity, processes: usize) -> Console {
-    let mut console = Console::new();
+    start(Console::new(), activity, processes)
+}
+
+/// Starts such a session.
+pub fn start(mut console: Console, activity: Activity, processes: usize) -> Console {
     let is_mission = matches!(activity, Activity::Mission { .. });
     console.hear(SessionEvent::Started(Box::new(Started {
         mission: is_mission.then(|| Box::new(fixtures::listing())),
@@ -78,7 +82,12 @@ fn ready() -> Console {
 }
 
 fn last_notice(console: &Console) -> (Severity, Option<u16>, String) {
-    let line = console.state.notices.lines().next_back().expect("a notice");
+    let line = console
+        .state()
+        .notices
+        .lines()
+        .next_back()
+        .expect("a notice");
     let notice = &line.notice;
     (notice.severity, notice.vehicle, notice.text.to_string())
 }
@@ -86,10 +95,10 @@ fn last_notice(console: &Console) -> (Severity, Option<u16>, String) {
 #[test]
 fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
     let mut console = starting(Activity::Free, 2);
-    assert_eq!(console.state.room, Room::Hangar);
+    assert_eq!(console.state().room, Room::Hangar);
     hear(&mut console, vec![instance(1, Stage::Ready)]);
     assert_eq!(
-        console.state.room,
+        console.state().room,
         Room::Hangar,
         "the other is not even there"
     );
@@ -97,14 +106,14 @@ fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
         &mut console,
         vec![instance(1, Stage::Ready), instance(2, Stage::Position)],
     );
-    assert_eq!(console.state.room, Room::Hangar);
+    assert_eq!(console.state().room, Room::Hangar);
     console.at(7);
     hear(
         &mut console,
         vec![instance(1, Stage::Ready), instance(2, Stage::Ready)],
     );
-    assert_eq!(console.state.room, Room::Fly);
-    assert_eq!(console.state.session.began_at.as_secs(), 7);
+    assert_eq!(console.state().room, Room::Fly);
+    assert_eq!(console.state().session.began_at.as_secs(), 7);
     assert_eq!(last_notice(&console).2, "all 2 vehicles are ready to arm");
 }
 
@@ -113,7 +122,7 @@ fn who_has_gone_elsewhere_stays_there() {
     let mut console = starting(Activity::Free, 1);
     console.press("P");
     hear(&mut console, vec![instance(1, Stage::Ready)]);
-    assert_eq!(console.state.room, Room::Parameters);
+    assert_eq!(console.state().room, Room::Parameters);
 }
 
 #[test]
@@ -126,7 +135,7 @@ fn escape_cancels_what_has_not_begun_without_a_question() {
     hear(&mut console, vec![instance(1, Stage::Process)]);
     console.press("esc");
     assert_eq!(console.effects, [Effect::Session(SessionEffect::Leave)]);
-    assert_eq!(console.state.room, Room::Home);
+    assert_eq!(console.state().room, Room::Home);
 }
 
 #[test]
@@ -162,13 +171,13 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
         text.contains("G, then r") && text.contains("hangar restart 2"),
         "{text}"
     );
-    let worst = console.state.session.alarms.worst(2).expect("it alarms");
+    let worst = console.state().session.alarms.worst(2).expect("it alarms");
     assert_eq!(worst.alert.kind, AlertKind::Process);
     assert_eq!(console.effects, [Effect::Terminal(TerminalEffect::Bell)]);
-    let count = console.state.notices.lines().len();
+    let count = console.state().notices.lines().len();
     hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
     assert_eq!(
-        console.state.notices.lines().len(),
+        console.state().notices.lines().len(),
         count,
         "it is told once"
     );
@@ -196,7 +205,7 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     assert_eq!(last_notice(&console).2, "is ready to arm again");
     assert!(
         console
-            .state
+            .state()
             .session
             .alarms
             .of(2)
@@ -236,9 +245,9 @@ fn why_the_vehicles_could_not_be_started_stays_on_the_screen() {
 fn the_output_of_a_process_that_runs_is_looked_at_as_long_as_it_is_on_the_screen() {
     use sortie::app::room::hangar::wanted;
     let mut console = ready();
-    assert_eq!(wanted(&console.state), None);
+    assert_eq!(wanted(console.state()), None);
     console.press("G").press("j");
-    assert_eq!(wanted(&console.state), Some(2));
+    assert_eq!(wanted(console.state()), Some(2));
     let printed = |anew, lines: &[&str]| ProcessEvent::Printed {
         vehicle: 2,
         anew,
@@ -290,12 +299,12 @@ fn an_armed_vehicle_is_not_restarted_or_ended_without_a_question() {
     for (key, line) in [("r", "hangar restart 1"), ("x", "hangar stop 1")] {
         console.press("G").press(key);
         assert!(
-            matches!(console.state.overlay, Some(Overlay::Confirm(_))),
+            matches!(console.state().overlay, Some(Overlay::Confirm(_))),
             "{key}"
         );
         console.press("n").give(line);
         assert!(
-            matches!(console.state.overlay, Some(Overlay::Confirm(_))),
+            matches!(console.state().overlay, Some(Overlay::Confirm(_))),
             "{line}"
         );
         console.press("n");
@@ -318,7 +327,7 @@ fn the_mission_does_not_wait_for_one_that_was_ended() {
     hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
     console.press("j").press("x");
     hear(&mut console, vec![instance(1, Stage::Ready)]);
-    assert_eq!(console.state.room, Room::Fly);
+    assert_eq!(console.state().room, Room::Fly);
 }
 
 #[test]
@@ -326,10 +335,15 @@ fn lines_about_processes_that_are_not_there_are_explained() {
     let mut console = Console::flying(1);
     console.give("hangar restart 9");
     assert!(console.effects.is_empty());
-    let said = console.state.message().expect("an answer").text.to_string();
+    let said = console
+        .state()
+        .message()
+        .expect("an answer")
+        .text
+        .to_string();
     assert_eq!(said, "there is no process of vehicle 9");
     console.give("hangar");
-    assert_eq!(console.state.room, Room::Hangar);
+    assert_eq!(console.state().room, Room::Hangar);
 }
 
 #[test]
@@ -359,7 +373,7 @@ fn output_opens_and_scrolls() {
         "{screen}"
     );
     console.press("esc");
-    assert_eq!(console.state.room, Room::Hangar);
+    assert_eq!(console.state().room, Room::Hangar);
     console.press("esc");
-    assert_eq!(console.state.room, Room::Fly);
+    assert_eq!(console.state().room, Room::Fly);
 }

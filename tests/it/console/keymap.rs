@@ -7,11 +7,11 @@ use crate::harness::Console;
 
 /// A flight of six with a keymap file.
 fn flying(keymap: &str) -> Console {
-    let mut console = Console::flying(6);
-    let themes = console.state.themes.clone();
-    let read = console.state.keymap.overlay(keymap, &themes);
-    read.expect("it is right");
-    console
+    let console = Console::set_up(|setup| {
+        let read = setup.keymap.overlay(keymap, &setup.themes);
+        read.expect("it is right");
+    });
+    console.in_flight(6)
 }
 
 #[test]
@@ -30,7 +30,7 @@ fn a_dangerous_line_asks_and_a_line_that_cannot_be_given_stays() {
     let mut console = flying("[fly]\nz = \"1-3 kill\"\nx = \"@red arm\"\n");
     console.press("z");
     assert!(console.effects.is_empty());
-    assert!(matches!(console.state.overlay, Some(Overlay::Confirm(_))));
+    assert!(matches!(console.state().overlay, Some(Overlay::Confirm(_))));
     assert_eq!(console.press("3").sent_to(), [1, 2, 3]);
     console.press("x");
     assert!(console.effects.is_empty());

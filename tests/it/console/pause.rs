@@ -18,7 +18,10 @@ fn mission() -> Activity {
 }
 
 fn flying() -> Console {
-    let mut console = Console::new();
+    flying_in(Console::new())
+}
+
+fn flying_in(mut console: Console) -> Console {
     console.start(mission());
     console.vehicle(fixtures::airborne(1, 20.0, 20.1));
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
@@ -28,7 +31,7 @@ fn flying() -> Console {
 
 /// What the last line of the screen says.
 fn said(console: &Console) -> String {
-    let message = console.state.message();
+    let message = console.state().message();
     message.map_or_else(String::new, |message| {
         Locale::new(Language::English).text(&message.text)
     })
@@ -72,14 +75,14 @@ fn commands_are_refused_while_it_is_paused_and_the_line_stays() {
     console.hear(SessionEvent::Paused(true));
     for line in ["1 rtl", "1 mark", "1 predict 800"] {
         assert!(console.give(line).effects.is_empty(), "{line}");
-        let Some(Overlay::Palette(palette)) = &console.state.overlay else {
+        let Some(Overlay::Palette(palette)) = &console.state().overlay else {
             panic!("the line is gone: {line}");
         };
         let fault = palette.fault.as_ref().expect("it says why");
         assert!(fault.message.to_string().contains("paused"), "{line}");
         console.press("esc");
     }
-    assert_eq!(console.state.session.ledger.entries().len(), 0);
+    assert_eq!(console.state().session.ledger.entries().len(), 0);
     console.hear(SessionEvent::Paused(false));
     assert_eq!(console.give("1 rtl").sent_to(), [1]);
 }
@@ -120,17 +123,21 @@ fn what_cannot_be_paused_says_why() {
 fn a_mission_begins_with_its_brief_and_once_more_in_flight() {
     let mut console = Console::new();
     console.start(mission());
-    assert_eq!(console.state.room, Room::Mission);
+    assert_eq!(console.state().room, Room::Mission);
     let screen = console.screen(80, 24);
     for words in ["before launch", "predict 800", "goal time 200s"] {
         assert!(screen.contains(words), "{words}: {screen}");
     }
-    assert_eq!(console.press("enter").state.room, Room::Fly);
+    assert_eq!(console.press("enter").state().room, Room::Fly);
     console.start(mission());
-    assert_eq!(console.state.room, Room::Fly, "who flies it again knows it");
+    assert_eq!(
+        console.state().room,
+        Room::Fly,
+        "who flies it again knows it"
+    );
     let mut free = Console::new();
     free.start(Activity::Free);
-    assert_eq!(free.state.room, Room::Fly);
+    assert_eq!(free.state().room, Room::Fly);
 }
 
 #[test]
@@ -179,18 +186,17 @@ fn keys_of_the_brief_end_and_repeat_the_mission_after_a_question() {
     ] {
         let mut console = flying();
         console.press("B").press(key);
-        assert!(matches!(console.state.overlay, Some(Overlay::Confirm(_))));
+        assert!(matches!(console.state().overlay, Some(Overlay::Confirm(_))));
         assert_eq!(console.press("y").effects, [effect]);
     }
 }
 
 #[test]
 fn the_debrief_leads_to_the_same_seed_another_one_and_the_next_mission() {
-    let mut console = flying();
     let mut next = fixtures::listing();
     next.id = "m02".to_owned();
-    let first = console.state.missions[0].id.clone();
-    console.state.missions.push(next);
+    let first = fixtures::listing().id;
+    let mut console = flying_in(Console::set_up(|setup| setup.missions.push(next)));
     let mut report = fixtures::report();
     report.mission = first;
     console.hear(SessionEvent::MissionEnded(Box::new(report)));
@@ -232,9 +238,9 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
         seen.iter().any(|line| line.contains("OBJECTIVES")),
         "{seen:?}"
     );
-    let there = console.state.rooms.debrief.as_ref().map(|it| it.scroll);
+    let there = console.state().rooms.debrief.as_ref().map(|it| it.scroll);
     console.press("tab").press("shift-tab");
-    let back = console.state.rooms.debrief.as_ref().map(|it| it.scroll);
+    let back = console.state().rooms.debrief.as_ref().map(|it| it.scroll);
     assert_eq!(there, back);
 }
 
@@ -281,7 +287,7 @@ fn times_in_a_mission_are_those_of_the_mission() {
     assert!(header(&console).is_some_and(|line| line.contains("07:00")));
     let at = |s| {
         console
-            .state
+            .state()
             .session
             .time(std::time::Duration::from_secs(s))
             .as_secs()

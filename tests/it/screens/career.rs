@@ -25,7 +25,7 @@ fn on_mission(career: Career, mission: &str) -> Console {
     let mut console = trained_by(career);
     console.press("home");
     for _ in 0..20 {
-        let shown = sortie::app::room::home::under_cursor(&console.state);
+        let shown = sortie::app::room::home::under_cursor(console.state());
         if shown.is_some_and(|shown| shown.id == mission) {
             return console;
         }

@@ -17,7 +17,7 @@ fn seen(console: &Console, look: &Look, (width, height): (u16, u16)) -> (String,
     let backend = TestBackend::new(width, height);
     let mut terminal = Terminal::new(backend).expect("a test terminal");
     terminal
-        .draw(|frame| ui::draw(&console.state, look, frame))
+        .draw(|frame| ui::draw(console.state(), look, frame))
         .expect("a test terminal");
     let cells = &terminal.backend().buffer().content;
     let rows = cells.chunks(usize::from(width));

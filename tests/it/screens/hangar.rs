@@ -1,17 +1,15 @@
 //! The room of the vehicles' processes.
 
-use std::sync::Arc;
 
 use sortie::app::state::{Activity, Instance, Stage};
-use sortie::text::{Language, Locale};
+use sortie::text::Language;
 
-use crate::console::hangar::{crashed, hear, instance, starting};
+use crate::console::hangar::{crashed, hear, instance, start};
 use crate::harness::Console;
 
 /// Every stage at once.
 fn all_stages(language: Language) -> Console {
-    let mut console = starting(Activity::Free, 8);
-    console.state.locale = Arc::new(Locale::new(language));
+    let mut console = start(Console::in_language(language), Activity::Free, 8);
     let complete = |vehicle, stage| Instance {
         parameters: [1382, 1382],
         ..instance(vehicle, stage)

@@ -7,7 +7,7 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use sortie::app::event::{SessionEvent, Started, TerminalEvent};
 use sortie::app::room::map::{SketchKind, sketches};
-use sortie::app::state::{Activity, Room};
+use sortie::app::state::Activity;
 use sortie::config::Symbols;
 use sortie::geo::Outline;
 use sortie::mission::{Area, AreaKind, Mission};
@@ -86,7 +86,7 @@ pub fn drawn(console: &Console, symbols: Symbols, language: Language, size: (u16
     let backend = TestBackend::new(size.0, size.1);
     let mut terminal = Terminal::new(backend).expect("a test terminal");
     terminal
-        .draw(|frame| ui::draw(&console.state, &look, frame))
+        .draw(|frame| ui::draw(console.state(), &look, frame))
         .expect("a test terminal");
     let buffer = terminal.backend().buffer();
     let rows = buffer.content.chunks(usize::from(size.0));
@@ -139,18 +139,9 @@ fn the_flight_screen_has_the_map_where_there_is_room() {
     let mut console = surveyed();
     console.press("F");
     for (size, has_map) in [((80, 24), false), ((120, 40), true), ((200, 50), true)] {
-        let console = resized(console_on(&console, Room::Fly), size);
+        let console = resized(console.clone(), size);
         let text = drawn(&console, Symbols::Braille, Language::English, size);
         assert_eq!(text.contains("── map "), has_map, "{size:?}\n{text}");
-    }
-}
-
-fn console_on(console: &Console, room: Room) -> Console {
-    let mut state = console.state.clone();
-    state.room = room;
-    Console {
-        state,
-        effects: Vec::new(),
     }
 }
 
@@ -241,12 +232,11 @@ fn planned(id: u16) -> Vehicle {
 fn what_the_cursors_vehicle_has_on_board() {
     let mut console = Console::flying(0);
     console.vehicle(planned(1)).vehicle(planned(2)).press("M");
-    let console = resized(console, (120, 40));
-    let mut console = console_on(&console, Room::Map);
+    let mut console = resized(console, (120, 40));
     console.press("z");
     let text = drawn(&console, Symbols::Braille, Language::English, (120, 40));
     insta::assert_snapshot!("map_plan_120x40", text);
-    let fences = sketches(&console.press("*").state);
+    let fences = sketches(console.press("*").state());
     let borders = fences.iter().filter(|it| it.kind == SketchKind::Fence);
     assert_eq!(borders.count(), 1, "two vehicles share it");
 }
@@ -268,9 +258,9 @@ fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
 fn sensors_on_the_ground_leave_no_samples() {
     let mut console = Console::flying(1);
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    assert_eq!(console.state.rooms.map.samples.fields().len(), 0);
+    assert_eq!(console.state().rooms.map.samples.fields().len(), 0);
     console.vehicle(fixtures::airborne(1, 0.0, 20.0));
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    let map = &console.state.rooms.map;
+    let map = &console.state().rooms.map;
     assert_eq!(map.field().map(|(name, _)| name), Some("co"));
 }

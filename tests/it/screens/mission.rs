@@ -14,10 +14,10 @@ const SHIPPED: &str = include_str!("../../../missions/01-air-sample.toml");
 
 /// The home screen with the shipped mission under the cursor.
 fn shipped(language: Language) -> Console {
-    let mut console = Console::new();
-    console.state.locale = Arc::new(Locale::new(language));
-    console.state.missions = vec![Mission::parse(SHIPPED).expect("good").listing()];
-    console
+    Console::set_up(|setup| {
+        setup.locale = Arc::new(Locale::new(language));
+        setup.missions = vec![Mission::parse(SHIPPED).expect("good").listing()];
+    })
 }
 
 /// A mission under way, in its room.
@@ -86,15 +86,15 @@ fn scrolling_ends_with_the_last_line_and_comes_back_at_once() {
 fn enter_flies_the_mission_that_was_read_and_escape_leads_back() {
     let mut console = shipped(Language::English);
     console.press("B").press("esc");
-    assert_eq!(console.state.room, Room::Home);
+    assert_eq!(console.state().room, Room::Home);
     console.press("B").press("enter");
     assert_eq!(console.effects.len(), 1, "{:?}", console.effects);
     let mut console = flying();
-    assert_eq!(console.state.room, Room::Mission);
+    assert_eq!(console.state().room, Room::Mission);
     console.press("enter");
     assert!(console.effects.is_empty(), "{:?}", console.effects);
     console.press("esc");
-    assert_eq!(console.state.room, Room::Fly);
+    assert_eq!(console.state().room, Room::Fly);
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn the_home_screen_says_that_a_session_goes_on() {
     let mut console = flying();
     console.press("H");
     check("home_running", &mut console, &SIZES[..1]);
-    assert_eq!(console.press("F").state.room, Room::Fly);
+    assert_eq!(console.press("F").state().room, Room::Fly);
 }
 
 #[test]
@@ -117,10 +117,10 @@ fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
     let mut console = flying();
     console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(console.screen(80, 24).contains("TIMELINE"));
-    console.state.locale = Arc::new(Locale::new(Language::Ukrainian));
+    console.at(2).give("set lang uk");
     assert!(console.screen(80, 24).contains("ПЕРЕБІГ"));
     console.at(300).press("h");
-    assert_eq!(console.state.room, Room::Home);
+    assert_eq!(console.state().room, Room::Home);
     assert!(console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
     console.start(Activity::Free);
     assert!(!console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
@@ -128,11 +128,10 @@ fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
 
 #[test]
 fn missions_are_listed_with_the_number_that_fly_takes() {
-    let mut console = Console::new();
-    let mut listing = crate::fixtures::listing();
+    let mut listing = fixtures::listing();
     listing.id = "07-clearance".to_owned();
     listing.title = "Clearance team".into();
-    console.state.missions.push(listing);
+    let console = Console::set_up(|setup| setup.missions.push(listing));
     let home = console.screen(80, 24);
     assert!(home.contains("07 Clearance team"), "{home}");
     // An id that begins with no number is no name for people.

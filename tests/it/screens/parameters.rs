@@ -162,7 +162,7 @@ fn in_ukrainian() {
         };
         let mut terminal = Terminal::new(TestBackend::new(80, 24)).expect("a test terminal");
         terminal
-            .draw(|frame| ui::draw(&console.state, &look, frame))
+            .draw(|frame| ui::draw(console.state(), &look, frame))
             .expect("a test terminal");
         insta::assert_snapshot!(
             format!("parameters_{name}_ukrainian_80x24"),

@@ -7,10 +7,10 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use ratatui::style::Color;
 use sortie::app::state::Room;
-use sortie::text::{Language, Locale};
+use sortie::text::Language;
 use sortie::ui::{self, ColourDepth, Look, Theme};
 
-use super::busy;
+use super::busy_in;
 use crate::harness::Console;
 
 /// The sizes of an ordinary terminal and of a comfortable one; the largest that is supported, and one too small.
@@ -18,8 +18,7 @@ const SIZES: [(u16, u16); 2] = [(80, 24), (120, 40)];
 const ODD_SIZES: [(u16, u16); 3] = [(60, 20), (200, 50), (300, 100)];
 
 fn in_room(room: Room, language: Language) -> Console {
-    let mut console = busy();
-    console.state.locale = Arc::new(Locale::new(language));
+    let mut console = busy_in(language);
     console.press("esc").give(&format!("show {}", room.name()));
     console
 }
@@ -28,11 +27,11 @@ fn drawn(console: &Console, (width, height): (u16, u16), theme: Theme) -> Buffer
     let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a test terminal");
     let look = Look {
         theme,
-        locale: Arc::clone(&console.state.locale),
+        locale: Arc::clone(&console.state().locale),
         ..Look::default()
     };
     terminal
-        .draw(|frame| ui::draw(&console.state, &look, frame))
+        .draw(|frame| ui::draw(console.state(), &look, frame))
         .expect("a test terminal");
     terminal.backend().buffer().clone()
 }

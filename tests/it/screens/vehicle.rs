@@ -143,22 +143,22 @@ fn add_plans(vehicle: &mut Vehicle) {
 /// In the room, after half a minute of flight.
 fn room() -> Console {
     let mut console = Console::flying(4);
+    console.give("select 3").press("esc");
     for half_seconds in 0..60u64 {
-        console.state.session.place_cursor(3);
         let climbed = (half_seconds as f64 * 0.5).min(20.0);
         console.vehicle(talkative(climbed));
         let now = Duration::from_millis(500 * half_seconds);
         console.hear(sortie::app::event::Event::Tick { now });
     }
     console.press("V");
-    assert_eq!(console.state.room, Room::Vehicle);
+    assert_eq!(console.state().room, Room::Vehicle);
     console
 }
 
 fn screen(console: &Console, look: &Look, (width, height): (u16, u16)) -> String {
     let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a test terminal");
     terminal
-        .draw(|frame| ui::draw(&console.state, look, frame))
+        .draw(|frame| ui::draw(console.state(), look, frame))
         .expect("a test terminal");
     let buffer = terminal.backend().buffer();
     let rows = buffer.content.chunks(usize::from(width));
@@ -303,7 +303,7 @@ fn what_is_not_heard_any_more_is_old_and_neither_good_nor_bad() {
     let look = Look::default();
     console.press("V");
     terminal
-        .draw(|frame| ui::draw(&console.state, &look, frame))
+        .draw(|frame| ui::draw(console.state(), &look, frame))
         .expect("a test terminal");
     let muted = look.style(sortie::ui::Role::Muted).fg;
     let live = |at: &&(u16, u16)| terminal.backend().buffer()[**at].fg != muted.expect("a colour");

@@ -21,13 +21,14 @@ fn design(source: &str) -> Design {
 
 /// At the bench, with a career that owns little and has two designs.
 fn workshop(language: Language) -> Console {
-    let mut console = Console::new();
-    console.state.locale = Arc::new(Locale::new(language));
     let scout = design(include_str!("../../../designs/scout.toml"));
     let starter = design(include_str!("../../../designs/starter.toml"));
     let mut career = Career::new("Olena", Vec::new(), Course::default());
     career.designs = vec![starter.named("Mine").expect("a name")];
-    console.state.stock = vec![scout, starter];
+    let mut console = Console::set_up(|setup| {
+        setup.locale = Arc::new(Locale::new(language));
+        setup.stock = vec![scout, starter];
+    });
     console.hear(CareerEvent::Career(Some(Box::new(career))));
     console.press("W");
     console
@@ -108,7 +109,7 @@ fn plain_characters_say_the_same() {
         ..Look::default()
     };
     terminal
-        .draw(|frame| ui::draw(&console.state, &look, frame))
+        .draw(|frame| ui::draw(console.state(), &look, frame))
         .expect("a test terminal");
     let cells = terminal.backend().buffer().content.chunks(80);
     let line = |row: &[ratatui::buffer::Cell]| -> String {

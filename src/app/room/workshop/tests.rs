@@ -3,11 +3,11 @@
 mod properties;
 
 use super::*;
+use crate::app::Setup;
 use crate::app::effect::{CareerEffect, FileEffect, FileKind, SessionEffect};
-use crate::app::event::{CareerEvent, FileEvent, TerminalEvent};
+use crate::app::event::{CareerEvent, Event, FileEvent, TerminalEvent};
 use crate::app::state::{Career, Overlay, Purpose};
-use crate::app::update;
-use crate::app::update::act;
+use crate::app::update::{act, update};
 use crate::campaign::{Course, Offer};
 use crate::mission::Mission;
 use crate::workshop::Slot;
@@ -23,9 +23,12 @@ fn starter() -> Design {
 /// In the workshop with one design on offer, and one mission.
 fn workshop(career: Option<Career>) -> State {
     let mission = Mission::parse(MISSION).expect("it is good");
-    let mut state = State::new(vec![mission.listing()], Vec::new(), "dark".to_owned());
+    let mut state = State::new(Setup {
+        missions: vec![mission.listing()],
+        stock: vec![starter()],
+        ..Setup::default()
+    });
     state.size = (200, 50);
-    state.stock = vec![starter()];
     state.career = career;
     press(&mut state, "W");
     state
@@ -34,6 +37,10 @@ fn workshop(career: Option<Career>) -> State {
 fn career() -> Career {
     let mission = Mission::parse(MISSION).expect("it is good");
     Career::new("Olena", Vec::new(), Course::new([Offer::of(&mission)]))
+}
+
+fn hear(state: &mut State, event: impl Into<Event>) -> Vec<Effect> {
+    update(state, event.into())
 }
 
 fn press(state: &mut State, keys: &str) -> Vec<Effect> {
@@ -46,24 +53,24 @@ fn press(state: &mut State, keys: &str) -> Vec<Effect> {
             "home" => KeyCode::Home,
             "ctrl-r" => {
                 let key = KeyEvent::new(KeyCode::Char('r'), KeyModifiers::CONTROL);
-                effects.extend(update(state, TerminalEvent::Key(key)));
+                effects.extend(hear(state, TerminalEvent::Key(key)));
                 continue;
             }
             "clear" => {
                 let key = KeyEvent::new(KeyCode::Char('u'), KeyModifiers::CONTROL);
-                effects.extend(update(state, TerminalEvent::Key(key)));
+                effects.extend(hear(state, TerminalEvent::Key(key)));
                 continue;
             }
             word => {
                 for c in word.chars() {
                     let key = KeyEvent::new(KeyCode::Char(c), KeyModifiers::NONE);
-                    effects.extend(update(state, TerminalEvent::Key(key)));
+                    effects.extend(hear(state, TerminalEvent::Key(key)));
                 }
                 continue;
             }
         };
         let key = KeyEvent::new(code, KeyModifiers::NONE);
-        effects.extend(update(state, TerminalEvent::Key(key)));
+        effects.extend(hear(state, TerminalEvent::Key(key)));
     }
     effects
 }
@@ -245,7 +252,7 @@ fn a_design_is_saved_under_a_name_and_another_of_that_name_only_after_a_question
     );
     let mut after = career();
     after.designs = vec![mine.clone()];
-    let _ = update(
+    let _ = hear(
         &mut state,
         CareerEvent::Career(Some(Box::new(after.clone()))),
     );
@@ -291,7 +298,7 @@ fn without_a_profile_nothing_is_kept_but_files_are_written() {
         })]
     );
     let text = starter().named("Mine").expect("a name").to_toml();
-    let _ = update(
+    let _ = hear(
         &mut state,
         FileEvent::Read {
             kind: FileKind::Design,
@@ -302,7 +309,7 @@ fn without_a_profile_nothing_is_kept_but_files_are_written() {
     assert_eq!(design(&state).name, "Mine");
     let path = "bad.toml".to_owned();
     let text = "schema = 1\nname = \"x\"\nframe = \"none\"\n".to_owned();
-    let _ = update(
+    let _ = hear(
         &mut state,
         FileEvent::Read {
             kind: FileKind::Design,
