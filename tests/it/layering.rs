@@ -1,14 +1,17 @@
-//! The layers of the architecture, read from the sources: dependencies point down only.
+//! The layers of the architecture, read from the sources: dependencies point down only, and within a module or a crate
+//! they make no cycles.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::{Path, PathBuf};
+
+use sources::{ModuleSource, blanked, modules, paths, uses, without_tests};
+
+mod sources;
 
 /// Libraries of the workspace: pure, and below every module of the program.
 const LIBRARIES: &[&[&str]] = &[&["geo", "wire", "sim"]];
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
-    &["text"],
+    &["hash", "text"],
     &["diagnostic", "alert", "config"],
     &["parameters", "workshop"],
     &["inspector"],
@@ -43,83 +46,40 @@ const IMPURE: &[&str] = &[
     "rand::rng",
 ];
 
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).expect("src is readable").flatten() {
-        let path = entry.path();
-        if path.is_dir() {
-            sources(&path, found);
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
-            found.push(path);
-        }
-    }
-}
+/// Modules whose parts are still in a cycle. Nothing may be added here.
+const STILL_IN_CYCLES: &[&str] = &[
+    "sortie::app",
+    "sortie::commands",
+    "sortie::mission",
+    "sortie_sim",
+    "sortie::swarm",
+    "sortie::ui",
+];
 
-/// The code of each top-level module and library, comments and tests left out.
-fn modules() -> BTreeMap<String, Vec<(PathBuf, String)>> {
-    let top = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut modules = in_folder(&top.join("src"));
-    for library in LIBRARIES.concat() {
-        let folder = top.join("crates").join(library).join("src");
-        let files = in_folder(&folder).into_values().flatten();
-        let named = files.map(|(file, code)| (Path::new(library).join(file), code));
-        modules.insert(library.to_owned(), named.collect());
+/// The code of each top-level module of the program, and of each other crate of the workspace, by file. Crates are
+/// re-exported as modules, under their names without `sortie_`.
+fn top_level() -> BTreeMap<String, Vec<ModuleSource>> {
+    let mut found: BTreeMap<String, Vec<ModuleSource>> = BTreeMap::new();
+    for module in modules() {
+        let top = match module.path.first() {
+            Some(first) if module.package == "sortie" => first.as_str(),
+            Some(_) | None => module.package.trim_start_matches("sortie_"),
+        };
+        found.entry(top.to_owned()).or_default().push(module);
     }
-    modules
-}
-
-/// The same of one folder.
-fn in_folder(root: &Path) -> BTreeMap<String, Vec<(PathBuf, String)>> {
-    let mut files = Vec::new();
-    sources(root, &mut files);
-    let mut modules: BTreeMap<String, Vec<(PathBuf, String)>> = BTreeMap::new();
-    for file in files {
-        let inner = file.strip_prefix(root).expect("below src").to_owned();
-        if inner.file_stem().is_some_and(|stem| stem == "tests") {
-            continue;
-        }
-        let first = inner.components().next().expect("a name");
-        let module = Path::new(first.as_os_str())
-            .file_stem()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
-        let text = fs::read_to_string(&file).expect("readable");
-        let code: Vec<&str> = text
-            .split("#[cfg(test)]\nmod tests {")
-            .next()
-            .unwrap_or_default()
-            .lines()
-            .filter(|line| !line.trim_start().starts_with("//"))
-            .collect();
-        modules
-            .entry(module)
-            .or_default()
-            .push((inner, code.join("\n")));
-    }
-    modules
-}
-
-/// The top-level modules that some code names as `crate::NAME`, also in grouped imports.
-fn uses(code: &str) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    for (at, _) in code.match_indices("crate::") {
-        let rest = &code[at + "crate::".len()..];
-        if let Some(group) = rest.strip_prefix('{') {
-            let group = group.split('}').next().unwrap_or_default();
-            found.extend(group.split(',').map(first_word));
-        } else {
-            found.insert(first_word(rest));
-        }
-    }
-    found.remove("");
+    // What is left under the program's own name is the list of modules in `lib.rs`.
+    found.remove("sortie");
     found
 }
 
-fn first_word(text: &str) -> String {
-    text.trim_start()
-        .chars()
-        .take_while(|c| c.is_alphanumeric() || *c == '_')
-        .collect()
+/// The top-level modules that a module's code names.
+fn used_by(module: &ModuleSource) -> BTreeSet<String> {
+    let paths = paths(&module.code, &["crate"]).into_iter();
+    paths.filter_map(|path| path.into_iter().nth(1)).collect()
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
 }
 
 fn level(layers: &[&[&str]], module: &str) -> Option<usize> {
@@ -144,19 +104,19 @@ fn allowed(user: &str, used: &str) -> bool {
 #[test]
 fn dependencies_point_down() {
     let mut faults = Vec::new();
-    for (module, files) in modules() {
+    for (name, modules) in top_level() {
         // What a library uses is in its manifest: the compiler enforces that.
-        if ["main", "lib"].contains(&module.as_str()) || level(LIBRARIES, &module).is_some() {
+        if level(LIBRARIES, &name).is_some() {
             continue;
         }
         assert!(
-            level(&all(), &module).is_some(),
-            "{module} has no layer: add it to this test"
+            level(&all(), &name).is_some(),
+            "{name} has no layer: add it to this test"
         );
-        for (file, code) in files {
-            for used in uses(&code) {
-                if used != module && level(&all(), &used).is_some() && !allowed(&module, &used) {
-                    faults.push(format!("{}: {module} uses {used}", file.display()));
+        for module in modules {
+            for used in used_by(&module) {
+                if used != name && level(&all(), &used).is_some() && !allowed(&name, &used) {
+                    faults.push(format!("{}: {name} uses {used}", module.file));
                 }
             }
         }
@@ -165,21 +125,63 @@ fn dependencies_point_down() {
 }
 
 #[test]
-fn pure_modules_touch_neither_clock_nor_world() {
+fn the_parts_of_a_module_depend_on_each_other_one_way_only() {
     let mut faults = Vec::new();
-    for (module, files) in modules() {
-        if !is_pure(&module) {
+    let mut clean: BTreeSet<&str> = STILL_IN_CYCLES.iter().copied().collect();
+    for (parent, uses) in uses(&modules()) {
+        // The crate and the modules right below its root.
+        if parent.split("::").count() > 2 {
             continue;
         }
-        for (file, code) in files {
+        let in_cycle: Vec<String> = uses
+            .iter()
+            .filter(|((user, used), _)| reaches(&uses, used, user))
+            .map(|((user, used), file)| format!("{parent}: {user} -> {used} ({file})"))
+            .collect();
+        if !in_cycle.is_empty() && !clean.remove(parent.as_str()) {
+            faults.extend(in_cycle);
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(
+        clean.is_empty(),
+        "without cycles, so to be taken from the list: {clean:?}"
+    );
+}
+
+/// Whether one part uses another, or uses a part that does, and so on.
+fn reaches(uses: &BTreeMap<(String, String), String>, from: &str, to: &str) -> bool {
+    let mut seen = BTreeSet::from([from]);
+    let mut left = vec![from];
+    while let Some(part) = left.pop() {
+        if part == to {
+            return true;
+        }
+        let next = uses.keys().filter(|(user, _)| user == part);
+        left.extend(
+            next.map(|(_, used)| used.as_str())
+                .filter(|used| seen.insert(used)),
+        );
+    }
+    false
+}
+
+#[test]
+fn pure_modules_touch_neither_clock_nor_world() {
+    let mut faults = Vec::new();
+    for (name, modules) in top_level() {
+        if !is_pure(&name) {
+            continue;
+        }
+        for module in modules {
+            let code = &module.code;
             for impure in IMPURE {
                 let touched = code.match_indices(impure).any(|(at, _)| {
-                    !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_')
-                        && !code[at + impure.len()..]
-                            .starts_with(|c: char| c.is_alphanumeric() || c == '_')
+                    !code[..at].ends_with(is_word)
+                        && !code[at + impure.len()..].starts_with(is_word)
                 });
                 if touched {
-                    faults.push(format!("{}: {impure}", file.display()));
+                    faults.push(format!("{}: {impure}", module.file));
                 }
             }
         }
@@ -189,15 +191,12 @@ fn pure_modules_touch_neither_clock_nor_world() {
 
 #[test]
 fn input_and_output_know_nothing_of_the_screen() {
-    for (module, files) in modules() {
-        if level(IO, &module).is_some() {
-            for (file, code) in files {
-                assert!(!code.contains("ratatui::"), "{}: ratatui", file.display());
-                assert!(
-                    !code.contains("crossterm::"),
-                    "{}: crossterm",
-                    file.display()
-                );
+    for (name, modules) in top_level() {
+        if level(IO, &name).is_some() {
+            for module in modules {
+                for screen in ["ratatui::", "crossterm::"] {
+                    assert!(!module.code.contains(screen), "{}: {screen}", module.file);
+                }
             }
         }
     }
@@ -205,18 +204,46 @@ fn input_and_output_know_nothing_of_the_screen() {
 
 #[test]
 fn screens_see_only_the_state_of_the_app() {
-    for (file, code) in modules().remove("ui").unwrap_or_default() {
-        for (at, _) in code.match_indices("crate::app::") {
-            let part = first_word(&code[at + "crate::app::".len()..]);
-            let seen = ["state", "room", "keymap", "console"].contains(&part.as_str());
-            assert!(seen, "{}: app::{part}", file.display());
+    for module in top_level().remove("ui").unwrap_or_default() {
+        for path in paths(&module.code, &["crate"]) {
+            if let [_, first, part, ..] = path.as_slice()
+                && first == "app"
+            {
+                let seen = ["state", "room", "keymap", "console"].contains(&part.as_str());
+                assert!(seen, "{}: app::{part}", module.file);
+            }
         }
     }
 }
 
 #[test]
-fn the_reader_of_imports_sees_groups_and_paths() {
-    let code = "use crate::{geo::LatLon, wire};\nlet x = crate::link::open();";
-    let names: Vec<String> = uses(code).into_iter().collect();
-    assert_eq!(names, ["geo", "link", "wire"]);
+fn the_reader_of_paths_sees_nested_groups() {
+    let code = "use crate::{geo::LatLon, wire};\nuse crate::a::{b::{c, d::E}, self as f};\n\
+                let x = crate::link::open(); my_crate::no();";
+    let found: Vec<String> = paths(code, &["crate"])
+        .iter()
+        .map(|path| path.join("::"))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            "crate::geo::LatLon",
+            "crate::wire",
+            "crate::a::b::c",
+            "crate::a::b::d::E",
+            "crate::a::self",
+            "crate::link::open",
+        ]
+    );
+}
+
+#[test]
+fn the_reader_leaves_out_comments_literals_and_tests() {
+    let code = "// crate::a\nlet b = \"crate::b \\\" crate::b\"; let c: &'c str = r#\"crate::c\"#; let d = '\"';\n\
+                #[cfg(test)]\nmod tests {\n    use crate::e;\n    mod inner {}\n}\n\
+                #[cfg(test)]\npub(crate) mod fake;\nuse crate::f;";
+    let (code, modules) = without_tests(&blanked(code));
+    assert_eq!(modules, ["fake"]);
+    let found = paths(&code, &["crate"]);
+    assert_eq!(found, [["crate", "f"]], "{code}");
 }
