@@ -2,9 +2,11 @@
 
 use std::ops::Range;
 
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use strsim::osa_distance;
+
 use crate::text;
 use crate::text::Text;
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 /// One fault in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -123,12 +125,13 @@ impl Diagnostic {
     }
 }
 
-/// The name closest to what was written, if one is close enough to be a slip of the finger.
+/// The name closest to what was written, if one is close enough to be a typing error: by insertions, deletions,
+/// substitutions and swaps of neighbours (optimal string alignment).
 pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let written = written.to_lowercase();
     names
         .into_iter()
-        .map(|name| (edit_distance(&written, &name.to_lowercase()), name))
+        .map(|name| (osa_distance(&written, &name.to_lowercase()), name))
         .filter(|&(distance, name)| distance <= (name.chars().count() / 3).max(1))
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, name)| name)
@@ -140,38 +143,14 @@ fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
     const LETTERS: usize = 3;
     let written = written.to_lowercase();
     let long = |word: &str| word.chars().count() >= LETTERS;
-    let begun = names.iter().filter(|name| long(name));
-    let begun = begun.filter(|name| written.starts_with(&name.to_lowercase()));
+    let begun = names
+        .iter()
+        .filter(|name| long(name) && written.starts_with(&name.to_lowercase()));
     let mut goes_on = names
         .iter()
         .filter(|name| long(&written) && name.to_lowercase().starts_with(&written));
     let only = goes_on.next().filter(|_| goes_on.next().is_none());
     begun.max_by_key(|name| name.len()).or(only).copied()
-}
-
-/// Insertions, deletions, substitutions and swaps of neighbours between two words (optimal string
-/// alignment; Damerau 1964).
-fn edit_distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut before_last: Vec<usize> = Vec::new();
-    let mut last: Vec<usize> = (0..=b.len()).collect();
-    let mut previous = None;
-    for (row, x) in a.chars().enumerate() {
-        let mut current = vec![row + 1];
-        for (column, &y) in b.iter().enumerate() {
-            let substitution = last[column] + usize::from(x != y);
-            let mut best = substitution
-                .min(last[column + 1] + 1)
-                .min(current[column] + 1);
-            if column > 0 && previous == Some(y) && b[column - 1] == x {
-                best = best.min(before_last[column - 1] + 1);
-            }
-            current.push(best);
-        }
-        before_last = std::mem::replace(&mut last, current);
-        previous = Some(x);
-    }
-    last[b.len()]
 }
 
 #[cfg(test)]

@@ -75,9 +75,9 @@ pub(super) fn report(options: &ReportArguments, settings: &Settings) -> Result<E
     let text = match options.format {
         Format::Md => markdown(&profile, &progress, &runs, &locale),
         Format::Csv => match options.table {
-            Which::Missions => progress::missions(&progress, &locale).csv(),
-            Which::Skills => progress::skills(&progress, &locale).csv(),
-            Which::Runs => progress::runs(&runs, &locale).csv(),
+            Which::Missions => progress::missions(&progress, &locale).csv()?,
+            Which::Skills => progress::skills(&progress, &locale).csv()?,
+            Which::Runs => progress::runs(&runs, &locale).csv()?,
         },
         Format::Json => {
             let document = Document {

@@ -89,15 +89,22 @@ impl Table {
     }
 
     /// As comma-separated values (RFC 4180). What a spreadsheet would take for a formula is kept from being one.
-    pub fn csv(&self) -> String {
-        let names = self.columns.iter().map(|(name, _)| field(name, Side::Left));
-        let mut text = names.collect::<Vec<_>>().join(",") + "\r\n";
+    ///
+    /// # Errors
+    /// A row has more or fewer cells than there are columns.
+    pub fn csv(&self) -> Result<String, csv::Error> {
+        let mut writer = csv::WriterBuilder::new()
+            .terminator(csv::Terminator::CRLF)
+            .from_writer(Vec::new());
+        writer.write_record(self.columns.iter().map(|(name, _)| inert(name, Side::Left)))?;
         for row in &self.rows {
             let cells = row.iter().zip(&self.columns);
-            let cells = cells.map(|(cell, (_, side))| field(cell, *side));
-            text += &(cells.collect::<Vec<_>>().join(",") + "\r\n");
+            writer.write_record(cells.map(|(cell, (_, side))| inert(cell, *side)))?;
         }
-        text
+        let bytes = writer
+            .into_inner()
+            .map_err(csv::IntoInnerError::into_error)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 
     fn column(&self, at: usize) -> impl Iterator<Item = &str> {
@@ -118,19 +125,15 @@ pub(super) fn escaped(cell: &str) -> String {
     text
 }
 
-fn field(cell: &str, side: Side) -> String {
+/// A cell that no spreadsheet takes for a formula.
+fn inert(cell: &str, side: Side) -> String {
     // Figures may begin with a minus.
     let is_figure = side == Side::Right && cell.parse::<f64>().is_ok();
     let is_formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_figure;
-    let cell = if is_formula {
+    if is_formula {
         format!("'{cell}")
     } else {
         cell.to_owned()
-    };
-    if cell.contains(['"', ',', '\n', '\r']) {
-        format!("\"{}\"", cell.replace('"', "\"\""))
-    } else {
-        cell
     }
 }
 
@@ -164,10 +167,13 @@ mod tests {
             ("+\"a\",b", "\"'+\"\"a\"\",b\""),
             ("plain", "plain"),
         ] {
-            let csv = table(&[cell, "-1.5"]).csv();
+            let csv = table(&[cell, "-1.5"])
+                .csv()
+                .expect("as many cells as columns");
             assert_eq!(csv, format!("word,n\r\n{written},-1.5\r\n"));
         }
-        assert!(table(&["a", "-x"]).csv().contains("'-x"), "a figure is one");
+        let csv = table(&["a", "-x"]).csv().expect("as many cells as columns");
+        assert!(csv.contains("'-x"), "not a number");
     }
 
     #[test]

@@ -2,13 +2,13 @@
 
 use std::fmt;
 use std::fs::{self, File, OpenOptions};
-use std::hint::black_box;
 use std::io::{self, Read as _, Write as _};
 use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 
 use rand::TryRng as _;
 use rand::rngs::SysRng;
+use subtle::ConstantTimeEq as _;
 
 /// Random bytes in a token; it is written with two hexadecimal digits for each.
 const LEN: usize = 32;
@@ -88,11 +88,8 @@ impl Token {
         SysRng
             .try_fill_bytes(&mut bytes)
             .map_err(|error| TokenError::Random(error.to_string()))?;
-        let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 0xF]);
         Ok(Self(
-            digits
-                .filter_map(|digit| char::from_digit(u32::from(digit), 16))
-                .collect(),
+            bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
         ))
     }
 
@@ -183,14 +180,9 @@ impl Token {
         }
     }
 
-    /// Whether somebody has given this token. How long it takes does not depend on how much of it is right.
-    pub fn is(&self, given: &str) -> bool {
-        let (ours, given) = (self.0.as_bytes(), given.as_bytes());
-        let differing = ours
-            .iter()
-            .zip(given)
-            .fold(0, |sum, (a, b)| black_box(sum | (a ^ b)));
-        ours.len() == given.len() && differing == 0
+    /// Whether this token was given. The comparison takes the same time however much of it is right.
+    pub fn matches(&self, given: &str) -> bool {
+        self.0.as_bytes().ct_eq(given.as_bytes()).into()
     }
 
     /// The value of the header `Authorization` that gives this token.
@@ -286,9 +278,9 @@ mod tests {
             .map(str::to_owned)
             .expect("the scheme");
         assert_eq!(text.len(), 64);
-        assert!(token.is(&text));
+        assert!(token.matches(&text));
         for wrong in ["", &text[..63], &format!("{text}0"), &text.to_uppercase()] {
-            assert!(wrong == text || !token.is(wrong));
+            assert!(wrong == text || !token.matches(wrong));
         }
         assert!(!format!("{token:?}").contains(&text));
     }

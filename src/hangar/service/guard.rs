@@ -85,7 +85,7 @@ impl Desk {
             let (scheme, given) = given.split_once(' ').unwrap_or((given, ""));
             return if !scheme.eq_ignore_ascii_case("bearer") {
                 Err(refuse("the header Authorization gives no bearer token"))
-            } else if self.setup.token.is(given.trim()) {
+            } else if self.setup.token.matches(given.trim()) {
                 Ok(())
             } else {
                 Err(refuse("the token is not the one of this hangar"))
