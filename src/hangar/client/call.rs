@@ -1,8 +1,6 @@
 //! One request over a connection of its own.
 
-use std::fmt::Write as _;
 use std::io;
-use std::net::ToSocketAddrs as _;
 use std::time::Duration;
 
 use http_body_util::{BodyExt as _, Full, Limited};
@@ -14,13 +12,10 @@ use tokio::net::TcpStream;
 use tokio::time::timeout;
 
 use super::{ANSWER, ClientError, Remote};
-use crate::hangar::InstanceId;
 use crate::hangar::service::Problem;
 
 /// Bytes of an answer: a few hundred instances with their last output.
 const ANSWER_MAX: usize = 8 * 1024 * 1024;
-/// How long one without time waits for a connection.
-const HURRY: Duration = Duration::from_millis(500);
 /// Characters of a foreign answer that are shown.
 const SHOWN: usize = 60;
 
@@ -67,30 +62,6 @@ impl Remote {
             .map_err(|error| self.unreachable(io::Error::other(error)))
     }
 
-    /// Asks for the end of an instance, for those who have no time or no runtime left. The answer comes on what is
-    /// returned; a hangar does not hear one who hangs up before it.
-    pub(in crate::hangar) fn begin_stop(&self, id: InstanceId) -> io::Result<impl io::Read> {
-        let place = (self.address.host.as_str(), self.address.port);
-        let place = place.to_socket_addrs()?.next();
-        let place = place.ok_or(io::ErrorKind::AddrNotAvailable)?;
-        let mut stream = std::net::TcpStream::connect_timeout(&place, HURRY)?;
-        stream.set_write_timeout(Some(HURRY))?;
-        stream.set_read_timeout(Some(ANSWER))?;
-        let mut head = format!(
-            "DELETE /vehicles/{id} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n",
-            self.address.authority()
-        );
-        if let Some(token) = &self.token {
-            let _ = write!(head, "Authorization: {}\r\n", token.authorization());
-        }
-        if let Some(life) = &self.life {
-            let _ = write!(head, "If-Match: \"{life}\"\r\n");
-        }
-        head.push_str("\r\n");
-        io::Write::write_all(&mut stream, head.as_bytes())?;
-        Ok(stream)
-    }
-
     /// Sends a request; what answers is a hangar and has met it.
     pub(super) async fn send(
         &self,
@@ -126,13 +97,13 @@ impl Remote {
 
     fn refusal(&self, status: StatusCode, bytes: &[u8]) -> ClientError {
         let Ok(problem) = serde_json::from_slice::<Problem>(bytes) else {
-            let text = String::from_utf8_lossy(bytes);
-            let text: String = text
+            let body = String::from_utf8_lossy(bytes);
+            let start: String = body
                 .chars()
                 .filter(|c| !c.is_control())
                 .take(SHOWN)
                 .collect();
-            return self.not_a_hangar(format!("{status} {text}").trim().to_owned());
+            return self.not_a_hangar(format!("{status} {start}").trim().to_owned());
         };
         if status == StatusCode::UNAUTHORIZED {
             return ClientError::Unauthorised {

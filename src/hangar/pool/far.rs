@@ -1,7 +1,6 @@
 //! Hangars that are services.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::Read as _;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 use std::time::Duration;
 
@@ -12,7 +11,7 @@ use tokio_util::sync::CancellationToken;
 use super::spread::spread;
 use super::{Berth, Place, Seen};
 use crate::hangar::client::{ClientError, Remote, View};
-use crate::hangar::{Capacity, Instance, Launch, Line, Refusal, Stage};
+use crate::hangar::{Capacity, Instance, InstanceId, Launch, Line, Refusal, Stage};
 
 /// What is launched ends when nobody has been attached to it for so long: the console was killed, or cut off.
 const IDLE_S: u32 = 60;
@@ -216,7 +215,7 @@ impl Far {
 }
 
 impl Drop for Far {
-    /// Tells the hangars, as far as that can be done in a moment; what they have not heard ends by itself.
+    /// Asks the services to end what was launched, within [`FAREWELL`]; the rest ends by itself.
     fn drop(&mut self) {
         self.cancel.cancel();
         let ours = std::mem::take(&mut *self.fleet.ours());
@@ -225,22 +224,30 @@ impl Drop for Far {
         if orders.is_empty() {
             return;
         }
+        // The runtime that drops this may be ending, and cannot be waited in: a thread has one of its own.
         let (done, told) = mpsc::channel();
         let thread = std::thread::Builder::new().name("farewell".to_owned());
         let begun = thread.spawn(move || {
-            for some in orders.chunks(AT_ONCE) {
-                let begun = some.iter().map(|(id, remote)| remote.begin_stop(*id));
-                let asked: Vec<_> = begun.filter_map(Result::ok).collect();
-                for mut answer in asked {
-                    let _ = answer.read(&mut [0; 16]);
-                }
-            }
+            let _ = stop_all(&orders);
             let _ = done.send(());
         });
         if begun.is_ok() {
             let _ = told.recv_timeout(FAREWELL);
         }
     }
+}
+
+/// Ends instances, for callers without a runtime.
+fn stop_all(orders: &[(InstanceId, Remote)]) -> std::io::Result<()> {
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build()?;
+    runtime.block_on(async {
+        for some in orders.chunks(AT_ONCE) {
+            join_all(some.iter().map(|(id, remote)| remote.stop(*id))).await;
+        }
+    });
+    Ok(())
 }
 
 impl Fleet {

@@ -1,32 +1,33 @@
 //! Takes connections and hangs up on those that are too many or too slow.
 
-use std::io;
+use std::convert::Infallible;
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
+use axum::response::IntoResponse as _;
 use axum::{Extension, Router};
+use hyper::body::Incoming;
 use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper::{Request, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
-use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::task::JoinSet;
+use tokio::time::timeout;
 
 use super::guard::Line;
 use super::patient::Patient;
-use super::{Desk, expose, router};
+use super::{Desk, Problem, expose, router};
 
 /// Bytes of a request's head, and of what is buffered of a connection.
 const HEAD_MAX: usize = 16 * 1024;
-/// How long one who cannot be served may take to hear so.
+/// How long a rejected client may take to ask and to read the answer.
 const FAREWELL: Duration = Duration::from_secs(1);
 /// How long to wait when the system gives no more connections.
 const PAUSE: Duration = Duration::from_millis(100);
-const TOO_MANY: &[u8] = b"HTTP/1.1 503 Service Unavailable\r\n\
-    content-type: application/json\r\nretry-after: 1\r\nconnection: close\r\ncontent-length: 48\r\n\r\n\
-    {\"error\":\"too many connections\",\"hint\":\"later\"}\n";
 
 /// Takes connections until cancelled; returns those that are still there.
 pub(super) async fn run(listener: &TcpListener, desk: &Arc<Desk>) -> JoinSet<()> {
@@ -36,16 +37,20 @@ pub(super) async fn run(listener: &TcpListener, desk: &Arc<Desk>) -> JoinSet<()>
     }
     let router = router(desk);
     let room = Arc::new(Semaphore::new(desk.setup.bounds.connections));
-    // Those who are told that there is no room need some room as well.
-    let porch = Arc::new(Semaphore::new(desk.setup.bounds.connections));
+    // Rejected connections need a slot, too, until they have received the 503.
+    let rejected = Arc::new(Semaphore::new(desk.setup.bounds.connections));
     loop {
         tokio::select! {
             () = desk.cancel.cancelled() => return tasks,
             accepted = listener.accept() => match accepted {
                 Ok((stream, peer)) => {
                     if let Ok(permit) = Arc::clone(&room).try_acquire_owned() {
-                        tasks.spawn(talk(stream, peer, (router.clone(), permit), Arc::clone(desk)));
-                    } else if let Ok(permit) = Arc::clone(&porch).try_acquire_owned() {
+                        let (router, state) = (router.clone(), Arc::clone(desk));
+                        tasks.spawn(async move {
+                            talk(stream, peer, router, &state).await;
+                            drop(permit);
+                        });
+                    } else if let Ok(permit) = Arc::clone(&rejected).try_acquire_owned() {
                         tasks.spawn(turn_away(stream, permit));
                     }
                 }
@@ -57,12 +62,7 @@ pub(super) async fn run(listener: &TcpListener, desk: &Arc<Desk>) -> JoinSet<()>
 }
 
 /// Answers the requests of one connection. A tunnel that it becomes is no longer counted.
-async fn talk(
-    stream: TcpStream,
-    peer: SocketAddr,
-    (router, _permit): (Router, OwnedSemaphorePermit),
-    desk: Arc<Desk>,
-) {
+async fn talk(stream: TcpStream, peer: SocketAddr, router: Router, desk: &Desk) {
     // Answers are small and must not wait for one another; failing that they only come later.
     let _ = stream.set_nodelay(true);
     let Ok(local) = stream.local_addr() else {
@@ -79,7 +79,7 @@ async fn talk(
             TowerToHyperService::new(service),
         )
         .with_upgrades();
-    let mut connection = std::pin::pin!(connection);
+    tokio::pin!(connection);
     // How a client leaves is its own affair.
     tokio::select! {
         _ = connection.as_mut() => return,
@@ -88,15 +88,15 @@ async fn talk(
     let _ = connection.await;
 }
 
-/// Says that there is no room, and waits until that is heard: closing a connection with unread bytes would take
-/// the words back.
-async fn turn_away(mut stream: TcpStream, _permit: OwnedSemaphorePermit) {
-    let told = async {
-        stream.write_all(TOO_MANY).await?;
-        stream.shutdown().await?;
-        let mut rest = [0; 1024];
-        while stream.read(&mut rest).await? > 0 {}
-        io::Result::Ok(())
-    };
-    let _ = tokio::time::timeout(FAREWELL, told).await;
+/// Answers the first request with 503 and hangs up.
+async fn turn_away(stream: TcpStream, _permit: OwnedSemaphorePermit) {
+    let refuse = service_fn(|_: Request<Incoming>| async {
+        let problem = Problem::new(StatusCode::SERVICE_UNAVAILABLE, "too many connections");
+        Ok::<_, Infallible>(problem.hint("later").into_response())
+    });
+    let connection = http1::Builder::new()
+        .keep_alive(false)
+        .max_buf_size(HEAD_MAX)
+        .serve_connection(TokioIo::new(stream), refuse);
+    let _ = timeout(FAREWELL, connection).await;
 }
