@@ -202,22 +202,8 @@ impl fmt::Display for Severity {
 pub struct EkfFlags(pub u16);
 
 impl EkfFlags {
-    /// Attitude.
-    pub const ATTITUDE: u16 = 0x0001;
-    /// Horizontal velocity.
-    pub const VELOCITY_HORIZONTAL: u16 = 0x0002;
-    /// Vertical velocity.
-    pub const VELOCITY_VERTICAL: u16 = 0x0004;
-    /// Position relative to the start.
-    pub const POSITION_HORIZONTAL_RELATIVE: u16 = 0x0008;
     /// Position on the earth: needed for GUIDED.
     pub const POSITION_HORIZONTAL_ABSOLUTE: u16 = 0x0010;
-    /// Height.
-    pub const POSITION_VERTICAL_ABSOLUTE: u16 = 0x0020;
-    /// Assumes that it does not move, for want of a position.
-    pub const CONSTANT_POSITION: u16 = 0x0080;
-    /// Not started.
-    pub const UNINITIALISED: u16 = 0x0400;
     /// GPS and inertial estimates disagree.
     pub const GPS_GLITCHING: u16 = 0x8000;
 

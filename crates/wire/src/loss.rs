@@ -13,7 +13,6 @@ const RESTART_AFTER: u8 = 8;
 #[derive(Debug, Clone, Default)]
 pub struct LossMeter {
     senders: BTreeMap<(SystemId, ComponentId), Numbering>,
-    received: u64,
     lost: u64,
 }
 
@@ -72,21 +71,12 @@ impl LossMeter {
         let change = numbering.step_to(frame.sequence);
         numbering.lost = numbering.lost.saturating_add_signed(change.into());
         self.lost = self.lost.saturating_add_signed(change.into());
-        self.received += 1;
         change
     }
 
     /// Frames lost so far.
     pub fn lost(&self) -> u64 {
         self.lost
-    }
-
-    /// Lost frames as a share of all that were sent, 0 to 1.
-    pub fn loss_ratio(&self) -> f64 {
-        match self.lost + self.received {
-            0 => 0.0,
-            sent => self.lost as f64 / sent as f64,
-        }
     }
 }
 
@@ -126,7 +116,6 @@ mod tests {
             meter.note(&frame(component, sequence));
         }
         assert_eq!(meter.lost(), 2);
-        assert!((meter.loss_ratio() - 2.0 / 6.0).abs() < 1e-9);
     }
 
     #[test]
