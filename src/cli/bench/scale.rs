@@ -104,7 +104,7 @@ pub(in crate::cli) fn scale(
     if let Some(path) = &options.svg {
         let heading =
             format!("Processor time against the number of drones; simulator: {simulator}");
-        fs::write(path, svg::svg(&rows, &heading)?)?;
+        fs::write(path, svg::svg(&rows, &heading))?;
     }
     if options.json {
         say!("{}", serde_json::to_string(&rows)?)?;

@@ -68,7 +68,7 @@ pub(super) fn figures(rows: &[Row]) -> [Figure; 4] {
 }
 
 /// The next 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.
-fn rounded_up(value: f64) -> f64 {
+pub(super) fn rounded_up(value: f64) -> f64 {
     let decade = 10_f64.powf(value.log10().floor());
     let steps = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
     let fits = |step: &f64| step * decade >= value * 0.999;

@@ -163,12 +163,12 @@ fn nothing_measured_can_be_drawn_and_printed() {
     let rows = [Row::never_flown(2, "no processes".to_owned())];
     assert!(table::table(&rows, &heading(false)).contains("no processes"));
     assert!(chart::chart(&rows, false).contains("Simulator"));
-    assert!(svg::svg(&rows, "Nothing").is_ok());
+    assert!(svg::svg(&rows, "Nothing").ends_with("</svg>\n"));
 }
 
 #[test]
 fn the_drawing_has_four_figures_with_their_units() {
-    let drawn = svg::svg(&rows(), "Processor time & drones").expect("it is drawn");
+    let drawn = svg::svg(&rows(), "Processor time & drones");
     for title in [
         "Simulator, % of a core",
         "Simulator, % of a core per drone",
