@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use utoipa::ToSchema;
+use strum::VariantNames;
 
 use crate::alert::AlertKind;
 use crate::text::Language;
@@ -105,8 +105,9 @@ pub struct Hangar {
 }
 
 /// What happens to an instance that has ended by itself.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, VariantNames)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Restart {
     /// It stays down until somebody asks.
     #[default]

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
-use utoipa::ToSchema;
+use strum::{IntoStaticStr, VariantArray, VariantNames};
 
 use crate::sim::{Airframe, Start};
 use models::Model;
@@ -35,9 +35,22 @@ const AIRFRAME_FILE: &str = "frame.json";
 
 /// A vehicle that `ArduPilot` is built for.
 #[derive(
-    Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, ToSchema,
+    Debug,
+    Clone,
+    Copy,
+    Default,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    IntoStaticStr,
+    VariantArray,
+    VariantNames,
 )]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Kind {
     /// `ArduCopter`.
     #[default]
@@ -52,16 +65,11 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Self; 4] = [Self::Copter, Self::Plane, Self::Rover, Self::Sub];
+    pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
-    /// What it is called.
+    /// Its name, as in JSON.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Copter => "copter",
-            Self::Plane => "plane",
-            Self::Rover => "rover",
-            Self::Sub => "sub",
-        }
+        self.into()
     }
 
     /// What its program is usually called.

@@ -1,6 +1,7 @@
 //! How much a trainee is helped.
 
 use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr, VariantArray};
 
 use crate::text;
 use crate::text::Text;
@@ -9,8 +10,21 @@ use crate::text::Text;
 const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 
 /// A level of difficulty: it changes what helps, never the physics and never the score.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    Default,
+    Serialize,
+    Deserialize,
+    EnumString,
+    IntoStaticStr,
+    VariantArray,
+)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 pub enum Aids {
     /// All advice that comes by itself.
     Full,
@@ -23,20 +37,16 @@ pub enum Aids {
 
 impl Aids {
     /// All levels, from the most help to the least.
-    pub const ALL: [Self; 3] = [Self::Full, Self::Fading, Self::None];
+    pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
     /// `full`, `fading` or `none`, as in files and on the command line.
     pub fn code(self) -> &'static str {
-        match self {
-            Self::Full => "full",
-            Self::Fading => "fading",
-            Self::None => "none",
-        }
+        self.into()
     }
 
     /// The level of a code.
     pub fn of(code: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|aids| aids.code() == code)
+        code.parse().ok()
     }
 
     /// The one after this, in a circle.
@@ -108,7 +118,7 @@ mod tests {
 
     #[test]
     fn every_level_is_found_by_its_code_and_reached_by_the_key() {
-        for aids in Aids::ALL {
+        for &aids in Aids::ALL {
             assert_eq!(Aids::of(aids.code()), Some(aids));
             assert_eq!(aids.next().next().next(), aids);
             assert_ne!(aids.next(), aids);

@@ -194,8 +194,8 @@ impl Course {
     /// whole missions for one that grows.
     pub fn next(&self, standing: &Standing, day: i64) -> Option<(Skill, &Offer)> {
         let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
-            .into_iter()
-            .map(|skill| {
+            .iter()
+            .map(|&skill| {
                 let known = standing.skill(skill);
                 (known.mastery(day) != Mastery::Due, known.chance(day), skill)
             })

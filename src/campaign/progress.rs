@@ -128,8 +128,9 @@ impl Progress {
             next,
             missions: missions(course, &standing, &flights, day),
             skills: Skill::ALL
-                .map(|skill| SkillProgress::of(skill, &standing, day))
-                .into(),
+                .iter()
+                .map(|&skill| SkillProgress::of(skill, &standing, day))
+                .collect(),
         }
     }
 

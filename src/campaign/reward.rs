@@ -203,7 +203,8 @@ fn skill_changes(before: &Standing, after: &Standing, flight: &Flight) -> Vec<Sk
     };
     let seen = |skill| flight.evidence.iter().filter(move |it| it.skill == skill);
     Skill::ALL
-        .into_iter()
+        .iter()
+        .copied()
         .filter(|skill| seen(*skill).next().is_some())
         .map(|skill| SkillChange {
             skill,

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr, VariantArray};
 
 use crate::mission::Mission;
 use crate::scoring::{Component, Report};
@@ -10,7 +11,21 @@ use crate::text;
 use crate::text::Text;
 
 /// A competency.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    EnumString,
+    IntoStaticStr,
+    VariantArray,
+)]
 pub enum Skill {
     /// Checks and arming.
     K1,
@@ -40,42 +55,16 @@ pub enum Skill {
 
 impl Skill {
     /// All, in order.
-    pub const ALL: [Self; 12] = [
-        Self::K1,
-        Self::K2,
-        Self::K3,
-        Self::K4,
-        Self::K5,
-        Self::K6,
-        Self::K7,
-        Self::K8,
-        Self::K9,
-        Self::K10,
-        Self::K11,
-        Self::K12,
-    ];
+    pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
     /// `K1` to `K12`, as in mission files.
     pub fn code(self) -> &'static str {
-        match self {
-            Self::K1 => "K1",
-            Self::K2 => "K2",
-            Self::K3 => "K3",
-            Self::K4 => "K4",
-            Self::K5 => "K5",
-            Self::K6 => "K6",
-            Self::K7 => "K7",
-            Self::K8 => "K8",
-            Self::K9 => "K9",
-            Self::K10 => "K10",
-            Self::K11 => "K11",
-            Self::K12 => "K12",
-        }
+        self.into()
     }
 
     /// The skill of a code.
     pub fn of(code: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|skill| skill.code() == code)
+        code.parse().ok()
     }
 
     /// Its name for people.

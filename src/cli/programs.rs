@@ -43,8 +43,8 @@ impl ProgramOptions {
     pub fn find(&self, settings: &Settings) -> Programs {
         let places = Places::of_environment();
         let named: BTreeMap<Kind, Named> = Kind::ALL
-            .into_iter()
-            .filter_map(|kind| Some((kind, self.named(kind, settings)?)))
+            .iter()
+            .filter_map(|&kind| Some((kind, self.named(kind, settings)?)))
             .collect();
         Programs::find(&named, &places)
     }

@@ -133,12 +133,7 @@ impl Programs {
             Some(named) => named.checked(&places.here),
             None => first_in(&folders, kind),
         };
-        Self(
-            Kind::ALL
-                .into_iter()
-                .map(|kind| (kind, look(kind)))
-                .collect(),
-        )
+        Self(Kind::ALL.iter().map(|&kind| (kind, look(kind))).collect())
     }
 
     /// What became of looking for the program of a kind.

@@ -4,6 +4,8 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use strum::EnumString;
+
 /// The table; its head says where it comes from.
 const TABLE: &str = include_str!("definitions.txt");
 
@@ -47,7 +49,8 @@ pub struct Field {
 }
 
 /// The type of a field's element, little-endian on the wire.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString)]
+#[strum(serialize_all = "lowercase")]
 #[expect(missing_docs, reason = "the names are the types")]
 pub enum Kind {
     Char,
@@ -80,23 +83,6 @@ impl Kind {
             Self::U32 | Self::I32 | Self::F32 => 4,
             Self::U64 | Self::I64 | Self::F64 => 8,
         }
-    }
-
-    fn named(name: &str) -> Option<Self> {
-        Some(match name {
-            "char" => Self::Char,
-            "u8" => Self::U8,
-            "i8" => Self::I8,
-            "u16" => Self::U16,
-            "i16" => Self::I16,
-            "u32" => Self::U32,
-            "i32" => Self::I32,
-            "u64" => Self::U64,
-            "i64" => Self::I64,
-            "f32" => Self::F32,
-            "f64" => Self::F64,
-            _ => return None,
-        })
     }
 }
 
@@ -187,7 +173,7 @@ fn field(word: &'static str, extension: bool) -> Option<Field> {
     let (kind, count) = kind.split_once('*').unwrap_or((kind, "0"));
     Some(Field {
         name,
-        kind: Kind::named(kind)?,
+        kind: kind.parse().ok()?,
         count: count.parse().ok()?,
         unit: parts.next().unwrap_or_default(),
         names: parts.next().filter(|name| !name.is_empty()),

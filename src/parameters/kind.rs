@@ -3,13 +3,15 @@
 use std::fmt;
 
 use mavlink::dialects::ardupilotmega::MavParamType;
+use strum::IntoStaticStr;
 
 use super::shown;
 use crate::text;
 use crate::text::Text;
 
 /// The type that the vehicle stores a parameter in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub enum ParameterType {
     /// 8 bits, unsigned.
     Uint8,
@@ -28,8 +30,10 @@ pub enum ParameterType {
     /// 64 bits.
     Int64,
     /// 32 bits, floating point.
+    #[strum(serialize = "float")]
     Real32,
     /// 64 bits, floating point.
+    #[strum(serialize = "double")]
     Real64,
 }
 
@@ -59,18 +63,7 @@ pub enum Unfit {
 impl ParameterType {
     /// The name, as in `int16`.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Uint8 => "uint8",
-            Self::Int8 => "int8",
-            Self::Uint16 => "uint16",
-            Self::Int16 => "int16",
-            Self::Uint32 => "uint32",
-            Self::Int32 => "int32",
-            Self::Uint64 => "uint64",
-            Self::Int64 => "int64",
-            Self::Real32 => "float",
-            Self::Real64 => "double",
-        }
+        self.into()
     }
 
     /// Checks that a parameter of this type can take a value, and returns it as it goes over the wire.

@@ -1,12 +1,16 @@
 //! Where the vehicles of a swarm stand when they are switched on.
 
 use serde::{Deserialize, Serialize};
+use strum::{IntoStaticStr, VariantArray};
 
 use crate::sim::Start;
 
 /// How vehicles stand to each other. The first one stands at the home, and all look the same way.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr, VariantArray,
+)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Shape {
     /// Side by side, the others to the right of the first.
     #[default]
@@ -23,23 +27,11 @@ pub enum Shape {
 
 impl Shape {
     /// Every shape.
-    pub const ALL: [Self; 5] = [
-        Self::Row,
-        Self::Column,
-        Self::Grid,
-        Self::Circle,
-        Self::Wedge,
-    ];
+    pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
     /// Its name.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Row => "row",
-            Self::Column => "column",
-            Self::Grid => "grid",
-            Self::Circle => "circle",
-            Self::Wedge => "wedge",
-        }
+        self.into()
     }
 }
 

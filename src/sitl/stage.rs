@@ -1,11 +1,24 @@
 //! How far an instance has come on its way from a program to a vehicle that can be armed.
 
 use serde::{Deserialize, Serialize};
-use utoipa::ToSchema;
+use strum::{IntoStaticStr, VariantNames};
 
 /// How far an instance has come.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, ToSchema)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    IntoStaticStr,
+    VariantNames,
+)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Stage {
     /// Others are being started before it.
     Queued,
@@ -28,15 +41,6 @@ pub enum Stage {
 impl Stage {
     /// Its name, as JSON has it.
     pub fn word(self) -> &'static str {
-        match self {
-            Self::Queued => "queued",
-            Self::Process => "process",
-            Self::Heartbeat => "heartbeat",
-            Self::Parameters => "parameters",
-            Self::Position => "position",
-            Self::Ready => "ready",
-            Self::Stopping => "stopping",
-            Self::Ended => "ended",
-        }
+        self.into()
     }
 }

@@ -126,7 +126,8 @@ fn the_battery_and_the_motors_follow_the_airframe() {
 #[test]
 fn every_kind_has_a_model_and_parameters() {
     for (kind, model) in Kind::ALL
-        .into_iter()
+        .iter()
+        .copied()
         .zip(["quad", "plane", "rover", "vectored"])
     {
         let recipe = Recipe { kind, ..recipe() };

@@ -21,7 +21,7 @@ const GET: &str = "https://ardupilot.org/dev/docs/building-setup-linux.html, the
 /// The programs: where they are, what they are, and what they open to others.
 pub(super) async fn programs(all: &Programs) -> Vec<Finding> {
     let mut findings = Vec::new();
-    for kind in Kind::ALL {
+    for &kind in Kind::ALL {
         match all.of(kind) {
             Ok(found) => findings.extend(program(kind, &found.file, &found.by).await),
             Err(Missing::Nowhere { program, .. }) => {

@@ -52,7 +52,7 @@ pub(super) fn identify(
         }
         if options.files.is_empty() {
             let programs = options.programs.find(settings);
-            for kind in Kind::ALL {
+            for &kind in Kind::ALL {
                 answers.push(match programs.of(kind) {
                     Ok(found) => ask(&found.file, Some(kind), Some(found.by.clone())).await,
                     Err(missing) => Answer {

@@ -159,7 +159,7 @@ fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failu
 /// What can be started, as people are told of it; what cannot is told now.
 async fn programs(options: &ServeArguments, settings: &Settings) -> Vec<Program> {
     let found = options.programs.find(settings);
-    for kind in Kind::ALL {
+    for &kind in Kind::ALL {
         // That there is none is worth a word only of the usual kind; that a named one is none is always.
         match found.of(kind) {
             Err(fault @ Missing::Named { .. }) => log(format_args!("warning: {fault}")),

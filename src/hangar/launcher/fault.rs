@@ -103,7 +103,7 @@ impl LaunchError {
         let errno = errno.parse().unwrap_or_default();
         let source = io::Error::from_raw_os_error(errno);
         let program = order.program.clone();
-        match Step::named(step) {
+        match step.parse().ok() {
             Some(Step::Enter) => Self::NoFolder {
                 folder: order.folder.clone(),
                 source,

@@ -10,14 +10,17 @@ use std::process::ExitCode;
 use nix::errno::Errno;
 use nix::sys::resource::{Resource, setrlimit};
 use nix::unistd::{chdir, dup2_stdin, execv, getppid, setsid};
+use strum::{EnumString, IntoStaticStr};
 
 /// The exit code of shells for what cannot be run.
 const CANNOT_RUN: u8 = 127;
 
 /// What is done before the program runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "lowercase")]
 pub(super) enum Step {
     Understand,
+    #[strum(serialize = "owner")]
     EndWithOwner,
     Enter,
     Limit,
@@ -25,32 +28,15 @@ pub(super) enum Step {
 }
 
 impl Step {
-    const NAMES: [(Self, &'static str, &'static str); 5] = [
-        (Self::Understand, "understand", "understand its order"),
-        (Self::EndWithOwner, "owner", "make it end with its owner"),
-        (Self::Enter, "enter", "enter its folder"),
-        (Self::Limit, "limit", "limit what it may use"),
-        (Self::Become, "become", "run it"),
-    ];
-
-    pub fn named(name: &str) -> Option<Self> {
-        let mut steps = Self::NAMES.iter();
-        steps.find(|step| step.1 == name).map(|step| step.0)
-    }
-
-    fn name(self) -> &'static str {
-        Self::NAMES
-            .iter()
-            .find(|step| step.0 == self)
-            .map_or("", |step| step.1)
-    }
-
     /// What the step tries, for people.
     pub fn attempt(self) -> &'static str {
-        Self::NAMES
-            .iter()
-            .find(|step| step.0 == self)
-            .map_or("", |step| step.2)
+        match self {
+            Self::Understand => "understand its order",
+            Self::EndWithOwner => "make it end with its owner",
+            Self::Enter => "enter its folder",
+            Self::Limit => "limit what it may use",
+            Self::Become => "run it",
+        }
     }
 }
 
@@ -66,7 +52,8 @@ pub(super) fn run(words: &[OsString]) -> u8 {
     let report = std::io::stdin().as_fd().try_clone_to_owned();
     let (step, errno) = become_program(words);
     let written = report.and_then(|report| {
-        File::from(report).write_all(format!("{} {}\n", step.name(), errno as i32).as_bytes())
+        let name: &str = step.into();
+        File::from(report).write_all(format!("{name} {}\n", errno as i32).as_bytes())
     });
     if step == Step::Understand || written.is_err() {
         eprintln!(

@@ -1,10 +1,14 @@
 //! The description of the service in `OpenAPI`.
 
-use utoipa::OpenApi as _;
-use utoipa::openapi::OpenApi;
+use strum::VariantNames;
+use utoipa::openapi::schema::{ObjectBuilder, Schema, Type};
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityRequirement, SecurityScheme};
+use utoipa::openapi::{OpenApi, RefOr};
+use utoipa::{OpenApi as _, PartialSchema, ToSchema};
 
 use super::{about, events, paper, tunnel, vehicles};
+use crate::config::Restart;
+use crate::sitl::{Kind, Stage};
 
 const SCHEME: &str = "token";
 
@@ -47,4 +51,36 @@ pub(super) fn document() -> OpenApi {
         SecurityRequirement::default(),
     ]);
     document
+}
+
+// Pure modules know nothing of the service, so the schemas of their types are made here.
+
+impl ToSchema for Kind {}
+impl PartialSchema for Kind {
+    fn schema() -> RefOr<Schema> {
+        words::<Self>("A vehicle that `ArduPilot` is built for.")
+    }
+}
+
+impl ToSchema for Stage {}
+impl PartialSchema for Stage {
+    fn schema() -> RefOr<Schema> {
+        words::<Self>("How far an instance has come.")
+    }
+}
+
+impl ToSchema for Restart {}
+impl PartialSchema for Restart {
+    fn schema() -> RefOr<Schema> {
+        words::<Self>("What happens to an instance that has ended by itself.")
+    }
+}
+
+/// The schema of an enum that is one of its names in JSON.
+fn words<T: VariantNames>(description: &str) -> RefOr<Schema> {
+    ObjectBuilder::new()
+        .schema_type(Type::String)
+        .description(Some(description))
+        .enum_values(Some(T::VARIANTS.iter().copied()))
+        .into()
 }

@@ -24,7 +24,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let inner = subject.pane(Pane::Skills, &look.say("standing-skills"), area, buffer);
     let cursor = subject.state.rooms.standing.skill;
     let name = usize::from(inner.width).saturating_sub(REST).min(NAME);
-    for (row, skill) in Skill::ALL.into_iter().enumerate() {
+    for (row, skill) in Skill::ALL.iter().copied().enumerate() {
         let under_cursor = row == cursor;
         let row = row as u16;
         let line = line(subject, skill, (under_cursor, name));
