@@ -14,6 +14,7 @@ mod encode;
 mod explain;
 mod manoeuvre;
 mod mav_cmd;
+mod order;
 mod request;
 mod risk;
 mod setpoint;
@@ -25,6 +26,7 @@ pub use effect::Effect;
 pub use explain::{AckResult, explain};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
+pub use order::{Act, Order};
 pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 

@@ -12,7 +12,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
 use crate::parameters::Snapshot;
-use crate::session::{Order, Report, Steering, Stream, WANTED_STREAMS, Want};
+use crate::session::{Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -47,7 +47,7 @@ pub enum FleetEvent {
 /// What the console asks of the hub.
 enum Request {
     Connect(Transport),
-    Order(VehicleId, Order),
+    Order(VehicleId, VehicleCommand),
     Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
     Restarted(VehicleId),
@@ -97,7 +97,7 @@ impl Fleet {
     ///
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was sent.
-    pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
+    pub fn order(&self, vehicle: VehicleId, order: VehicleCommand) -> Result<(), Unreachable> {
         self.ask(Request::Order(vehicle, order))
     }
 

@@ -1,7 +1,7 @@
 //! The one language for commands: `[targets] verb [arguments]`.
 //!
 //! The palette, pilot scripts, mission injects, key bindings, the ledger and the debrief all speak it. One
-//! table ([`verbs`]) declares every verb once; reading, completion, hints and the manual are made from it.
+//! table ([`rows`]) declares every verb once; reading, completion, hints and the manual are made from it.
 //!
 //! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they stand
 //! before the verb, or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A
@@ -9,11 +9,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::commands::{Command, Deed, Manoeuvre};
+use crate::commands::Order;
 use crate::geo::{LatLon, Outline};
 use crate::parameters::Parameters;
-use crate::vehicle::VehicleClass;
-use crate::vehicle::VehicleId;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{VehicleClass, VehicleId};
+use crate::verb::Verb;
 
 mod argument;
 mod complete;
@@ -36,9 +38,9 @@ pub use complete::{Completion, complete, hint};
 pub use manual::manual;
 pub use parse::parse;
 pub use pilot::{Pilot, PilotEvent, Script};
-pub use table::{verb, verbs};
+pub use table::{row, rows, verb};
 pub use targets::Targets;
-pub use verb::{Danger, Form, Retry, Verb};
+pub use verb::{Form, Meaning, VerbRow};
 pub use wait::{Field, Findings, Relation, Seen, Situation, Until, Wait};
 
 /// What the words of a line may refer to.
@@ -82,36 +84,34 @@ impl Default for Context<'_> {
 pub struct Statement {
     /// Whom it concerns.
     pub targets: Targets,
-    /// What to do.
-    pub action: Action,
+    /// What it is said with.
+    pub verb: &'static Verb,
+    /// What it asks for.
+    pub meaning: Meaning,
     /// The line in its plainest spelling: single blanks, no comment, no aliases. It means the same.
     pub line: String,
 }
 
-/// What a line asks for.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Action {
-    /// A command to each target.
-    Command {
-        /// Its row in the table.
-        verb: &'static Verb,
-        /// What the row built of the arguments.
-        command: Command,
-    },
-    /// Something that the targets do together.
-    Manoeuvre {
-        /// Its row in the table.
-        verb: &'static Verb,
-        /// What the row built of the arguments.
-        manoeuvre: Manoeuvre,
-    },
-    /// Something that the mission does, with each target.
-    Deed {
-        /// Its row in the table.
-        verb: &'static Verb,
-        /// What the row built of the arguments.
-        deed: Deed,
-    },
-    /// Hold a script until something is true of all targets.
-    Wait(Wait),
+impl Statement {
+    /// The order that it gives, where the selected vehicles are those meant by a line without targets.
+    ///
+    /// # Errors
+    /// In plain words when no vehicle is meant (see [`Targets::resolve`]), and for a wait, which orders nothing.
+    pub fn into_order(self, selection: &[VehicleId], context: &Context) -> Result<Order, Text> {
+        let targets = self.targets.resolve(selection, context)?;
+        let Meaning::Act(act) = self.meaning else {
+            return Err(text!("order-wait"));
+        };
+        // The ledger has to say who got it, also after the selection has changed.
+        let line = match self.targets {
+            Targets::Selection => format!("{} {}", Targets::Ids(targets.clone()), self.line),
+            Targets::All | Targets::Ids(_) | Targets::Group(_) => self.line,
+        };
+        Ok(Order {
+            line,
+            verb: self.verb,
+            targets,
+            act,
+        })
+    }
 }

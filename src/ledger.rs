@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::verb::Verb;
 
 /// Entries kept; older ones fall out so that a console left open for days stays small.
 pub const ENTRIES_KEPT: usize = 10_000;
@@ -136,12 +137,12 @@ pub enum Risk {
 }
 
 /// A command as it is given.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct Given<'a> {
     /// The whole line in the console's grammar, with its targets.
     pub line: &'a str,
-    /// The verb alone.
-    pub verb: &'a str,
+    /// Its verb.
+    pub verb: &'static Verb,
     /// What it sets at risk.
     pub risk: Risk,
 }
@@ -155,8 +156,8 @@ pub struct Entry {
     pub at: Duration,
     /// The whole line in the console's grammar, with its targets.
     pub line: String,
-    /// The verb alone.
-    pub verb: String,
+    /// Its verb.
+    pub verb: &'static Verb,
     /// What it sets at risk.
     pub risk: Risk,
     /// A row per target, in the order of the targets.
@@ -204,7 +205,7 @@ impl Ledger {
             id,
             at,
             line: given.line.to_owned(),
-            verb: given.verb.to_owned(),
+            verb: given.verb,
             risk: given.risk,
             rows,
         });
@@ -268,12 +269,13 @@ impl Ledger {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry};
 
     #[test]
     fn the_revision_tells_whether_anything_has_changed() {
         let mut ledger = Ledger::new();
         let before = ledger.revision();
-        let entry = ledger.open(Duration::ZERO, given("all arm", "arm"), &[1]);
+        let entry = ledger.open(Duration::ZERO, given("all arm"), &[1]);
         let opened = ledger.revision();
         assert!(opened > before);
         let _ = ledger.entries().count();
@@ -289,11 +291,20 @@ mod tests {
         assert!(ledger.revision() > opened);
     }
 
-    fn given<'a>(line: &'a str, verb: &'a str) -> Given<'a> {
+    const ARM: Verb = Verb {
+        name: "arm",
+        danger: Danger::None,
+        retry: Retry::new(3, 1000, 3500),
+        precedence: Precedence::Awaited,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    };
+
+    fn given(line: &str) -> Given<'_> {
         Given {
             line,
-            verb,
-            ..Given::default()
+            verb: &ARM,
+            risk: Risk::None,
         }
     }
 
@@ -311,7 +322,7 @@ mod tests {
     #[test]
     fn each_vehicle_has_its_own_outcome() {
         let mut ledger = Ledger::new();
-        let id = ledger.open(Duration::from_secs(10), given("1-2 arm", "arm"), &[1, 2]);
+        let id = ledger.open(Duration::from_secs(10), given("1-2 arm"), &[1, 2]);
         ledger.apply(&update(id, 2, RowState::Sent, 10));
         ledger.apply(&update(id, 2, RowState::Refused, 11));
         let entry = ledger.entry(id).expect("just opened");
@@ -324,7 +335,7 @@ mod tests {
     #[test]
     fn a_finished_row_never_changes_again() {
         let mut ledger = Ledger::new();
-        let id = ledger.open(Duration::ZERO, given("1 arm", "arm"), &[1]);
+        let id = ledger.open(Duration::ZERO, given("1 arm"), &[1]);
         ledger.apply(&update(id, 1, RowState::TimedOut, 1));
         ledger.apply(&update(id, 1, RowState::Accepted, 2));
         assert_eq!(
@@ -336,9 +347,9 @@ mod tests {
     #[test]
     fn the_oldest_entries_fall_out() {
         let mut ledger = Ledger::new();
-        let first = ledger.open(Duration::ZERO, given("1 arm", "arm"), &[1]);
+        let first = ledger.open(Duration::ZERO, given("1 arm"), &[1]);
         for _ in 0..ENTRIES_KEPT {
-            ledger.open(Duration::ZERO, given("2 arm", "arm"), &[2]);
+            ledger.open(Duration::ZERO, given("2 arm"), &[2]);
         }
         assert_eq!(ledger.entry(first), None);
         assert_eq!(ledger.entries().len(), ENTRIES_KEPT);

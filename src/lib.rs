@@ -8,7 +8,7 @@
 //! | --- | --- |
 //! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
 //! | input and output | [`fleet`] (a task per vehicle), [`hangar`] (SITL processes, here or by HTTP), [`link`] (transports, and the simulator as a server), [`store`] (files) |
-//! | pure | [`exercise`] (a mission flown by a pilot script), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
+//! | pure | [`exercise`] (a mission flown by a pilot script), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`verb`] (what is known about a verb), [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
 //! | libraries | [`sim`] (simulated vehicles), [`wire`] (frames), [`geo`] (positions and maps) |
 //!
 //! # A telemetry packet
@@ -62,6 +62,7 @@ pub mod terminal;
 pub mod text;
 pub mod ui;
 pub mod vehicle;
+pub mod verb;
 pub mod workshop;
 
 pub use sortie_geo as geo;

@@ -45,8 +45,7 @@ use timesync::Timesync;
 
 pub use hearing::LOST_AFTER;
 pub use naming::Renamed;
-pub use order::{Order, Report, Steering};
-pub use precedence::moves_the_vehicle;
+pub use order::{Report, Steering, VehicleCommand};
 pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
@@ -232,7 +231,7 @@ impl Session {
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
-    pub fn order(&mut self, order: Order, now: Duration) {
+    pub fn order(&mut self, order: VehicleCommand, now: Duration) {
         let (line, moment) = self.line(now);
         line.order(order, moment);
     }
@@ -245,7 +244,7 @@ impl Session {
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
         let message = steering.setpoint.message(&self.vehicle)?;
         self.line
-            .supersede_movements(&steering.verb.into(), now, &mut self.output);
+            .supersede_movements(&steering.verb.name.into(), now, &mut self.output);
         self.output.messages.push(message);
         Ok(())
     }

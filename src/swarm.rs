@@ -17,14 +17,15 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::commands::{Command, Destination, Manoeuvre, SpeedAxis};
+use crate::commands::{Act, Command, Destination, Manoeuvre, Order, SpeedAxis};
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
-use crate::session::{Steering, moves_the_vehicle};
+use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
+use crate::verb::Verb;
 
 mod act;
 mod cast;
@@ -39,7 +40,7 @@ mod slots;
 mod tests;
 mod transit;
 
-use act::{Act, Scene};
+use act::{ActiveManoeuvre, Scene};
 use cast::Cast;
 
 /// What holds for all manoeuvres of a session.
@@ -80,28 +81,32 @@ impl Default for Rules {
 /// All vehicles of a session by number.
 pub type Vehicles = BTreeMap<VehicleId, Vehicle>;
 
-/// A manoeuvre as it is given.
+/// An order to do something together.
 #[derive(Debug, Clone, Copy)]
-pub struct Call<'a> {
-    /// Its entry in the ledger, open already.
-    pub entry: EntryId,
-    /// What to do.
-    pub manoeuvre: &'a Manoeuvre,
-    /// Who, the leader first.
-    pub targets: &'a [VehicleId],
+struct Call<'a> {
+    entry: EntryId,
+    verb: &'static Verb,
+    manoeuvre: &'a Manoeuvre,
+    /// The leader first.
+    targets: &'a [VehicleId],
 }
 
-/// A command to single vehicles as it is given.
+/// An order that each vehicle carries out by itself.
 #[derive(Debug, Clone, Copy)]
-pub struct Ordered<'a> {
-    /// Its entry in the ledger, open already.
-    pub entry: EntryId,
-    /// The verb it was given with.
-    pub verb: &'static str,
-    /// What to do.
-    pub command: &'a Command,
-    /// Who.
-    pub targets: &'a [VehicleId],
+struct Ordered<'a> {
+    entry: EntryId,
+    verb: &'static Verb,
+    command: &'a Command,
+    targets: &'a [VehicleId],
+}
+
+/// What has become of an order.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Assignment {
+    /// The vehicles whose autopilots are to carry it out.
+    pub alone: Vec<VehicleId>,
+    /// How the rows of this order and of those before it have changed.
+    pub rows: Vec<RowUpdate>,
 }
 
 /// What came of a step.
@@ -128,7 +133,7 @@ pub struct Path {
 #[derive(Debug, Clone, Default)]
 pub struct Conductor {
     rules: Rules,
-    acts: Vec<Act>,
+    acts: Vec<ActiveManoeuvre>,
     /// How fast vehicles were told to fly.
     told_m_s: BTreeMap<VehicleId, f64>,
     /// What is to go out with the next step.
@@ -144,9 +149,44 @@ impl Conductor {
         }
     }
 
+    /// Takes an order whose entry in the ledger is open already, and finds out which vehicles carry it out alone. A
+    /// deed concerns the mission and changes nothing here.
+    pub fn take(
+        &mut self,
+        entry: EntryId,
+        order: &Order,
+        vehicles: &Vehicles,
+        now: Duration,
+    ) -> Assignment {
+        let (verb, targets) = (order.verb, order.targets.as_slice());
+        match &order.act {
+            Act::Command(command) => {
+                let ordered = Ordered {
+                    entry,
+                    verb,
+                    command,
+                    targets,
+                };
+                self.order(ordered, vehicles, now)
+            }
+            Act::Manoeuvre(manoeuvre) => {
+                let call = Call {
+                    entry,
+                    verb,
+                    manoeuvre,
+                    targets,
+                };
+                Assignment {
+                    alone: Vec::new(),
+                    rows: self.begin(call, vehicles, now),
+                }
+            }
+            Act::Deed(_) => Assignment::default(),
+        }
+    }
+
     /// Begins a manoeuvre. Those who take part are taken out of what they were doing; those who cannot are refused.
-    pub fn begin(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
-        let name = call.manoeuvre.name();
+    fn begin(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
         if *call.manoeuvre == Manoeuvre::Disband {
             return self.disband(call, vehicles, now);
         }
@@ -156,7 +196,7 @@ impl Conductor {
         let act = cast.make();
         let mut rows = std::mem::take(&mut cast.rows);
         if let Some(act) = act {
-            self.release(&taken, &name.into(), vehicles, now);
+            self.release(&taken, &call.verb.name.into(), vehicles, now);
             rows.splice(0..0, std::mem::take(&mut self.waiting.rows));
             self.acts.push(act);
         }
@@ -165,12 +205,7 @@ impl Conductor {
 
     /// Takes note of a command that is about to be sent; returns the vehicles that it is to be sent to. A movement
     /// takes its vehicles out of what they were doing, or moves a whole formation and is sent to none of it.
-    pub fn order(
-        &mut self,
-        ordered: Ordered<'_>,
-        vehicles: &Vehicles,
-        now: Duration,
-    ) -> (Vec<VehicleId>, Vec<RowUpdate>) {
+    fn order(&mut self, ordered: Ordered<'_>, vehicles: &Vehicles, now: Duration) -> Assignment {
         let mut left = ordered.targets.to_vec();
         if let &Command::Speed {
             axis: SpeedAxis::Ground,
@@ -180,7 +215,7 @@ impl Conductor {
             let told = left.iter().map(|id| (*id, speed_m_s));
             self.told_m_s.extend(told);
         }
-        if moves_the_vehicle(ordered.command) && !is_guided(ordered.command) {
+        if ordered.verb.movement.moves() && !is_guided(ordered.command) {
             for act in &mut self.acts {
                 let claimed = match goal(ordered.command, act, vehicles) {
                     Some(goal) => act.lead(goal, ordered, now, &mut self.waiting.rows),
@@ -188,9 +223,12 @@ impl Conductor {
                 };
                 left.retain(|id| !claimed.contains(id));
             }
-            self.release(&left, &ordered.verb.into(), vehicles, now);
+            self.release(&left, &ordered.verb.name.into(), vehicles, now);
         }
-        (left, std::mem::take(&mut self.waiting.rows))
+        Assignment {
+            alone: left,
+            rows: std::mem::take(&mut self.waiting.rows),
+        }
     }
 
     /// Moves everything on.
@@ -211,7 +249,7 @@ impl Conductor {
 
     /// What is going to be flown.
     pub fn paths(&self) -> Vec<Path> {
-        self.acts.iter().flat_map(Act::paths).collect()
+        self.acts.iter().flat_map(ActiveManoeuvre::paths).collect()
     }
 
     /// Whether a vehicle takes part in anything.
@@ -253,7 +291,7 @@ impl Conductor {
             .iter()
             .flat_map(|act| act.stops(&free, vehicles))
             .collect();
-        self.release(&free, &call.manoeuvre.name().into(), vehicles, now);
+        self.release(&free, &call.verb.name.into(), vehicles, now);
         self.waiting.steering.extend(stops);
         let row = |state, explanation: Option<Text>| {
             move |vehicle: VehicleId| RowUpdate {
@@ -279,7 +317,11 @@ fn is_guided(command: &Command) -> bool {
 }
 
 /// Where a command takes a formation: its first place, and its height.
-fn goal(command: &Command, act: &Act, vehicles: &Vehicles) -> Option<(LatLon, Option<f64>)> {
+fn goal(
+    command: &Command,
+    act: &ActiveManoeuvre,
+    vehicles: &Vehicles,
+) -> Option<(LatLon, Option<f64>)> {
     let leader = vehicles.get(&act.leader()?)?;
     let here = leader.global?;
     match *command {

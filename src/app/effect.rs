@@ -1,8 +1,7 @@
 //! Work for the shell, grouped by what it concerns.
 
 use crate::campaign::{Aids, Stake};
-use crate::commands::{Command, Deed, Manoeuvre};
-use crate::language::Verb;
+use crate::commands::Order;
 use crate::ledger::EntryId;
 use crate::text::{Language, Text};
 use crate::vehicle::VehicleId;
@@ -56,34 +55,12 @@ pub enum FileKind {
 pub enum Effect {
     /// Leave the program.
     Quit,
-    /// Give a command to vehicles; the ledger entry is open already.
-    Command {
+    /// Carry out an order whose entry in the ledger is open already.
+    Order {
         /// Where the outcome belongs.
         entry: EntryId,
-        /// The vehicles, sorted.
-        targets: Vec<VehicleId>,
-        /// Its row of the verb table: retries and deadline.
-        verb: &'static Verb,
         /// What to do.
-        command: Command,
-    },
-    /// Have the mission do something with vehicles; the ledger entry is open already.
-    Deed {
-        /// Where the outcome belongs.
-        entry: EntryId,
-        /// The vehicles, sorted.
-        targets: Vec<VehicleId>,
-        /// What to do.
-        deed: Deed,
-    },
-    /// Have vehicles do something together; the ledger entry is open already.
-    Manoeuvre {
-        /// Where the outcome belongs.
-        entry: EntryId,
-        /// The vehicles, sorted.
-        targets: Vec<VehicleId>,
-        /// What to do.
-        manoeuvre: Manoeuvre,
+        order: Order,
     },
     /// Ask vehicles for all their parameters.
     FetchParameters(Vec<VehicleId>),

@@ -7,7 +7,7 @@ use std::ops::Range;
 use super::console::{self, CONSOLE_VERBS, ConsoleLine, Names};
 use super::state::{Groups, SCRIPT_VERBS, State};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Action, Context, Targets};
+use crate::language::{self, Context, Meaning, Targets};
 use crate::text;
 use crate::vehicle::{VehicleClass, VehicleId};
 
@@ -43,9 +43,9 @@ pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
         class: VehicleClass::Other,
         ..Context::default()
     };
-    match language::parse(line, &context)?.action {
-        Action::Command { .. } | Action::Deed { .. } | Action::Manoeuvre { .. } => Ok(()),
-        Action::Wait(_) => Err(only_in_scripts(line)),
+    match language::parse(line, &context)?.meaning {
+        Meaning::Act(_) => Ok(()),
+        Meaning::Wait(_) => Err(only_in_scripts(line)),
     }
 }
 
@@ -118,7 +118,7 @@ fn check_now(
             ..*context
         };
         let statement = language::parse(line, &context)?;
-        if let Action::Wait(_) = statement.action {
+        if let Meaning::Wait(_) = statement.meaning {
             return Err(only_in_scripts(line));
         }
         if statement.targets != Targets::Selection {
@@ -146,7 +146,7 @@ pub fn only_in_scripts(line: &str) -> Diagnostic {
 pub fn check_beginning(line: &str) -> Result<(), Diagnostic> {
     let mut words = line.split_whitespace();
     let known = |word: &str| {
-        language::verb(word).is_some() || CONSOLE_VERBS.iter().any(|verb| verb.name == word)
+        language::row(word).is_some() || CONSOLE_VERBS.iter().any(|verb| verb.name == word)
     };
     // A target may stand before it.
     if words

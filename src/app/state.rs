@@ -48,7 +48,7 @@ pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
 pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
-pub use overlay::{Asked, Confirm, Consequence, Log, Order, Overlay, Palette, Prompt, Purpose};
+pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, Prompt, Purpose};
 pub use profiles::Trainee;
 pub use session::{Activity, Session};
 pub use time::MissionTime;

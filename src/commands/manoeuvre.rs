@@ -68,43 +68,6 @@ pub enum Manoeuvre {
     },
 }
 
-const SURVEY: &str = "survey";
-const FORMATION: &str = "formation";
-const DISBAND: &str = "formation off";
-const FOLLOW: &str = "follow";
-const SPREAD: &str = "spread";
-const SEARCH: &str = "search";
-/// `relay` alone switches a relay of the autopilot.
-const CHAIN: &str = "relay to";
-
-const NAMES: [&str; 7] = [SURVEY, FORMATION, DISBAND, FOLLOW, SPREAD, SEARCH, CHAIN];
-const STATIONS: [&str; 4] = [FORMATION, FOLLOW, SEARCH, CHAIN];
-
-impl Manoeuvre {
-    /// What the ledger calls it.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Survey { .. } => SURVEY,
-            Self::Formation { .. } => FORMATION,
-            Self::Disband => DISBAND,
-            Self::Follow { .. } => FOLLOW,
-            Self::Spread { .. } => SPREAD,
-            Self::Search { .. } => SEARCH,
-            Self::Chain { .. } => CHAIN,
-        }
-    }
-
-    /// Whether the ledger's verb is one of these: then a vehicle has arrived when its row is done.
-    pub fn is_named(verb: &str) -> bool {
-        NAMES.contains(&verb)
-    }
-
-    /// Whether the ledger's verb is one under which a vehicle that stands still does what it was told to.
-    pub fn is_station(verb: &str) -> bool {
-        STATIONS.contains(&verb)
-    }
-}
-
 /// A place as it was said.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Datum {

@@ -6,7 +6,6 @@ use super::session::Plan;
 use crate::app::effect::{Effect, SessionEffect, TerminalEffect};
 use crate::app::event::Event;
 use crate::notice::sanitised;
-use crate::session::Order;
 use crate::terminal::Environment;
 use crate::text::Text;
 
@@ -36,25 +35,7 @@ impl Console {
     async fn carry_out(&mut self, effect: Effect) {
         match effect {
             Effect::Quit => self.over = true,
-            Effect::Command {
-                entry,
-                targets,
-                verb,
-                command,
-            } => {
-                let order = Order::new(entry, verb, command);
-                self.command(&targets, &order);
-            }
-            Effect::Deed {
-                entry,
-                targets,
-                deed,
-            } => self.deed(entry, &targets, &deed),
-            Effect::Manoeuvre {
-                entry,
-                targets,
-                manoeuvre,
-            } => self.begin_manoeuvre(entry, &manoeuvre, &targets),
+            Effect::Order { entry, order } => self.order(entry, &order),
             Effect::FetchParameters(vehicles) => {
                 if let Some(running) = &self.running {
                     running.fetch_parameters(&vehicles);

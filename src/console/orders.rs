@@ -2,32 +2,50 @@
 
 use super::Console;
 use crate::app::event::VehicleEvent;
-use crate::commands::{Deed, Manoeuvre};
+use crate::commands::{Act, Deed, Order};
 use crate::fleet::Unreachable;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
-use crate::session::Order;
+use crate::session::VehicleCommand;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 impl Console {
-    /// Gives an order to each target. One that cannot be given ends its row and holds up no other.
-    pub(super) fn command(&mut self, targets: &[VehicleId], order: &Order) {
+    /// Carries out an order whose entry is open already.
+    pub(super) fn order(&mut self, entry: EntryId, order: &Order) {
+        match &order.act {
+            Act::Command(command) => {
+                let alone = self.assign(entry, order);
+                let command = VehicleCommand::new(entry, order.verb, command.clone());
+                self.command(alone, &command);
+            }
+            Act::Manoeuvre(_) => drop(self.assign(entry, order)),
+            Act::Deed(deed) => self.deed(entry, &order.targets, deed),
+        }
+    }
+
+    /// Tells those who do something together; returns the vehicles that carry the order out alone.
+    fn assign(&mut self, entry: EntryId, order: &Order) -> Vec<VehicleId> {
         let (now, shown) = (self.clock.now(), &self.app.state().session);
-        let (targets, rows) = match &mut self.running {
-            Some(running) => running.settle(targets, order, &shown.vehicles, now),
-            None => (targets.to_vec(), Vec::new()),
+        let Some(running) = &mut self.running else {
+            return order.targets.clone();
         };
-        self.post_rows(rows);
-        for vehicle in targets {
+        let assignment = running.settle(entry, order, &shown.vehicles, now);
+        self.post_rows(assignment.rows);
+        assignment.alone
+    }
+
+    /// Gives a command to each vehicle. One that cannot be given ends its row and holds up no other.
+    fn command(&mut self, vehicles: Vec<VehicleId>, command: &VehicleCommand) {
+        for vehicle in vehicles {
             let given = match &self.running {
-                Some(running) => running.order(vehicle, order.clone()),
+                Some(running) => running.order(vehicle, command.clone()),
                 None => Err(Unreachable),
             };
             if let Err(error) = given {
                 let now = self.clock.now();
-                let row = order.unsent(
+                let row = command.unsent(
                     vehicle,
                     RowState::Refused,
                     text!("outcome-not-sent", reason = Text::from(error)),
@@ -39,7 +57,7 @@ impl Console {
     }
 
     /// Has the mission do something with each target.
-    pub(super) fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
+    fn deed(&mut self, entry: EntryId, targets: &[VehicleId], deed: &Deed) {
         let now = self.clock.now();
         let rows = match &mut self.running {
             Some(running) => running.act(entry, deed, targets, now),
@@ -60,23 +78,6 @@ impl Console {
             };
             self.post(notice);
         }
-    }
-
-    /// Has the targets do something together.
-    pub(super) fn begin_manoeuvre(
-        &mut self,
-        entry: EntryId,
-        manoeuvre: &Manoeuvre,
-        targets: &[VehicleId],
-    ) {
-        let (now, shown) = (self.clock.now(), &self.app.state().session);
-        let rows = match &mut self.running {
-            Some(running) => {
-                running.begin_manoeuvre((entry, manoeuvre), targets, &shown.vehicles, now)
-            }
-            None => Vec::new(),
-        };
-        self.post_rows(rows);
     }
 
     fn post_rows(&mut self, rows: Vec<RowUpdate>) {

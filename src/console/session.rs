@@ -10,7 +10,7 @@ use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::Wanted;
 use crate::fleet::{Fleet, FleetEvent, Unreachable};
 use crate::parameters::Snapshot;
-use crate::session::{Order, Report};
+use crate::session::{Report, VehicleCommand};
 use crate::vehicle::{Vehicle, VehicleId};
 
 mod course;
@@ -64,7 +64,7 @@ impl Running {
     ///
     /// # Errors
     /// The fleet has ended or cannot keep up.
-    pub fn order(&self, vehicle: VehicleId, order: Order) -> Result<(), Unreachable> {
+    pub fn order(&self, vehicle: VehicleId, order: VehicleCommand) -> Result<(), Unreachable> {
         self.fleet.order(vehicle, order)
     }
 

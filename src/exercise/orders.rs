@@ -3,12 +3,11 @@
 use std::time::Duration;
 
 use super::{Exercise, session, since};
-use crate::commands::{Command, Manoeuvre};
-use crate::language::{self, Action, Context, Statement, Verb};
-use crate::ledger::{EntryId, Given, Risk, RowUpdate};
+use crate::commands::{Act, Order};
+use crate::language::{self, Context, Statement};
+use crate::ledger::RowUpdate;
 use crate::notice::Notice;
-use crate::session::Order;
-use crate::swarm::{Call, Ordered};
+use crate::session::VehicleCommand;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -44,91 +43,40 @@ impl<L> Exercise<L> {
         };
         let understood = language::parse(&statement.line, &context)
             .map_err(|fault| fault.message)
-            .and_then(|meant| Ok((meant.targets.resolve(&all, &context)?, meant.action)));
-        let (targets, action) = match understood {
-            Ok(understood) => understood,
-            Err(text) => {
-                self.notices.push(Notice {
-                    at: now.saturating_sub(self.prelude),
-                    vehicle: None,
-                    severity: Severity::Error,
-                    kind: None,
-                    text: Text::joined(": ", vec![format!("`{}`", statement.line).into(), text]),
-                });
-                return;
+            .and_then(|meant| meant.into_order(&all, &context));
+        match understood {
+            Ok(order) => self.order(&order, now),
+            Err(text) => self.notices.push(Notice {
+                at: now.saturating_sub(self.prelude),
+                vehicle: None,
+                severity: Severity::Error,
+                kind: None,
+                text: Text::joined(": ", vec![format!("`{}`", statement.line).into(), text]),
+            }),
+        }
+    }
+
+    fn order(&mut self, order: &Order, now: Duration) {
+        let entry = self.ledger.open(now, order.given(), &order.targets);
+        let assignment = self.conductor.take(entry, order, &self.vehicles, now);
+        for row in &assignment.rows {
+            self.ledger.apply(row);
+        }
+        match &order.act {
+            Act::Command(command) => {
+                for &id in &assignment.alone {
+                    if let Some(session) = session(&mut self.seats, id) {
+                        let command = VehicleCommand::new(entry, order.verb, command.clone());
+                        session.order(command, now);
+                    }
+                }
             }
-        };
-        let line = &statement.line;
-        match action {
-            Action::Command { verb, command } => {
-                let entry = self.open(line, (verb.name, command.risk()), &targets, now);
-                self.order(entry, (verb, &command), &targets, now);
-            }
-            Action::Deed { verb, deed } => {
-                let entry = self.open(line, (verb.name, Risk::None), &targets, now);
-                for row in self.driver.flight_mut().act(entry, &deed, &targets) {
+            Act::Deed(deed) => {
+                for row in self.driver.flight_mut().act(entry, deed, &order.targets) {
                     self.ledger.apply(&RowUpdate { at: now, ..row });
                 }
             }
-            Action::Manoeuvre { manoeuvre, .. } => {
-                let given = (manoeuvre.name(), Risk::None);
-                let entry = self.open(line, given, &targets, now);
-                self.begin_manoeuvre(entry, &manoeuvre, &targets, now);
-            }
-            Action::Wait(_) => {}
+            Act::Manoeuvre(_) => {}
         }
-    }
-
-    fn order(
-        &mut self,
-        entry: EntryId,
-        (verb, command): (&'static Verb, &Command),
-        targets: &[VehicleId],
-        now: Duration,
-    ) {
-        let ordered = Ordered {
-            entry,
-            verb: verb.name,
-            command,
-            targets,
-        };
-        let (targets, rows) = self.conductor.order(ordered, &self.vehicles, now);
-        for row in &rows {
-            self.ledger.apply(row);
-        }
-        for seat in &mut self.seats {
-            if targets.contains(&seat.session.vehicle().id) {
-                let order = Order::new(entry, verb, command.clone());
-                seat.session.order(order, now);
-            }
-        }
-    }
-
-    fn begin_manoeuvre(
-        &mut self,
-        entry: EntryId,
-        manoeuvre: &Manoeuvre,
-        targets: &[VehicleId],
-        now: Duration,
-    ) {
-        let call = Call {
-            entry,
-            manoeuvre,
-            targets,
-        };
-        let rows = self.conductor.begin(call, &self.vehicles, now);
-        for row in &rows {
-            self.ledger.apply(row);
-        }
-    }
-
-    fn open(
-        &mut self,
-        line: &str,
-        (verb, risk): (&str, Risk),
-        targets: &[VehicleId],
-        now: Duration,
-    ) -> EntryId {
-        self.ledger.open(now, Given { line, verb, risk }, targets)
     }
 }

@@ -14,7 +14,7 @@ use crate::ledger::RowState;
 use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
 use crate::notice::Notice;
 use crate::parameters::Snapshot;
-use crate::session::{LOST_AFTER, Order, Report, Session, Stream, Want};
+use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -147,7 +147,7 @@ impl Hub {
     }
 
     /// Hands an order on; one that cannot be handed on is answered here, so that no row waits for ever.
-    async fn order(&mut self, vehicle: VehicleId, order: Order) {
+    async fn order(&mut self, vehicle: VehicleId, order: VehicleCommand) {
         let system = SystemId::try_from(vehicle).ok();
         let reason = match system.and_then(|system| self.routes.get(&system)) {
             None => text!("outcome-not-heard"),

@@ -10,7 +10,7 @@ use tokio_util::sync::CancellationToken;
 use super::{Clock, FleetEvent};
 use crate::link::{LinkHandle, Peer, To};
 use crate::parameters::{Fetching, Snapshot};
-use crate::session::{Order, Report, Session, Steering, Want};
+use crate::session::{Report, Session, Steering, VehicleCommand, Want};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
@@ -24,7 +24,7 @@ pub(super) enum ToVehicle {
     /// Frames of this vehicle.
     Frames(Vec<Frame>),
     /// A command.
-    Order(Order),
+    Order(VehicleCommand),
     /// Where it is to be, as a part of a manoeuvre.
     Steer(Steering),
     /// All its parameters are wanted.

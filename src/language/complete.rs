@@ -11,8 +11,8 @@ use super::form::{Expected, Fit, fit};
 use super::lexer::{Word, comment_start, words};
 use super::parse::{Head, head};
 use super::read::{mode_names, mode_warning};
-use super::verb::{Form, Verb};
-use super::{Context, Targets, verbs};
+use super::verb::{Form, VerbRow};
+use super::{Context, Targets, rows};
 use crate::text;
 use crate::text::Text;
 
@@ -66,18 +66,18 @@ pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let words = words(line);
     let head = head(&words, context).ok()?;
     let rest = &words[head.len..];
-    let fitting: Vec<(&Form, Option<&'static Argument>)> = head
-        .verb
+    let row = head.row;
+    let fitting: Vec<(&Form, Option<&'static Argument>)> = row
         .forms
         .iter()
         .map(|form| (form, fit(form, rest, context)))
         .filter(|(_, fit)| fit.misfit.is_none())
         .map(|(form, fit)| (form, next_argument(&fit)))
         .collect();
-    let name = head.verb.name;
+    let name = row.name();
     match fitting.as_slice() {
         [] => None,
-        [(_, None)] => Some(described(name.into(), head.verb.summary())),
+        [(_, None)] => Some(described(name.into(), row.summary())),
         [(form, Some(next))] => {
             let usage = form.usage(name, Some(next));
             Some(described(usage.into(), next.explained()))
@@ -137,11 +137,11 @@ fn candidates(before: &[Word], context: &Context) -> Vec<(String, Text)> {
 fn following(head: &Head, words: &[Word], context: &Context) -> Vec<(String, Text)> {
     let rest = &words[head.len..];
     let mut all: Vec<(String, Text)> = Vec::new();
-    let waits = head.verb.name == "wait" && head.targets == Targets::Selection && rest.is_empty();
+    let waits = head.row.name() == "wait" && head.targets == Targets::Selection && rest.is_empty();
     if waits {
         all.extend(target_names(context));
     }
-    for form in head.verb.forms {
+    for form in head.row.forms {
         let fit = fit(form, rest, context);
         for expected in fit.expected {
             for candidate in names(expected, context) {
@@ -176,12 +176,12 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, Text)> {
 }
 
 fn verb_names() -> Vec<(String, Text)> {
-    let explained = |verb: &Verb| {
-        let usage = verb.usage().join(" | ");
-        let hint = described(usage.into(), verb.summary());
-        (verb.name.to_owned(), hint)
+    let explained = |row: &VerbRow| {
+        let usage = row.usage().join(" | ");
+        let hint = described(usage.into(), row.summary());
+        (row.name().to_owned(), hint)
     };
-    verbs().iter().map(explained).collect()
+    rows().iter().map(explained).collect()
 }
 
 /// The modes whose names alone change to them, unless a verb is called so.
@@ -194,7 +194,7 @@ fn modes_as_verbs(context: &Context) -> Vec<(String, Text)> {
     mode_names(context)
         .into_iter()
         .map(described)
-        .filter(|(name, _)| super::verb(name).is_none())
+        .filter(|(name, _)| super::row(name).is_none())
         .collect()
 }
 

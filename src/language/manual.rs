@@ -2,34 +2,34 @@
 
 use std::fmt::Write as _;
 
-use super::verb::Danger;
-use super::verbs;
+use super::rows;
+use crate::verb::Danger;
 
 /// The manual of the language: how a line is built, then every verb with its forms, arguments and examples.
 pub fn manual() -> String {
     let mut text = INTRODUCTION.to_owned();
-    for verb in verbs() {
+    for row in rows() {
         text.push('\n');
-        for usage in verb.usage() {
+        for usage in row.usage() {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{usage}");
         }
-        let _ = writeln!(text, "    {}", verb.summary());
-        if !verb.aliases.is_empty() {
-            let _ = writeln!(text, "    also: {}", verb.aliases.join(", "));
+        let _ = writeln!(text, "    {}", row.summary());
+        if !row.aliases.is_empty() {
+            let _ = writeln!(text, "    also: {}", row.aliases.join(", "));
         }
-        if verb.danger == Danger::Confirm {
+        if row.verb.danger == Danger::Confirm {
             let _ = writeln!(text, "    asks for a second key");
         }
         let mut seen: Vec<String> = Vec::new();
-        for argument in verb.forms.iter().flat_map(|form| form.arguments) {
+        for argument in row.forms.iter().flat_map(|form| form.arguments) {
             let line = format!("    {:<16} {}", argument.usage(), argument.explained());
             if !argument.explained().is_empty() && !seen.contains(&line) {
                 let _ = writeln!(text, "{line}");
                 seen.push(line);
             }
         }
-        for example in verb.examples {
+        for example in row.examples {
             let _ = writeln!(text, "    e.g. {example}");
         }
     }

@@ -6,9 +6,9 @@ use super::argument::Kind;
 use super::form::{Expected, Fit, Misfit, fit};
 use super::lexer::{Word, words};
 use super::read::{mode_named, mode_names};
-use super::table::{verb, verbs};
-use super::verb::{Meaning, Verb};
-use super::{Action, Context, Statement, Targets};
+use super::table::{row, rows};
+use super::verb::{Form, Meaning, VerbRow};
+use super::{Context, Statement, Targets};
 use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
@@ -16,7 +16,7 @@ use crate::text::Text;
 /// The beginning of a line: everything before the arguments.
 pub(super) struct Head {
     pub targets: Targets,
-    pub verb: &'static Verb,
+    pub row: &'static VerbRow,
     /// How the verb was said: its name, or the name of a mode.
     pub said: String,
     /// How many words there are before the arguments; a mode that stands for `mode MODE` is an argument.
@@ -31,26 +31,12 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
     let words = words(line);
     let head = head(&words, context)?;
     let rest = &words[head.len..];
-    let (meaning, _) = understand(&head, rest, &words, context)?;
-    let action = match meaning {
-        Meaning::Command(command) => Action::Command {
-            verb: head.verb,
-            command,
-        },
-        Meaning::Manoeuvre(manoeuvre) => Action::Manoeuvre {
-            verb: head.verb,
-            manoeuvre,
-        },
-        Meaning::Deed(deed) => Action::Deed {
-            verb: head.verb,
-            deed,
-        },
-        Meaning::Wait(wait) => Action::Wait(wait),
-    };
+    let (meaning, form) = understand(&head, rest, &words, context)?;
     Ok(Statement {
         line: normalised(&head, rest),
+        verb: form.means.unwrap_or(&head.row.verb),
         targets: head.targets,
-        action,
+        meaning,
     })
 }
 
@@ -72,12 +58,12 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
         return Err(Diagnostic::new(end, text!("grammar-no-command"))
             .with_help(text!("grammar-no-command-help")));
     };
-    let Some(found) = verb(word.text) else {
+    let Some(found) = row(word.text) else {
         // A mode's name alone changes to it.
-        return match (mode_named(word.text, context), verb("mode")) {
+        return match (mode_named(word.text, context), row("mode")) {
             (Some(_), Some(mode)) => Ok(Head {
                 targets,
-                verb: mode,
+                row: mode,
                 said: String::new(),
                 len: at,
             }),
@@ -86,11 +72,11 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
     };
     let mut head = Head {
         targets,
-        verb: found,
-        said: found.name.to_owned(),
+        row: found,
+        said: found.name().to_owned(),
         len: at + 1,
     };
-    if found.name == "wait" {
+    if found.name() == "wait" {
         targets_after(&mut head, words, context)?;
     }
     Ok(head)
@@ -130,13 +116,13 @@ pub(super) fn understand(
     rest: &[Word],
     all: &[Word],
     context: &Context,
-) -> Result<(Meaning, usize), Diagnostic> {
+) -> Result<(Meaning, &'static Form), Diagnostic> {
     let mut fits = Vec::new();
-    for (index, form) in head.verb.forms.iter().enumerate() {
+    for form in head.row.forms {
         let fit = fit(form, rest, context);
         if fit.complete {
             return match (form.build)(&fit.arguments) {
-                Ok(meaning) => Ok((meaning, index)),
+                Ok(meaning) => Ok((meaning, form)),
                 Err(problem) => {
                     let span = fit.arguments.span(problem.argument);
                     let span = span.unwrap_or_else(|| end_of(all));
@@ -146,12 +132,12 @@ pub(super) fn understand(
         }
         fits.push(fit);
     }
-    Err(fault(head.verb, &fits, rest, all, context))
+    Err(fault(head.row, &fits, rest, all, context))
 }
 
 /// The fault of the form that the line comes closest to.
 fn fault(
-    verb: &'static Verb,
+    row: &'static VerbRow,
     fits: &[Fit],
     rest: &[Word],
     all: &[Word],
@@ -175,8 +161,8 @@ fn fault(
             Expected::Value(argument) => !argument.optional || !argument.keyword.is_empty(),
         };
         let missing = list(expected.copied().filter(needed));
-        let example = example_of(verb, &forms);
-        let message = text!("grammar-needs", verb = verb.name, missing = missing);
+        let example = example_of(row, &forms);
+        let message = text!("grammar-needs", verb = row.name(), missing = missing);
         return Diagnostic::new(end_of(all), message)
             .with_help(text!("grammar-for-example", line = example));
     };
@@ -184,26 +170,29 @@ fn fault(
         .iter()
         .filter_map(|fit| fit.misfit.as_ref())
         .collect();
-    misfit_fault(verb, word, &misfits, context)
+    misfit_fault(row, word, &misfits, context)
 }
 
 /// An example of one of these forms of a verb, the first if there is none.
-fn example_of(verb: &'static Verb, forms: &[usize]) -> &'static str {
+fn example_of(row: &'static VerbRow, forms: &[usize]) -> &'static str {
     let context = Context::default();
     let shows = |example: &&&str| {
         let words = words(example);
         head(&words, &context).is_ok_and(|head| {
             let rest = &words[head.len..];
             let complete = |form| fit(form, rest, &context).complete;
-            let form = verb.forms.iter().position(complete);
+            let form = row.forms.iter().position(complete);
             form.is_some_and(|form| forms.contains(&form))
         })
     };
-    let example = verb.examples.iter().find(shows);
-    example.or(verb.examples.first()).unwrap_or(&verb.name)
+    let example = row.examples.iter().find(shows);
+    example
+        .or(row.examples.first())
+        .copied()
+        .unwrap_or(row.name())
 }
 
-fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context) -> Diagnostic {
+fn misfit_fault(row: &VerbRow, word: &Word, misfits: &[&Misfit], context: &Context) -> Diagnostic {
     let span = word.span.clone();
     let expected = || {
         misfits
@@ -216,7 +205,7 @@ fn misfit_fault(verb: &Verb, word: &Word, misfits: &[&Misfit], context: &Context
     };
     if expected().next().is_none() {
         let message = text!("grammar-too-much", word = word.text);
-        let usages = verb.usage().into_iter();
+        let usages = row.usage().into_iter();
         let usages = usages.map(|usage| format!("`{usage}`").into());
         return Diagnostic::new(span, message)
             .with_help(text!("grammar-say-it-as", usage = either(usages.collect())));
@@ -290,9 +279,9 @@ fn unknown_verb(word: &Word, context: &Context) -> Diagnostic {
         word.span.clone(),
         text!("grammar-unknown-command", word = word.text),
     );
-    let names = verbs()
+    let names = rows()
         .iter()
-        .flat_map(|verb| std::iter::once(verb.name).chain(verb.aliases.iter().copied()));
+        .flat_map(|row| std::iter::once(row.name()).chain(row.aliases.iter().copied()));
     fault.with_nearest(word.text, names.chain(mode_names(context)))
 }
 
@@ -306,7 +295,7 @@ fn end_of(words: &[Word]) -> Range<usize> {
 fn normalised(head: &Head, rest: &[Word]) -> String {
     let targets = head.targets.to_string();
     let mut parts: Vec<&str> = vec![&targets, &head.said];
-    if head.verb.name == "wait" {
+    if head.row.name() == "wait" {
         parts.swap(0, 1);
     }
     parts.extend(rest.iter().map(|word| word.text));

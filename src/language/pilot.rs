@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::lexer::words;
 use super::wait::{Seen, Until, Wait};
-use super::{Action, Context, Statement, Targets, parse};
+use super::{Context, Meaning, Statement, Targets, parse};
 use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::vehicle::VehicleId;
@@ -57,7 +57,7 @@ impl Script {
 fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic> {
     let statement = parse(line, context)?;
     let needs_no_vehicle =
-        matches!(&statement.action, Action::Wait(wait) if !wait.until.is_of_vehicles());
+        matches!(&statement.meaning, Meaning::Wait(wait) if !wait.until.is_of_vehicles());
     let span = words(line).first().map_or(0..0, |word| word.span.clone());
     let vehicles = match &statement.targets {
         Targets::Selection if !needs_no_vehicle => {
@@ -130,7 +130,7 @@ impl Pilot {
         let mut events = Vec::new();
         let mut acted = false;
         while let Some(step) = self.script.steps.get(self.next) {
-            if let Action::Wait(wait) = &step.statement.action {
+            if let Meaning::Wait(wait) = &step.statement.meaning {
                 let since = *self.waiting_since.get_or_insert(now);
                 let waited = now.saturating_sub(since);
                 if !(is_over(wait, waited) || !acted && step.met(wait, seen)) {

@@ -1,8 +1,9 @@
 //! The verb table: every verb, once.
 
 use super::argument::{Arguments, Problem};
-use super::verb::{Meaning, Retry, Verb};
-use crate::commands::Command;
+use super::verb::{Meaning, VerbRow};
+use crate::commands::{Act, Command, Deed, Manoeuvre};
+use crate::verb::{Retry, Verb};
 
 mod devices;
 mod flight;
@@ -11,17 +12,24 @@ mod motion;
 mod swarm;
 mod waiting;
 
-/// All verbs, in the order in which they are shown.
-pub fn verbs() -> &'static [Verb] {
-    VERBS
+/// The whole table, in the order in which it is shown.
+pub fn rows() -> &'static [VerbRow] {
+    ROWS
 }
 
-/// The verb that is called that, by name or alias, upper or lower case.
-pub fn verb(word: &str) -> Option<&'static Verb> {
-    VERBS.iter().find(|verb| verb.is_called(word))
+/// The row of a word, which may be an alias, upper or lower case.
+pub fn row(word: &str) -> Option<&'static VerbRow> {
+    ROWS.iter().find(|row| row.is_called(word))
 }
 
-static VERBS: &[Verb] = &[
+/// The verb of this name, as the ledger writes it: `arm`, `relay to`.
+pub fn verb(name: &str) -> Option<&'static Verb> {
+    ROWS.iter()
+        .flat_map(VerbRow::verbs)
+        .find(|verb| verb.name == name)
+}
+
+static ROWS: &[VerbRow] = &[
     flight::ARM,
     flight::DISARM,
     flight::KILL,
@@ -80,13 +88,28 @@ const ONCE: Retry = Retry::new(1, 1000, 3000);
 
 type Built = Result<Meaning, Problem>;
 
-/// A command as the result of a builder.
 #[expect(
     clippy::unnecessary_wraps,
     reason = "it is the last expression of functions that can fail"
 )]
 fn command(command: Command) -> Built {
-    Ok(Meaning::Command(command))
+    Ok(Meaning::Act(Act::Command(command)))
+}
+
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "it is the last expression of functions that can fail"
+)]
+fn deed(deed: Deed) -> Built {
+    Ok(Meaning::Act(Act::Deed(deed)))
+}
+
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "it is the last expression of functions that can fail"
+)]
+fn manoeuvre(manoeuvre: Manoeuvre) -> Built {
+    Ok(Meaning::Act(Act::Manoeuvre(manoeuvre)))
 }
 
 /// The first of these arguments that is given, to point at.

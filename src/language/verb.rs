@@ -1,82 +1,52 @@
 //! A row of the verb table.
 
-use std::fmt;
-use std::time::Duration;
-
 use super::argument::{Argument, Arguments, Problem};
 use super::wait::Wait;
-use crate::commands::{Command, Deed, Manoeuvre};
+use crate::commands::Act;
 use crate::text::Text;
+use crate::verb::Verb;
 
-/// One verb: everything that the program knows about it. The message `verb-NAME` says what it does.
-#[derive(Clone, Copy)]
-pub struct Verb {
-    /// Its name.
-    pub name: &'static str,
+/// A row of the table: a verb and its grammar. The message `verb-NAME` says what it does.
+#[derive(Debug, Clone, Copy)]
+pub struct VerbRow {
+    /// What holds for all its orders.
+    pub verb: Verb,
     /// Other words for it.
     pub aliases: &'static [&'static str],
     /// Lines that use it.
     pub examples: &'static [&'static str],
     /// The ways to say it.
     pub forms: &'static [Form],
-    /// Whether it asks before it goes out.
-    pub danger: Danger,
-    /// How often and until when it is sent again.
-    pub retry: Retry,
 }
 
 /// One way to say a verb: its arguments, and what is built of them.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct Form {
     /// In order. Values without a keyword come in this order; those with one come in any.
     pub arguments: &'static [Argument],
-    /// Builds the meaning.
+    /// The verb that this form means, where it is not that of the row.
+    pub(super) means: Option<&'static Verb>,
     pub(super) build: fn(&Arguments) -> Result<Meaning, Problem>,
 }
 
-/// What a form builds.
-pub(super) enum Meaning {
-    Command(Command),
-    Deed(Deed),
-    Manoeuvre(Manoeuvre),
+/// What a line asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Meaning {
+    /// Its targets shall do something.
+    Act(Act),
+    /// A script is to hold until something is true of all targets.
     Wait(Wait),
 }
 
-/// Whether a command asks before it goes out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Danger {
-    /// It goes out at once.
-    None,
-    /// It names its targets and asks for a second key.
-    Confirm,
-}
-
-/// When a command without an answer is sent again. A command that arrives late can do harm, so no try goes
-/// out after the deadline.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Retry {
-    /// Tries at most, the first included.
-    pub tries: u8,
-    /// The time between two.
-    pub every: Duration,
-    /// When to give up, counted from the first.
-    pub deadline: Duration,
-}
-
-impl Retry {
-    pub(super) const fn new(tries: u8, every_ms: u64, deadline_ms: u64) -> Self {
-        Self {
-            tries,
-            every: Duration::from_millis(every_ms),
-            deadline: Duration::from_millis(deadline_ms),
-        }
+impl VerbRow {
+    /// How it is called.
+    pub fn name(&self) -> &'static str {
+        self.verb.name
     }
-}
 
-impl Verb {
     /// Whether it is called that.
     pub fn is_called(&self, word: &str) -> bool {
-        self.name.eq_ignore_ascii_case(word)
+        self.name().eq_ignore_ascii_case(word)
             || self
                 .aliases
                 .iter()
@@ -85,19 +55,44 @@ impl Verb {
 
     /// What it does, in one line.
     pub fn summary(&self) -> Text {
-        Text::new(format!("verb-{}", self.name), Vec::new())
+        Text::new(format!("verb-{}", self.name()), Vec::new())
     }
 
     /// How to say it, a line per form: "takeoff ALTITUDE".
     pub fn usage(&self) -> Vec<String> {
         self.forms
             .iter()
-            .map(|form| form.usage(self.name, None))
+            .map(|form| form.usage(self.name(), None))
             .collect()
+    }
+
+    /// Its verb, and those of the forms that mean another one.
+    pub(super) fn verbs(&'static self) -> impl Iterator<Item = &'static Verb> {
+        let others = self.forms.iter().filter_map(|form| form.means);
+        std::iter::once(&self.verb).chain(others)
     }
 }
 
 impl Form {
+    pub(super) const fn new(
+        arguments: &'static [Argument],
+        build: fn(&Arguments) -> Result<Meaning, Problem>,
+    ) -> Self {
+        Self {
+            arguments,
+            means: None,
+            build,
+        }
+    }
+
+    /// The same, but it means another verb than that of its row.
+    pub(super) const fn meaning(self, verb: &'static Verb) -> Self {
+        Self {
+            means: Some(verb),
+            ..self
+        }
+    }
+
     /// How to say it; the argument at `marked` stands between ‹ and ›.
     pub(super) fn usage(&self, verb: &str, marked: Option<&Argument>) -> String {
         let mut usage = verb.to_owned();
@@ -113,20 +108,5 @@ impl Form {
             usage.extend([" ", open, &text, close]);
         }
         usage
-    }
-}
-
-impl PartialEq for Verb {
-    /// Names are unique in the table.
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl Eq for Verb {}
-
-impl fmt::Debug for Verb {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Verb").field(&self.name).finish()
     }
 }

@@ -3,14 +3,16 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::commands::Manoeuvre;
 use crate::ledger::{Ledger, RowState};
 use crate::vehicle::{LandedState, Vehicle, VehicleId};
+use crate::verb::Arrival;
 
 /// How long a wait lasts at most, unless it says otherwise.
 pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
 /// How near to its target a vehicle has arrived, in metres, where the ledger cannot tell.
 const ARRIVED_M: f64 = 2.0;
+/// Modes that bring a vehicle down, under the names of every class.
+const LANDING_MODES: [&str; 6] = ["LAND", "RTL", "SMART_RTL", "AUTO_RTL", "QLAND", "QRTL"];
 /// Slower than this is standing still.
 const STILL_M_S: f32 = 0.5;
 
@@ -70,8 +72,8 @@ pub enum Situation {
     Armed,
     /// Its motors are disarmed.
     Disarmed,
-    /// It has reached where the last takeoff, goto, altitude, land or rtl was to bring it, or has done its part of
-    /// what several were to do together.
+    /// The last order that moved it has been carried out: it has reached where that was to bring it, or has done its part
+    /// of what several were to do together.
     Arrived,
     /// It is on the ground.
     Landed,
@@ -236,22 +238,29 @@ fn landed(vehicle: &Vehicle) -> bool {
     }
 }
 
-/// Whether the last order to be somewhere else has been carried out: the ledger knows; where it saw no effect
-/// in time, standing still at the target counts.
+/// Whether the last order that moved the vehicle has brought it to where it was to be.
 fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
     let last = ledger.entries().rev().find_map(|entry| {
-        let verb = entry.verb.as_str();
-        let moves = ["takeoff", "goto", "altitude", "rtl", "land"].contains(&verb)
-            || Manoeuvre::is_named(verb);
+        let arrival = entry.verb.movement.arrival()?;
         let row = entry.rows.iter().find(|row| row.vehicle == vehicle.id)?;
-        moves.then_some((entry.verb.as_str(), row.state))
+        Some((arrival, row.state))
     });
     match last {
         Some((_, state)) if !state.is_final() => false,
-        Some(("rtl" | "land", _)) => landed(vehicle),
-        Some((_, RowState::Done)) => true,
-        _ => still_at_target(vehicle),
+        Some((Arrival::Landed, _)) => landed(vehicle),
+        Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || landed(vehicle),
+        Some((Arrival::Done, RowState::Done)) => true,
+        // The ledger did not see the effect, or cannot: standing still at the target counts.
+        Some((Arrival::Done | Arrival::Mode | Arrival::AtTarget, _)) | None => {
+            still_at_target(vehicle)
+        }
     }
+}
+
+/// Whether its mode ends on the ground.
+fn comes_down(vehicle: &Vehicle) -> bool {
+    let mode = vehicle.mode();
+    mode.is_some_and(|mode| LANDING_MODES.iter().any(|landing| mode.is(landing)))
 }
 
 fn still_at_target(vehicle: &Vehicle) -> bool {

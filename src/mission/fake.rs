@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use super::{Flight, Mission, Report, TICK};
 use crate::geo::LatLon;
-use crate::language::{self, Action, Context};
-use crate::ledger::{Given, Ledger, Risk, RowState, RowUpdate};
+use crate::language::{self, Context, Meaning};
+use crate::ledger::{Given, Ledger, RowState, RowUpdate};
 use crate::vehicle::{
     Battery, GlobalPosition, Heartbeat, LandedState, Mode, Severity, StatusText, SystemStatus,
     Vehicle, VehicleClass,
@@ -26,15 +26,13 @@ pub(crate) const ROUTE: [(f64, f64); 6] = [
 /// A line as the console would give it.
 pub(crate) fn given(line: &str) -> Given<'_> {
     let statement = language::parse(line, &Context::default()).expect("a good line");
-    let (verb, risk) = match statement.action {
-        Action::Command { verb, command } => (verb, command.risk()),
-        Action::Deed { verb, .. } => (verb, Risk::None),
-        Action::Manoeuvre { .. } | Action::Wait(_) => panic!("{line} is no command"),
+    let Meaning::Act(act) = statement.meaning else {
+        panic!("{line} is no order");
     };
     Given {
         line,
-        verb: verb.name,
-        risk,
+        verb: statement.verb,
+        risk: act.risk(),
     }
 }
 

@@ -13,13 +13,16 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
+use crate::language;
 use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
 use crate::scoring::{FlightBackend, Medal, Report};
 use crate::vehicle::{Vehicle, VehicleId};
+use crate::verb::Verb;
 use crate::workshop::Design;
 
 mod observed;
@@ -190,7 +193,8 @@ struct Change {
 struct EntryLine {
     id: u32,
     line: String,
-    verb: String,
+    #[serde(serialize_with = "verb_name", deserialize_with = "known_verb")]
+    verb: &'static Verb,
     #[serde(default, skip_serializing_if = "is_none")]
     risk: Risk,
     vehicles: Vec<VehicleId>,
@@ -347,7 +351,7 @@ impl Recorder {
             change.e.push(EntryLine {
                 id: entry.id.0,
                 line: entry.line.clone(),
-                verb: entry.verb.clone(),
+                verb: entry.verb,
                 risk: entry.risk,
                 vehicles: entry.rows.iter().map(|row| row.vehicle).collect(),
             });
@@ -365,6 +369,15 @@ impl Recorder {
         });
         change
     }
+}
+
+fn verb_name<S: Serializer>(verb: &&'static Verb, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(verb.name)
+}
+
+fn known_verb<'de, D: Deserializer<'de>>(deserializer: D) -> Result<&'static Verb, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    language::verb(&name).ok_or_else(|| D::Error::custom("no verb"))
 }
 
 impl RowLine {

@@ -8,18 +8,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
+use crate::verb::{CountsAs, Verb};
 
 /// The same line to the same vehicle within this time is a duplicate.
 const DUPLICATE_WITHIN: Duration = Duration::from_secs(2);
-
-/// Words between trainee and mission, which are no commands.
-const ASKS: [&str; 3] = ["predict", "goal", "hint"];
-/// What tells or asks and sets nothing: it may be refused, but its acceptance is no merit.
-const REPORTS: [&str; 4] = ["mark", "unmark", "request", "interval"];
-/// Commands that set something besides the vehicle's task.
-const SETTINGS: [&str; 8] = [
-    "speed", "yaw", "roi", "home", "servo", "relay", "param", "spray",
-];
 
 /// Counts of a flight's commands, one per command and vehicle: a command to four is four, whether all take it or all
 /// refuse it, and whether it is refused here, because it makes no sense for the vehicle, or by the vehicle.
@@ -134,7 +126,7 @@ impl CommandLog {
                 }
             }
             // That there is no further hint is an answer, and no fault of piloting.
-            if is_asked(entry) {
+            if is_word(entry) {
                 continue;
             }
             for row in &entry.rows {
@@ -180,9 +172,9 @@ impl CommandLog {
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
-        let mut standing: BTreeMap<(VehicleId, &str), &str> = BTreeMap::new();
+        let mut standing: BTreeMap<(VehicleId, Slot), &str> = BTreeMap::new();
         let orders = self.entries(ledger);
-        for (given_at, entry) in orders.filter(|(_, entry)| !is_asked(entry)) {
+        for (given_at, entry) in orders.filter(|(_, entry)| !is_word(entry)) {
             for row in &entry.rows {
                 let before = last.insert((row.vehicle, &entry.line), (given_at, is_rejected(row)));
                 // The first try after a refusal is no duplicate.
@@ -198,10 +190,14 @@ impl CommandLog {
                 tally.dangerous += u32::from(entry.risk != Risk::None);
                 tally.rejected += u32::from(is_rejected(row) && !excused);
                 tally.duplicates += u32::from(accepted && duplicate);
-                let slot = (row.vehicle, slot(&entry.verb));
-                let empty = accepted
-                    && (REPORTS.contains(&&*entry.verb)
-                        || standing.insert(slot, &entry.line) == Some(&*entry.line));
+                let mut changes_nothing = || match slot(entry.verb) {
+                    None => true,
+                    Some(slot) => {
+                        let before = standing.insert((row.vehicle, slot), &entry.line);
+                        before == Some(&*entry.line)
+                    }
+                };
+                let empty = accepted && changes_nothing();
                 tally.empty += u32::from(empty && !duplicate);
                 tally.accepted += u32::from(accepted && !duplicate && !empty);
             }
@@ -210,19 +206,25 @@ impl CommandLog {
     }
 }
 
-/// What a command sets: the same line twice for one slot changes nothing. All commands that make a vehicle go
-/// somewhere or stay share one.
-fn slot(verb: &str) -> &str {
-    if SETTINGS.contains(&verb) {
-        verb
-    } else {
-        "task"
+/// What a command sets, if anything: the same line twice for one slot changes nothing.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Slot {
+    /// What the vehicle does. All commands that make it go somewhere or stay share it.
+    Task,
+    /// A setting, by the name of its verb.
+    Setting(&'static str),
+}
+
+fn slot(verb: &'static Verb) -> Option<Slot> {
+    match verb.counts_as {
+        CountsAs::Task => Some(Slot::Task),
+        CountsAs::Setting => Some(Slot::Setting(verb.name)),
+        CountsAs::Question | CountsAs::Report | CountsAs::Word => None,
     }
 }
 
-/// Whether it is a word to the mission and no command.
-fn is_asked(entry: &Entry) -> bool {
-    ASKS.contains(&&*entry.verb)
+fn is_word(entry: &Entry) -> bool {
+    entry.verb.counts_as == CountsAs::Word
 }
 
 fn is_rejected(row: &Row) -> bool {

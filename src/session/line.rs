@@ -8,7 +8,7 @@ use std::time::Duration;
 use super::acknowledgement::{Acknowledgement, OwedAcks};
 use super::naming::{self, Search, Searching};
 use super::transaction::{Progress, Transaction};
-use super::{Order, Output, fit, precedence};
+use super::{Output, VehicleCommand, fit, precedence};
 use crate::ledger::RowState;
 use crate::notice::Notice;
 use crate::parameters::Parameters;
@@ -24,7 +24,7 @@ const MOST_WAITING: usize = 32;
 #[derive(Debug, Default)]
 pub(super) struct Line {
     /// Those that wait for the line to be free, with the time they were given.
-    queue: VecDeque<(Order, Duration)>,
+    queue: VecDeque<(VehicleCommand, Duration)>,
     /// Finds the vehicle's name for the parameter of the one that is next.
     search: Search,
     /// The one whose answer is awaited.
@@ -44,7 +44,7 @@ pub(super) struct Moment<'a> {
 
 impl Moment<'_> {
     /// Ends an order that was never sent.
-    fn drop_order(&mut self, order: &Order, state: RowState, reason: Text) {
+    fn drop_order(&mut self, order: &VehicleCommand, state: RowState, reason: Text) {
         let row = order.unsent(self.vehicle.id, state, reason, self.now);
         self.output.row(row);
     }
@@ -52,9 +52,9 @@ impl Moment<'_> {
 
 impl Line {
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
-    pub fn order(&mut self, mut order: Order, mut moment: Moment) {
-        if precedence::is_urgent(&order.command, moment.vehicle) {
-            self.clear(&order.verb.into(), &mut moment);
+    pub fn order(&mut self, mut order: VehicleCommand, mut moment: Moment) {
+        if precedence::is_urgent(&order, moment.vehicle) {
+            self.clear(&order.verb.name.into(), &mut moment);
         }
         naming::settle(&mut order, moment.parameters);
         let checked = if self.queue.len() >= MOST_WAITING {
@@ -141,7 +141,7 @@ impl Line {
                 break;
             }
             if active.moves_the_vehicle() {
-                self.supersede_movements(&active.verb().into(), now, moment.output);
+                self.supersede_movements(&active.verb().name.into(), now, moment.output);
                 // Where it was heading says nothing any more; the next message of it does.
                 moment.vehicle.target = None;
             }
@@ -170,7 +170,7 @@ impl Line {
 
     /// The order whose turn has come, with the vehicle's own name for its parameter. `None` if there is none, or
     /// while that name is not known.
-    fn next(&mut self, moment: &mut Moment) -> Option<(Order, Duration)> {
+    fn next(&mut self, moment: &mut Moment) -> Option<(VehicleCommand, Duration)> {
         loop {
             let (order, given) = self.queue.front_mut()?;
             let (state, reason) = if naming::settle(order, moment.parameters) {
@@ -181,7 +181,7 @@ impl Line {
                     _ => return self.queue.pop_front(),
                 }
             } else {
-                let deadline = *given + order.retry.deadline;
+                let deadline = *given + order.verb.retry.deadline;
                 match self
                     .search
                     .poll(order, deadline, moment.vehicle, moment.now)

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Order, fit};
+use super::{VehicleCommand, fit};
 use crate::commands::Command;
 use crate::diagnostic::nearest;
 use crate::ledger::{EntryId, RowState};
@@ -38,7 +38,7 @@ impl Renamed {
 
 /// Gives the parameter of an order the name that the vehicle has for it. False if that has to be asked first:
 /// vehicles say nothing to a name that they lack.
-pub(super) fn settle(order: &mut Order, list: &Parameters) -> bool {
+pub(super) fn settle(order: &mut VehicleCommand, list: &Parameters) -> bool {
     let (name, value) = match &mut order.command {
         Command::GetParameter { name } => (name, None),
         Command::SetParameter { name, value } => (name, Some(value)),
@@ -83,7 +83,7 @@ impl Search {
     /// Lets time pass while an order waits that is to be sent until `deadline`.
     pub fn poll(
         &mut self,
-        order: &Order,
+        order: &VehicleCommand,
         deadline: Duration,
         vehicle: &Vehicle,
         now: Duration,
@@ -94,11 +94,11 @@ impl Search {
                 ..Self::default()
             };
         }
-        let is_answer_due = self.tries > 0 && now < self.asked + order.retry.every;
+        let is_answer_due = self.tries > 0 && now < self.asked + order.verb.retry.every;
         if is_answer_due && now < deadline {
             return Searching::Wait;
         }
-        if self.tries >= order.retry.tries {
+        if self.tries >= order.verb.retry.tries {
             return Searching::Over;
         }
         if now >= deadline {

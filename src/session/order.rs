@@ -4,21 +4,19 @@ use std::time::Duration;
 
 use super::naming::Renamed;
 use crate::commands::{Command, Setpoint};
-use crate::language::{Retry, Verb};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::verb::Verb;
 
-/// One vehicle's part in a command.
+/// A command to one vehicle, as part of an order.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Order {
+pub struct VehicleCommand {
     /// The ledger's entry that is kept informed.
     pub entry: EntryId,
-    /// The verb it was given with, for explanations.
-    pub verb: &'static str,
-    /// When it may be sent again, and until when at all.
-    pub retry: Retry,
+    /// The verb it was given with: retries, precedence.
+    pub verb: &'static Verb,
     /// What to do.
     pub command: Command,
     /// What its parameter was called by whoever gave it, where the vehicle calls it differently.
@@ -29,7 +27,7 @@ pub struct Order {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steering {
     /// What they do, for explanations.
-    pub verb: &'static str,
+    pub verb: &'static Verb,
     /// Where the vehicle is to be.
     pub setpoint: Setpoint,
 }
@@ -43,13 +41,12 @@ pub enum Report {
     Notice(Notice),
 }
 
-impl Order {
-    /// An order as the verb table has it.
+impl VehicleCommand {
+    /// What the autopilot is to do for an order.
     pub fn new(entry: EntryId, verb: &'static Verb, command: Command) -> Self {
         Self {
             entry,
-            verb: verb.name,
-            retry: verb.retry,
+            verb,
             command,
             renamed: None,
         }
@@ -64,7 +61,7 @@ impl Order {
         }
     }
 
-    /// The last word on an order that was never sent.
+    /// The last word on a command that was never sent.
     pub fn unsent(
         &self,
         vehicle: VehicleId,

@@ -9,8 +9,9 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::*;
 use crate::commands::{Command, Destination, Heading};
-use crate::language::Retry;
+use crate::language;
 use crate::ledger::{EntryId, RowState};
+use crate::verb::{Retry, Verb};
 
 mod download;
 mod hearing;
@@ -113,17 +114,12 @@ impl Scene {
     }
 
     fn order(&mut self, entry: u32, verb: &'static str, command: Command) {
-        let order = Order {
-            entry: EntryId(entry),
-            verb,
-            retry: Retry {
-                tries: 3,
-                every: ms(1000),
-                deadline: ms(3500),
-            },
-            command,
-            renamed: None,
-        };
+        let row = language::verb(verb).expect(verb);
+        let verb = Box::leak(Box::new(Verb {
+            retry: Retry::new(3, 1000, 3500),
+            ..*row
+        }));
+        let order = VehicleCommand::new(EntryId(entry), verb, command);
         self.session.order(order, self.now);
         self.collect();
     }

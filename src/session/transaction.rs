@@ -2,13 +2,14 @@
 
 use std::time::Duration;
 
-use super::{Order, Output, precedence};
+use super::{Output, VehicleCommand, precedence};
 use crate::commands::{AckResult, Answer, Effect, Request};
 use crate::ledger::{RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::verb::Verb;
 
 mod answer;
 mod effect;
@@ -52,7 +53,7 @@ enum Phase {
 /// A command under way.
 #[derive(Debug)]
 pub(super) struct Transaction {
-    pub(super) order: Order,
+    pub(super) order: VehicleCommand,
     vehicle: VehicleId,
     given: Duration,
     phase: Phase,
@@ -76,13 +77,13 @@ impl Transaction {
     /// Sends a command that was given at some time, now that the line is free. `None` when it had to end at
     /// once: too late, or senseless for this vehicle.
     pub fn start(
-        order: Order,
+        order: VehicleCommand,
         given: Duration,
         vehicle: &Vehicle,
         now: Duration,
         output: &mut Output,
     ) -> Option<Self> {
-        let deadline = given + order.retry.deadline;
+        let deadline = given + order.verb.retry.deadline;
         let request = match prepare(&order, deadline, vehicle, now) {
             Ok(request) => request,
             Err((state, reason)) => {
@@ -122,18 +123,18 @@ impl Transaction {
     }
 
     /// The verb it was given with.
-    pub fn verb(&self) -> &'static str {
+    pub fn verb(&self) -> &'static Verb {
         self.order.verb
     }
 
     /// Whether it decides where the vehicle flies from now on.
     pub fn moves_the_vehicle(&self) -> bool {
-        self.is_accepted && precedence::moves_the_vehicle(&self.order.command)
+        self.is_accepted && self.order.verb.movement.moves()
     }
 
     /// Whether a newer movement ends what is awaited of it.
     pub fn gives_way_to_movement(&self) -> bool {
-        precedence::gives_way_to_movement(&self.order.command)
+        self.order.verb.movement.gives_way()
     }
 
     /// The command whose acknowledgements may still come although nobody waits for them, and how many.
@@ -179,7 +180,7 @@ impl Transaction {
     }
 
     fn is_settled(&self, since: Duration, now: Duration) -> bool {
-        let is_awaited = precedence::later_ones_depend_on_it(&self.order.command);
+        let is_awaited = precedence::later_ones_depend_on_it(&self.order);
         !is_awaited || now >= since + SETTLE_PATIENCE
     }
 
@@ -224,13 +225,13 @@ impl Transaction {
 
 /// The request of an order whose turn has come, or how it ends unsent.
 fn prepare(
-    order: &Order,
+    order: &VehicleCommand,
     deadline: Duration,
     vehicle: &Vehicle,
     now: Duration,
 ) -> Result<Request, (RowState, Text)> {
     if now >= deadline {
-        let allowed_s = order.retry.deadline.as_secs_f64();
+        let allowed_s = order.verb.retry.deadline.as_secs_f64();
         let reason = text!("outcome-too-late", seconds = format!("{allowed_s:.1}"));
         return Err((RowState::TimedOut, reason));
     }

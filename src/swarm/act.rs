@@ -18,6 +18,7 @@ use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::verb::Verb;
 
 mod fate;
 mod member;
@@ -75,9 +76,9 @@ struct Move {
 
 /// A manoeuvre under way.
 #[derive(Debug, Clone)]
-pub(super) struct Act {
+pub(super) struct ActiveManoeuvre {
     pub entry: EntryId,
-    pub name: &'static str,
+    pub verb: &'static Verb,
     pub site: Site,
     pub members: Vec<Member>,
     pub phase: Phase,
@@ -85,11 +86,11 @@ pub(super) struct Act {
     moving: Option<Move>,
 }
 
-impl Act {
-    pub fn new(entry: EntryId, name: &'static str, site: Site, work: Work) -> Self {
+impl ActiveManoeuvre {
+    pub fn new(entry: EntryId, verb: &'static Verb, site: Site, work: Work) -> Self {
         Self {
             entry,
-            name,
+            verb,
             site,
             members: Vec::new(),
             phase: Phase::Rise,
@@ -171,7 +172,7 @@ impl Act {
                 None => (at, other),
             });
             if let (Some((_, other)), None) = (waits, before) {
-                let text = text!("swarm-waits", verb = self.name, other = other);
+                let text = text!("swarm-waits", verb = self.verb.name, other = other);
                 turn.notices
                     .push(notice(id, Severity::Notice, text, scene.now));
             }
@@ -190,7 +191,7 @@ impl Act {
 
     fn steering(&self, point: DVec3, speed: Option<DVec3>) -> Steering {
         Steering {
-            verb: self.name,
+            verb: self.verb,
             setpoint: Setpoint {
                 at_point: self.site.place(point.truncate()),
                 altitude_m: point.z,
@@ -251,7 +252,7 @@ impl Act {
         let way_m = march.anchor.distance(goal);
         let targets = ordered.targets.iter().copied();
         let who: Vec<VehicleId> = targets.filter(|id| self.has(*id)).collect();
-        let by = text!("outcome-superseded", by = ordered.verb);
+        let by = text!("outcome-superseded", by = ordered.verb.name);
         self.end_move(RowState::Superseded, Some(&by), now, rows);
         let remark = text!("swarm-goes-along", leader = leader);
         for &vehicle in &who {

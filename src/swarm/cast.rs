@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
-use super::act::{Act, Scene, Work};
+use super::act::{ActiveManoeuvre, Scene, Work};
 use super::site::Site;
 use super::transit::Clearance;
 use super::{Call, Rules, Vehicles};
@@ -56,7 +56,7 @@ pub(super) struct Cast<'a> {
     pub rows: Vec<RowUpdate>,
 }
 
-type Made = Result<Act, Text>;
+type Made = Result<ActiveManoeuvre, Text>;
 
 impl<'a> Cast<'a> {
     pub fn new(rules: Rules, vehicles: &'a Vehicles, now: Duration, call: Call<'a>) -> Self {
@@ -79,7 +79,7 @@ impl<'a> Cast<'a> {
 
     /// Finds out who can take part and refuses the others.
     pub fn audition(&mut self) {
-        let verb = self.call.manoeuvre.name();
+        let verb = self.call.verb.name;
         for &id in self.call.targets {
             let fitness = match self.vehicles.get(&id) {
                 None => Err(text!("refused-not-heard")),
@@ -124,7 +124,7 @@ impl<'a> Cast<'a> {
     }
 
     /// Plans it; `None` when nobody can do it, and the rows say why.
-    pub fn make(&mut self) -> Option<Act> {
+    pub fn make(&mut self) -> Option<ActiveManoeuvre> {
         if self.team.is_empty() {
             return None;
         }
@@ -178,9 +178,8 @@ impl<'a> Cast<'a> {
         }
     }
 
-    fn act(&self, work: Work) -> Act {
-        let name = self.call.manoeuvre.name();
-        Act::new(self.call.entry, name, self.site, work)
+    fn act(&self, work: Work) -> ActiveManoeuvre {
+        ActiveManoeuvre::new(self.call.entry, self.call.verb, self.site, work)
     }
 
     fn scene(&self) -> Scene<'a> {

@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::geo::Outline;
-use crate::language::{self, Action, Context};
-use crate::ledger::{Given, Ledger, RowState};
-use crate::session::{Order, Report, Session};
+use crate::language::{self, Context};
+use crate::ledger::{Ledger, RowState};
+use crate::session::{Report, Session, VehicleCommand};
 use crate::sim::{PortId, Start, World, WorldConfig};
 use crate::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
@@ -187,54 +187,28 @@ impl Stage {
             ..Context::default()
         };
         let statement = language::parse(line, &context).expect(line);
-        let targets = statement.targets.resolve(&ids, &context).expect(line);
         let now = self.now();
-        let verb = match &statement.action {
-            Action::Command { verb, .. } => verb.name,
-            Action::Manoeuvre { manoeuvre, .. } => manoeuvre.name(),
-            Action::Deed { .. } | Action::Wait(_) => panic!("{line}"),
-        };
-        let given = Given {
-            line,
-            verb,
-            ..Given::default()
-        };
-        let entry = self.ledger.open(now, given, &targets);
-        match statement.action {
-            Action::Command { verb, command } => {
-                let ordered = Ordered {
-                    entry,
-                    verb: verb.name,
-                    command: &command,
-                    targets: &targets,
-                };
-                let (left, rows) = self.conductor.order(ordered, &self.vehicles, now);
-                for row in &rows {
-                    self.ledger.apply(row);
-                }
-                for id in left {
-                    let order = Order::new(entry, verb, command.clone());
-                    self.seats[usize::from(id) - 1].session.order(order, now);
-                }
+        let order = statement.into_order(&ids, &context).expect(line);
+        let entry = self.ledger.open(now, order.given(), &order.targets);
+        let assignment = self.conductor.take(entry, &order, &self.vehicles, now);
+        for row in &assignment.rows {
+            self.ledger.apply(row);
+        }
+        if let Act::Command(command) = &order.act {
+            for id in assignment.alone {
+                let command = VehicleCommand::new(entry, order.verb, command.clone());
+                self.seats[usize::from(id) - 1].session.order(command, now);
             }
-            Action::Manoeuvre { manoeuvre, .. } => {
-                let call = Call {
-                    entry,
-                    manoeuvre: &manoeuvre,
-                    targets: &targets,
-                };
-                let rows = self.conductor.begin(call, &self.vehicles, now);
-                for row in &rows {
-                    self.ledger.apply(row);
-                }
-            }
-            Action::Deed { .. } | Action::Wait(_) => {}
         }
     }
 
     /// The rows of the newest line with a verb.
     fn rows(&self, verb: &str) -> Vec<(VehicleId, RowState, String)> {
-        let entry = self.ledger.entries().rev().find(|entry| entry.verb == verb);
+        let entry = self
+            .ledger
+            .entries()
+            .rev()
+            .find(|entry| entry.verb.name == verb);
         let rows = entry.into_iter().flat_map(|entry| &entry.rows);
         rows.map(|row| {
             let why = row.explanation.as_ref().map(ToString::to_string);

@@ -313,5 +313,5 @@ const KEYS: &[&str] = &[
 ];
 
 fn is_kill(effect: &Effect) -> bool {
-    matches!(effect, Effect::Command { verb, .. } if verb.name == "kill")
+    matches!(effect, Effect::Order { order, .. } if order.verb.name == "kill")
 }

@@ -6,14 +6,14 @@ use std::time::Duration;
 
 use futures_util::FutureExt as _;
 use futures_util::future::{pending, select_all};
-use sortie::commands::Command;
+use sortie::commands::{Act, Command};
 use sortie::fleet::{Clock, Fleet, FleetEvent};
 use sortie::geo::LatLon;
-use sortie::language::{self, Action, Context};
+use sortie::language::{self, Context, Meaning};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Transport};
 use sortie::parameters::Snapshot;
-use sortie::session::{Order, Report};
+use sortie::session::{Report, VehicleCommand};
 use sortie::sim::{Start, World, WorldConfig};
 use sortie::vehicle::{Vehicle, VehicleId};
 use tokio::sync::{mpsc, watch};
@@ -144,13 +144,13 @@ impl Console {
             ..Context::default()
         };
         let statement = language::parse(line, &context).expect("a good line");
-        let Action::Command { verb, command } = statement.action else {
+        let Meaning::Act(Act::Command(command)) = statement.meaning else {
             panic!("{line} is no command");
         };
         let entry = EntryId(self.entries);
         self.entries += 1;
         for &target in targets {
-            let order = Order::new(entry, verb, Command::clone(&command));
+            let order = VehicleCommand::new(entry, statement.verb, Command::clone(&command));
             self.fleet.order(target, order).expect("the fleet runs");
         }
         entry

@@ -179,7 +179,7 @@ impl Console {
     /// The targets of the one command that the last event sent out.
     pub fn sent_to(&self) -> Vec<u16> {
         match self.effects.as_slice() {
-            [Effect::Command { targets, .. }] => targets.clone(),
+            [Effect::Order { order, .. }] => order.targets.clone(),
             other => panic!("no single command went out: {other:?}"),
         }
     }

@@ -11,7 +11,7 @@ mod sources;
 const LIBRARIES: &[&[&str]] = &[&["geo", "wire", "sim"]];
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
-    &["hash", "text"],
+    &["hash", "text", "verb"],
     &["diagnostic", "alert", "config"],
     &["parameters", "workshop"],
     &["inspector"],

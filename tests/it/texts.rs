@@ -9,7 +9,7 @@ use sortie::app::action::Action;
 use sortie::app::console::CONSOLE_VERBS;
 use sortie::app::setting::Setting;
 use sortie::app::state::Room;
-use sortie::language::verbs;
+use sortie::language::rows;
 use sortie::text::{Language, Locale, messages};
 
 /// The variables of each message of a language, by id.
@@ -155,8 +155,8 @@ fn from_tables() -> BTreeSet<String> {
     let classes =
         ["copter", "plane", "rover", "sub", "vehicle"].map(|class| format!("class-{class}"));
     let settings = Setting::NAMES.iter().map(|name| format!("setting-{name}"));
-    let summaries = verbs().iter().map(|verb| format!("verb-{}", verb.name));
-    let forms = verbs().iter().flat_map(|verb| verb.forms);
+    let summaries = rows().iter().map(|row| format!("verb-{}", row.name()));
+    let forms = rows().iter().flat_map(|row| row.forms);
     let arguments = forms.flat_map(|form| form.arguments);
     let meanings = arguments.map(|argument| argument.help.to_owned());
     actions

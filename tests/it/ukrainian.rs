@@ -11,7 +11,7 @@ use sortie::app::setting::Setting;
 use sortie::app::state::Room;
 use sortie::commands::{AckResult, Command, Destination, Heading, explain};
 use sortie::fleet::Unreachable;
-use sortie::language::{Context, Kind, Unit, complete, hint, parse, verbs};
+use sortie::language::{Context, Kind, Unit, complete, hint, parse, rows};
 use sortie::ledger::RowState;
 use sortie::link::{Address, LinkState};
 use sortie::store;
@@ -45,11 +45,11 @@ const NAMES: &[&str] = &[
 fn from_tables() -> BTreeSet<String> {
     let mut words = BTreeSet::new();
     let mut add = |word: &str| words.extend(parts(word).map(str::to_owned));
-    for verb in verbs() {
-        add(verb.name);
-        verb.aliases.iter().copied().for_each(&mut add);
-        verb.examples.iter().copied().for_each(&mut add);
-        for argument in verb.forms.iter().flat_map(|form| form.arguments) {
+    for row in rows() {
+        add(row.name());
+        row.aliases.iter().copied().for_each(&mut add);
+        row.examples.iter().copied().for_each(&mut add);
+        for argument in row.forms.iter().flat_map(|form| form.arguments) {
             add(argument.keyword);
             add(&argument.name.to_uppercase());
             if let Kind::Choice(choices) = argument.kind {
@@ -208,9 +208,9 @@ fn faults() -> Vec<Text> {
 fn hints() -> Vec<Text> {
     let context = Context::default();
     let mut said = Vec::new();
-    for verb in verbs() {
-        said.push(verb.summary());
-        for example in verb.examples {
+    for row in rows() {
+        said.push(row.summary());
+        for example in row.examples {
             let ends = example.char_indices().filter(|(_, c)| *c == ' ');
             for end in ends.map(|(at, _)| at + 1).chain([0, example.len()]) {
                 let line = &example[..end];

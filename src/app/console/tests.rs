@@ -91,7 +91,7 @@ fn only_the_consoles_own_lines_are_taken() {
 #[test]
 fn no_verb_of_the_console_hides_one_for_vehicles() {
     for own in CONSOLE_VERBS {
-        assert!(crate::language::verb(own.name).is_none(), "{}", own.name);
+        assert!(crate::language::row(own.name).is_none(), "{}", own.name);
     }
 }
 

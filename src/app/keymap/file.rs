@@ -23,7 +23,7 @@ use crate::app::action::Action;
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::lines;
 use crate::diagnostic::Diagnostic;
-use crate::language::verbs;
+use crate::language::{VerbRow, rows};
 use crate::text;
 
 /// What ends a line that is to be completed by hand.
@@ -238,7 +238,7 @@ fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Mea
         }
         // A single word may have been meant as either.
         let actions = Action::ALL.iter().map(|(name, _)| *name);
-        let commands = verbs().iter().map(|verb| verb.name);
+        let commands = rows().iter().map(VerbRow::name);
         let own = CONSOLE_VERBS.iter().map(|verb| verb.name);
         let text = text!("keymap-no-action", name = line);
         Diagnostic::new(span.clone(), text).with_nearest(line, actions.chain(commands).chain(own))

@@ -28,7 +28,9 @@ impl Column {
             Self::Group => SortKey::word(&session.groups_of(vehicle.id).join(" ")),
             Self::Command => session
                 .latest(vehicle.id)
-                .map_or(SortKey::Missing, |(entry, _)| SortKey::word(&entry.verb)),
+                .map_or(SortKey::Missing, |(entry, _)| {
+                    SortKey::word(entry.verb.name)
+                }),
             _ => self
                 .number(vehicle, session)
                 .map_or(SortKey::Missing, SortKey::Number),

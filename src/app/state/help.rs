@@ -5,7 +5,7 @@ use unicode_width::UnicodeWidthStr as _;
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Keymap, Meaning, Place};
 use crate::app::room::Room;
-use crate::language::verbs;
+use crate::language::rows;
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -48,11 +48,11 @@ pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine>
     }
     lines.push(title(text!("help-commands")));
     lines.extend(notes(&locale.say("help-targets")));
-    let for_people = verbs()
+    let for_people = rows()
         .iter()
-        .filter(|verb| !SCRIPT_VERBS.contains(&verb.name));
-    for verb in for_people {
-        lines.extend(explained(&verb.usage(), &locale.text(&verb.summary())));
+        .filter(|row| !SCRIPT_VERBS.contains(&row.name()));
+    for row in for_people {
+        lines.extend(explained(&row.usage(), &locale.text(&row.summary())));
     }
     lines.push(HelpLine::Blank);
     lines.push(title(text!("help-console")));

@@ -5,10 +5,9 @@ use tui_input::Input;
 use crate::app::effect::Effect;
 use crate::app::room::Room;
 use crate::app::room::parameters::Setting;
-use crate::commands::{Command, Deed, Manoeuvre};
+use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
-use crate::language::{Completion, Verb};
-use crate::ledger::Risk;
+use crate::language::Completion;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -105,7 +104,7 @@ impl Confirm {
 /// What a confirmed question leads to.
 #[derive(Debug, Clone)]
 pub enum Consequence {
-    /// A command goes out.
+    /// An order goes out.
     Order(Order),
     /// The shell does something.
     Effect(Effect),
@@ -113,40 +112,6 @@ pub enum Consequence {
     Parameters(Vec<Setting>),
     /// A design takes the place of the one on the workshop's bench.
     Design(Design),
-}
-
-/// A command with its targets, ready to go out.
-#[derive(Debug, Clone)]
-pub struct Order {
-    /// The whole line, with its targets.
-    pub line: String,
-    /// The vehicles, sorted.
-    pub targets: Vec<VehicleId>,
-    /// Its row of the verb table.
-    pub verb: &'static Verb,
-    /// What is asked for.
-    pub what: Asked,
-}
-
-/// What an order asks for, and so who carries it out.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Asked {
-    /// Each vehicle's autopilot does it.
-    Command(Command),
-    /// The mission does it.
-    Deed(Deed),
-    /// The targets do it together.
-    Manoeuvre(Manoeuvre),
-}
-
-impl Asked {
-    /// What it sets at risk.
-    pub fn risk(&self) -> Risk {
-        match self {
-            Self::Command(command) => command.risk(),
-            Self::Deed(_) | Self::Manoeuvre(_) => Risk::None,
-        }
-    }
 }
 
 /// A line that is asked for.

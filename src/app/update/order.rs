@@ -4,14 +4,15 @@ use super::act;
 use crate::app::effect::{Effect, SessionEffect};
 use crate::app::lines;
 use crate::app::room::{parameters, workshop};
-use crate::app::state::{Asked, Confirm, Consequence, Order, Overlay, State, ranges};
-use crate::commands::Deed;
+use crate::app::state::{Confirm, Consequence, Overlay, State, ranges};
+use crate::commands::{Act, Deed, Order};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Action, Danger, Statement, Targets};
-use crate::ledger::{Entry, Given, RowUpdate};
+use crate::language::{self, Meaning, Statement};
+use crate::ledger::{Entry, RowUpdate};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::verb::Danger;
 
 /// Up to so many targets are named one by one.
 const NAMED_TARGETS: usize = 12;
@@ -27,17 +28,18 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
             return Err(Diagnostic::new(first_word(line), text!("pause-refuses"))
                 .with_help(text!("pause-refuses-help")));
         }
-        let selection = state.addressed();
-        let targets = statement
-            .targets
-            .resolve(&selection, context)
+        if let Meaning::Wait(_) = statement.meaning {
+            return Err(lines::only_in_scripts(line));
+        }
+        let order = statement
+            .into_order(&state.addressed(), context)
             .map_err(|text| Diagnostic::new(first_word(line), text))?;
         let missing = |id: &&VehicleId| !state.session.vehicles.contains_key(id);
-        if let Some(missing) = targets.iter().find(missing) {
+        if let Some(missing) = order.targets.iter().find(missing) {
             let text = text!("order-no-vehicle", vehicle = *missing);
             return Err(Diagnostic::new(first_word(line), text));
         }
-        order(line, statement, targets)
+        Ok(order)
     })
 }
 
@@ -46,10 +48,10 @@ fn is_word(state: &State, statement: &Statement) -> bool {
     if !state.can_pledge() {
         return false;
     }
-    let Action::Deed { deed, .. } = &statement.action else {
-        return false;
-    };
-    matches!(deed, Deed::Predict { .. } | Deed::Goal(_))
+    matches!(
+        statement.meaning,
+        Meaning::Act(Act::Deed(Deed::Predict { .. } | Deed::Goal(_)))
+    )
 }
 
 /// What Enter does with an order.
@@ -80,7 +82,7 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
             count = count,
             vehicles = named
         ),
-        reason: order.verb.summary(),
+        reason: Text::new(format!("verb-{}", order.verb.name), Vec::new()),
         answer: count.to_string(),
         typed: String::new(),
         cancelled: false,
@@ -106,36 +108,10 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
         }
     };
     let now = state.now;
-    let given = Given {
-        line: &order.line,
-        verb: match &order.what {
-            Asked::Manoeuvre(manoeuvre) => manoeuvre.name(),
-            _ => order.verb.name,
-        },
-        risk: order.what.risk(),
-    };
-    let entry = state.session.open(now, given, &order.targets);
+    let entry = state.session.open(now, order.given(), &order.targets);
     parameters::note_order(state, &order, entry);
     state.rooms.ledger.spoil();
-    let targets = order.targets;
-    vec![match order.what {
-        Asked::Command(command) => Effect::Command {
-            entry,
-            targets,
-            verb: order.verb,
-            command,
-        },
-        Asked::Deed(deed) => Effect::Deed {
-            entry,
-            targets,
-            deed,
-        },
-        Asked::Manoeuvre(manoeuvre) => Effect::Manoeuvre {
-            entry,
-            targets,
-            manoeuvre,
-        },
-    }]
+    vec![Effect::Order { entry, order }]
 }
 
 /// An order advanced with one vehicle: the ledger takes it over, and what waited for it may follow.
@@ -148,26 +124,6 @@ pub fn advanced(state: &mut State, row: &RowUpdate) -> Vec<Effect> {
         parameters::tell(state, row.entry);
     }
     parameters::advance(state)
-}
-
-fn order(line: &str, statement: Statement, targets: Vec<VehicleId>) -> Result<Order, Diagnostic> {
-    let (verb, what) = match statement.action {
-        Action::Command { verb, command } => (verb, Asked::Command(command)),
-        Action::Deed { verb, deed } => (verb, Asked::Deed(deed)),
-        Action::Manoeuvre { verb, manoeuvre } => (verb, Asked::Manoeuvre(manoeuvre)),
-        Action::Wait(_) => return Err(lines::only_in_scripts(line)),
-    };
-    // The ledger has to say to whom the command went, also after the selection has changed.
-    let line = match statement.targets {
-        Targets::Selection => format!("{} {}", ranges(targets.iter().copied()), statement.line),
-        _ => statement.line,
-    };
-    Ok(Order {
-        line,
-        targets,
-        verb,
-        what,
-    })
 }
 
 fn first_word(line: &str) -> std::ops::Range<usize> {

@@ -62,7 +62,7 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     // Words that begin as typed come before words that only contain the letters, and commands before modes.
     found.sort_by_key(|completion| {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
-        let command = language::verb(&completion.text).is_some();
+        let command = language::row(&completion.text).is_some();
         (!completion.text.starts_with(typed), !command)
     });
     // Whoever is in the middle of a command does not look for another one.
@@ -104,8 +104,8 @@ fn judge(state: &State, palette: &mut Palette) {
 /// How the verb of a line is written, also where its arguments are wrong.
 fn usage(line: &str) -> Option<String> {
     // A target may stand before it.
-    let verb = line.split_whitespace().take(2).find_map(language::verb)?;
-    Some(verb.usage().join(" | "))
+    let row = line.split_whitespace().take(2).find_map(language::row)?;
+    Some(row.usage().join(" | "))
 }
 
 /// Whether a fault is in words that are written to their end: the one at the cursor may still become right, and

@@ -12,12 +12,13 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use serde::Serialize;
 
 use super::super::Failure;
+use crate::commands::Act;
 use crate::geo::LatLon;
-use crate::language::{self, Action, Context};
+use crate::language::{self, Context, Meaning};
 use crate::ledger::EntryId;
 use crate::link::TlogReader;
 use crate::messages::Inbox;
-use crate::session::{Order, Session};
+use crate::session::{Session, VehicleCommand};
 use crate::sim::{Start, World, WorldConfig};
 use crate::vehicle::Vehicle;
 use crate::wire::{
@@ -159,9 +160,12 @@ const FLIGHT_LASTS: Duration = Duration::from_secs(120);
 
 fn give(session: &mut Session, line: &str, now: Duration) {
     if let Ok(statement) = language::parse(line, &Context::default())
-        && let Action::Command { verb, command } = statement.action
+        && let Meaning::Act(Act::Command(command)) = statement.meaning
     {
-        session.order(Order::new(EntryId(0), verb, command), now);
+        session.order(
+            VehicleCommand::new(EntryId(0), statement.verb, command),
+            now,
+        );
     }
 }
 

@@ -5,11 +5,11 @@ use std::time::Duration;
 
 use super::Running;
 use crate::app::event::{Event, VehicleEvent};
-use crate::commands::Manoeuvre;
+use crate::commands::Order;
 use crate::ledger::{EntryId, RowUpdate};
 use crate::notice::Notice;
-use crate::session::{Order, Steering};
-use crate::swarm::{Call, Conductor, Ordered, Path, Rules, Vehicles};
+use crate::session::Steering;
+use crate::swarm::{Assignment, Conductor, Path, Rules, Vehicles};
 use crate::vehicle::VehicleId;
 
 /// The conductor of a session, and what of it is shown.
@@ -56,43 +56,22 @@ impl Swarm {
 }
 
 impl Running {
-    /// Has vehicles do something together; returns how that begins.
-    pub fn begin_manoeuvre(
-        &mut self,
-        (entry, manoeuvre): (EntryId, &Manoeuvre),
-        targets: &[VehicleId],
-        vehicles: &Vehicles,
-        now: Duration,
-    ) -> Vec<RowUpdate> {
-        let call = Call {
-            entry,
-            manoeuvre,
-            targets,
-        };
-        self.swarm.forget(targets);
-        let time = self.swarm.time(now);
-        at(now, self.swarm.conductor.begin(call, vehicles, time))
-    }
-
-    /// Finds out to which of its targets a command is to be sent: a movement may be one of a whole formation, and else
+    /// Finds out which targets of an order carry it out alone: a movement may be one of a whole formation, and else
     /// takes its vehicles out of what they were doing.
     pub fn settle(
         &mut self,
-        targets: &[VehicleId],
+        entry: EntryId,
         order: &Order,
         vehicles: &Vehicles,
         now: Duration,
-    ) -> (Vec<VehicleId>, Vec<RowUpdate>) {
-        let ordered = Ordered {
-            entry: order.entry,
-            verb: order.verb,
-            command: &order.command,
-            targets,
-        };
-        self.swarm.forget(targets);
+    ) -> Assignment {
+        self.swarm.forget(&order.targets);
         let time = self.swarm.time(now);
-        let (left, rows) = self.swarm.conductor.order(ordered, vehicles, time);
-        (left, at(now, rows))
+        let assignment = self.swarm.conductor.take(entry, order, vehicles, time);
+        Assignment {
+            rows: at(now, assignment.rows),
+            ..assignment
+        }
     }
 
     /// Leads those who do something together, and returns what came of it.
@@ -127,10 +106,11 @@ mod tests {
     use super::*;
     use crate::commands::Setpoint;
     use crate::geo::LatLon;
+    use crate::language::verb;
 
     fn at_height(altitude_m: f64) -> Steering {
         Steering {
-            verb: "formation",
+            verb: verb("formation").expect("it is in the table"),
             setpoint: Setpoint {
                 at_point: LatLon::new(50.0, 30.0),
                 altitude_m,

@@ -2,8 +2,8 @@ use std::collections::BTreeMap;
 
 use super::*;
 use crate::language::Findings;
-use crate::ledger::{Given, Ledger, RowState, RowUpdate};
-use crate::vehicle::{Heartbeat, Mode, SystemStatus, Vehicle, VehicleClass};
+use crate::ledger::{Given, Ledger, Risk, RowState, RowUpdate};
+use crate::vehicle::{Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass};
 
 const SCRIPT: &str = "# up and away
 all guided
@@ -59,8 +59,8 @@ fn step(
 fn given<'a>(line: &'a str, verb: &'a str) -> Given<'a> {
     Given {
         line,
-        verb,
-        ..Given::default()
+        verb: crate::language::verb(verb).expect(verb),
+        risk: Risk::None,
     }
 }
 
@@ -162,6 +162,66 @@ fn nobody_has_arrived_while_the_order_is_on_its_way() {
         });
     }
     assert_eq!(lines(&step(&mut pilot, 2.0, &idle, &ledger)), ["finished"]);
+}
+
+#[test]
+fn whoever_got_another_movement_has_arrived_when_that_is_done() {
+    for (line, verb) in [
+        ("1 orbit 30", "orbit"),
+        ("1 velocity n 1 for 5s", "velocity"),
+        ("1 hold", "hold"),
+        ("1 guided", "mode"),
+    ] {
+        let mut ledger = Ledger::new();
+        let goto = ledger.open(at(0.0), given("1 goto n 10 e 0", "goto"), &[1]);
+        let newer = ledger.open(at(1.0), given(line, verb), &[1]);
+        let mut ends = |entry, state, seconds| {
+            ledger.apply(&RowUpdate {
+                entry,
+                vehicle: 1,
+                state,
+                tries: 1,
+                at: at(seconds),
+                explanation: None,
+            });
+            ledger.clone()
+        };
+        let (mut pilot, flying) = (pilot("wait 1 arrived"), swarm(true));
+        let before = ends(goto, RowState::Done, 1.0);
+        assert!(step(&mut pilot, 1.0, &flying, &before).is_empty(), "{line}");
+        let after = ends(newer, RowState::Done, 2.0);
+        let said = lines(&step(&mut pilot, 2.0, &flying, &after));
+        assert_eq!(said, ["finished"], "{line}");
+    }
+}
+
+#[test]
+fn whoever_is_to_come_down_by_mode_has_arrived_on_the_ground() {
+    let mut ledger = Ledger::new();
+    let entry = ledger.open(at(0.0), given("1 mode rtl", "mode"), &[1]);
+    ledger.apply(&RowUpdate {
+        entry,
+        vehicle: 1,
+        state: RowState::Done,
+        tries: 1,
+        at: at(1.0),
+        explanation: None,
+    });
+    let mut flying = swarm(true);
+    let vehicle = flying.get_mut(&1).expect("it is there");
+    let class = VehicleClass::Copter;
+    let mode = class.mode("RTL").expect("copters have it");
+    vehicle.heartbeat = vehicle.heartbeat.map(|beat| Heartbeat { mode, ..beat });
+    vehicle.landed = LandedState::InAir;
+    let mut pilot = pilot("wait 1 arrived");
+    assert!(step(&mut pilot, 1.0, &flying, &ledger).is_empty());
+    if let Some(vehicle) = flying.get_mut(&1) {
+        vehicle.landed = LandedState::OnGround;
+    }
+    assert_eq!(
+        lines(&step(&mut pilot, 2.0, &flying, &ledger)),
+        ["finished"]
+    );
 }
 
 #[test]

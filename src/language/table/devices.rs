@@ -3,19 +3,27 @@
 use super::{ASK, Built, ONCE, command, swarm};
 use crate::commands::Command;
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Danger, Form, Verb};
+use crate::language::verb::{Form, VerbRow};
 use crate::text;
+use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
 /// Whatever fits a float on the wire.
 const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::MAX as f64);
 const ANY_I32: Kind = Kind::Whole(Unit::None, i32::MIN as f64, i32::MAX as f64);
 
-pub(super) const SERVO: Verb = Verb {
-    name: "servo",
+pub(super) const SERVO: VerbRow = VerbRow {
+    verb: Verb {
+        name: "servo",
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &[],
     examples: &["servo 9 1500us"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::value(
                 "output",
                 Kind::Whole(Unit::None, 1.0, 16.0),
@@ -27,19 +35,24 @@ pub(super) const SERVO: Verb = Verb {
                 "argument-pulse",
             ),
         ],
-        build: |given| {
+        |given| {
             command(Command::Servo {
                 output: given.required("output")? as u8,
                 pulse_us: given.required("pulse")? as u16,
             })
         },
-    }],
-    danger: Danger::None,
-    retry: ASK,
+    )],
 };
 
-pub(super) const RELAY: Verb = Verb {
-    name: "relay",
+pub(super) const RELAY: VerbRow = VerbRow {
+    verb: Verb {
+        name: "relay",
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &[],
     examples: &[
         "relay 0 on",
@@ -47,8 +60,8 @@ pub(super) const RELAY: Verb = Verb {
         "2-4 relay to vehicle 1",
     ],
     forms: &[
-        Form {
-            arguments: &[
+        Form::new(
+            &[
                 Argument::value(
                     "relay",
                     Kind::Whole(Unit::None, 0.0, 15.0),
@@ -56,112 +69,134 @@ pub(super) const RELAY: Verb = Verb {
                 ),
                 Argument::value("state", Kind::Choice(&["on", "off"]), ""),
             ],
-            build: |given| {
+            |given| {
                 command(Command::Relay {
                     relay: given.required("relay")? as u8,
                     on: given.required_word("state")? == "on",
                 })
             },
-        },
+        ),
         swarm::CHAIN_TO_PLACE,
         swarm::CHAIN_TO_VEHICLE,
         swarm::CHAIN_TO_POINT,
     ],
-    danger: Danger::None,
-    retry: ASK,
 };
 
-pub(super) const REBOOT: Verb = Verb {
-    name: "reboot",
+pub(super) const REBOOT: VerbRow = VerbRow {
+    verb: Verb {
+        name: "reboot",
+        danger: Danger::Confirm,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["2 reboot"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::Reboot),
-    }],
-    danger: Danger::Confirm,
-    retry: ONCE,
+    forms: &[Form::new(&[], |_| command(Command::Reboot))],
 };
 
-pub(super) const INTERVAL: Verb = Verb {
-    name: "interval",
+pub(super) const INTERVAL: VerbRow = VerbRow {
+    verb: Verb {
+        name: "interval",
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Question,
+    },
     aliases: &[],
     examples: &["interval ATTITUDE 10", "interval 33 2Hz"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::value("message", Kind::Message, "argument-name-or-id"),
             Argument::value("rate", Kind::Number(Unit::Hertz, 0.0, 1000.0), ""),
         ],
-        build: |given| {
+        |given| {
             command(Command::MessageInterval {
                 message: given.required("message")? as u32,
                 rate_hz: given.required("rate")?,
             })
         },
-    }],
-    danger: Danger::None,
-    retry: ASK,
+    )],
 };
 
-pub(super) const REQUEST: Verb = Verb {
-    name: "request",
+pub(super) const REQUEST: VerbRow = VerbRow {
+    verb: Verb {
+        name: "request",
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Question,
+    },
     aliases: &[],
     examples: &["request AUTOPILOT_VERSION", "1 request 242"],
-    forms: &[Form {
-        arguments: &[Argument::value(
+    forms: &[Form::new(
+        &[Argument::value(
             "message",
             Kind::Message,
             "argument-name-or-id",
         )],
-        build: |given| {
+        |given| {
             command(Command::RequestMessage {
                 message: given.required("message")? as u32,
             })
         },
-    }],
-    danger: Danger::None,
-    retry: ASK,
+    )],
 };
 
-pub(super) const PARAM: Verb = Verb {
-    name: "param",
+pub(super) const PARAM: VerbRow = VerbRow {
+    verb: Verb {
+        name: "param",
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &["parameter"],
     examples: &["param get WPNAV_SPEED", "all param set WPNAV_SPEED 500"],
     forms: &[
-        Form {
-            arguments: &[
+        Form::new(
+            &[
                 Argument::flag("get", "argument-parameter-get"),
                 Argument::value("name", Kind::Parameter, "argument-parameter-name"),
             ],
-            build: |given| {
+            |given| {
                 let name = given.required_word("name")?.to_owned();
                 command(Command::GetParameter { name })
             },
-        },
-        Form {
-            arguments: &[
+        ),
+        Form::new(
+            &[
                 Argument::flag("set", "argument-parameter-set"),
                 Argument::value("name", Kind::Parameter, "argument-parameter-name"),
                 Argument::value("value", ANY, "argument-parameter-value"),
             ],
-            build: |given| {
+            |given| {
                 command(Command::SetParameter {
                     name: given.required_word("name")?.to_owned(),
                     value: given.required("value")?,
                 })
             },
-        },
+        ),
     ],
-    danger: Danger::None,
-    retry: ASK,
 };
 
-pub(super) const LONG: Verb = Verb {
-    name: "long",
+pub(super) const LONG: VerbRow = VerbRow {
+    verb: Verb {
+        name: "long",
+        danger: Danger::Confirm,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["long NAV_TAKEOFF 0 0 0 0 0 0 20", "long 400 1"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::value("command", Kind::MavCommand, "argument-name-or-number"),
             Argument::value("p1", ANY, "").optional(),
             Argument::value("p2", ANY, "").optional(),
@@ -171,24 +206,29 @@ pub(super) const LONG: Verb = Verb {
             Argument::value("p6", ANY, "").optional(),
             Argument::value("p7", ANY, "").optional(),
         ],
-        build: |given| {
+        |given| {
             command(Command::Long {
                 command: given.required("command")? as u16,
                 params: ["p1", "p2", "p3", "p4", "p5", "p6", "p7"]
                     .map(|name| given.number(name).unwrap_or(0.0) as f32),
             })
         },
-    }],
-    danger: Danger::Confirm,
-    retry: ONCE,
+    )],
 };
 
-pub(super) const INT: Verb = Verb {
-    name: "int",
+pub(super) const INT: VerbRow = VerbRow {
+    verb: Verb {
+        name: "int",
+        danger: Danger::Confirm,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::value("command", Kind::MavCommand, "argument-name-or-number"),
             Argument::value(
                 "frame",
@@ -203,10 +243,8 @@ pub(super) const INT: Verb = Verb {
             Argument::value("y", ANY_I32, ""),
             Argument::value("z", ANY, ""),
         ],
-        build: int,
-    }],
-    danger: Danger::Confirm,
-    retry: ONCE,
+        int,
+    )],
 };
 
 fn int(given: &Arguments) -> Built {

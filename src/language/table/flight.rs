@@ -3,77 +3,94 @@
 use super::{AT_ONCE, Built, CHANGE, COME_DOWN, STOP_MOTORS, command};
 use crate::commands::Command;
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
-use crate::language::verb::{Danger, Form, Verb};
+use crate::language::verb::{Form, VerbRow};
+use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
-pub(super) const ARM: Verb = Verb {
-    name: "arm",
+pub(super) const ARM: VerbRow = VerbRow {
+    verb: Verb {
+        name: "arm",
+        danger: Danger::None,
+        retry: AT_ONCE,
+        precedence: Precedence::Awaited,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["arm", "all arm"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::Arm),
-    }],
-    danger: Danger::None,
-    retry: AT_ONCE,
+    forms: &[Form::new(&[], |_| command(Command::Arm))],
 };
 
-pub(super) const DISARM: Verb = Verb {
-    name: "disarm",
+pub(super) const DISARM: VerbRow = VerbRow {
+    verb: Verb {
+        name: "disarm",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::Urgent,
+        movement: Movement::To(Arrival::Landed),
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["disarm"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::Disarm),
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    forms: &[Form::new(&[], |_| command(Command::Disarm))],
 };
 
-pub(super) const KILL: Verb = Verb {
-    name: "kill",
+pub(super) const KILL: VerbRow = VerbRow {
+    verb: Verb {
+        name: "kill",
+        danger: Danger::Confirm,
+        retry: STOP_MOTORS,
+        precedence: Precedence::Urgent,
+        movement: Movement::To(Arrival::Landed),
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["3 kill"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::Kill),
-    }],
-    danger: Danger::Confirm,
-    retry: STOP_MOTORS,
+    forms: &[Form::new(&[], |_| command(Command::Kill))],
 };
 
-pub(super) const MODE: Verb = Verb {
-    name: "mode",
+pub(super) const MODE: VerbRow = VerbRow {
+    verb: Verb {
+        name: "mode",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::ByMode,
+        movement: Movement::To(Arrival::Mode),
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["mode guided", "all loiter"],
-    forms: &[Form {
-        arguments: &[Argument::value(
+    forms: &[Form::new(
+        &[Argument::value(
             "mode",
             Kind::Mode,
             "argument-name-or-number",
         )],
-        build: |given| {
+        |given| {
             let name = given.required_word("mode")?.to_owned();
             command(Command::SetMode { name })
         },
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    )],
 };
 
-pub(super) const TAKEOFF: Verb = Verb {
-    name: "takeoff",
+pub(super) const TAKEOFF: VerbRow = VerbRow {
+    verb: Verb {
+        name: "takeoff",
+        danger: Danger::None,
+        retry: AT_ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::To(Arrival::Done),
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["takeoff 20", "all takeoff 20m"],
-    forms: &[Form {
-        arguments: &[Argument::value(
+    forms: &[Form::new(
+        &[Argument::value(
             "altitude",
             Kind::Number(Unit::Metres, 0.5, 1000.0),
             "argument-height",
         )],
-        build: takeoff,
-    }],
-    danger: Danger::None,
-    retry: AT_ONCE,
+        takeoff,
+    )],
 };
 
 fn takeoff(given: &Arguments) -> Built {
@@ -82,50 +99,58 @@ fn takeoff(given: &Arguments) -> Built {
     })
 }
 
-pub(super) const LAND: Verb = Verb {
-    name: "land",
+pub(super) const LAND: VerbRow = VerbRow {
+    verb: Verb {
+        name: "land",
+        danger: Danger::None,
+        retry: COME_DOWN,
+        precedence: Precedence::Urgent,
+        movement: Movement::To(Arrival::Landed),
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["land"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::Land),
-    }],
-    danger: Danger::None,
-    retry: COME_DOWN,
+    forms: &[Form::new(&[], |_| command(Command::Land))],
 };
 
-pub(super) const RTL: Verb = Verb {
-    name: "rtl",
+pub(super) const RTL: VerbRow = VerbRow {
+    verb: Verb {
+        name: "rtl",
+        danger: Danger::None,
+        retry: COME_DOWN,
+        precedence: Precedence::Urgent,
+        movement: Movement::To(Arrival::Landed),
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["all rtl"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::ReturnToLaunch),
-    }],
-    danger: Danger::None,
-    retry: COME_DOWN,
+    forms: &[Form::new(&[], |_| command(Command::ReturnToLaunch))],
 };
 
-pub(super) const HOLD: Verb = Verb {
-    name: "hold",
+pub(super) const HOLD: VerbRow = VerbRow {
+    verb: Verb {
+        name: "hold",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::Urgent,
+        movement: Movement::To(Arrival::Done),
+        counts_as: CountsAs::Task,
+    },
     aliases: &["stop"],
     examples: &["all hold"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::Hold),
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    forms: &[Form::new(&[], |_| command(Command::Hold))],
 };
 
-pub(super) const RESUME: Verb = Verb {
-    name: "resume",
+pub(super) const RESUME: VerbRow = VerbRow {
+    verb: Verb {
+        name: "resume",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::To(Arrival::AtTarget),
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["resume", "1-2 resume"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| command(Command::Resume),
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    forms: &[Form::new(&[], |_| command(Command::Resume))],
 };

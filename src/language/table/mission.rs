@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
-use super::{Built, ONCE};
+use super::{Built, ONCE, deed};
 use crate::commands::{Deed, Goal, Spot, Subject};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
-use crate::language::verb::{Danger, Form, Meaning, Verb};
+use crate::language::verb::{Form, VerbRow};
+use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
 const WAY: Kind = Kind::Number(Unit::Metres, -20_000.0, 20_000.0);
 const POINTS: Kind = Kind::Whole(Unit::None, 0.0, 1000.0);
@@ -14,14 +15,6 @@ const AS: Argument =
 const NORTH: Argument = Argument::keyed("n", "north", WAY, "argument-north-of-origin");
 const EAST: Argument = Argument::keyed("e", "east", WAY, "argument-east-of-origin");
 const PLACE: Argument = Argument::value("point", Kind::Point, "argument-place");
-
-#[expect(
-    clippy::unnecessary_wraps,
-    reason = "it is the last expression of functions that can fail"
-)]
-fn deed(deed: Deed) -> Built {
-    Ok(Meaning::Deed(deed))
-}
 
 /// The kind that was written, as the table spells it.
 fn kind(given: &Arguments) -> Option<&'static str> {
@@ -43,8 +36,15 @@ fn offset(given: &Arguments) -> Result<Spot, super::Problem> {
     })
 }
 
-pub(super) const MARK: Verb = Verb {
-    name: "mark",
+pub(super) const MARK: VerbRow = VerbRow {
+    verb: Verb {
+        name: "mark",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Report,
+    },
     aliases: &["report"],
     examples: &[
         "1 mark",
@@ -53,119 +53,127 @@ pub(super) const MARK: Verb = Verb {
         "1 mark n 40 e -12 as source",
     ],
     forms: &[
-        Form {
-            arguments: &[Argument::flag("contacts", "argument-contacts"), AS],
-            build: |given| mark(given, Subject::Contacts { confirmed: false }),
-        },
-        Form {
-            arguments: &[Argument::flag("confirmed", "argument-confirmed"), AS],
-            build: |given| mark(given, Subject::Contacts { confirmed: true }),
-        },
-        Form {
-            arguments: &[NORTH, EAST, AS],
-            build: |given| mark(given, Subject::Spot(offset(given)?)),
-        },
-        Form {
-            arguments: &[PLACE, AS],
-            build: |given| {
-                let place = given.required_point("point")?;
-                mark(given, Subject::Spot(Spot::At(place)))
-            },
-        },
-        Form {
-            arguments: &[AS],
-            build: |given| mark(given, Subject::Spot(Spot::Here)),
-        },
+        Form::new(
+            &[Argument::flag("contacts", "argument-contacts"), AS],
+            |given| mark(given, Subject::Contacts { confirmed: false }),
+        ),
+        Form::new(
+            &[Argument::flag("confirmed", "argument-confirmed"), AS],
+            |given| mark(given, Subject::Contacts { confirmed: true }),
+        ),
+        Form::new(&[NORTH, EAST, AS], |given| {
+            mark(given, Subject::Spot(offset(given)?))
+        }),
+        Form::new(&[PLACE, AS], |given| {
+            let place = given.required_point("point")?;
+            mark(given, Subject::Spot(Spot::At(place)))
+        }),
+        Form::new(&[AS], |given| mark(given, Subject::Spot(Spot::Here))),
     ],
-    danger: Danger::None,
-    retry: ONCE,
 };
 
-pub(super) const UNMARK: Verb = Verb {
-    name: "unmark",
+pub(super) const UNMARK: VerbRow = VerbRow {
+    verb: Verb {
+        name: "unmark",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Report,
+    },
     aliases: &[],
     examples: &["1 unmark", "1 unmark c3"],
     forms: &[
-        Form {
-            arguments: &[NORTH, EAST],
-            build: |given| {
-                deed(Deed::Unmark {
-                    spot: offset(given)?,
-                })
-            },
-        },
-        Form {
-            arguments: &[PLACE],
-            build: |given| {
-                let spot = Spot::At(given.required_point("point")?);
-                deed(Deed::Unmark { spot })
-            },
-        },
-        Form {
-            arguments: &[],
-            build: |_| deed(Deed::Unmark { spot: Spot::Here }),
-        },
+        Form::new(&[NORTH, EAST], |given| {
+            deed(Deed::Unmark {
+                spot: offset(given)?,
+            })
+        }),
+        Form::new(&[PLACE], |given| {
+            let spot = Spot::At(given.required_point("point")?);
+            deed(Deed::Unmark { spot })
+        }),
+        Form::new(&[], |_| deed(Deed::Unmark { spot: Spot::Here })),
     ],
-    danger: Danger::None,
-    retry: ONCE,
 };
 
-pub(super) const SAMPLE: Verb = Verb {
-    name: "sample",
+pub(super) const SAMPLE: VerbRow = VerbRow {
+    verb: Verb {
+        name: "sample",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["1 sample"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| deed(Deed::Sample),
-    }],
-    danger: Danger::None,
-    retry: ONCE,
+    forms: &[Form::new(&[], |_| deed(Deed::Sample))],
 };
 
-pub(super) const DROP: Verb = Verb {
-    name: "drop",
+pub(super) const DROP: VerbRow = VerbRow {
+    verb: Verb {
+        name: "drop",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["3 drop"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| deed(Deed::Drop),
-    }],
-    danger: Danger::None,
-    retry: ONCE,
+    forms: &[Form::new(&[], |_| deed(Deed::Drop))],
 };
 
-pub(super) const SPRAY: Verb = Verb {
-    name: "spray",
+pub(super) const SPRAY: VerbRow = VerbRow {
+    verb: Verb {
+        name: "spray",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &[],
     examples: &["3 spray on", "all spray off"],
-    forms: &[Form {
-        arguments: &[Argument::value("state", Kind::Choice(&["on", "off"]), "")],
-        build: |given| {
+    forms: &[Form::new(
+        &[Argument::value("state", Kind::Choice(&["on", "off"]), "")],
+        |given| {
             let on = given.required_word("state")? == "on";
             deed(Deed::Spray { on })
         },
-    }],
-    danger: Danger::None,
-    retry: ONCE,
+    )],
 };
 
-pub(super) const PREDICT: Verb = Verb {
-    name: "predict",
+pub(super) const PREDICT: VerbRow = VerbRow {
+    verb: Verb {
+        name: "predict",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Word,
+    },
     aliases: &[],
     examples: &["1 predict 800"],
-    forms: &[Form {
-        arguments: &[Argument::value("points", POINTS, "argument-points")],
-        build: |given| {
+    forms: &[Form::new(
+        &[Argument::value("points", POINTS, "argument-points")],
+        |given| {
             let points = given.required("points")? as u16;
             deed(Deed::Predict { points })
         },
-    }],
-    danger: Danger::None,
-    retry: ONCE,
+    )],
 };
 
-pub(super) const GOAL: Verb = Verb {
-    name: "goal",
+pub(super) const GOAL: VerbRow = VerbRow {
+    verb: Verb {
+        name: "goal",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Word,
+    },
     aliases: &[],
     examples: &[
         "1 goal time 200s",
@@ -174,63 +182,63 @@ pub(super) const GOAL: Verb = Verb {
         "1 goal safety",
     ],
     forms: &[
-        Form {
-            arguments: &[Argument::keyed(
+        Form::new(
+            &[Argument::keyed(
                 "time",
                 "duration",
                 Kind::Number(Unit::Seconds, 1.0, 86_400.0),
                 "argument-goal-time",
             )],
-            build: |given| {
+            |given| {
                 let time = Duration::from_secs_f64(given.required("duration")?);
                 deed(Deed::Goal(Goal::Time(time)))
             },
-        },
-        Form {
-            arguments: &[Argument::keyed(
+        ),
+        Form::new(
+            &[Argument::keyed(
                 "battery",
                 "percent",
                 Kind::Number(Unit::Percent, 0.0, 100.0),
                 "argument-goal-battery",
             )],
-            build: |given| deed(Deed::Goal(Goal::Battery(given.required("percent")?))),
-        },
-        Form {
-            arguments: &[Argument::keyed(
+            |given| deed(Deed::Goal(Goal::Battery(given.required("percent")?))),
+        ),
+        Form::new(
+            &[Argument::keyed(
                 "score",
                 "points",
                 POINTS,
                 "argument-goal-score",
             )],
-            build: |given| deed(Deed::Goal(Goal::Score(given.required("points")? as u16))),
-        },
-        Form {
-            arguments: &[Argument::value(
+            |given| deed(Deed::Goal(Goal::Score(given.required("points")? as u16))),
+        ),
+        Form::new(
+            &[Argument::value(
                 "component",
                 Kind::Choice(&["safety", "commands", "attention"]),
                 "argument-goal-component",
             )],
-            build: |given| {
+            |given| {
                 deed(Deed::Goal(match given.required_word("component")? {
                     "safety" => Goal::Safety,
                     "commands" => Goal::Commands,
                     _ => Goal::Attention,
                 }))
             },
-        },
+        ),
     ],
-    danger: Danger::None,
-    retry: ONCE,
 };
 
-pub(super) const HINT: Verb = Verb {
-    name: "hint",
+pub(super) const HINT: VerbRow = VerbRow {
+    verb: Verb {
+        name: "hint",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Word,
+    },
     aliases: &[],
     examples: &["1 hint"],
-    forms: &[Form {
-        arguments: &[],
-        build: |_| deed(Deed::Hint),
-    }],
-    danger: Danger::None,
-    retry: ONCE,
+    forms: &[Form::new(&[], |_| deed(Deed::Hint))],
 };

@@ -5,8 +5,9 @@ use std::time::Duration;
 use super::{ASK, Built, CHANGE, SETPOINT, command, given};
 use crate::commands::{Command, Destination, Heading, SpeedAxis};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Danger, Form, Verb};
+use crate::language::verb::{Form, VerbRow};
 use crate::text;
+use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 /// Heights above home or the origin; below lies the ground.
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
@@ -18,8 +19,15 @@ const VELOCITY_LIMIT: Kind = Kind::Number(Unit::MetresPerSecond, -50.0, 50.0);
 const KEEP: Argument = Argument::flag("keep", "argument-keep").optional();
 const FACE: Argument = Argument::keyed("face", "heading", HEADING, "argument-face").optional();
 
-pub(super) const GOTO: Verb = Verb {
-    name: "goto",
+pub(super) const GOTO: VerbRow = VerbRow {
+    verb: Verb {
+        name: "goto",
+        danger: Danger::None,
+        retry: SETPOINT,
+        precedence: Precedence::InTurn,
+        movement: Movement::To(Arrival::Done),
+        counts_as: CountsAs::Task,
+    },
     aliases: &["go"],
     examples: &[
         "1-2 goto n 100 e 50 up 30",
@@ -28,15 +36,15 @@ pub(super) const GOTO: Verb = Verb {
         "goto n 0 e 0 face 90deg",
     ],
     forms: &[
-        Form {
-            arguments: &[
+        Form::new(
+            &[
                 Argument::keyed("n", "north", WAY, "argument-north-of-origin"),
                 Argument::keyed("e", "east", WAY, "argument-east-of-origin"),
                 Argument::keyed("up", "up", HEIGHT, "argument-above-origin").optional(),
                 KEEP,
                 FACE,
             ],
-            build: |given| {
+            |given| {
                 goto(
                     given,
                     Destination::Local {
@@ -46,9 +54,9 @@ pub(super) const GOTO: Verb = Verb {
                     },
                 )
             },
-        },
-        Form {
-            arguments: &[
+        ),
+        Form::new(
+            &[
                 Argument::flag("by", "argument-from-here"),
                 Argument::keyed("n", "north", WAY, "argument-to-north").optional(),
                 Argument::keyed("e", "east", WAY, "argument-to-east").optional(),
@@ -56,16 +64,16 @@ pub(super) const GOTO: Verb = Verb {
                 KEEP,
                 FACE,
             ],
-            build: goto_by,
-        },
-        Form {
-            arguments: &[
+            goto_by,
+        ),
+        Form::new(
+            &[
                 Argument::value("point", Kind::Point, "argument-place"),
                 Argument::keyed("up", "up", HEIGHT, "argument-above-home").optional(),
                 KEEP,
                 FACE,
             ],
-            build: |given| {
+            |given| {
                 goto(
                     given,
                     Destination::Global {
@@ -74,10 +82,8 @@ pub(super) const GOTO: Verb = Verb {
                     },
                 )
             },
-        },
+        ),
     ],
-    danger: Danger::None,
-    retry: SETPOINT,
 };
 
 fn goto_by(arguments: &Arguments) -> Built {
@@ -111,28 +117,40 @@ fn goto(arguments: &Arguments, destination: Destination) -> Built {
     })
 }
 
-pub(super) const ALTITUDE: Verb = Verb {
-    name: "altitude",
+pub(super) const ALTITUDE: VerbRow = VerbRow {
+    verb: Verb {
+        name: "altitude",
+        danger: Danger::None,
+        retry: SETPOINT,
+        precedence: Precedence::InTurn,
+        movement: Movement::To(Arrival::Done),
+        counts_as: CountsAs::Task,
+    },
     aliases: &["alt"],
     examples: &["altitude 35", "2 alt 12.5m"],
-    forms: &[Form {
-        arguments: &[Argument::value("altitude", HEIGHT, "argument-height")],
-        build: |given| {
+    forms: &[Form::new(
+        &[Argument::value("altitude", HEIGHT, "argument-height")],
+        |given| {
             command(Command::Altitude {
                 altitude_m: given.required("altitude")?,
             })
         },
-    }],
-    danger: Danger::None,
-    retry: SETPOINT,
+    )],
 };
 
-pub(super) const SPEED: Verb = Verb {
-    name: "speed",
+pub(super) const SPEED: VerbRow = VerbRow {
+    verb: Verb {
+        name: "speed",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &[],
     examples: &["speed 5", "all speed climb 2m/s"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::value(
                 "axis",
                 Kind::Choice(&["ground", "climb", "descend"]),
@@ -141,7 +159,7 @@ pub(super) const SPEED: Verb = Verb {
             .optional(),
             Argument::value("speed", Kind::Number(Unit::MetresPerSecond, 0.1, 100.0), ""),
         ],
-        build: |given| {
+        |given| {
             let axis = match given.word("axis") {
                 Some("climb") => SpeedAxis::Climb,
                 Some("descend") => SpeedAxis::Descend,
@@ -152,25 +170,30 @@ pub(super) const SPEED: Verb = Verb {
                 speed_m_s: given.required("speed")?,
             })
         },
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    )],
 };
 
-pub(super) const YAW: Verb = Verb {
-    name: "yaw",
+pub(super) const YAW: VerbRow = VerbRow {
+    verb: Verb {
+        name: "yaw",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::Turn,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &["turn"],
     examples: &["yaw 270", "yaw by -90deg rate 30"],
     forms: &[
-        Form {
-            arguments: &[
+        Form::new(
+            &[
                 Argument::value("angle", HEADING, "argument-heading"),
                 Argument::keyed("rate", "rate", TURN_RATE, "argument-turn-rate").optional(),
             ],
-            build: |given| yaw(given, false),
-        },
-        Form {
-            arguments: &[
+            |given| yaw(given, false),
+        ),
+        Form::new(
+            &[
                 Argument::flag("by", "argument-by-heading").optional(),
                 Argument::value(
                     "angle",
@@ -179,11 +202,9 @@ pub(super) const YAW: Verb = Verb {
                 ),
                 Argument::keyed("rate", "rate", TURN_RATE, "argument-turn-rate").optional(),
             ],
-            build: yaw_by,
-        },
+            yaw_by,
+        ),
     ],
-    danger: Danger::None,
-    retry: CHANGE,
 };
 
 fn yaw_by(arguments: &Arguments) -> Built {
@@ -203,12 +224,19 @@ fn yaw(arguments: &Arguments, relative: bool) -> Built {
     })
 }
 
-pub(super) const VELOCITY: Verb = Verb {
-    name: "velocity",
+pub(super) const VELOCITY: VerbRow = VerbRow {
+    verb: Verb {
+        name: "velocity",
+        danger: Danger::None,
+        retry: SETPOINT,
+        precedence: Precedence::InTurn,
+        movement: Movement::To(Arrival::Done),
+        counts_as: CountsAs::Task,
+    },
     aliases: &["vel"],
     examples: &["velocity n 1 e 0 d 0 for 5s", "2 velocity up 0.5m/s for 10"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::keyed("n", "north", VELOCITY_LIMIT, "argument-northwards").optional(),
             Argument::keyed("e", "east", VELOCITY_LIMIT, "argument-eastwards").optional(),
             Argument::keyed("d", "down", VELOCITY_LIMIT, "argument-downwards").optional(),
@@ -220,10 +248,8 @@ pub(super) const VELOCITY: Verb = Verb {
                 "argument-duration",
             ),
         ],
-        build: velocity,
-    }],
-    danger: Danger::None,
-    retry: SETPOINT,
+        velocity,
+    )],
 };
 
 fn velocity(arguments: &Arguments) -> Built {
@@ -244,12 +270,19 @@ fn velocity(arguments: &Arguments) -> Built {
     })
 }
 
-pub(super) const ORBIT: Verb = Verb {
-    name: "orbit",
+pub(super) const ORBIT: VerbRow = VerbRow {
+    verb: Verb {
+        name: "orbit",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::Station,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["orbit 30", "orbit -20m speed 3 at 50.4501 30.5234 up 25"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::value(
                 "radius",
                 Kind::Number(Unit::Metres, -10_000.0, 10_000.0),
@@ -265,7 +298,7 @@ pub(super) const ORBIT: Verb = Verb {
             Argument::keyed("at", "centre", Kind::Point, "argument-orbit-centre").optional(),
             Argument::keyed("up", "up", HEIGHT, "argument-above-home").optional(),
         ],
-        build: |given| {
+        |given| {
             let radius_m = given.required("radius")?;
             if radius_m.abs() < 1.0 {
                 return Err(Problem::new("radius", text!("grammar-small-circle")));
@@ -277,18 +310,23 @@ pub(super) const ORBIT: Verb = Verb {
                 altitude_m: given.number("up"),
             })
         },
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    )],
 };
 
-pub(super) const ROI: Verb = Verb {
-    name: "roi",
+pub(super) const ROI: VerbRow = VerbRow {
+    verb: Verb {
+        name: "roi",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &["look"],
     examples: &["roi 50.4501 30.5234 up 2", "all roi off"],
     forms: &[
-        Form {
-            arguments: &[
+        Form::new(
+            &[
                 Argument::value("point", Kind::Point, "argument-place"),
                 Argument::keyed(
                     "up",
@@ -298,33 +336,36 @@ pub(super) const ROI: Verb = Verb {
                 )
                 .optional(),
             ],
-            build: |given| {
+            |given| {
                 let up_m = given.number("up").unwrap_or(0.0);
                 command(Command::RegionOfInterest {
                     target: Some((given.required_point("point")?, up_m)),
                 })
             },
-        },
-        Form {
-            arguments: &[Argument::flag("off", "argument-roi-off")],
-            build: |_| command(Command::RegionOfInterest { target: None }),
-        },
+        ),
+        Form::new(&[Argument::flag("off", "argument-roi-off")], |_| {
+            command(Command::RegionOfInterest { target: None })
+        }),
     ],
-    danger: Danger::None,
-    retry: CHANGE,
 };
 
-pub(super) const HOME: Verb = Verb {
-    name: "home",
+pub(super) const HOME: VerbRow = VerbRow {
+    verb: Verb {
+        name: "home",
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    },
     aliases: &["sethome"],
     examples: &["home here", "home 50.4501 30.5234 180"],
     forms: &[
-        Form {
-            arguments: &[Argument::flag("here", "argument-here")],
-            build: |_| command(Command::SetHome { place: None }),
-        },
-        Form {
-            arguments: &[
+        Form::new(&[Argument::flag("here", "argument-here")], |_| {
+            command(Command::SetHome { place: None })
+        }),
+        Form::new(
+            &[
                 Argument::value("point", Kind::Point, "argument-place"),
                 Argument::value(
                     "altitude",
@@ -332,12 +373,10 @@ pub(super) const HOME: Verb = Verb {
                     "argument-above-sea",
                 ),
             ],
-            build: |given| {
+            |given| {
                 let place = (given.required_point("point")?, given.required("altitude")?);
                 command(Command::SetHome { place: Some(place) })
             },
-        },
+        ),
     ],
-    danger: Danger::None,
-    retry: ASK,
 };

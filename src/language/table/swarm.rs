@@ -1,11 +1,12 @@
 //! Verbs that several vehicles carry out together.
 
-use super::{Built, CHANGE};
+use super::{Built, CHANGE, manoeuvre};
 use crate::commands::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Danger, Form, Meaning, Verb};
+use crate::language::verb::{Form, VerbRow};
 use crate::text;
 use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
+use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
 const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
@@ -25,8 +26,15 @@ const COURSE: Argument =
 const AROUND: Argument = Argument::flag("around", "argument-around");
 const POINT: Argument = Argument::value("point", Kind::Point, "argument-place");
 
-pub(super) const SURVEY: Verb = Verb {
-    name: "survey",
+pub(super) const SURVEY: VerbRow = VerbRow {
+    verb: Verb {
+        name: "survey",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::To(Arrival::Done),
+        counts_as: CountsAs::Task,
+    },
     aliases: &["scan"],
     examples: &[
         "@red survey lane spacing 12 up 25",
@@ -34,8 +42,8 @@ pub(super) const SURVEY: Verb = Verb {
         "all survey around 50.4501 30.5234 radius 40 course 90",
     ],
     forms: &[
-        Form {
-            arguments: &[
+        Form::new(
+            &[
                 NORTH,
                 EAST,
                 Argument::flag("to", "argument-opposite-corner"),
@@ -45,16 +53,16 @@ pub(super) const SURVEY: Verb = Verb {
                 UP,
                 COURSE,
             ],
-            build: |given| {
+            |given| {
                 let ground = Ground::Between(
                     local(given, "north", "east")?,
                     local(given, "far north", "far east")?,
                 );
                 survey(given, ground)
             },
-        },
-        Form {
-            arguments: &[
+        ),
+        Form::new(
+            &[
                 AROUND,
                 POINT,
                 Argument::keyed("radius", "radius", RADIUS, "argument-circle-radius"),
@@ -62,30 +70,28 @@ pub(super) const SURVEY: Verb = Verb {
                 UP,
                 COURSE,
             ],
-            build: |given| {
+            |given| {
                 let ground = Ground::Around {
                     centre: Datum::Global(given.required_point("point")?),
                     radius_m: given.required("radius")?,
                 };
                 survey(given, ground)
             },
-        },
-        Form {
-            arguments: &[
+        ),
+        Form::new(
+            &[
                 Argument::value("area", Kind::Area, "argument-area"),
                 LINES,
                 UP,
                 COURSE,
             ],
-            build: |given| survey(given, Ground::Outline(given.required_area("area")?.clone())),
-        },
+            |given| survey(given, Ground::Outline(given.required_area("area")?.clone())),
+        ),
     ],
-    danger: Danger::None,
-    retry: CHANGE,
 };
 
 fn survey(given: &Arguments, ground: Ground) -> Built {
-    together(Manoeuvre::Survey {
+    manoeuvre(Manoeuvre::Survey {
         ground,
         spacing_m: given.number("spacing"),
         up_m: given.number("up"),
@@ -93,8 +99,15 @@ fn survey(given: &Arguments, ground: Ground) -> Built {
     })
 }
 
-pub(super) const FORMATION: Verb = Verb {
-    name: "formation",
+pub(super) const FORMATION: VerbRow = VerbRow {
+    verb: Verb {
+        name: "formation",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::Station,
+        counts_as: CountsAs::Task,
+    },
     aliases: &["form"],
     examples: &[
         "all formation wedge spacing 10",
@@ -102,71 +115,79 @@ pub(super) const FORMATION: Verb = Verb {
         "all formation off",
     ],
     forms: &[
-        Form {
-            arguments: &[
+        Form::new(
+            &[
                 Argument::value("shape", Kind::Choice(Shape::NAMES), "argument-shape"),
                 Argument::keyed("spacing", "spacing", GAP, "argument-neighbour-spacing").optional(),
                 UP,
                 Argument::keyed("face", "heading", HEADING, "argument-formation-face").optional(),
             ],
-            build: |given| {
+            |given| {
                 let shape = Shape::named(given.required_word("shape")?);
-                together(Manoeuvre::Formation {
+                manoeuvre(Manoeuvre::Formation {
                     shape: shape.ok_or_else(|| unknown("shape"))?,
                     spacing_m: given.number("spacing"),
                     up_m: given.number("up"),
                     face_deg: given.number("heading"),
                 })
             },
-        },
-        Form {
-            arguments: &[Argument::flag("off", "argument-formation-off")],
-            build: |_| together(Manoeuvre::Disband),
-        },
+        ),
+        Form::new(&[Argument::flag("off", "argument-formation-off")], |_| {
+            manoeuvre(Manoeuvre::Disband)
+        })
+        .meaning(&DISBAND),
     ],
-    danger: Danger::None,
-    retry: CHANGE,
 };
 
-pub(super) const FOLLOW: Verb = Verb {
-    name: "follow",
+pub(super) const FOLLOW: VerbRow = VerbRow {
+    verb: Verb {
+        name: "follow",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::Station,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &["2-4 follow 1 distance 15", "2 follow 1 up 40"],
-    forms: &[Form {
-        arguments: &[
+    forms: &[Form::new(
+        &[
             Argument::value("leader", VEHICLE, "argument-leader"),
             Argument::keyed("distance", "distance", GAP, "argument-follow-distance").optional(),
             Argument::keyed("up", "up", HEIGHT, "argument-follow-height").optional(),
         ],
-        build: |given| {
-            together(Manoeuvre::Follow {
+        |given| {
+            manoeuvre(Manoeuvre::Follow {
                 leader: given.required("leader")? as VehicleId,
                 distance_m: given.number("distance").unwrap_or(FOLLOW_DISTANCE_M),
                 up_m: given.number("up"),
             })
         },
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    )],
 };
 
 /// What keeps a follower clear of a leader that stops at once.
 const FOLLOW_DISTANCE_M: f64 = 15.0;
 
-pub(super) const SPREAD: Verb = Verb {
-    name: "spread",
+pub(super) const SPREAD: VerbRow = VerbRow {
+    verb: Verb {
+        name: "spread",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::To(Arrival::Done),
+        counts_as: CountsAs::Task,
+    },
     aliases: &["disperse"],
     examples: &["all spread 20"],
-    forms: &[Form {
-        arguments: &[Argument::value("distance", GAP, "argument-spread")],
-        build: |given| {
-            together(Manoeuvre::Spread {
+    forms: &[Form::new(
+        &[Argument::value("distance", GAP, "argument-spread")],
+        |given| {
+            manoeuvre(Manoeuvre::Spread {
                 spacing_m: given.required("distance")?,
             })
         },
-    }],
-    danger: Danger::None,
-    retry: CHANGE,
+    )],
 };
 
 const PATTERN: Argument =
@@ -174,30 +195,33 @@ const PATTERN: Argument =
 const REACH: Argument =
     Argument::keyed("radius", "radius", RADIUS, "argument-search-radius").optional();
 
-pub(super) const SEARCH: Verb = Verb {
-    name: "search",
+pub(super) const SEARCH: VerbRow = VerbRow {
+    verb: Verb {
+        name: "search",
+        danger: Danger::None,
+        retry: CHANGE,
+        precedence: Precedence::InTurn,
+        movement: Movement::Station,
+        counts_as: CountsAs::Task,
+    },
     aliases: &[],
     examples: &[
         "1 search square around 50.4501 30.5234 spacing 20",
         "1-3 search sector n 200 e 50 radius 100 up 40",
     ],
     forms: &[
-        Form {
-            arguments: &[PATTERN, AROUND, POINT, REACH, LINES, UP],
-            build: |given| search(given, Datum::Global(given.required_point("point")?)),
-        },
-        Form {
-            arguments: &[PATTERN, NORTH, EAST, REACH, LINES, UP],
-            build: |given| search(given, local(given, "north", "east")?),
-        },
+        Form::new(&[PATTERN, AROUND, POINT, REACH, LINES, UP], |given| {
+            search(given, Datum::Global(given.required_point("point")?))
+        }),
+        Form::new(&[PATTERN, NORTH, EAST, REACH, LINES, UP], |given| {
+            search(given, local(given, "north", "east")?)
+        }),
     ],
-    danger: Danger::None,
-    retry: CHANGE,
 };
 
 fn search(given: &Arguments, datum: Datum) -> Built {
     let pattern = Pattern::named(given.required_word("pattern")?);
-    together(Manoeuvre::Search {
+    manoeuvre(Manoeuvre::Search {
         pattern: pattern.ok_or_else(|| unknown("pattern"))?,
         datum,
         radius_m: given.number("radius"),
@@ -208,36 +232,52 @@ fn search(given: &Arguments, datum: Datum) -> Built {
 
 const TO: Argument = Argument::flag("to", "argument-relay-to");
 
+const CHAIN: Verb = Verb {
+    name: "relay to",
+    danger: Danger::None,
+    retry: CHANGE,
+    precedence: Precedence::InTurn,
+    movement: Movement::Station,
+    counts_as: CountsAs::Task,
+};
+const DISBAND: Verb = Verb {
+    name: "formation off",
+    danger: Danger::None,
+    retry: CHANGE,
+    precedence: Precedence::InTurn,
+    movement: Movement::To(Arrival::Done),
+    counts_as: CountsAs::Task,
+};
+
 /// The forms of `relay` that make a chain of vehicles; those that switch a relay stand in the table of devices.
-pub(super) const CHAIN_TO_PLACE: Form = Form {
-    arguments: &[TO, NORTH, EAST, UP],
-    build: |given| chain(given, FarEnd::Place(local(given, "north", "east")?)),
-};
-pub(super) const CHAIN_TO_POINT: Form = Form {
-    arguments: &[TO, POINT, UP],
-    build: |given| {
-        chain(
-            given,
-            FarEnd::Place(Datum::Global(given.required_point("point")?)),
-        )
-    },
-};
-pub(super) const CHAIN_TO_VEHICLE: Form = Form {
-    arguments: &[
+pub(super) const CHAIN_TO_PLACE: Form = Form::new(&[TO, NORTH, EAST, UP], |given| {
+    chain(given, FarEnd::Place(local(given, "north", "east")?))
+})
+.meaning(&CHAIN);
+pub(super) const CHAIN_TO_POINT: Form = Form::new(&[TO, POINT, UP], |given| {
+    chain(
+        given,
+        FarEnd::Place(Datum::Global(given.required_point("point")?)),
+    )
+})
+.meaning(&CHAIN);
+pub(super) const CHAIN_TO_VEHICLE: Form = Form::new(
+    &[
         TO,
         Argument::keyed("vehicle", "vehicle", VEHICLE, "argument-relay-vehicle"),
         UP,
     ],
-    build: |given| {
+    |given| {
         chain(
             given,
             FarEnd::Vehicle(given.required("vehicle")? as VehicleId),
         )
     },
-};
+)
+.meaning(&CHAIN);
 
 fn chain(given: &Arguments, to: FarEnd) -> Built {
-    together(Manoeuvre::Chain {
+    manoeuvre(Manoeuvre::Chain {
         to,
         up_m: given.number("up"),
     })
@@ -252,13 +292,4 @@ fn local(given: &Arguments, north: &'static str, east: &'static str) -> Result<D
 
 fn unknown(argument: &'static str) -> Problem {
     Problem::new(argument, text!("grammar-unknown-word"))
-}
-
-/// A manoeuvre as the result of a builder.
-#[expect(
-    clippy::unnecessary_wraps,
-    reason = "it is the last expression of functions that can fail"
-)]
-fn together(manoeuvre: Manoeuvre) -> Built {
-    Ok(Meaning::Manoeuvre(manoeuvre))
 }

@@ -4,9 +4,10 @@ use std::time::Duration;
 
 use super::{Built, ONCE};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Danger, Form, Meaning, Verb};
+use crate::language::verb::{Form, Meaning, VerbRow};
 use crate::language::wait::{DEFAULT_TIMEOUT, Field, Relation, Situation, Until, Wait};
 use crate::text;
+use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
 /// Times in scripts: up to a day.
 const TIME: Kind = Kind::Number(Unit::Seconds, 0.0, 86_400.0);
@@ -14,8 +15,15 @@ const TIMEOUT: Argument =
     Argument::keyed("timeout", "timeout", TIME, "argument-timeout").optional();
 const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");
 
-pub(super) const WAIT: Verb = Verb {
-    name: "wait",
+pub(super) const WAIT: VerbRow = VerbRow {
+    verb: Verb {
+        name: "wait",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Word,
+    },
     aliases: &[],
     examples: &[
         "wait 5s",
@@ -27,12 +35,12 @@ pub(super) const WAIT: Verb = Verb {
         "wait 1 reading > 20",
     ],
     forms: &[
-        Form {
-            arguments: &[Argument::value("time", TIME, "argument-pause")],
-            build: |given| wait(given, Until::Passed(seconds(given.required("time")?))),
-        },
-        Form {
-            arguments: &[
+        Form::new(
+            &[Argument::value("time", TIME, "argument-pause")],
+            |given| wait(given, Until::Passed(seconds(given.required("time")?))),
+        ),
+        Form::new(
+            &[
                 Argument::value(
                     "situation",
                     Kind::Choice(&[
@@ -42,23 +50,23 @@ pub(super) const WAIT: Verb = Verb {
                 ),
                 TIMEOUT,
             ],
-            build: |given| {
+            |given| {
                 let situation = Situation::named(given.required_word("situation")?);
                 let situation = situation
                     .ok_or_else(|| Problem::new("situation", text!("grammar-unknown-word")))?;
                 wait(given, Until::Situation(situation))
             },
-        },
-        Form {
-            arguments: &[
+        ),
+        Form::new(
+            &[
                 Argument::flag("mode", "argument-in-mode"),
                 Argument::value("name", Kind::Mode, "argument-name-or-number"),
                 TIMEOUT,
             ],
-            build: |given| wait(given, Until::Mode(given.required_word("name")?.to_owned())),
-        },
-        Form {
-            arguments: &[
+            |given| wait(given, Until::Mode(given.required_word("name")?.to_owned())),
+        ),
+        Form::new(
+            &[
                 Argument::value(
                     "field",
                     Kind::Choice(&["altitude", "distance"]),
@@ -68,10 +76,10 @@ pub(super) const WAIT: Verb = Verb {
                 Argument::value("value", Kind::Number(Unit::Metres, -10_000.0, 1e6), ""),
                 TIMEOUT,
             ],
-            build: compare,
-        },
-        Form {
-            arguments: &[
+            compare,
+        ),
+        Form::new(
+            &[
                 Argument::value("field", Kind::Choice(&["speed"]), "argument-ground-speed"),
                 RELATION,
                 Argument::value(
@@ -81,37 +89,37 @@ pub(super) const WAIT: Verb = Verb {
                 ),
                 TIMEOUT,
             ],
-            build: compare,
-        },
-        Form {
-            arguments: &[
+            compare,
+        ),
+        Form::new(
+            &[
                 Argument::value("field", Kind::Choice(&["battery"]), "argument-charge"),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Percent, 0.0, 100.0), ""),
                 TIMEOUT,
             ],
-            build: compare,
-        },
-        Form {
-            arguments: &[
+            compare,
+        ),
+        Form::new(
+            &[
                 Argument::value("field", Kind::Choice(&["heading"]), "argument-heading"),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::Degrees, 0.0, 360.0), ""),
                 TIMEOUT,
             ],
-            build: compare,
-        },
-        Form {
-            arguments: &[
+            compare,
+        ),
+        Form::new(
+            &[
                 Argument::value("field", Kind::Choice(&["reading"]), "argument-reading"),
                 RELATION,
                 Argument::value("value", Kind::Number(Unit::None, 0.0, 1e9), ""),
                 TIMEOUT,
             ],
-            build: compare,
-        },
-        Form {
-            arguments: &[
+            compare,
+        ),
+        Form::new(
+            &[
                 Argument::value(
                     "field",
                     Kind::Choice(&["contacts"]),
@@ -121,20 +129,18 @@ pub(super) const WAIT: Verb = Verb {
                 Argument::value("value", Kind::Whole(Unit::None, 0.0, 1e6), ""),
                 TIMEOUT,
             ],
-            build: compare,
-        },
-        Form {
-            arguments: &[
+            compare,
+        ),
+        Form::new(
+            &[
                 Argument::value("field", Kind::Choice(&["sats"]), "argument-satellites"),
                 RELATION,
                 Argument::value("value", Kind::Whole(Unit::None, 0.0, 255.0), ""),
                 TIMEOUT,
             ],
-            build: compare,
-        },
+            compare,
+        ),
     ],
-    danger: Danger::None,
-    retry: ONCE,
 };
 
 fn compare(given: &Arguments) -> Built {

@@ -1,16 +1,11 @@
 //! How the vehicles are put to use, and how their operator handles them.
 
 use super::Flight;
-use crate::commands::Manoeuvre;
 use crate::ledger::{Entry, Ledger};
 use crate::mission::usage::{Look, Usage};
 use crate::scoring::{SwarmFigures, VehicleUse};
 use crate::vehicle::VehicleId;
-
-/// The command to one vehicle under which it stays somewhere to do something, as in some [manoeuvres](Manoeuvre).
-const ORBIT: &str = "orbit";
-/// Words to the mission, which no vehicle hears.
-const DEEDS: [&str; 5] = ["mark", "unmark", "predict", "goal", "hint"];
+use crate::verb::Movement;
 
 impl Flight {
     /// Takes the tick into the account of every vehicle.
@@ -28,7 +23,7 @@ impl Flight {
                 .entries()
                 .rev()
                 .find(|entry| is_order_to(entry, craft.id));
-            let on_station = latest.is_some_and(|entry| is_station(&entry.verb));
+            let on_station = latest.is_some_and(|entry| entry.verb.movement == Movement::Station);
             let look = Look {
                 airborne_at: craft.place_m().filter(|_| flies),
                 busy: samples || on_station,
@@ -64,7 +59,7 @@ impl Flight {
         let mut new: Vec<&Entry> = new.take_while(|entry| Some(entry.id) > newest).collect();
         new.reverse();
         let mut commanded = Vec::new();
-        for entry in new.into_iter().filter(|entry| !is_deed(entry)) {
+        for entry in new.into_iter().filter(|entry| is_for_vehicles(entry)) {
             let targets: Vec<VehicleId> = entry.rows.iter().map(|row| row.vehicle).collect();
             let before = self.ordered.as_ref().map(|(_, targets)| targets);
             let switched = before.is_some_and(|before| *before != targets);
@@ -77,14 +72,10 @@ impl Flight {
     }
 }
 
-fn is_station(verb: &str) -> bool {
-    verb == ORBIT || Manoeuvre::is_station(verb)
-}
-
-fn is_deed(entry: &Entry) -> bool {
-    DEEDS.contains(&&*entry.verb)
+fn is_for_vehicles(entry: &Entry) -> bool {
+    entry.verb.counts_as.is_for_vehicles()
 }
 
 fn is_order_to(entry: &Entry, vehicle: VehicleId) -> bool {
-    !is_deed(entry) && entry.rows.iter().any(|row| row.vehicle == vehicle)
+    is_for_vehicles(entry) && entry.rows.iter().any(|row| row.vehicle == vehicle)
 }

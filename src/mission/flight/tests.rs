@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::commands::{Deed, Goal, Manoeuvre};
-use crate::ledger::{Given, RowState};
+use crate::commands::{Deed, Goal};
+use crate::language;
+use crate::ledger::{Given, Risk, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
 use crate::vehicle::Unheard;
 
@@ -90,13 +91,14 @@ fn who_holds_a_place_is_at_work_and_who_was_dismissed_is_idle() {
         ("orbit", true),
         ("survey", false),
         ("relay", false),
-        (Manoeuvre::Disband.name(), false),
+        ("formation off", false),
     ] {
         let mut pilot = Pilot::new(1);
         pilot.take_off(20.0);
         let given = Given {
-            verb,
-            ..Given::default()
+            line: verb,
+            verb: language::verb(verb).expect(verb),
+            risk: Risk::None,
         };
         pilot.ledger.open(pilot.now, given, &[1]);
         pilot.wait(60.0);

@@ -196,7 +196,7 @@ impl Replay {
         for entry in &change.e {
             let given = Given {
                 line: &entry.line,
-                verb: &entry.verb,
+                verb: entry.verb,
                 risk: entry.risk,
             };
             let id = self.ledger.open(at, given, &entry.vehicles);

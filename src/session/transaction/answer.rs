@@ -73,7 +73,7 @@ impl Transaction {
             };
             return self.end(RowState::TimedOut, Some(text), now, output);
         }
-        let retry = self.order.retry;
+        let retry = self.order.verb.retry;
         if !in_progress
             && self.tries < retry.tries
             && now >= self.last_sent + retry.every
@@ -142,7 +142,13 @@ impl Transaction {
         output: &mut Output,
     ) {
         let order = &self.order;
-        let text = explain(order.verb, result, &self.texts, vehicle, &order.command);
+        let text = explain(
+            order.verb.name,
+            result,
+            &self.texts,
+            vehicle,
+            &order.command,
+        );
         self.end(RowState::Refused, Some(text), now, output);
     }
 }

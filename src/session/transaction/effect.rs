@@ -42,7 +42,7 @@ impl Transaction {
         let Phase::AwaitingEffect { repeated, .. } = &mut self.phase else {
             return;
         };
-        let retry = self.order.retry;
+        let retry = self.order.verb.retry;
         if self.request.answer == Answer::None
             && *repeated + 1 < retry.tries
             && now >= self.last_sent + retry.every

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Act, Phase, Scene, Turn, Work, notice};
+use super::{ActiveManoeuvre, Phase, Scene, Turn, Work, notice};
 use crate::ledger::{RowState, RowUpdate};
 use crate::swarm::cast;
 use crate::swarm::lanes::Lane;
@@ -13,7 +13,7 @@ use crate::vehicle::{Severity, Vehicle, VehicleId};
 /// A vehicle that is silent for longer than this is given up.
 const LOST_FOR: Duration = Duration::from_secs(10);
 
-impl Act {
+impl ActiveManoeuvre {
     /// Lets those fall out that do not take part any more.
     pub(super) fn drop_unfit(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
@@ -34,7 +34,7 @@ impl Act {
                     .saturating_sub(*lost_since.get_or_insert(scene.now)),
             };
             if let Some((state, reason)) = unfit(vehicle, silent) {
-                let verb = self.name;
+                let verb = self.verb.name;
                 let text = text!("swarm-falls-out", verb = verb, reason = &reason);
                 turn.notices
                     .push(notice(id, Severity::Warning, text, scene.now));

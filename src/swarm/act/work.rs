@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Act, IN_PLACE_M, Member, Phase, Scene, Turn, Work, is_reached};
+use super::{ActiveManoeuvre, IN_PLACE_M, Member, Phase, Scene, Turn, Work, is_reached};
 use crate::ledger::{RowState, RowUpdate};
 use crate::swarm::site::velocity;
 use crate::text::Text;
@@ -31,7 +31,7 @@ pub(in crate::swarm) struct Chain {
     pub places: Vec<(DVec3, DVec3)>,
 }
 
-impl Act {
+impl ActiveManoeuvre {
     /// Where a member that works is to be, and how fast that point moves.
     pub(super) fn work_aim(&self, member: &Member, index: usize) -> (DVec3, DVec3) {
         let stand = (member.to, DVec3::ZERO);

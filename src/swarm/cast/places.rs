@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::swarm::Rules;
-use crate::swarm::act::{Act, Member, Phase, Scene, Work};
+use crate::swarm::act::{ActiveManoeuvre, Member, Phase, Scene, Work};
 use crate::swarm::geometry::{assign, length_m};
 use crate::swarm::lanes::{Lane, Start, shares};
 use crate::swarm::transit::{Leg, are_apart, heights};
@@ -30,7 +30,11 @@ pub(super) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
 
 /// Gives the lanes to the members: neighbouring ones to each, begun from the side and the end from which all together
 /// have the shortest way. Who gets none leaves. False if there is no safe way.
-pub(in crate::swarm) fn share_lanes(act: &mut Act, lanes: &[Lane], scene: &Scene<'_>) -> bool {
+pub(in crate::swarm) fn share_lanes(
+    act: &mut ActiveManoeuvre,
+    lanes: &[Lane],
+    scene: &Scene<'_>,
+) -> bool {
     let up_m = act.members.iter().map(|member| member.to.z);
     let up_m = up_m.fold(f64::INFINITY, f64::min);
     see(act, scene);
@@ -67,7 +71,7 @@ pub(in crate::swarm) fn share_lanes(act: &mut Act, lanes: &[Lane], scene: &Scene
 }
 
 /// Gives the members places in their formation, the first the first one. False if there is no safe way.
-pub(in crate::swarm) fn take_places(act: &mut Act, scene: &Scene<'_>) -> bool {
+pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, scene: &Scene<'_>) -> bool {
     see(act, scene);
     let Work::Formation(march) = &mut act.work else {
         return false;
@@ -92,7 +96,7 @@ pub(in crate::swarm) fn take_places(act: &mut Act, scene: &Scene<'_>) -> bool {
 }
 
 /// Takes note of where everybody is now.
-fn see(act: &mut Act, scene: &Scene<'_>) {
+fn see(act: &mut ActiveManoeuvre, scene: &Scene<'_>) {
     for member in &mut act.members {
         let vehicle = scene.vehicles.get(&member.id);
         if let Some(at) = vehicle.and_then(|vehicle| act.site.point(vehicle)) {
@@ -102,7 +106,7 @@ fn see(act: &mut Act, scene: &Scene<'_>) {
 }
 
 /// Finds heights at which everybody can go from where it is to where its work begins. False if there are none.
-pub(super) fn route(act: &mut Act, scene: &Scene<'_>) -> bool {
+pub(super) fn route(act: &mut ActiveManoeuvre, scene: &Scene<'_>) -> bool {
     let leg = |member: &Member| Leg {
         from: member.from,
         to: member.to,

@@ -7,7 +7,7 @@ use super::{Cast, FORMATION_SPACING_M, MARGIN_M, Made, SECTOR_RADIUS_M, SQUARE_T
 use crate::commands::{Datum, FarEnd, Ground, Pattern, Shape};
 use crate::geo::Outline;
 use crate::ledger::RowState;
-use crate::swarm::act::{Act, Chain, Tail, Work};
+use crate::swarm::act::{ActiveManoeuvre, Chain, Tail, Work};
 use crate::swarm::geometry::{assign, spread};
 use crate::swarm::lanes::{self, Lane, NoLanes};
 use crate::swarm::march::March;
@@ -246,7 +246,7 @@ impl Cast<'_> {
         }
     }
 
-    fn routed(&self, mut act: Act) -> Made {
+    fn routed(&self, mut act: ActiveManoeuvre) -> Made {
         if route(&mut act, &self.scene()) {
             Ok(act)
         } else {

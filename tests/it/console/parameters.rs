@@ -6,7 +6,7 @@ use sortie::app::effect::{Effect, FileEffect, FileKind};
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::app::room::parameters::{cursor_row, rows};
 use sortie::app::state::{Overlay, Room};
-use sortie::commands::Command;
+use sortie::commands::{Act, Command};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::parameters::{Fetching, Heard, ParameterType, Parameters, Snapshot};
 
@@ -82,11 +82,12 @@ fn row(console: &mut Console, entry: u32, vehicle: u16, state: RowState) {
 
 fn settings(effects: &[Effect]) -> Vec<(String, f32, Vec<u16>)> {
     let set = effects.iter().filter_map(|effect| match effect {
-        Effect::Command {
-            command: Command::SetParameter { name, value },
-            targets,
-            ..
-        } => Some((name.clone(), *value as f32, targets.clone())),
+        Effect::Order { order, .. } => match &order.act {
+            Act::Command(Command::SetParameter { name, value }) => {
+                Some((name.clone(), *value as f32, order.targets.clone()))
+            }
+            _ => None,
+        },
         _ => None,
     });
     set.collect()

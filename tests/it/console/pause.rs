@@ -147,12 +147,12 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
     console.vehicle(fixtures::parked(1));
     console.press("s").write("800").press("enter");
     assert!(
-        matches!(console.effects.as_slice(), [Effect::Deed { .. }]),
+        matches!(console.effects.as_slice(), [Effect::Order { .. }]),
         "{:?}",
         console.effects
     );
     console.press("g").write("time 200s").press("enter");
-    assert!(matches!(console.effects.as_slice(), [Effect::Deed { .. }]));
+    assert!(matches!(console.effects.as_slice(), [Effect::Order { .. }]));
     let mut progress = fixtures::progress();
     progress.score_so_far = None;
     progress.pledge.prediction = Some(800);
@@ -256,7 +256,7 @@ fn before_launch_the_score_can_be_predicted_and_a_goal_set_while_the_brief_is_re
     console.hear(SessionEvent::Paused(true));
     for line in ["1 predict 800", "1 goal time 200s"] {
         console.give(line);
-        let given = matches!(console.effects.as_slice(), [Effect::Deed { .. }]);
+        let given = matches!(console.effects.as_slice(), [Effect::Order { .. }]);
         assert!(given, "{line}: {:?}", console.effects);
     }
     assert!(console.give("1 arm").effects.is_empty());

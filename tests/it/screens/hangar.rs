@@ -1,6 +1,5 @@
 //! The room of the vehicles' processes.
 
-
 use sortie::app::state::{Activity, Instance, Stage};
 use sortie::text::Language;
 

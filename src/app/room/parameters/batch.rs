@@ -108,7 +108,7 @@ pub fn advance(state: &mut State) -> Vec<Effect> {
         && let Some(setting) = batch.waiting.pop_front()
     {
         match edit::send(state, &setting).as_deref() {
-            Ok([effect @ Effect::Command { entry, .. }]) => {
+            Ok([effect @ Effect::Order { entry, .. }]) => {
                 batch.under_way.push((*entry, setting));
                 effects.push(effect.clone());
             }

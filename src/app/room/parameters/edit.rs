@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use super::Setting;
 use crate::app::effect::Effect;
 use crate::app::room::Room;
-use crate::app::state::{Asked, Consequence, Order, State, ranges};
+use crate::app::state::{Consequence, State, ranges};
 use crate::app::update::order;
-use crate::commands::Command;
+use crate::commands::{Act, Command, Order};
 use crate::ledger::{EntryId, Row, RowState};
 use crate::parameters::ParameterType;
 use crate::text;
@@ -77,7 +77,7 @@ fn give(
 
 /// Remembers what an order sets, so that the list can show what becomes of it.
 pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
-    let Asked::Command(Command::SetParameter { name, value }) = &order.what else {
+    let Act::Command(Command::SetParameter { name, value }) = &order.act else {
         return;
     };
     let edits = &mut state.rooms.parameters.edits;
@@ -101,7 +101,7 @@ pub fn tell(state: &mut State, entry: EntryId) {
     let batch = state.rooms.parameters.batch.as_ref();
     let is_of_batch = batch.is_some_and(|batch| batch.has(entry));
     let known = state.session.ledger.entry(entry);
-    let Some(known) = known.filter(|known| known.verb == "param" && known.is_final()) else {
+    let Some(known) = known.filter(|known| known.verb.name == "param" && known.is_final()) else {
         return;
     };
     let failed = known.rows.iter().find(|row| row.state.is_failure());

@@ -15,22 +15,25 @@ use super::sample::Mark;
 use crate::commands::Command;
 use crate::fleet::{Clock, Fleet, FleetEvent};
 use crate::geo::LatLon;
-use crate::language::Retry;
 use crate::ledger::{EntryId, RowState};
 use crate::link::{Endpoint, LinkStatus, Simulator, Started, Transport};
-use crate::session::{Order, Report, Stream};
+use crate::session::{Report, Stream, VehicleCommand};
 use crate::sim::{SYSTEMS, Start, World, WorldConfig};
 use crate::vehicle::{Vehicle, VehicleId};
+use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
 
 /// What is streamed while it is measured: `GLOBAL_POSITION_INT` and `ATTITUDE`.
 pub(super) const STREAMS: &[Stream] = &[stream(33, 10.0), stream(30, 10.0)];
 /// `SYS_STATUS` and `EKF_STATUS_REPORT`: they tell when a vehicle can be armed, and are not streamed afterwards.
 const FOR_READINESS: [u32; 2] = [1, 193];
-/// A command is sent again so often until it is acknowledged.
-const RETRY: Retry = Retry {
-    tries: 12,
-    every: Duration::from_millis(1500),
-    deadline: Duration::from_secs(20),
+/// Stands for the verbs of all commands: each is sent again so often until it is acknowledged.
+const VERB: Verb = Verb {
+    name: "scale",
+    danger: Danger::None,
+    retry: Retry::new(12, 1500, 20_000),
+    precedence: Precedence::InTurn,
+    movement: Movement::None,
+    counts_as: CountsAs::Task,
 };
 /// A fleet that has not taken a command by then is not working.
 const TAKEN_WITHIN: Duration = Duration::from_secs(10);
@@ -225,13 +228,7 @@ impl Part {
 
     /// Gives a vehicle a command, as soon as the fleet takes one. Returns whether it did.
     fn order(&self, vehicle: VehicleId, command: Command) -> bool {
-        let order = Order {
-            entry: EntryId(0),
-            verb: "scale",
-            retry: RETRY,
-            command,
-            renamed: None,
-        };
+        let order = VehicleCommand::new(EntryId(0), &VERB, command);
         let until = Instant::now() + TAKEN_WITHIN;
         while self.fleet.order(vehicle, order.clone()).is_err() {
             if Instant::now() > until {

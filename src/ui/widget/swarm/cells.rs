@@ -234,7 +234,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     };
     // The state is what must not be cut off.
     let left = room.saturating_sub(width(&state) + 1);
-    let text = format!("{} {state}", clip(&entry.verb, left));
+    let text = format!("{} {state}", clip(entry.verb.name, left));
     (text, row_role(line.state))
 }
 
