@@ -5,6 +5,7 @@
 //! contradict itself and a formula can be mended for past flights too. What each figure came from can be told.
 
 mod aids;
+mod attempt;
 mod course;
 mod daily;
 mod economy;
@@ -22,8 +23,12 @@ mod wear;
 
 pub use crate::mission::Stake;
 pub use aids::Aids;
+pub use attempt::{
+    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, day_and_stake, mission_for,
+};
 pub use course::{Course, Offer, Reason, Stage};
-pub use daily::{daily_seed, exam_seed};
+pub use daily::daily_seed;
+use daily::exam_seed;
 pub use economy::{STARTER_PARTS, licence_price};
 pub use growth::{Growth, Move, Try, Wealth};
 pub use knowledge::{Knowledge, Mastery};

@@ -14,7 +14,7 @@ use tokio::time::{Interval, MissedTickBehavior};
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
 use crate::app::{App, Setup};
-use crate::campaign::Stake;
+use crate::campaign::{Attempt, Stake};
 use crate::config::Config;
 use crate::fleet::Clock;
 use crate::store::History;
@@ -37,7 +37,6 @@ pub mod plain;
 mod session;
 mod signals;
 
-use begin::Attempt;
 use career::Careers;
 pub use drive::drive;
 use missions::{Tries, listings};
@@ -226,7 +225,7 @@ impl Console {
             clock: Clock::start(),
             app: App::new(setup),
             running: None,
-            attempt: Attempt::default(),
+            attempt: Attempt::practice(None),
             careers: None,
             next_look: LOOK_EVERY,
             ending: Ending::default(),

@@ -6,13 +6,15 @@ use std::sync::Arc;
 use std::time::{Instant, SystemTime};
 
 use clap::Args;
+use rand::TryRng as _;
+use rand::rngs::SysRng;
 use serde::Serialize;
 
 use super::backend::BackendArguments;
 use super::designs::DesignArguments;
 use super::settings::Settings;
 use super::{Failure, parse_speedup, trainee};
-use crate::campaign::Stake;
+use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake, mission_for};
 use crate::debrief;
 use crate::diagnostic::Diagnostic;
 use crate::exercise::Exercise;
@@ -20,18 +22,17 @@ use crate::hangar::Backend;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
-use crate::scoring::FlightBackend;
-use crate::store::{self, Runs, Source, StoreError, utc};
+use crate::store::{self, Runs, Source, StoreError, day_of, utc};
 use crate::text;
 use crate::text::Locale;
 use crate::vehicle::VehicleId;
 
 mod ardupilot;
 mod career;
-mod witness;
+mod recorder;
 
-use career::{CareerDocument, Terms, Trainee};
-use witness::{Assignment, Witness};
+use career::{CareerDocument, CareerOutcome, RunTrainee};
+use recorder::{RecordingPlan, RunRecorder};
 
 /// Options of `sortie run`.
 #[derive(Debug, Args)]
@@ -86,6 +87,21 @@ pub(super) struct RunArguments {
     no_timing: bool,
 }
 
+impl RunArguments {
+    /// How the flight is to count. Without a profile nothing counts, and with one, a layout that was chosen is practice.
+    fn wanted(&self, is_kept: bool) -> Stake {
+        if self.exam {
+            Stake::Exam
+        } else if self.daily {
+            Stake::Daily
+        } else if self.seed.is_none() && is_kept {
+            Stake::Graded
+        } else {
+            Stake::Practice
+        }
+    }
+}
+
 /// How fast simulated time passes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Speedup {
@@ -99,6 +115,14 @@ enum Speedup {
 const SITL_KEEPS: f64 = 20.0;
 
 impl Speedup {
+    /// How fast it is at least, in simulated seconds per second.
+    fn least(self) -> f64 {
+        match self {
+            Self::Max => 1.0,
+            Self::Times(times) => times,
+        }
+    }
+
     /// What SITL is asked for. As fast as it can would let vehicles drift apart, so it is what all of them keep.
     fn of_sitl(self, vehicles: usize) -> f64 {
         match self {
@@ -140,30 +164,33 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     let mission = options.designs.equip(mission, settings)?;
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
-    let mut trainee = Trainee::named(settings, &locale)?;
-    let is_reframed = !backend.airframes.is_empty();
-    let (mission, terms) = agreed(options, (mission, is_reframed), trainee.as_ref(), &locale)?;
-    let assignment = assignment(options, (&mission, terms), backend.kind(), trainee.as_ref())?;
-    let mut witness = Witness::new(assignment, &mission.id, &locale);
-    let mut report = fly(
+    let mut trainee = RunTrainee::named(settings, &locale)?;
+    let request = RunRequest {
         options,
-        &backend,
-        (&mission, terms.seed),
+        backend: &backend,
+        trainee: trainee.as_ref(),
+        locale: &locale,
+    };
+    let (mission, attempt) = request.agree(mission)?;
+    let mut recorder = request.recorder(&mission, attempt)?;
+    let flight = RunFlight {
+        mission: Arc::clone(&mission),
+        seed: attempt.seed,
         script,
-        &mut witness,
-    )?;
+    };
+    let mut report = flight.fly(&backend, options.speedup, &mut recorder)?;
     report.drill = store::drill_of(&report.mission);
     report.backend = backend.kind();
     let outcome = trainee
         .as_mut()
-        .map(|trainee| trainee.store(&mission, &mut report, witness.landing()));
+        .map(|trainee| trainee.store(&mission, &mut report, recorder.landing()));
     let is_done = report.passed && outcome.as_ref().is_none_or(|outcome| outcome.is_stored);
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
         let wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
         let document = Document {
             report: &report,
-            career: outcome.map(career::Outcome::document),
+            career: outcome.map(CareerOutcome::document),
             wall_time_s,
         };
         say!("{}", serde_json::to_string_pretty(&document)?)?;
@@ -176,92 +203,124 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     Ok(ExitCode::from(u8::from(!is_done)))
 }
 
-/// The mission as it is flown, and how it counts.
-fn agreed(
-    options: &RunArguments,
-    (mission, is_reframed): (Mission, bool),
-    trainee: Option<&Trainee<'_>>,
-    locale: &Locale,
-) -> Result<(Arc<Mission>, Terms), Failure> {
-    let mut terms = Terms::of(options, &mission, trainee.is_some());
-    if let Some(trainee) = trainee {
-        if options.record.is_some() || options.attempt.is_some() {
-            return Err(trainee::invalid(&text!("profile-record"), locale));
+/// What decides how a run counts and where it is recorded.
+struct RunRequest<'a, 'l> {
+    options: &'a RunArguments,
+    backend: &'a Backend,
+    trainee: Option<&'a RunTrainee<'l>>,
+    locale: &'l Locale,
+}
+
+impl<'l> RunRequest<'_, 'l> {
+    /// The mission as it is flown, and how it counts.
+    fn agree(&self, mission: Mission) -> Result<(Arc<Mission>, Attempt), Failure> {
+        let options = self.options;
+        let wanted = options.wanted(self.trainee.is_some());
+        let mission = mission_for(mission, wanted);
+        let terms = AttemptTerms {
+            mission: &mission,
+            wanted,
+            seed: options.seed,
+            trainee: self.trainee.map(RunTrainee::of_attempt),
+            means: AttemptMeans {
+                is_of_course: store::is_of_course(&mission),
+                has_own_airframes: !self.backend.airframes.is_empty(),
+                speedup: options.speedup.least(),
+            },
+            day: day_of(SystemTime::now()),
+            random: SysRng.try_next_u64().ok(),
+        };
+        let attempt = terms.decide();
+        if let Some(trainee) = self.trainee {
+            if options.record.is_some() || options.attempt.is_some() {
+                return Err(trainee::invalid(&text!("profile-record"), self.locale));
+            }
+            let reasons = terms.practice_reasons();
+            trainee.admit(&mission, &reasons)?;
+            if attempt.is_reduced() {
+                trainee.tell_practice(&mission, &reasons);
+            }
         }
-        terms = trainee.admit(&mission, terms, is_reframed)?;
+        Ok((Arc::new(mission), attempt))
     }
-    let mission = match terms.stake {
-        Stake::Exam => mission.for_exam(),
-        _ => mission,
-    };
-    Ok((Arc::new(mission), terms))
+
+    /// What tells and records the run: as which try, and where.
+    fn recorder(&self, mission: &Mission, attempt: Attempt) -> Result<RunRecorder<'l>, Failure> {
+        let (number, runs) = match self.trainee {
+            Some(trainee) => (trainee.attempt(mission)?, Some(trainee.runs().clone())),
+            None => (
+                self.options.attempt.unwrap_or(1),
+                self.options.record.as_ref().map(Runs::at),
+            ),
+        };
+        let plan = RecordingPlan {
+            is_heard: !self.options.json,
+            attempt: number,
+            runs,
+            occasion: Occasion {
+                when: utc(SystemTime::now()),
+                backend: self.backend.kind(),
+                profile: self.trainee.map(|trainee| trainee.name().to_owned()),
+                stake: attempt.stake,
+            },
+        };
+        Ok(RunRecorder::new(plan, &mission.id, self.locale))
+    }
 }
 
-/// What a witness is to do: which try it is, and where and as what it is recorded.
-fn assignment(
-    options: &RunArguments,
-    (mission, terms): (&Mission, Terms),
-    backend: FlightBackend,
-    trainee: Option<&Trainee<'_>>,
-) -> Result<Assignment, Failure> {
-    let (attempt, runs) = match trainee {
-        Some(trainee) => (trainee.attempt(mission)?, Some(trainee.runs().clone())),
-        None => (
-            options.attempt.unwrap_or(1),
-            options.record.as_ref().map(Runs::at),
-        ),
-    };
-    Ok(Assignment {
-        is_heard: !options.json,
-        attempt,
-        runs,
-        occasion: Occasion {
-            when: utc(SystemTime::now()),
-            backend,
-            profile: trainee.map(|trainee| trainee.name().to_owned()),
-            stake: terms.stake,
-        },
-    })
-}
-
-/// Flies on whatever backend was chosen.
-fn fly(
-    options: &RunArguments,
-    backend: &Backend,
-    (mission, seed): (&Arc<Mission>, u64),
+/// What is flown.
+struct RunFlight {
+    mission: Arc<Mission>,
+    seed: u64,
     script: Script,
-    witness: &mut Witness<'_>,
-) -> Result<Report, Failure> {
-    let Some(source) = &backend.ardupilot else {
-        let mission = Arc::clone(mission);
-        let exercise = Exercise::new(mission, seed, script, backend.airframes.clone());
-        return Ok(fly_embedded(exercise, options.speedup, witness));
-    };
-    let speedup = options.speedup.of_sitl(mission.vehicles);
-    let launches = backend.launches(mission.world(seed), speedup);
-    let mut live = Exercise::live(Arc::clone(mission), seed, script, speedup);
-    witness.prepare(live.flight_mut());
-    ardupilot::fly(source, launches, live, witness)
+}
+
+impl RunFlight {
+    /// Flies on whatever backend was chosen.
+    fn fly(
+        self,
+        backend: &Backend,
+        speedup: Speedup,
+        recorder: &mut RunRecorder<'_>,
+    ) -> Result<Report, Failure> {
+        let Self {
+            mission,
+            seed,
+            script,
+        } = self;
+        let Some(source) = &backend.ardupilot else {
+            let exercise = Exercise::new(mission, seed, script, backend.airframes.clone());
+            return Ok(fly_embedded(exercise, speedup, recorder));
+        };
+        let speedup = speedup.of_sitl(mission.vehicles);
+        let launches = backend.launches(mission.world(seed), speedup);
+        let mut live = Exercise::live(mission, seed, script, speedup);
+        recorder.prepare(live.flight_mut());
+        ardupilot::fly(source, launches, live, recorder)
+    }
 }
 
 /// Flies in the embedded simulator.
-fn fly_embedded(mut exercise: Exercise, speedup: Speedup, witness: &mut Witness<'_>) -> Report {
+fn fly_embedded(
+    mut exercise: Exercise,
+    speedup: Speedup,
+    recorder: &mut RunRecorder<'_>,
+) -> Report {
     let started = Instant::now();
-    witness.prepare(exercise.flight_mut());
+    recorder.prepare(exercise.flight_mut());
     while !exercise.is_over() {
         exercise.step();
         if let Speedup::Times(times) = speedup {
             let due = exercise.now().div_f64(times);
             std::thread::sleep(due.saturating_sub(started.elapsed()));
         }
-        exercise
-            .take_notices()
-            .into_iter()
-            .for_each(|notice| witness.tell(notice));
-        witness.keep(exercise.flight_mut());
+        for notice in exercise.take_notices() {
+            recorder.tell(notice);
+        }
+        recorder.keep(exercise.flight_mut());
     }
     let report = exercise.close();
-    witness.keep(exercise.flight_mut());
+    recorder.keep(exercise.flight_mut());
     report
 }
 

@@ -11,7 +11,7 @@ use super::career::today;
 use super::session::{Backend, Plan, Running};
 use crate::app::effect::Launch;
 use crate::app::event::{Event, SessionEvent};
-use crate::campaign::{Stake, daily_seed, exam_seed};
+use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, Stake, mission_for};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::mission::record::Occasion;
@@ -22,32 +22,6 @@ use crate::text::Text;
 /// How long the end of the program waits for the processes of its vehicles to end.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 
-/// A seed for the first try where none is given and nobody's flights are kept.
-const FIRST_SEED: u64 = 1;
-/// Fresh seeds are below this: small enough to be typed.
-const SEEDS: u64 = 1_000_000;
-
-/// One of the tries at what is flown.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Attempt {
-    /// What varies it.
-    pub seed: u64,
-    /// How it counts for a career.
-    pub stake: Stake,
-    /// How it was to count, and counts as soon as it can.
-    pub wanted: Stake,
-}
-
-impl Default for Attempt {
-    fn default() -> Self {
-        Self {
-            seed: FIRST_SEED,
-            stake: Stake::Practice,
-            wanted: Stake::Practice,
-        }
-    }
-}
-
 impl Console {
     /// Starts a mission that the trainee has chosen.
     pub(super) async fn start_mission(&mut self, launch: &Launch) -> Result<(), Text> {
@@ -55,12 +29,8 @@ impl Console {
         let mission = mission
             .with_fleet(launch.fleet.clone())
             .map_err(|reasons| Text::joined("; ", reasons))?;
-        let mission = match launch.stake {
-            Stake::Exam => mission.for_exam(),
-            _ => mission,
-        };
-        self.launch(Arc::new(mission), launch.stake, launch.seed)
-            .await
+        let mission = Arc::new(mission_for(mission, launch.stake));
+        self.launch(mission, launch.stake, launch.seed).await
     }
 
     /// Starts a mission, which knows already whether it is an exam. What cannot count is flown for practice, and told.
@@ -71,81 +41,48 @@ impl Console {
         seed: Option<u64>,
     ) -> Result<(), Text> {
         let chosen = seed.or(self.options.seed);
-        self.attempt = self.attempt_at(&mission, wanted, chosen);
+        self.attempt = self.terms(&mission, wanted, chosen).decide();
         self.start(Plan::Mission(mission)).await?;
         self.tell_practice();
         Ok(())
     }
 
-    /// How a mission is flown next, with a seed that was chosen or one that its stake asks for.
-    fn attempt_at(&self, mission: &Mission, wanted: Stake, chosen: Option<u64>) -> Attempt {
-        let stake = match wanted {
-            Stake::Graded if chosen.is_some() => Stake::Practice,
-            wanted if self.may_count(mission) => wanted,
-            _ => Stake::Practice,
-        };
-        let seed = match stake {
-            Stake::Practice => chosen.unwrap_or(FIRST_SEED),
-            Stake::Daily => daily_seed(today()),
-            Stake::Exam => exam_seed(&mission.id, mission.rev),
-            Stake::Graded => self.fresh_seed(),
-        };
-        Attempt {
-            seed,
-            stake,
+    /// What decides how a mission counts if it is flown now.
+    fn terms<'a>(
+        &'a self,
+        mission: &'a Mission,
+        wanted: Stake,
+        seed: Option<u64>,
+    ) -> AttemptTerms<'a> {
+        let career = self.app.state().career.as_ref();
+        AttemptTerms {
+            mission,
             wanted,
+            seed,
+            trainee: career.map(|career| AttemptTrainee {
+                standing: &career.standing,
+                course: &career.course,
+            }),
+            means: AttemptMeans {
+                is_of_course: store::is_of_course(mission),
+                has_own_airframes: !self.options.backend.airframes.is_empty(),
+                speedup: self.options.speedup,
+            },
+            day: today(),
+            random: SysRng.try_next_u64().ok(),
         }
-    }
-
-    /// Whether a mission can count for the career of whoever trains: not one that is locked, nor one flown with parts that
-    /// are not theirs, nor a file, an airframe or a slow motion that others do not have.
-    fn may_count(&self, mission: &Mission) -> bool {
-        let Some(career) = &self.app.state().career else {
-            return true;
-        };
-        let mut fleet = mission.fleet().iter();
-        career.lock(&mission.id).is_none()
-            && fleet.all(|design| career.may_fly(design))
-            && store::is_of_course(mission)
-            && self.options.backend.airframes.is_empty()
-            && self.options.speedup >= 1.0
     }
 
     fn tell_practice(&mut self) {
         let is_kept = self.trainee().is_some();
-        if is_kept && self.attempt.stake != self.attempt.wanted {
+        if is_kept && self.attempt.is_reduced() {
             self.post(Event::Answer(text!("launch-practice")));
         }
     }
 
-    /// A layout that a trainee has not flown yet; always the same where nothing is kept.
-    fn fresh_seed(&self) -> u64 {
-        let random = self
-            .trainee()
-            .is_some()
-            .then(|| SysRng.try_next_u64().ok())
-            .flatten();
-        random.map_or(FIRST_SEED, |random| random % SEEDS)
-    }
-
-    /// The attempt after the one before: on another layout, where the layout is free.
-    fn another_attempt_at(&self, mission: &Mission) -> Attempt {
-        let chosen = self.options.seed;
-        let attempt = self.attempt_at(mission, self.attempt.wanted, chosen);
-        let is_free = matches!(attempt.stake, Stake::Graded | Stake::Practice);
-        if is_free && chosen.is_none() && attempt.seed == FIRST_SEED {
-            let seed = self.attempt.seed.wrapping_add(1);
-            return Attempt { seed, ..attempt };
-        }
-        attempt
-    }
-
     /// Starts something else than a mission.
     pub(super) async fn start_afresh(&mut self, plan: Plan) -> Result<(), Text> {
-        self.attempt = Attempt {
-            seed: self.options.seed.unwrap_or(FIRST_SEED),
-            ..Attempt::default()
-        };
+        self.attempt = Attempt::practice(self.options.seed);
         self.start(plan).await
     }
 
@@ -156,15 +93,11 @@ impl Console {
             return Ok(());
         };
         self.attempt = match &plan {
-            // What was seen before is flown for practice, unless everybody sees it.
-            _ if alike => match self.attempt.stake {
-                Stake::Exam | Stake::Daily => self.attempt,
-                Stake::Graded | Stake::Practice => Attempt {
-                    stake: Stake::Practice,
-                    ..self.attempt
-                },
-            },
-            Plan::Mission(mission) => self.another_attempt_at(mission),
+            _ if alike => self.attempt.repeated(),
+            Plan::Mission(mission) => {
+                let terms = self.terms(mission, self.attempt.wanted, self.options.seed);
+                terms.decide_after(&self.attempt)
+            }
             Plan::Free(_) | Plan::Connect(_) => self.attempt,
         };
         let pledge = self.running.as_ref().and_then(Running::open_pledge);

@@ -8,7 +8,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
-use crate::campaign::{Flight, Stake, daily_seed};
+use crate::campaign::{Flight, Stake, day_and_stake};
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::scoring::Report;
@@ -38,22 +38,10 @@ pub fn day_of(time: SystemTime) -> i64 {
     i64::try_from(since.as_secs() / DAY_S).unwrap_or(i64::MAX)
 }
 
-/// The day that a flight belongs to, and how it counts: one with the seed of a day belongs to that day, also where it ends
-/// on the next one; with any other seed it is practice.
-fn day_and_stake(report: &Report, landing: &Landing) -> (i64, Stake) {
-    let ended = day_of(landing.when);
-    if landing.stake != Stake::Daily {
-        return (ended, landing.stake);
-    }
-    let mut days = [ended, ended - 1].into_iter();
-    let of_seed = days.find(|&day| daily_seed(day) == report.seed);
-    of_seed.map_or((ended, Stake::Practice), |day| (day, Stake::Daily))
-}
-
 impl RunEntry {
     /// What a profile keeps of a finished flight: the mission as it was flown, and its report.
     pub fn of(mission: &Mission, report: &Report, landing: Landing) -> Self {
-        let (day, stake) = day_and_stake(report, &landing);
+        let (day, stake) = day_and_stake(landing.stake, report.seed, day_of(landing.when));
         Self {
             when: utc(landing.when),
             flight: Flight::of(mission, report, stake, day),

@@ -11,7 +11,7 @@ use tokio::signal::unix::{SignalKind, signal};
 use tokio::sync::{mpsc, watch};
 use tokio::time::{MissedTickBehavior, interval, timeout};
 
-use super::witness::Witness;
+use super::recorder::RunRecorder;
 use crate::cli::{Failure, runtime};
 use crate::exercise::{Exercise, Streams};
 use crate::hangar::{Berth, Hangars, Instance, Launch, Place, Seen, Source, Stage};
@@ -35,14 +35,14 @@ pub(super) fn fly(
     source: &Source,
     launches: Vec<Launch>,
     live: Exercise<Streams>,
-    witness: &mut Witness<'_>,
+    recorder: &mut RunRecorder<'_>,
 ) -> Result<Report, Failure> {
     let runtime = runtime()?;
     let flown = runtime.block_on(async {
         let hangars = source.open().map_err(|text| anyhow!(text.to_string()))?;
         let places = RefCell::default();
         let flown = tokio::select! {
-            flown = session(&hangars, launches, &places, live, witness) => flown,
+            flown = session(&hangars, launches, &places, live, recorder) => flown,
             () = interrupted() => Err(anyhow!("interrupted")),
         };
         let ended = join_all(places.take().into_iter().map(|place| hangars.stop(place)));
@@ -59,7 +59,7 @@ async fn session(
     launches: Vec<Launch>,
     launched: &RefCell<Vec<Place>>,
     live: Exercise<Streams>,
-    witness: &mut Witness<'_>,
+    recorder: &mut RunRecorder<'_>,
 ) -> anyhow::Result<Report> {
     let started = Instant::now();
     let berths = hangars.launch(launches).await?;
@@ -83,7 +83,7 @@ async fn session(
         "ready after {:.1} s: the mission begins",
         started.elapsed().as_secs_f64()
     );
-    Ok(fleet.fly(live, witness).await)
+    Ok(fleet.fly(live, recorder).await)
 }
 
 /// Until somebody wants this to end.
@@ -164,7 +164,7 @@ impl Fleet {
     }
 
     /// Carries bytes between the vehicles and the mission until it is over.
-    async fn fly(&mut self, mut live: Exercise<Streams>, witness: &mut Witness<'_>) -> Report {
+    async fn fly(&mut self, mut live: Exercise<Streams>, recorder: &mut RunRecorder<'_>) -> Report {
         let begun = Instant::now();
         let mut looks = interval(LOOK_EVERY);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -187,14 +187,15 @@ impl Fleet {
                     let _ = sender.write(&bytes).now_or_never();
                 }
             }
-            let notices = live.take_notices().into_iter();
-            notices.for_each(|notice| witness.tell(notice));
-            witness.keep(live.flight_mut());
+            for notice in live.take_notices() {
+                recorder.tell(notice);
+            }
+            recorder.keep(live.flight_mut());
         }
         let (flown, took) = (live.now().as_secs_f64(), begun.elapsed().as_secs_f64());
         tracing::info!("{flown:.1} s flown in {took:.1} s");
         let report = live.close();
-        witness.keep(live.flight_mut());
+        recorder.keep(live.flight_mut());
         report
     }
 

@@ -1,61 +1,25 @@
 //! A run that is flown for somebody's career: whether it may be, how it counts, and what it brings.
 
-use std::time::SystemTime;
-
-use rand::TryRng as _;
-use rand::rngs::SysRng;
 use serde::Serialize;
 
-use super::RunArguments;
 use crate::campaign::{
-    Course, Entry, PartState, Reason, Reward, Stage, Stake, Standing, daily_seed, exam_seed,
+    AttemptTrainee, Course, Entry, PartState, PracticeReason, Reason, Reward, Standing,
 };
 use crate::cli::settings::Settings;
 use crate::cli::{Failure, trainee};
 use crate::mission::{Mission, Report};
 use crate::scoring::TryReport;
-use crate::store::{self, Landing, Profile, Profiles, RunEntry, Runs, day_of};
+use crate::store::{self, Landing, Profile, Profiles, RunEntry, Runs};
 use crate::text;
 use crate::text::{Locale, Text};
-use crate::workshop::Design;
-
-/// Seeds of one's own are below this: small enough to be typed.
-const SEEDS: u64 = 1_000_000;
-/// The seed where nobody names one and nothing is kept.
-const FIRST_SEED: u64 = 1;
-
-/// How a run counts, and on which layout it is flown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Terms {
-    pub stake: Stake,
-    pub seed: u64,
-}
-
-impl Terms {
-    /// What the options ask for. Without a profile nothing counts; with one, a layout that was chosen is for practice, and
-    /// otherwise each try gets a fresh one.
-    pub fn of(options: &RunArguments, mission: &Mission, is_kept: bool) -> Self {
-        let (stake, seed) = if options.exam {
-            (Stake::Exam, exam_seed(&mission.id, mission.rev))
-        } else if options.daily {
-            (Stake::Daily, daily_seed(day_of(SystemTime::now())))
-        } else if let Some(seed) = options.seed {
-            (Stake::Practice, seed)
-        } else if is_kept && let Ok(fresh) = SysRng.try_next_u64() {
-            (Stake::Graded, fresh % SEEDS)
-        } else {
-            (Stake::Practice, FIRST_SEED)
-        };
-        Self { stake, seed }
-    }
-}
+use crate::workshop::Part;
 
 /// The trainee for whom a mission is flown.
-pub(super) struct Trainee<'a> {
+pub(super) struct RunTrainee<'a> {
     profiles: Profiles,
     profile: Profile,
     course: Course,
-    history: Vec<Entry>,
+    standing: Standing,
     runs: Runs,
     locale: &'a Locale,
 }
@@ -71,13 +35,13 @@ pub(super) struct CareerDocument {
 }
 
 /// What became of a flight.
-pub(super) struct Outcome {
+pub(super) struct CareerOutcome {
     pub reward: Reward,
     profile: String,
     pub is_stored: bool,
 }
 
-impl Outcome {
+impl CareerOutcome {
     /// As a document.
     pub fn document(self) -> CareerDocument {
         CareerDocument {
@@ -102,7 +66,7 @@ impl Outcome {
     }
 }
 
-impl<'a> Trainee<'a> {
+impl<'a> RunTrainee<'a> {
     /// Whoever was named on the command line or in the environment; a script means nobody's career by what lies in a file.
     ///
     /// # Errors
@@ -120,7 +84,7 @@ impl<'a> Trainee<'a> {
             profiles,
             profile,
             course: store::course(),
-            history,
+            standing: Standing::of(&history),
             runs: Runs::within(&data),
             locale,
         }))
@@ -136,61 +100,65 @@ impl<'a> Trainee<'a> {
         &self.runs
     }
 
-    /// Makes sure that the mission may be flown, and with drones that may be used. A mission that is none of the course
-    /// counts as practice, and so does one flown with a frame that was not built.
+    /// The trainee, for deciding how a flight counts.
+    pub fn of_attempt(&self) -> AttemptTrainee<'_> {
+        AttemptTrainee {
+            standing: &self.standing,
+            course: &self.course,
+        }
+    }
+
+    /// Refuses a flight of a locked mission or with parts that the trainee does not own. Anything else may be flown for
+    /// practice.
     ///
     /// # Errors
-    /// Why it may not.
-    pub fn admit(
-        &self,
-        mission: &Mission,
-        terms: Terms,
-        is_reframed: bool,
-    ) -> Result<Terms, Failure> {
-        let standing = Standing::of(&self.history);
-        let Some(offer) = self.course.offer(&mission.id) else {
-            return Ok(self.practice(mission, terms));
-        };
-        let day = day_of(SystemTime::now());
-        if let Stage::Locked(reasons) = self.course.stage(offer, &standing, day) {
-            let reasons = reasons.iter().map(Reason::text).collect();
-            let why = Text::joined("; ", reasons);
-            let text = text!("mission-locked", mission = &offer.title, why = why);
-            return Err(trainee::invalid(&text, self.locale));
+    /// Why the flight is refused.
+    pub fn admit(&self, mission: &Mission, reasons: &[PracticeReason]) -> Result<(), Failure> {
+        for reason in reasons {
+            match reason {
+                PracticeReason::Locked(reasons) => {
+                    let reasons = reasons.iter().map(Reason::text).collect();
+                    let why = Text::joined("; ", reasons);
+                    let title = self.title(&mission.id);
+                    let text = text!("mission-locked", mission = title, why = why);
+                    return Err(trainee::invalid(&text, self.locale));
+                }
+                PracticeReason::MissingParts { design, parts } => {
+                    return Err(self.refuse_parts(design, parts));
+                }
+                PracticeReason::ChosenSeed
+                | PracticeReason::OtherMission
+                | PracticeReason::OwnAirframes
+                | PracticeReason::SlowMotion => {}
+            }
         }
-        for design in mission.fleet() {
-            self.admit_design(design, &standing)?;
-        }
-        Ok(if store::is_of_course(mission) && !is_reframed {
-            terms
+        Ok(())
+    }
+
+    /// Says that a flight counts as practice, although more was wanted.
+    pub fn tell_practice(&self, mission: &Mission, reasons: &[PracticeReason]) {
+        let text = if reasons.contains(&PracticeReason::OtherMission) {
+            text!("profile-own-mission", mission = mission.id.as_str())
         } else {
-            self.practice(mission, terms)
-        })
+            text!("launch-practice")
+        };
+        tell!("sortie: {}", self.locale.text(&text));
     }
 
-    fn practice(&self, mission: &Mission, terms: Terms) -> Terms {
-        if terms.stake != Stake::Practice {
-            let text = text!("profile-own-mission", mission = mission.id.as_str());
-            tell!("sortie: {}", self.locale.text(&text));
-        }
-        Terms {
-            stake: Stake::Practice,
-            ..terms
-        }
+    fn title(&self, mission: &str) -> Text {
+        let offer = self.course.offer(mission);
+        offer.map_or_else(
+            || Text::verbatim(mission.to_owned()),
+            |offer| offer.title.clone(),
+        )
     }
 
-    /// Makes sure that all parts of a design may be used.
-    fn admit_design(&self, design: &Design, standing: &Standing) -> Result<(), Failure> {
-        let missing = standing.missing_parts(design, &self.course);
-        if missing.is_empty() {
-            return Ok(());
-        }
-        let (name, profile) = (design.name.as_str(), self.name());
-        let mut lines = vec![text!("parts-missing", design = name, profile = profile)];
-        lines.extend(missing.iter().map(|(part, state)| match state {
+    fn refuse_parts(&self, design: &str, parts: &[(&'static Part, PartState)]) -> Failure {
+        let profile = self.name();
+        let mut lines = vec![text!("parts-missing", design = design, profile = profile)];
+        lines.extend(parts.iter().map(|(part, state)| match state {
             PartState::Locked(mission) => {
-                let title = self.course.offer(mission).map(|offer| offer.title.clone());
-                let title = title.unwrap_or_else(|| Text::verbatim(mission.clone()));
+                let title = self.title(mission);
                 text!("part-locked", part = part.name(), mission = title)
             }
             PartState::ForSale(price) => {
@@ -203,8 +171,7 @@ impl<'a> Trainee<'a> {
             }
             PartState::Owned => part.name(),
         }));
-        let text = Text::joined("\n  ", lines);
-        Err(trainee::invalid(&text, self.locale))
+        trainee::invalid(&Text::joined("\n  ", lines), self.locale)
     }
 
     /// Which try at the mission comes next, from 1.
@@ -223,7 +190,12 @@ impl<'a> Trainee<'a> {
 
     /// Stores a finished flight and tells what it brought. Where it cannot be stored, that is told, and what it would have
     /// brought; a whole record is made up for at the next start.
-    pub fn store(&mut self, mission: &Mission, report: &mut Report, landing: Landing) -> Outcome {
+    pub fn store(
+        &mut self,
+        mission: &Mission,
+        report: &mut Report,
+        landing: Landing,
+    ) -> CareerOutcome {
         let run = RunEntry::of(mission, report, landing);
         let stored = self.profiles.store(&self.profile, &run);
         if let Err(error) = &stored {
@@ -233,11 +205,10 @@ impl<'a> Trainee<'a> {
             tracing::warn!("the profiles are not copied: {error}");
         }
         report.tries = self.tries(mission).unwrap_or_default();
-        let before = Standing::of(&self.history);
-        let mut after = before.clone();
+        let mut after = self.standing.clone();
         after.enter(&Entry::Flight(run.flight.clone()));
-        Outcome {
-            reward: Reward::between(&before, &after, &self.course, &run.flight),
+        CareerOutcome {
+            reward: Reward::between(&self.standing, &after, &self.course, &run.flight),
             profile: self.profile.name.clone(),
             is_stored: stored.is_ok(),
         }

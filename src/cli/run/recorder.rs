@@ -1,4 +1,4 @@
-//! Who watches a run: tells what is said, and keeps the record.
+//! Tells what is said during a run, and keeps its record.
 
 use std::time::{Duration, SystemTime};
 
@@ -12,8 +12,8 @@ use crate::text::{Locale, Text};
 /// A record is written in pieces of this length, so that a fast run does not write a line at a time.
 const PIECE_LEN: usize = 16 * 1024;
 
-/// What a witness is to do.
-pub(super) struct Assignment {
+/// What is told and recorded of a run.
+pub(super) struct RecordingPlan {
     /// Whether what is said is said aloud.
     pub is_heard: bool,
     /// Which try it is.
@@ -24,9 +24,9 @@ pub(super) struct Assignment {
     pub occasion: Occasion,
 }
 
-/// Watches a run.
-pub(super) struct Witness<'a> {
-    assignment: Assignment,
+/// Tells and records a run.
+pub(super) struct RunRecorder<'a> {
+    plan: RecordingPlan,
     locale: &'a Locale,
     /// What no other run is called.
     id: String,
@@ -35,36 +35,36 @@ pub(super) struct Witness<'a> {
     piece: String,
 }
 
-impl<'a> Witness<'a> {
+impl<'a> RunRecorder<'a> {
     /// Begins the record, if one is wanted. A folder that cannot be written is told and harms nothing.
-    pub fn new(assignment: Assignment, mission: &str, locale: &'a Locale) -> Self {
-        let when = &assignment.occasion.when;
-        let begun = assignment.runs.as_ref();
+    pub fn new(plan: RecordingPlan, mission: &str, locale: &'a Locale) -> Self {
+        let when = &plan.occasion.when;
+        let begun = plan.runs.as_ref();
         let begun = begun.map(|runs| runs.begin(mission, when));
         let process = std::process::id();
-        let mut witness = Self {
+        let mut recorder = Self {
             id: format!("{}_{mission}_{process}", when.replace(':', "-")),
-            assignment,
+            plan,
             locale,
             file: None,
             piece: String::new(),
         };
         match begun {
             Some(Ok(file)) => {
-                file.id().clone_into(&mut witness.id);
-                witness.file = Some(file);
+                file.id().clone_into(&mut recorder.id);
+                recorder.file = Some(file);
             }
-            Some(Err(error)) => witness.complain(&error),
+            Some(Err(error)) => recorder.complain(&error),
             None => {}
         }
-        witness
+        recorder
     }
 
     /// Makes a flight ready for it.
     pub fn prepare(&self, flight: &mut Flight) {
-        flight.set_attempt(self.assignment.attempt);
+        flight.set_attempt(self.plan.attempt);
         if self.file.is_some() {
-            flight.start_record(&self.assignment.occasion);
+            flight.start_record(&self.plan.occasion);
         }
     }
 
@@ -74,7 +74,7 @@ impl<'a> Witness<'a> {
             id: self.id.clone(),
             is_recorded: self.file.is_some(),
             when: SystemTime::now(),
-            stake: self.assignment.occasion.stake,
+            stake: self.plan.occasion.stake,
         }
     }
 
@@ -86,7 +86,7 @@ impl<'a> Witness<'a> {
         };
         let at = clock(notice.at);
         tracing::info!("{at} {words}");
-        if self.assignment.is_heard {
+        if self.plan.is_heard {
             tell!("{at} {}", self.locale.text(&words));
         }
     }

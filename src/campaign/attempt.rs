@@ -1,0 +1,413 @@
+//! What a try counts for, and on which layout it is flown.
+
+use super::{Course, PartState, Reason, Stage, Stake, Standing, daily_seed, exam_seed};
+use crate::mission::Mission;
+use crate::workshop::{Design, Part};
+
+/// The seed of the first try where nobody chooses one and no flights are kept.
+const FIRST_SEED: u64 = 1;
+/// Fresh seeds are below this: small enough to be typed.
+const FRESH_SEEDS: u64 = 1_000_000;
+
+/// One of the tries at what is flown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Attempt {
+    /// What varies it.
+    pub seed: u64,
+    /// How it counts for a career.
+    pub stake: Stake,
+    /// How it was to count. The next try counts like this if it can.
+    pub wanted: Stake,
+}
+
+/// What decides how a try counts. Without a trainee nothing is kept, and everything may be flown.
+#[derive(Debug, Clone, Copy)]
+pub struct AttemptTerms<'a> {
+    /// What is flown.
+    pub mission: &'a Mission,
+    /// How it is to count.
+    pub wanted: Stake,
+    /// The seed that the user has chosen.
+    pub seed: Option<u64>,
+    /// For whose career it is flown.
+    pub trainee: Option<AttemptTrainee<'a>>,
+    /// By which means.
+    pub means: AttemptMeans,
+    /// The day of the flight, in days since 1970 (UTC).
+    pub day: i64,
+    /// A random number, for a layout that the trainee has not seen; `None` if the system has none.
+    pub random: Option<u64>,
+}
+
+/// The trainee of a try.
+#[derive(Debug, Clone, Copy)]
+pub struct AttemptTrainee<'a> {
+    /// How far the trainee has come.
+    pub standing: &'a Standing,
+    /// The missions of the career.
+    pub course: &'a Course,
+}
+
+/// What a try is flown with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AttemptMeans {
+    /// Whether the mission is the one that everybody flies, and not a file of the same id.
+    pub is_of_course: bool,
+    /// Whether the airframes are replaced by files of the user.
+    pub has_own_airframes: bool,
+    /// Simulated seconds per second.
+    pub speedup: f64,
+}
+
+/// Why a flight counts for practice only, although more was wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PracticeReason {
+    /// The user has chosen the seed of a graded flight.
+    ChosenSeed,
+    /// The mission is none of the course.
+    OtherMission,
+    /// The trainee may not fly the mission yet.
+    Locked(Vec<Reason>),
+    /// Parts of a design are not the trainee's.
+    MissingParts {
+        /// The name of the design.
+        design: String,
+        /// The parts, and how to get them.
+        parts: Vec<(&'static Part, PartState)>,
+    },
+    /// The airframes are files of the user.
+    OwnAirframes,
+    /// Time passes more slowly than in reality.
+    SlowMotion,
+}
+
+/// A mission under the rules of what it is flown for: an exam has neither hints nor pauses.
+pub fn mission_for(mission: Mission, wanted: Stake) -> Mission {
+    match wanted {
+        Stake::Exam => mission.for_exam(),
+        Stake::Graded | Stake::Practice | Stake::Daily => mission,
+    }
+}
+
+/// The day that a finished flight belongs to, and how it counts. A flight with the seed of a day belongs to that day, also
+/// if it ends on the next one; with any other seed it is practice.
+pub fn day_and_stake(stake: Stake, seed: u64, ended: i64) -> (i64, Stake) {
+    if stake != Stake::Daily {
+        return (ended, stake);
+    }
+    let mut days = [ended, ended - 1].into_iter();
+    let of_seed = days.find(|&day| daily_seed(day) == seed);
+    of_seed.map_or((ended, Stake::Practice), |day| (day, Stake::Daily))
+}
+
+impl Attempt {
+    /// A try for practice, for what is no mission.
+    pub fn practice(seed: Option<u64>) -> Self {
+        Self {
+            seed: seed.unwrap_or(FIRST_SEED),
+            stake: Stake::Practice,
+            wanted: Stake::Practice,
+        }
+    }
+
+    /// Whether it counts for less than was wanted.
+    pub fn is_reduced(&self) -> bool {
+        self.stake != self.wanted
+    }
+
+    /// The same layout again. A layout that was seen before is practice, unless everybody sees it before.
+    #[must_use]
+    pub fn repeated(self) -> Self {
+        let stake = match self.stake {
+            Stake::Exam | Stake::Daily => self.stake,
+            Stake::Graded | Stake::Practice => Stake::Practice,
+        };
+        Self { stake, ..self }
+    }
+}
+
+impl AttemptTerms<'_> {
+    /// The first try.
+    pub fn decide(&self) -> Attempt {
+        self.with_seed(self.layout().unwrap_or(FIRST_SEED))
+    }
+
+    /// The try after another one: on another layout, unless the user has chosen it or everybody has it in common.
+    pub fn decide_after(&self, previous: &Attempt) -> Attempt {
+        self.with_seed(
+            self.layout()
+                .unwrap_or_else(|| previous.seed.wrapping_add(1)),
+        )
+    }
+
+    /// Why the try counts for practice only, if more is wanted; nothing if it counts as wanted.
+    pub fn practice_reasons(&self) -> Vec<PracticeReason> {
+        let mut reasons = Vec::new();
+        if self.wanted == Stake::Graded && self.seed.is_some() {
+            reasons.push(PracticeReason::ChosenSeed);
+        }
+        if let Some(trainee) = &self.trainee {
+            reasons.extend(self.reasons_of(trainee));
+        }
+        reasons
+    }
+
+    fn reasons_of(&self, trainee: &AttemptTrainee<'_>) -> Vec<PracticeReason> {
+        let Some(offer) = trainee.course.offer(&self.mission.id) else {
+            return vec![PracticeReason::OtherMission];
+        };
+        let mut reasons = Vec::new();
+        let stage = trainee.course.stage(offer, trainee.standing, self.day);
+        if let Stage::Locked(why) = stage {
+            reasons.push(PracticeReason::Locked(why));
+        }
+        let fleet = self.mission.fleet().iter();
+        reasons.extend(fleet.filter_map(|design| trainee.missing_parts(design)));
+        let AttemptMeans {
+            is_of_course,
+            has_own_airframes,
+            speedup,
+        } = self.means;
+        let is_slow = speedup < 1.0;
+        reasons.extend((!is_of_course).then_some(PracticeReason::OtherMission));
+        reasons.extend(has_own_airframes.then_some(PracticeReason::OwnAirframes));
+        reasons.extend(is_slow.then_some(PracticeReason::SlowMotion));
+        reasons
+    }
+
+    /// The seed that the terms lead to; `None` if any will do.
+    fn layout(&self) -> Option<u64> {
+        match self.wanted {
+            Stake::Exam => Some(exam_seed(&self.mission.id, self.mission.rev)),
+            Stake::Daily => Some(daily_seed(self.day)),
+            Stake::Graded => self.seed.or_else(|| self.fresh_seed()),
+            Stake::Practice => self.seed,
+        }
+    }
+
+    /// A layout that the trainee has not flown; where no flights are kept, tries are the same every time.
+    fn fresh_seed(&self) -> Option<u64> {
+        self.trainee?;
+        self.random.map(|random| random % FRESH_SEEDS)
+    }
+
+    fn with_seed(&self, seed: u64) -> Attempt {
+        let stake = if self.practice_reasons().is_empty() {
+            self.wanted
+        } else {
+            Stake::Practice
+        };
+        Attempt {
+            seed,
+            stake,
+            wanted: self.wanted,
+        }
+    }
+}
+
+impl AttemptTrainee<'_> {
+    fn missing_parts(&self, design: &Design) -> Option<PracticeReason> {
+        let parts = self.standing.missing_parts(design, self.course);
+        (!parts.is_empty()).then(|| PracticeReason::MissingParts {
+            design: design.name.clone(),
+            parts,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use proptest::sample::select;
+
+    use super::*;
+    use crate::campaign::Offer;
+
+    const FIRST_FLIGHT: &str = include_str!("../../missions/00-first-flight.toml");
+    const FORMATION: &str = include_str!("../../missions/02-formation.toml");
+
+    const STAKES: [Stake; 4] = [Stake::Graded, Stake::Practice, Stake::Exam, Stake::Daily];
+    const USUAL: AttemptMeans = AttemptMeans {
+        is_of_course: true,
+        has_own_airframes: false,
+        speedup: 1.0,
+    };
+
+    fn mission(text: &str) -> Mission {
+        Mission::parse(text).expect("no faults")
+    }
+
+    /// A trainee who has flown nothing yet may fly the first of these missions.
+    struct Newcomer {
+        open: Mission,
+        locked: Mission,
+        course: Course,
+        standing: Standing,
+    }
+
+    impl Newcomer {
+        fn new() -> Self {
+            let (open, locked) = (mission(FIRST_FLIGHT), mission(FORMATION));
+            Self {
+                course: Course::new([&open, &locked].map(Offer::of)),
+                open,
+                locked,
+                standing: Standing::default(),
+            }
+        }
+
+        fn terms(&self, wanted: Stake) -> AttemptTerms<'_> {
+            AttemptTerms {
+                mission: &self.open,
+                wanted,
+                seed: None,
+                trainee: Some(AttemptTrainee {
+                    standing: &self.standing,
+                    course: &self.course,
+                }),
+                means: USUAL,
+                day: 20_000,
+                random: Some(77),
+            }
+        }
+    }
+
+    #[test]
+    fn a_try_counts_as_wanted_on_the_layout_of_its_stake() {
+        let trainee = Newcomer::new();
+        let open = &trainee.open;
+        for (wanted, seed) in [
+            (Stake::Graded, 77),
+            (Stake::Practice, FIRST_SEED),
+            (Stake::Exam, exam_seed(&open.id, open.rev)),
+            (Stake::Daily, daily_seed(20_000)),
+        ] {
+            let attempt = trainee.terms(wanted).decide();
+            assert_eq!((attempt.stake, attempt.seed), (wanted, seed));
+            assert!(!attempt.is_reduced());
+        }
+    }
+
+    #[test]
+    fn what_others_cannot_fly_is_practice_for_a_reason() {
+        let trainee = Newcomer::new();
+        let usual = trainee.terms(Stake::Graded);
+        let flown_with = |means| AttemptTerms { means, ..usual };
+        let frame = AttemptMeans {
+            has_own_airframes: true,
+            ..USUAL
+        };
+        let slow = AttemptMeans {
+            speedup: 0.5,
+            ..USUAL
+        };
+        let file = AttemptMeans {
+            is_of_course: false,
+            ..USUAL
+        };
+        let chosen = AttemptTerms {
+            seed: Some(5),
+            ..usual
+        };
+        for (terms, reason) in [
+            (flown_with(frame), PracticeReason::OwnAirframes),
+            (flown_with(slow), PracticeReason::SlowMotion),
+            (flown_with(file), PracticeReason::OtherMission),
+            (chosen, PracticeReason::ChosenSeed),
+        ] {
+            assert_eq!(terms.decide().stake, Stake::Practice, "{reason:?}");
+            assert_eq!(terms.practice_reasons(), [reason]);
+        }
+    }
+
+    #[test]
+    fn a_locked_mission_and_one_of_nobodys_course_are_practice() {
+        let trainee = Newcomer::new();
+        let locked = AttemptTerms {
+            mission: &trainee.locked,
+            ..trainee.terms(Stake::Exam)
+        };
+        let reasons = locked.practice_reasons();
+        assert!(matches!(reasons[..], [PracticeReason::Locked(_)]));
+        let none = Course::default();
+        let strange = AttemptTerms {
+            trainee: Some(AttemptTrainee {
+                standing: &trainee.standing,
+                course: &none,
+            }),
+            ..trainee.terms(Stake::Exam)
+        };
+        assert_eq!(strange.practice_reasons(), [PracticeReason::OtherMission]);
+        assert!(locked.decide().is_reduced() && strange.decide().is_reduced());
+    }
+
+    #[test]
+    fn a_flight_with_the_seed_of_a_day_belongs_to_that_day() {
+        let yesterday = daily_seed(19_999);
+        for (stake, seed, expected) in [
+            (Stake::Daily, daily_seed(20_000), (20_000, Stake::Daily)),
+            (Stake::Daily, yesterday, (19_999, Stake::Daily)),
+            (Stake::Daily, 5, (20_000, Stake::Practice)),
+            (Stake::Exam, yesterday, (20_000, Stake::Exam)),
+        ] {
+            assert_eq!(day_and_stake(stake, seed, 20_000), expected);
+        }
+    }
+
+    #[test]
+    fn without_a_trainee_tries_go_through_the_seeds_one_by_one() {
+        let newcomer = Newcomer::new();
+        let nobody = AttemptTerms {
+            trainee: None,
+            ..newcomer.terms(Stake::Graded)
+        };
+        let first = nobody.decide();
+        let second = nobody.decide_after(&first);
+        assert_eq!((first.seed, second.seed), (1, 2));
+        assert_eq!(second.stake, Stake::Graded);
+    }
+
+    proptest! {
+        #[test]
+        fn a_try_counts_as_wanted_or_for_practice(
+            wanted in select(&STAKES[..]),
+            seed in prop::option::of(any::<u64>()),
+            random in prop::option::of(any::<u64>()),
+            (is_known, is_locked) in any::<(bool, bool)>(),
+            (is_of_course, has_own_airframes) in any::<(bool, bool)>(),
+            speedup in 0.1_f64..4.0,
+            day in 0_i64..40_000,
+        ) {
+            let newcomer = Newcomer::new();
+            let usual = newcomer.terms(wanted);
+            let terms = AttemptTerms {
+                mission: if is_locked { &newcomer.locked } else { &newcomer.open },
+                seed,
+                trainee: usual.trainee.filter(|_| is_known),
+                means: AttemptMeans { is_of_course, has_own_airframes, speedup },
+                day,
+                random,
+                ..usual
+            };
+            let first = terms.decide();
+            let is_fair = !is_known
+                || !is_locked && is_of_course && !has_own_airframes && speedup >= 1.0;
+            let is_free = wanted != Stake::Graded || seed.is_none();
+            let expected = if is_fair && is_free { wanted } else { Stake::Practice };
+            prop_assert_eq!((first.stake, first.wanted), (expected, wanted));
+            // How a try counts does not change its layout.
+            match wanted {
+                Stake::Exam | Stake::Daily => prop_assert!(first.seed < FRESH_SEEDS),
+                Stake::Graded | Stake::Practice => match seed {
+                    Some(chosen) => prop_assert_eq!(first.seed, chosen),
+                    None => prop_assert!(first.seed < FRESH_SEEDS),
+                },
+            }
+            let next = terms.decide_after(&first);
+            prop_assert_eq!((next.stake, next.wanted), (first.stake, first.wanted));
+            let again = first.repeated();
+            prop_assert_eq!(again.seed, first.seed);
+            prop_assert_ne!(again.stake, Stake::Graded);
+        }
+    }
+}
