@@ -70,11 +70,11 @@ pub struct Flight {
     pub stake: Stake,
     /// The day on which it ended, in days since 1970 (UTC).
     pub day: i64,
-    /// 0 to 1000.
+    /// The score, 0 to 1000.
     pub score: u16,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
-    /// The medal.
+    /// The medal, if one was won.
     pub medal: Option<Medal>,
     /// What it tells of the trainee's skills, in order.
     pub evidence: Vec<Evidence>,
@@ -87,6 +87,6 @@ pub struct Flight {
 pub struct Purchase {
     /// Id of the part.
     pub part: String,
-    /// What it cost.
+    /// The price paid, in credits.
     pub credits: u32,
 }

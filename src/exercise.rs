@@ -219,7 +219,7 @@ impl<L> Exercise<L> {
     }
 }
 
-/// A vehicle's session.
+/// The session of the vehicle with this number.
 fn session(seats: &mut [Seat], vehicle: VehicleId) -> Option<&mut Session> {
     let mut sessions = seats.iter_mut().map(|seat| &mut seat.session);
     sessions.find(|session| session.vehicle().id == vehicle)

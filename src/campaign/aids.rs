@@ -68,7 +68,7 @@ impl Aids {
         }
     }
 
-    /// What it means.
+    /// One line that explains the level to the trainee.
     pub fn explained(self) -> Text {
         match self {
             Self::Full => text!("aids-full-about"),

@@ -12,7 +12,7 @@ const FRESH_SEEDS: u64 = 1_000_000;
 /// One of the tries at what is flown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Attempt {
-    /// What varies it.
+    /// The seed of the mission's world.
     pub seed: u64,
     /// How it counts for a career.
     pub stake: Stake,
@@ -23,7 +23,7 @@ pub struct Attempt {
 /// What decides how a try counts. Without a trainee nothing is kept, and everything may be flown.
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTerms<'a> {
-    /// What is flown.
+    /// The mission, under the rules of what it is flown for ([`mission_for`]).
     pub mission: &'a Mission,
     /// How it is to count.
     pub wanted: Stake,
@@ -31,7 +31,7 @@ pub struct AttemptTerms<'a> {
     pub seed: Option<u64>,
     /// For whose career it is flown.
     pub trainee: Option<AttemptTrainee<'a>>,
-    /// By which means.
+    /// What it is flown with.
     pub means: AttemptMeans,
     /// The day of the flight, in days since 1970 (UTC).
     pub day: i64,
@@ -127,7 +127,7 @@ impl Attempt {
 }
 
 impl AttemptTerms<'_> {
-    /// The first try.
+    /// How the first try counts, and its layout.
     pub fn decide(&self) -> Attempt {
         self.with_seed(self.layout().unwrap_or(FIRST_SEED))
     }

@@ -9,7 +9,7 @@ use crate::text::Text;
 /// A mission as a campaign sees it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Offer {
-    /// Its id.
+    /// The id of the mission.
     pub id: String,
     /// Its name for people.
     pub title: Text,
@@ -25,7 +25,7 @@ pub struct Offer {
     pub credits: u32,
     /// Parts that passing it puts on sale.
     pub parts: Vec<String>,
-    /// What it trains.
+    /// The skills that it trains.
     pub skills: Vec<Skill>,
 }
 
@@ -40,7 +40,7 @@ pub struct Course {
 pub enum Stage {
     /// Not yet, and why.
     Locked(Vec<Reason>),
-    /// Not passed yet.
+    /// Open, and not passed yet.
     Open,
     /// Passed, with the best medal.
     Passed(Option<Medal>),
@@ -87,7 +87,7 @@ impl Reason {
 }
 
 impl Offer {
-    /// A mission's offer.
+    /// What a campaign needs to know of a mission.
     pub fn of(mission: &Mission) -> Self {
         let parts = mission
             .rewards
@@ -178,9 +178,8 @@ impl Course {
             let chance = standing.skill(skill).chance(day);
             (chance < *wanted).then(|| Reason::Skill(skill, percent(*wanted), percent(chance)))
         });
-        let licence = standing.licence();
-        let licence =
-            (offer.vehicles > licence).then_some(Reason::Licence(offer.vehicles, licence));
+        let held = standing.licence();
+        let licence = (offer.vehicles > held).then_some(Reason::Licence(offer.vehicles, held));
         passes
             .map(|id| Reason::Pass(title(id)))
             .chain(medals.map(|(id, medal)| Reason::Medal(title(id), *medal)))

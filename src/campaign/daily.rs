@@ -16,8 +16,9 @@ pub fn exam_seed(mission: &str, revision: u32) -> u64 {
 
 /// Neighbours go far apart (the finaliser of `SplitMix64`). Small enough to be typed.
 fn mixed(value: u64) -> u64 {
-    let value = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let value = (value ^ (value >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let value = (value ^ (value >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    (value ^ (value >> 31)) % 1_000_000
+    let mut mixed = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    for (shift, factor) in [(30, 0xbf58_476d_1ce4_e5b9), (27, 0x94d0_49bb_1331_11eb)] {
+        mixed = (mixed ^ (mixed >> shift)).wrapping_mul(factor);
+    }
+    (mixed ^ (mixed >> 31)) % 1_000_000
 }

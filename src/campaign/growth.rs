@@ -19,9 +19,9 @@ pub struct Growth {
 /// What there was after an entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wealth {
-    /// Credits to spend.
+    /// Credits left after the entry.
     pub credits: u32,
-    /// Experience so far.
+    /// Experience points in all.
     pub experience: u64,
 }
 
@@ -30,11 +30,11 @@ pub struct Wealth {
 pub struct Try {
     /// The day on which it ended, in days since 1970 (UTC).
     pub day: i64,
-    /// 0 to 1000.
+    /// The score, 0 to 1000.
     pub score: u16,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
-    /// The medal.
+    /// The medal, if one was won.
     pub medal: Option<Medal>,
     /// What it was flown for.
     pub stake: Stake,

@@ -16,7 +16,7 @@ const SLIP: f64 = 0.08;
 const GUESS: f64 = 0.20;
 const GUESS_HARD: f64 = 0.10;
 const HARD_TIER: u8 = 3;
-/// Each opportunity teaches.
+/// How likely an opportunity teaches a skill that is not there.
 const LEARN: f64 = 0.12;
 /// What is left of everything forgotten.
 const FLOOR: f64 = 0.15;
@@ -50,9 +50,9 @@ pub struct Knowledge {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mastery {
-    /// Never shown.
+    /// No opportunity so far.
     Unknown,
-    /// On the way.
+    /// Shown, but not mastered yet.
     Learning,
     /// Likely and shown often, in several missions, on several days.
     Mastered,
@@ -61,7 +61,7 @@ pub enum Mastery {
 }
 
 impl Mastery {
-    /// In a word.
+    /// Its name for people.
     pub fn title(self) -> Text {
         match self {
             Self::Unknown => text!("mastery-unknown"),

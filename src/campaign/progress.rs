@@ -9,9 +9,9 @@ use crate::text::Text;
 /// Own progress on a day.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Progress {
-    /// Credits to spend.
+    /// Credits that can be spent.
     pub credits: u32,
-    /// Experience so far.
+    /// Experience points in all.
     pub experience: u64,
     /// The level that it makes.
     pub level: u32,
@@ -19,7 +19,7 @@ pub struct Progress {
     pub next_level_experience: u64,
     /// How many drones may be flown at a time.
     pub licence: u8,
-    /// Finished flights.
+    /// How many flights were finished.
     pub flights: u32,
     /// What to train next, and where.
     pub next: Option<Advice>,
@@ -32,7 +32,7 @@ pub struct Progress {
 /// What to train next.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Advice {
-    /// The skill.
+    /// The skill to train.
     pub skill: Skill,
     /// Its name for people.
     pub skill_title: Text,
@@ -45,13 +45,13 @@ pub struct Advice {
 /// How far a mission has come.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MissionProgress {
-    /// Its id.
+    /// The id of the mission.
     pub id: String,
     /// Its name for people.
     pub title: Text,
     /// How many drones it takes.
     pub vehicles: u8,
-    /// Where it stands.
+    /// Whether it is locked, open or passed.
     pub state: MissionState,
     /// Why it is locked, if it is.
     pub reasons: Vec<Text>,
@@ -59,7 +59,7 @@ pub struct MissionProgress {
     pub tries: usize,
     /// The best score of flights that count.
     pub best: Option<u16>,
-    /// The best medal.
+    /// The best medal of flights that count.
     pub medal: Option<Medal>,
     /// The score of the first flight.
     pub first: Option<u16>,
@@ -77,14 +77,14 @@ pub enum MissionState {
     Locked,
     /// On offer, not passed.
     Open,
-    /// Passed.
+    /// Passed at least once.
     Passed,
 }
 
 /// How far a skill has come.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillProgress {
-    /// Which.
+    /// The skill that this is about.
     pub skill: Skill,
     /// Its name for people.
     pub title: Text,

@@ -10,7 +10,7 @@ use crate::workshop::parts;
 /// What a flight changed in a career.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Reward {
-    /// How it counted.
+    /// What the flight was flown for.
     pub stake: Stake,
     /// Credits that were earned.
     pub pay_credits: u32,
@@ -20,9 +20,9 @@ pub struct Reward {
     pub credits: u32,
     /// Experience that was earned.
     pub experience: u64,
-    /// The level before.
+    /// The level before the flight.
     pub level_before: u32,
-    /// The level now.
+    /// The level after the flight.
     pub level: u32,
     /// Experience that the next level still needs.
     pub experience_left: u64,
@@ -43,7 +43,7 @@ pub struct Reward {
 /// Something that was locked before.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Opened {
-    /// Its id.
+    /// The id of the mission or part.
     pub id: String,
     /// Its name for people.
     pub title: Text,
@@ -52,7 +52,7 @@ pub struct Opened {
 /// A skill before and after.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillChange {
-    /// Which.
+    /// The skill that has changed.
     pub skill: Skill,
     /// Its name for people.
     pub title: Text,

@@ -10,7 +10,7 @@ use crate::scoring::{Component, Report};
 use crate::text;
 use crate::text::Text;
 
-/// A competency.
+/// A competency of a swarm operator; the codes are those of mission files.
 #[derive(
     Debug,
     Clone,
@@ -27,34 +27,34 @@ use crate::text::Text;
     VariantArray,
 )]
 pub enum Skill {
-    /// Checks and arming.
+    /// Checks before flight, and arming.
     K1,
-    /// Modes and commands.
+    /// Choice of flight modes and commands.
     K2,
-    /// Flying to places.
+    /// Flight to positions and along routes.
     K3,
-    /// Energy.
+    /// Management of battery energy.
     K4,
-    /// Links and failsafes.
+    /// Behaviour when links fail, and failsafes.
     K5,
-    /// Covering areas.
+    /// Coverage of areas.
     K6,
-    /// Reading sensors.
+    /// Interpretation of sensor readings.
     K7,
-    /// Answering threats.
+    /// Response to alerts and threats.
     K8,
-    /// Separation and airspace.
+    /// Separation between vehicles, and airspace limits.
     K9,
-    /// Tasking a swarm.
+    /// Division of work among the vehicles of a swarm.
     K10,
-    /// Designing vehicles.
+    /// Design of vehicles for a task.
     K11,
-    /// Judging oneself.
+    /// Judgement of one's own work.
     K12,
 }
 
 impl Skill {
-    /// All, in order.
+    /// All skills in the order of their codes.
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
     /// `K1` to `K12`, as in mission files.
@@ -121,9 +121,9 @@ impl Skill {
 /// One opportunity to show a skill, and how well it went.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Evidence {
-    /// Which.
+    /// The skill that was shown.
     pub skill: Skill,
-    /// 0 to 1.
+    /// How well it went, 0 to 1.
     pub outcome: f64,
     /// What was looked at.
     pub what: Text,

@@ -10,7 +10,7 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::{Design, Part, part};
 
-/// Where somebody stands.
+/// Credits, experience, parts, skills and results of a trainee.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standing {
     credits: u32,
@@ -27,13 +27,13 @@ pub struct Standing {
 /// The best of somebody's flights of one mission; practice does not count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Best {
-    /// Graded flights.
+    /// How many graded flights there were.
     pub tries: u32,
     /// The highest score of all.
     pub score: u16,
     /// The highest score of those that passed.
     pub passed: Option<u16>,
-    /// The best medal.
+    /// The best medal of all graded flights.
     pub medal: Option<Medal>,
     /// The most drones with which a silver medal or a better one was won.
     silver_with: u8,
@@ -44,7 +44,7 @@ pub struct Best {
 /// Whether a part may be used.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PartState {
-    /// It may.
+    /// The trainee owns the right to use it.
     Owned,
     /// After paying this many credits.
     ForSale(u32),
@@ -66,7 +66,7 @@ pub enum Refusal {
 }
 
 impl Refusal {
-    /// In words.
+    /// The reason for people.
     pub fn text(&self) -> Text {
         match self {
             Self::Unknown => text!("buy-unknown"),
@@ -222,7 +222,7 @@ impl Standing {
         missing
     }
 
-    /// Credits to spend.
+    /// Credits that can be spent.
     pub fn credits(&self) -> u32 {
         self.credits
     }
@@ -233,7 +233,7 @@ impl Standing {
         (self.experience, level, economy::level_experience(level + 1))
     }
 
-    /// Finished flights.
+    /// How many flights were finished.
     pub fn flights(&self) -> u32 {
         self.flights
     }

@@ -16,7 +16,7 @@ pub struct Flown<'a> {
     pub design: &'a Design,
     /// Time in the air, in seconds.
     pub airborne_s: f64,
-    /// Whether it fell.
+    /// Whether it crashed.
     pub has_crashed: bool,
 }
 

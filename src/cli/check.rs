@@ -119,9 +119,9 @@ fn unfolded(paths: &[PathBuf]) -> Vec<PathBuf> {
 /// The ids of the missions that others may name: the shipped ones and the user's, those that are checked, and those in
 /// the folders of these and above them.
 fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
-    let near = files.iter().filter_map(|path| path.parent());
-    let near = near.flat_map(|folder| [Some(folder), folder.parent()]);
-    let folders: BTreeSet<&Path> = near
+    let own = files.iter().filter_map(|path| path.parent());
+    let folders: BTreeSet<&Path> = own
+        .flat_map(|folder| [Some(folder), folder.parent()])
         .flatten()
         .map(|folder| {
             if folder.as_os_str().is_empty() {
@@ -131,8 +131,9 @@ fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
             }
         })
         .collect();
-    let beside = folders.into_iter();
-    let beside = beside.flat_map(|folder| store::files(folder, "file-mission", "toml"));
+    let beside = folders
+        .into_iter()
+        .flat_map(|folder| store::files(folder, "file-mission", "toml"));
     let all = store::missions().into_iter().chain(beside);
     all.filter_map(|source| Mission::id_of(&source.text))
         .collect()

@@ -160,8 +160,8 @@ struct Document<'a> {
 pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCode, Failure> {
     let started = Instant::now();
     let locale = Locale::new(settings.language());
-    let mission = load_mission(&options.mission)?;
-    let mission = options.designs.equip(mission, settings)?;
+    let loaded = load_mission(&options.mission)?;
+    let mission = options.designs.equip(loaded, settings)?;
     let script = load_script(&options.pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
     let mut trainee = RunTrainee::named(settings, &locale)?;
@@ -171,10 +171,10 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
         trainee: trainee.as_ref(),
         locale: &locale,
     };
-    let (mission, attempt) = request.agree(mission)?;
-    let mut recorder = request.recorder(&mission, attempt)?;
+    let (flown, attempt) = request.agree(mission)?;
+    let mut recorder = request.recorder(&flown, attempt)?;
     let flight = RunFlight {
-        mission: Arc::clone(&mission),
+        mission: Arc::clone(&flown),
         seed: attempt.seed,
         script,
     };
@@ -183,7 +183,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
     report.backend = backend.kind();
     let outcome = trainee
         .as_mut()
-        .map(|trainee| trainee.store(&mission, &mut report, recorder.landing()));
+        .map(|trainee| trainee.store(&flown, &mut report, recorder.landing()));
     let is_done = report.passed && outcome.as_ref().is_none_or(|outcome| outcome.is_stored);
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
@@ -268,7 +268,7 @@ impl<'l> RunRequest<'_, 'l> {
     }
 }
 
-/// What is flown.
+/// One flight of a script.
 struct RunFlight {
     mission: Arc<Mission>,
     seed: u64,

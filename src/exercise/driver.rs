@@ -28,7 +28,6 @@ pub struct FlightDriver {
     awaited: Option<Duration>,
     /// When the mission began.
     begun: Option<Duration>,
-    /// Mission time.
     time: Duration,
     /// Mission time of the last tick.
     ticked: Duration,
@@ -47,7 +46,7 @@ impl FlightDriver {
         }
     }
 
-    /// The flight.
+    /// The flight, for reading.
     pub fn flight(&self) -> &Flight {
         &self.flight
     }

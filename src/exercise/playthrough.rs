@@ -39,9 +39,9 @@ pub struct PlaythroughFlight {
     pub mission: String,
     /// The day of the flight, in days since 1970.
     pub day: i64,
-    /// What varied it.
+    /// The seed of the mission's world.
     pub seed: u64,
-    /// 0 to 1000.
+    /// The score, 0 to 1000.
     pub score: u16,
     /// Whether the mission was passed.
     pub passed: bool,
@@ -49,9 +49,9 @@ pub struct PlaythroughFlight {
     pub medal: Option<Medal>,
     /// Parts that were bought afterwards, by id.
     pub bought: Vec<String>,
-    /// Credits after that.
+    /// Credits after the purchases.
     pub credits: u32,
-    /// The level.
+    /// The level of experience.
     pub level: u32,
     /// How many drones may be flown at a time.
     pub licence: u8,
@@ -128,8 +128,8 @@ impl Playthrough {
     fn choose(&self, day: i64) -> Option<String> {
         let stage = |offer: &Offer| self.course.stage(offer, &self.standing, day);
         let offers = || self.course.offers().iter();
-        let advised = self.course.next(&self.standing, day);
-        let advised = advised.map(|(_, offer)| offer);
+        let next = self.course.next(&self.standing, day);
+        let advised = next.map(|(_, offer)| offer);
         let open = offers().filter(|offer| stage(offer) == Stage::Open);
         let improvable = offers().filter(
             |offer| matches!(stage(offer), Stage::Passed(medal) if medal < Some(Medal::Gold)),
@@ -145,8 +145,8 @@ impl Playthrough {
     fn shop(&mut self) -> Vec<String> {
         let offers = self.course.offers().iter();
         let passed = offers.filter(|offer| self.standing.has_passed(&offer.id));
-        let parts = passed.flat_map(|offer| &offer.parts);
-        let mut parts: Vec<_> = parts.filter_map(|id| part(id)).collect();
+        let ids = passed.flat_map(|offer| &offer.parts);
+        let mut parts: Vec<_> = ids.filter_map(|id| part(id)).collect();
         parts.sort_by_key(|part| part.credits);
         let mut bought = Vec::new();
         for part in parts {

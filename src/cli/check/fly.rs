@@ -19,7 +19,7 @@ use crate::store;
 /// The score that doing nothing must not exceed.
 const IDLE_AT_MOST: u16 = 250;
 
-/// Who flies.
+/// A pilot that the catalogue is measured with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 enum Who {
@@ -31,7 +31,7 @@ enum Who {
     DoNothing,
 }
 
-/// One flight.
+/// One flight and whether its result is as it should be.
 #[derive(Debug, Serialize)]
 struct Flown {
     mission: String,

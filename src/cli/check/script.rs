@@ -28,17 +28,17 @@ fn mission_of(script: &Path, named: &[PathBuf]) -> Option<Mission> {
     let number = stem.split('-').next()?;
     let folder = script.parent().unwrap_or(Path::new(""));
     let folders = [".", "..", "../drills"].map(|within| folder.join(within));
-    let beside = folders
+    let files = folders
         .iter()
         .flat_map(|folder| store::files(folder, "file-mission", "toml"));
-    let beside: Vec<(String, String)> = beside
+    let beside: Vec<(String, String)> = files
         .filter_map(|source| Some((Mission::id_of(&source.text)?, source.text)))
         .collect();
     let has_number = |id: &str| id.split('-').next() == Some(number);
     let exact = beside.iter().find(|(id, _)| id == stem);
     let mut numbered = beside.iter().filter(|(id, _)| has_number(id));
-    let numbered = numbered.next().filter(|_| numbered.next().is_none());
-    let text = exact.or(numbered).map(|(_, text)| text.clone());
+    let only = numbered.next().filter(|_| numbered.next().is_none());
+    let text = exact.or(only).map(|(_, text)| text.clone());
     Mission::parse(&text.or_else(|| only_mission(named))?).ok()
 }
 

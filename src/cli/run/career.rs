@@ -53,8 +53,8 @@ impl CareerOutcome {
 
     /// As a section of the debrief.
     pub fn text(&self, locale: &Locale) -> String {
-        let lines = self.reward.lines();
-        let lines: Vec<String> = lines
+        let rewards = self.reward.lines();
+        let lines: Vec<String> = rewards
             .iter()
             .map(|line| format!("  {}", locale.text(line)))
             .collect();
@@ -77,8 +77,9 @@ impl<'a> RunTrainee<'a> {
         }
         let profiles = trainee::open(settings, locale)?;
         let profile = trainee::choose(&profiles, None, settings, locale)?;
-        let history = profiles.history(&profile);
-        let history = history.map_err(|error| trainee::refused(&error, locale))?;
+        let history = profiles
+            .history(&profile)
+            .map_err(|error| trainee::refused(&error, locale))?;
         let data = settings.data.clone().unwrap_or_default();
         Ok(Some(Self {
             profiles,

@@ -28,7 +28,7 @@ pub(super) struct RecordingPlan {
 pub(super) struct RunRecorder<'a> {
     plan: RecordingPlan,
     locale: &'a Locale,
-    /// What no other run is called.
+    /// The unique name of the run.
     id: String,
     file: Option<RunFile>,
     /// What is not written yet.
@@ -36,11 +36,11 @@ pub(super) struct RunRecorder<'a> {
 }
 
 impl<'a> RunRecorder<'a> {
-    /// Begins the record, if one is wanted. A folder that cannot be written is told and harms nothing.
+    /// Begins the record, if one is wanted. Says so if the folder cannot be written; the run is flown all the same.
     pub fn new(plan: RecordingPlan, mission: &str, locale: &'a Locale) -> Self {
         let when = &plan.occasion.when;
-        let begun = plan.runs.as_ref();
-        let begun = begun.map(|runs| runs.begin(mission, when));
+        let runs = plan.runs.as_ref();
+        let begun = runs.map(|runs| runs.begin(mission, when));
         let process = std::process::id();
         let mut recorder = Self {
             id: format!("{}_{mission}_{process}", when.replace(':', "-")),

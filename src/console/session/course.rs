@@ -23,7 +23,6 @@ use crate::vehicle::{Severity, VehicleId};
 /// A mission that is flown.
 pub(super) struct Course {
     driver: FlightDriver,
-    /// What records it.
     logbook: Option<Logbook>,
     /// What its vehicles are.
     backend: FlightBackend,
@@ -38,7 +37,7 @@ pub(super) struct Course {
 
 /// A mission that has come to its end.
 pub(in crate::console) struct Finished {
-    /// What was flown.
+    /// The mission that was flown.
     pub mission: Arc<Mission>,
     /// What came of it.
     pub report: Report,

@@ -147,8 +147,9 @@ impl Processes {
         let mut shown: Vec<Instance> = all
             .iter()
             .map(|(place, instance)| {
-                let used = usage.entry(*place);
-                let used = used.or_insert(Usage::of(instance.cpu_ms, now));
+                let used = usage
+                    .entry(*place)
+                    .or_insert(Usage::of(instance.cpu_ms, now));
                 let host = names
                     .get(place.hangar)
                     .map(String::as_str)
@@ -181,8 +182,10 @@ impl Processes {
     fn started_again(&mut self, instances: &[Instance]) -> Vec<VehicleId> {
         let mut again = Vec::new();
         for instance in instances {
-            let known = self.restarts.entry(instance.vehicle);
-            let known = known.or_insert(instance.restarts);
+            let known = self
+                .restarts
+                .entry(instance.vehicle)
+                .or_insert(instance.restarts);
             if *known < instance.restarts {
                 again.push(instance.vehicle);
             }
@@ -222,8 +225,8 @@ impl Processes {
 
     /// Takes over what a process has printed, if it is still looked at.
     fn printed(&mut self, vehicle: VehicleId, from: u64, lines: &[Line]) -> Option<Event> {
-        let mut looking = self.looking.as_mut();
-        let looking = looking.take_if(|one| (one.vehicle, one.next) == (vehicle, from))?;
+        let mut process = self.looking.as_mut();
+        let looking = process.take_if(|one| (one.vehicle, one.next) == (vehicle, from))?;
         looking.is_asked = false;
         looking.next = lines.last()?.number + 1;
         let printed = ProcessEvent::Printed {

@@ -53,8 +53,8 @@ impl Links {
     /// How they are, if that has changed.
     pub fn changed(&mut self, vehicles: &[watch::Receiver<Arc<Vehicle>>]) -> Option<Event> {
         // A link that has ended has changed for the last time; its last state still has to be shown.
-        let ended = self.all.iter().filter(|link| link.has_changed().is_err());
-        let ended = ended.count();
+        let links = self.all.iter();
+        let ended = links.filter(|link| link.has_changed().is_err()).count();
         let has_changed = |link: &watch::Receiver<LinkStatus>| link.has_changed().unwrap_or(false);
         if ended == self.ended && !self.all.iter().any(has_changed) {
             return None;
@@ -72,9 +72,9 @@ impl Links {
 /// What is worth saying of a link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum LinkNews {
-    /// Nothing yet.
+    /// No news yet.
     Silent,
-    /// It carries data.
+    /// The link carries data.
     Up,
     /// It does not, for this reason.
     Down(Text),

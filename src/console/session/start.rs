@@ -37,7 +37,7 @@ const FREE_FLIGHT_START: Start = Start {
 /// What a session is to be.
 #[derive(Debug, Clone)]
 pub(in crate::console) enum Plan {
-    /// A mission.
+    /// A mission of the catalogue or of a file.
     Mission(Arc<Mission>),
     /// Simulated vehicles without a task; by these processes, if any are named.
     Free(Option<Source>),
