@@ -13,8 +13,8 @@ use crate::language::{Pilot, PilotEvent, Script, Seen};
 use crate::ledger::Ledger;
 use crate::mission::{Flight, Report as MissionReport, is_due};
 use crate::notice::Notice;
+use crate::operator::Operator;
 use crate::session::{Report, Session};
-use crate::swarm::Conductor;
 use crate::text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{
@@ -50,7 +50,7 @@ pub struct Exercise<L = LockStep> {
     ledger: Ledger,
     pilot: Pilot,
     driver: FlightDriver,
-    conductor: Conductor,
+    operator: Operator,
     places: BTreeMap<String, LatLon>,
     areas: BTreeMap<String, Outline>,
     notices: Vec<Notice>,
@@ -122,7 +122,7 @@ impl<L> Exercise<L> {
             vehicles: BTreeMap::new(),
             ledger: Ledger::new(),
             pilot: Pilot::new(script),
-            conductor: Conductor::new(mission.swarm_rules()),
+            operator: Operator::new(mission.swarm_rules()),
             places: mission.places(),
             areas: mission.named_areas(),
             driver,

@@ -8,7 +8,7 @@
 //! | --- | --- |
 //! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
 //! | input and output | [`fleet`] (a task per vehicle), [`hangar`] (SITL processes, here or by HTTP), [`link`] (transports, and the simulator as a server), [`store`] (files) |
-//! | pure | [`exercise`] (a mission flown by a pilot script), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`verb`] (what is known about a verb), [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
+//! | pure | [`exercise`] (a mission flown by a pilot script), [`operator`] (from a line to the vehicles), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`verb`] (what is known about a verb), [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
 //! | libraries | [`sim`] (simulated vehicles), [`wire`] (frames), [`geo`] (positions and maps) |
 //!
 //! # A telemetry packet
@@ -52,6 +52,7 @@ pub mod link;
 pub mod messages;
 pub mod mission;
 pub mod notice;
+pub mod operator;
 pub mod parameters;
 pub mod scoring;
 pub mod session;

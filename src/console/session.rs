@@ -8,9 +8,11 @@ use tokio_util::sync::CancellationToken;
 
 use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::Wanted;
-use crate::fleet::{Fleet, FleetEvent, Unreachable};
+use crate::fleet::{Fleet, FleetEvent};
+use crate::operator::Operator;
 use crate::parameters::Snapshot;
-use crate::session::{Report, VehicleCommand};
+use crate::session::Report;
+use crate::swarm::Path;
 use crate::vehicle::{Vehicle, VehicleId};
 
 mod course;
@@ -18,8 +20,8 @@ mod hangar;
 mod inspection;
 mod links;
 mod logbook;
+mod orders;
 mod start;
-mod swarm;
 
 use course::Course;
 pub(super) use course::Finished;
@@ -28,7 +30,6 @@ use hangar::Processes;
 use inspection::Inspection;
 use links::Links;
 pub(super) use start::{Backend, Plan};
-use swarm::Swarm;
 
 /// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.
 const EVENTS_PER_TICK: usize = 2000;
@@ -47,8 +48,11 @@ pub(super) struct Running {
     course: Option<Course>,
     /// While this is true, the embedded simulator stands still.
     held: watch::Sender<bool>,
-    /// What they do together.
-    swarm: Swarm,
+    operator: Operator,
+    /// What was shown last of what vehicles do together.
+    paths: Vec<Path>,
+    /// How many seconds pass for the vehicles in one of the program's.
+    speedup: f64,
     /// The processes of its vehicles.
     processes: Option<Processes>,
     cancel: CancellationToken,
@@ -58,14 +62,6 @@ impl Running {
     /// What the session was to be, for starting it again.
     pub fn plan(&self) -> Plan {
         self.plan.clone()
-    }
-
-    /// Gives a command to one vehicle.
-    ///
-    /// # Errors
-    /// The fleet has ended or cannot keep up.
-    pub fn order(&self, vehicle: VehicleId, order: VehicleCommand) -> Result<(), Unreachable> {
-        self.fleet.order(vehicle, order)
     }
 
     /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again by who wants them.

@@ -3,37 +3,41 @@
 use std::time::Duration;
 
 use super::{Exercise, session, since};
-use crate::commands::{Act, Order};
-use crate::language::{self, Context, Statement};
-use crate::ledger::RowUpdate;
+use crate::commands::Order;
+use crate::diagnostic::Diagnostic;
+use crate::language::{Context, Statement};
 use crate::notice::Notice;
-use crate::session::VehicleCommand;
+use crate::operator::{self, Dispatch, OperatorScene};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 impl<L> Exercise<L> {
-    /// Leads those who do something together.
+    /// Leads what vehicles do together.
     pub(super) fn conduct(&mut self, now: Duration) {
-        let turn = self.conductor.step(now, &self.vehicles);
-        for row in &turn.rows {
-            self.ledger.apply(row);
+        for work in self.operator.conduct(&self.vehicles, now) {
+            self.dispatch(work, now);
         }
-        for (id, steering) in &turn.steering {
-            if let Some(session) = session(&mut self.seats, *id) {
-                // What cannot be flown to is not said again: it shows in what the vehicle does not do.
-                let _ = session.steer(steering, now);
-            }
-        }
-        let notices = turn.notices.into_iter();
-        let prelude = self.prelude;
-        self.notices
-            .extend(notices.map(|notice| since(prelude, notice)));
     }
 
-    /// Carries out a line as it is meant now: places may have come up or moved since the script was read.
+    /// Carries out a line of the script.
     pub(super) fn carry_out(&mut self, statement: &Statement, now: Duration) {
+        let line = &statement.line;
+        match self.read(line) {
+            Ok(order) => self.order(&order, now),
+            Err(fault) => self.notices.push(Notice {
+                at: now.saturating_sub(self.prelude),
+                vehicle: None,
+                severity: Severity::Error,
+                kind: None,
+                text: Text::joined(": ", vec![format!("`{line}`").into(), fault.message]),
+            }),
+        }
+    }
+
+    /// Reads a line as it is meant now: places may have come up or moved since the script was read.
+    fn read(&self, line: &str) -> Result<Order, Diagnostic> {
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
-        let mut places = self.driver.flight_mut().places();
+        let mut places = self.driver.flight().places();
         places.extend(self.places.clone());
         let context = Context {
             places: Some(&places),
@@ -41,42 +45,38 @@ impl<L> Exercise<L> {
             vehicles: &all,
             ..Context::default()
         };
-        let understood = language::parse(&statement.line, &context)
-            .map_err(|fault| fault.message)
-            .and_then(|meant| meant.into_order(&all, &context));
-        match understood {
-            Ok(order) => self.order(&order, now),
-            Err(text) => self.notices.push(Notice {
-                at: now.saturating_sub(self.prelude),
-                vehicle: None,
-                severity: Severity::Error,
-                kind: None,
-                text: Text::joined(": ", vec![format!("`{}`", statement.line).into(), text]),
-            }),
-        }
+        operator::read_order(line, &context, &all, |_| Ok(()))
     }
 
     fn order(&mut self, order: &Order, now: Duration) {
         let entry = self.ledger.open(now, order.given(), &order.targets);
-        let assignment = self.conductor.take(entry, order, &self.vehicles, now);
-        for row in &assignment.rows {
-            self.ledger.apply(row);
+        let scene = OperatorScene {
+            now,
+            vehicles: &self.vehicles,
+            flight: Some(self.driver.flight_mut()),
+        };
+        for work in self.operator.carry_out(entry, order, scene) {
+            self.dispatch(work, now);
         }
-        match &order.act {
-            Act::Command(command) => {
-                for &id in &assignment.alone {
-                    if let Some(session) = session(&mut self.seats, id) {
-                        let command = VehicleCommand::new(entry, order.verb, command.clone());
-                        session.order(command, now);
-                    }
+    }
+
+    fn dispatch(&mut self, work: Dispatch, now: Duration) {
+        match work {
+            Dispatch::Row(row) => self.ledger.apply(&row),
+            Dispatch::Command(vehicle, command) => {
+                if let Some(session) = session(&mut self.seats, vehicle) {
+                    session.order(command, now);
                 }
             }
-            Act::Deed(deed) => {
-                for row in self.driver.flight_mut().act(entry, deed, &order.targets) {
-                    self.ledger.apply(&RowUpdate { at: now, ..row });
+            Dispatch::Steer(vehicle, steering) => {
+                if let Some(session) = session(&mut self.seats, vehicle) {
+                    // What cannot be flown to is not said again: it shows in what the vehicle does not do.
+                    let _ = session.steer(&steering, now);
                 }
             }
-            Act::Manoeuvre(_) => {}
+            Dispatch::Notice(notice) => self.notices.push(since(self.prelude, notice)),
+            // The ledger in the report has the reason.
+            Dispatch::Refused(_) => {}
         }
     }
 }

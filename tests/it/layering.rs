@@ -24,6 +24,7 @@ const PURE: &[&[&str]] = &[
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["campaign"],
+    &["operator"],
     &["exercise"],
 ];
 /// Modules with input and output: they may use pure ones, and those before them.

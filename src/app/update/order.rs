@@ -7,8 +7,9 @@ use crate::app::room::{parameters, workshop};
 use crate::app::state::{Confirm, Consequence, Overlay, State, ranges};
 use crate::commands::{Act, Deed, Order};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Meaning, Statement};
+use crate::language::{Meaning, Statement};
 use crate::ledger::{Entry, RowUpdate};
+use crate::operator::{first_word, read_order};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -20,27 +21,24 @@ const NAMED_TARGETS: usize = 12;
 /// Reads a command line and finds its targets.
 pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     state.with_context(|context| {
-        let statement = language::parse(line, context)?;
-        if state.session.is_starting() && state.flown_mission().is_some() {
-            return Err(Diagnostic::new(first_word(line), text!("hangar-not-begun")));
-        }
-        if state.session.paused && !is_word(state, &statement) {
-            return Err(Diagnostic::new(first_word(line), text!("pause-refuses"))
-                .with_help(text!("pause-refuses-help")));
-        }
-        if let Meaning::Wait(_) = statement.meaning {
-            return Err(lines::only_in_scripts(line));
-        }
-        let order = statement
-            .into_order(&state.addressed(), context)
-            .map_err(|text| Diagnostic::new(first_word(line), text))?;
-        let missing = |id: &&VehicleId| !state.session.vehicles.contains_key(id);
-        if let Some(missing) = order.targets.iter().find(missing) {
-            let text = text!("order-no-vehicle", vehicle = *missing);
-            return Err(Diagnostic::new(first_word(line), text));
-        }
-        Ok(order)
+        let permit = |statement: &Statement| permit(state, line, statement);
+        read_order(line, context, &state.addressed(), permit)
     })
+}
+
+/// Refuses what cannot be said now.
+fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagnostic> {
+    if state.session.is_starting() && state.flown_mission().is_some() {
+        return Err(Diagnostic::new(first_word(line), text!("hangar-not-begun")));
+    }
+    if state.session.paused && !is_word(state, statement) {
+        return Err(Diagnostic::new(first_word(line), text!("pause-refuses"))
+            .with_help(text!("pause-refuses-help")));
+    }
+    match statement.meaning {
+        Meaning::Wait(_) => Err(lines::only_in_scripts(line)),
+        Meaning::Act(_) => Ok(()),
+    }
 }
 
 /// Whether it is nothing but the trainee's word before launch, which moves nothing.
@@ -124,10 +122,4 @@ pub fn advanced(state: &mut State, row: &RowUpdate) -> Vec<Effect> {
         parameters::tell(state, row.entry);
     }
     parameters::advance(state)
-}
-
-fn first_word(line: &str) -> std::ops::Range<usize> {
-    let start = line.len() - line.trim_start().len();
-    let length = line[start..].find(char::is_whitespace);
-    start..length.map_or(line.trim_end().len(), |length| start + length)
 }

@@ -8,15 +8,12 @@ use super::Running;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{Session as Shown, Stage};
-use crate::commands::Deed;
 use crate::exercise::{FlightDriver, FlightPace};
-use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge};
 use crate::notice::Notice;
 use crate::scoring::{FlightBackend, Report, TryReport};
 use crate::store::{self, Runs};
-use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -50,6 +47,11 @@ pub(in crate::console) struct Finished {
 }
 
 impl Course {
+    /// The try at the mission.
+    pub fn flight_mut(&mut self) -> &mut Flight {
+        self.driver.flight_mut()
+    }
+
     /// A mission with the embedded simulator, so many simulated seconds per second.
     pub fn embedded(flight: Flight, speedup: f64) -> Self {
         let driver = FlightDriver::new(flight, FlightPace::Scaled(speedup));
@@ -232,33 +234,6 @@ impl Running {
         if let Some(course) = &mut self.course {
             course.driver.flight_mut().renew(pledge);
         }
-    }
-
-    /// Has the mission do something with vehicles; returns how it went. Without a mission it is refused.
-    pub fn act(
-        &mut self,
-        entry: EntryId,
-        deed: &Deed,
-        vehicles: &[VehicleId],
-        now: Duration,
-    ) -> Vec<RowUpdate> {
-        if let Some(course) = &mut self.course {
-            let rows = course.driver.flight_mut().act(entry, deed, vehicles);
-            // The mission speaks on its own clock; the ledger is on the program's.
-            return rows
-                .into_iter()
-                .map(|row| RowUpdate { at: now, ..row })
-                .collect();
-        }
-        let refused = |&vehicle: &VehicleId| RowUpdate {
-            entry,
-            vehicle,
-            state: RowState::Refused,
-            tries: 0,
-            at: now,
-            explanation: Some(text!("deed-no-mission")),
-        };
-        vehicles.iter().map(refused).collect()
     }
 
     /// Has something happen in the mission; `None` without one.

@@ -11,7 +11,6 @@ use super::course::Course;
 use super::hangar::{Ending, Processes};
 use super::inspection::Inspection;
 use super::links::Links;
-use super::swarm::Swarm;
 use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::fleet::{Clock, Fleet};
@@ -20,6 +19,7 @@ use crate::hangar::{Backend as Simulation, Source};
 use crate::link::{Address, Endpoint, Pace, Simulator, Transport};
 use crate::mission::record::Occasion;
 use crate::mission::{Flight, Mission, Stake};
+use crate::operator::Operator;
 use crate::scoring::TryReport;
 use crate::sim::{Start, World, WorldConfig};
 use crate::store::Runs;
@@ -94,7 +94,9 @@ impl Running {
             dropped: 0,
             course: None,
             held: watch::Sender::new(false),
-            swarm: Swarm::new(plan.swarm_rules(), backend.speedup),
+            operator: Operator::new(plan.swarm_rules()),
+            paths: Vec::new(),
+            speedup: backend.speedup,
             processes: None,
             cancel,
         };

@@ -4,6 +4,7 @@ use super::*;
 use crate::app::state::{Activity, Hangar, Instance};
 use crate::mission::Mission;
 use crate::session::Want;
+use crate::text;
 use crate::vehicle::Vehicle;
 
 const FORMATION: &str = include_str!("../../../../missions/02-formation.toml");

@@ -1,0 +1,81 @@
+//! Orders of a session: to its vehicles, to its mission, and to several vehicles together.
+
+use std::time::Duration;
+
+use super::Running;
+use super::course::Course;
+use crate::app::event::{Event, VehicleEvent};
+use crate::commands::Order;
+use crate::console::orders::not_sent;
+use crate::ledger::{EntryId, RowState};
+use crate::notice::Notice;
+use crate::operator::{Dispatch, OperatorScene};
+use crate::session::VehicleCommand;
+use crate::swarm::Vehicles;
+use crate::vehicle::{Severity, VehicleId};
+
+impl Running {
+    /// Carries out an order whose entry is open already; returns what comes of it at once.
+    pub fn carry_out(
+        &mut self,
+        entry: EntryId,
+        order: &Order,
+        vehicles: &Vehicles,
+        now: Duration,
+    ) -> Vec<Event> {
+        let scene = OperatorScene {
+            now: self.vehicle_time(now),
+            vehicles,
+            flight: self.course.as_mut().map(Course::flight_mut),
+        };
+        let work = self.operator.carry_out(entry, order, scene);
+        self.dispatch(work, now)
+    }
+
+    /// Leads what vehicles do together; returns what came of it.
+    pub fn conduct(&mut self, now: Duration, vehicles: &Vehicles) -> Vec<Event> {
+        let work = self.operator.conduct(vehicles, self.vehicle_time(now));
+        let mut events = self.dispatch(work, now);
+        let paths = self.operator.paths();
+        if paths != self.paths {
+            self.paths.clone_from(&paths);
+            events.push(VehicleEvent::Paths(paths).into());
+        }
+        events
+    }
+
+    /// The time by which the vehicles move.
+    fn vehicle_time(&self, now: Duration) -> Duration {
+        now.mul_f64(self.speedup)
+    }
+
+    /// Does the operator's work; its times become those of the program's clock.
+    fn dispatch(&mut self, work: Vec<Dispatch>, now: Duration) -> Vec<Event> {
+        let events = work.into_iter().filter_map(|work| match work.at(now) {
+            Dispatch::Row(row) => Some(VehicleEvent::Row(row).into()),
+            Dispatch::Command(vehicle, command) => self.command(vehicle, command, now),
+            Dispatch::Steer(vehicle, steering) => {
+                let is_delivered = self.fleet.steer(vehicle, steering).is_ok();
+                self.operator.note_delivery(vehicle, steering, is_delivered);
+                None
+            }
+            Dispatch::Notice(notice) => Some(Event::Notice(notice)),
+            // Not every room shows the ledger.
+            Dispatch::Refused(text) => Some(Event::Notice(Notice {
+                at: now,
+                vehicle: None,
+                severity: Severity::Warning,
+                kind: None,
+                text,
+            })),
+        });
+        events.collect()
+    }
+
+    /// Gives a command to one vehicle. One that cannot be given ends its row and holds up no other.
+    fn command(&self, vehicle: VehicleId, command: VehicleCommand, now: Duration) -> Option<Event> {
+        let error = self.fleet.order(vehicle, command.clone()).err()?;
+        let row = command.unsent(vehicle, RowState::Refused, not_sent(error), now);
+        Some(VehicleEvent::Row(row).into())
+    }
+}

@@ -1,0 +1,213 @@
+//! From a line to the vehicles: the part that the console and pilot scripts have in common.
+//!
+//! [`read_order`] reads a line and finds its vehicles. An [`Operator`] decides what follows from an order: which
+//! vehicles get a command, what the mission does, and which rows of the ledger change. It is pure: whoever owns it
+//! opens the entry in its ledger, does what each [`Dispatch`] says, and calls [`Operator::conduct`] some ten times a
+//! second.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::time::Duration;
+
+use crate::commands::{Act, Deed, Order};
+use crate::diagnostic::Diagnostic;
+use crate::language::{self, Context, Statement};
+use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::mission::Flight;
+use crate::notice::Notice;
+use crate::session::{Steering, VehicleCommand};
+use crate::swarm::{Conductor, Path, Rules, Vehicles};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+#[cfg(test)]
+mod tests;
+
+/// Work for the owner of an operator.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Dispatch {
+    /// Take a change of a row into the ledger.
+    Row(RowUpdate),
+    /// Give a vehicle a command.
+    Command(VehicleId, VehicleCommand),
+    /// Tell a vehicle where it is to be now.
+    Steer(VehicleId, Steering),
+    /// Show a human something.
+    Notice(Notice),
+    /// Show the reason for which the mission refuses an order. The rows have it, too, but no vehicle says it.
+    Refused(Text),
+}
+
+/// What orders are carried out on, at one moment.
+#[derive(Debug)]
+pub struct OperatorScene<'a> {
+    /// The time by which the vehicles move.
+    pub now: Duration,
+    /// The vehicles as they were heard last.
+    pub vehicles: &'a Vehicles,
+    /// The mission, if one is flown.
+    pub flight: Option<&'a mut Flight>,
+}
+
+/// Gives orders to vehicles and to the mission, and leads what vehicles do together.
+#[derive(Debug, Clone, Default)]
+pub struct Operator {
+    conductor: Conductor,
+    /// Steering that could not be delivered: a stop is said only once.
+    undelivered: BTreeMap<VehicleId, Steering>,
+}
+
+/// Reads a line and finds its vehicles; without targets, `selection` is meant. `permit` decides whether what the line
+/// asks for is allowed now.
+///
+/// # Errors
+/// The fault and its place in the line.
+pub fn read_order(
+    line: &str,
+    context: &Context<'_>,
+    selection: &[VehicleId],
+    permit: impl FnOnce(&Statement) -> Result<(), Diagnostic>,
+) -> Result<Order, Diagnostic> {
+    let refused = |text: Text| Diagnostic::new(first_word(line), text);
+    let statement = language::parse(line, context)?;
+    permit(&statement)?;
+    let order = statement.into_order(selection, context).map_err(refused)?;
+    let mut targets = order.targets.iter();
+    match targets.find(|id| !context.vehicles.contains(id)) {
+        Some(missing) => Err(refused(text!("order-no-vehicle", vehicle = *missing))),
+        None => Ok(order),
+    }
+}
+
+/// The first word of a line, which a fault of the whole line is shown at.
+pub fn first_word(line: &str) -> Range<usize> {
+    let start = line.len() - line.trim_start().len();
+    let length = line[start..].find(char::is_whitespace);
+    start..length.map_or(line.trim_end().len(), |length| start + length)
+}
+
+impl Dispatch {
+    /// The same with its times on another clock.
+    #[must_use]
+    pub fn at(self, now: Duration) -> Self {
+        match self {
+            Self::Row(row) => Self::Row(RowUpdate { at: now, ..row }),
+            Self::Notice(notice) => Self::Notice(Notice { at: now, ..notice }),
+            Self::Command(..) | Self::Steer(..) | Self::Refused(_) => self,
+        }
+    }
+}
+
+impl Operator {
+    /// An operator of vehicles that have no orders yet.
+    pub fn new(rules: Rules) -> Self {
+        Self {
+            conductor: Conductor::new(rules),
+            undelivered: BTreeMap::new(),
+        }
+    }
+
+    /// What follows from an order whose entry in the ledger is open already.
+    pub fn carry_out(
+        &mut self,
+        entry: EntryId,
+        order: &Order,
+        scene: OperatorScene<'_>,
+    ) -> Vec<Dispatch> {
+        match &order.act {
+            Act::Command(command) => {
+                let (mut work, vehicles) = self.assign(entry, order, &scene);
+                work.extend(vehicles.into_iter().map(|vehicle| {
+                    let command = VehicleCommand::new(entry, order.verb, command.clone());
+                    Dispatch::Command(vehicle, command)
+                }));
+                work
+            }
+            Act::Manoeuvre(_) => self.assign(entry, order, &scene).0,
+            Act::Deed(deed) => done_by_mission(entry, order, deed, scene),
+        }
+    }
+
+    /// Takes vehicles out of what they were doing together, or into it. Returns the rows that this changes, and the
+    /// vehicles whose autopilots carry the order out.
+    fn assign(
+        &mut self,
+        entry: EntryId,
+        order: &Order,
+        scene: &OperatorScene<'_>,
+    ) -> (Vec<Dispatch>, Vec<VehicleId>) {
+        // Where they were to be before does not matter any more.
+        self.undelivered.retain(|id, _| !order.targets.contains(id));
+        let assignment = self.conductor.take(entry, order, scene.vehicles, scene.now);
+        let rows = assignment.rows.into_iter().map(Dispatch::Row);
+        (rows.collect(), assignment.alone)
+    }
+
+    /// Leads what vehicles do together.
+    pub fn conduct(&mut self, vehicles: &Vehicles, now: Duration) -> Vec<Dispatch> {
+        let turn = self.conductor.step(now, vehicles);
+        let mut late = std::mem::take(&mut self.undelivered);
+        late.retain(|id, _| turn.steering.iter().all(|(newer, _)| newer != id));
+        let rows = turn.rows.into_iter().map(Dispatch::Row);
+        let steering = late.into_iter().chain(turn.steering);
+        let notices = turn.notices.into_iter().map(Dispatch::Notice);
+        rows.chain(steering.map(|(id, steering)| Dispatch::Steer(id, steering)))
+            .chain(notices)
+            .collect()
+    }
+
+    /// Notes whether steering has been delivered. If not, it comes with the next [`Self::conduct`] again, unless the
+    /// vehicle gets an order or newer steering before.
+    pub fn note_delivery(&mut self, vehicle: VehicleId, steering: Steering, is_delivered: bool) {
+        if is_delivered {
+            self.undelivered.remove(&vehicle);
+        } else {
+            self.undelivered.insert(vehicle, steering);
+        }
+    }
+
+    /// What is going to be flown.
+    pub fn paths(&self) -> Vec<Path> {
+        self.conductor.paths()
+    }
+}
+
+/// Has the mission do something; without a mission it is refused.
+fn done_by_mission(
+    entry: EntryId,
+    order: &Order,
+    deed: &Deed,
+    scene: OperatorScene<'_>,
+) -> Vec<Dispatch> {
+    let now = scene.now;
+    let rows: Vec<RowUpdate> = match scene.flight {
+        Some(flight) => flight.act(entry, deed, &order.targets),
+        None => order
+            .targets
+            .iter()
+            .map(|&vehicle| no_mission(entry, vehicle))
+            .collect(),
+    };
+    let mut refused = rows.iter().filter(|row| row.state == RowState::Refused);
+    let reason = refused.next().and_then(|row| row.explanation.clone());
+    let reason = reason.map(|reason| {
+        let parts = vec![order.line.as_str().into(), reason];
+        Dispatch::Refused(Text::joined(": ", parts))
+    });
+    rows.into_iter()
+        .map(|row| Dispatch::Row(RowUpdate { at: now, ..row }))
+        .chain(reason)
+        .collect()
+}
+
+fn no_mission(entry: EntryId, vehicle: VehicleId) -> RowUpdate {
+    RowUpdate {
+        entry,
+        vehicle,
+        state: RowState::Refused,
+        tries: 0,
+        at: Duration::ZERO,
+        explanation: Some(text!("deed-no-mission")),
+    }
+}

@@ -1,0 +1,118 @@
+//! What follows from a line.
+
+use super::*;
+use crate::commands::Setpoint;
+use crate::geo::LatLon;
+use crate::ledger::Ledger;
+use crate::vehicle::Vehicle;
+
+const FLEET: [VehicleId; 3] = [1, 2, 3];
+
+fn vehicles() -> Vehicles {
+    FLEET.map(|id| (id, Vehicle::new(id as u8, 1))).into()
+}
+
+fn read(line: &str) -> Result<Order, Diagnostic> {
+    let context = Context {
+        vehicles: &FLEET,
+        ..Context::default()
+    };
+    read_order(line, &context, &[2], |_| Ok(()))
+}
+
+/// What follows from a line without a mission, with the entry that was opened for it.
+fn said(operator: &mut Operator, line: &str) -> Vec<Dispatch> {
+    let order = read(line).expect("a good line");
+    let mut ledger = Ledger::new();
+    let entry = ledger.open(Duration::ZERO, order.given(), &order.targets);
+    let scene = OperatorScene {
+        now: Duration::from_secs(7),
+        vehicles: &vehicles(),
+        flight: None,
+    };
+    operator.carry_out(entry, &order, scene)
+}
+
+fn steering(altitude_m: f64) -> Steering {
+    Steering {
+        verb: crate::language::verb("formation").expect("it is in the table"),
+        setpoint: Setpoint {
+            at_point: LatLon::new(50.0, 30.0),
+            altitude_m,
+            velocity_m_s: None,
+        },
+    }
+}
+
+#[test]
+fn a_line_without_targets_is_for_the_selection() {
+    let order = read("land").expect("a good line");
+    assert_eq!((order.targets, order.line.as_str()), (vec![2], "2 land"));
+}
+
+#[test]
+fn a_line_is_refused_where_its_first_word_is() {
+    let missing = read("  1,9 land").expect_err("there is no vehicle 9");
+    assert_eq!(missing.span, 2..5);
+    let context = Context {
+        vehicles: &FLEET,
+        ..Context::default()
+    };
+    let permit = |_: &Statement| Err(Diagnostic::new(0..1, text!("pause-refuses")));
+    let refused = read_order("1 land", &context, &[], permit).expect_err("not permitted");
+    assert_eq!(refused.message, text!("pause-refuses"));
+}
+
+#[test]
+fn each_target_of_a_command_gets_it() {
+    let work = said(&mut Operator::default(), "1,3 land");
+    let vehicles = work.iter().map(|work| match work {
+        Dispatch::Command(vehicle, command) => (*vehicle, command.verb.name),
+        other => panic!("{other:?}"),
+    });
+    assert_eq!(vehicles.collect::<Vec<_>>(), [(1, "land"), (3, "land")]);
+}
+
+#[test]
+fn without_a_mission_a_deed_is_refused_with_a_reason() {
+    let work = said(&mut Operator::default(), "1-2 sample");
+    let [
+        Dispatch::Row(first),
+        Dispatch::Row(second),
+        Dispatch::Refused(reason),
+    ] = &work[..]
+    else {
+        panic!("{work:?}");
+    };
+    for (row, vehicle) in [(first, 1), (second, 2)] {
+        assert_eq!((row.vehicle, row.state), (vehicle, RowState::Refused));
+        assert_eq!(row.at, Duration::from_secs(7));
+    }
+    let expected = vec!["1-2 sample".into(), text!("deed-no-mission")];
+    assert_eq!(*reason, Text::joined(": ", expected));
+}
+
+#[test]
+fn steering_that_is_not_delivered_comes_again_until_it_is_void() {
+    let mut operator = Operator::default();
+    for id in FLEET {
+        operator.note_delivery(id, steering(f64::from(id)), false);
+    }
+    // Vehicle 2 has other orders meanwhile.
+    assert_eq!(said(&mut operator, "2 land").len(), 1);
+    let work = operator.conduct(&vehicles(), Duration::from_secs(8));
+    assert_eq!(
+        work,
+        [1, 3].map(|id| Dispatch::Steer(id, steering(f64::from(id))))
+    );
+    operator.note_delivery(1, steering(1.0), true);
+    operator.note_delivery(3, steering(3.0), false);
+    let work = operator.conduct(&vehicles(), Duration::from_secs(9));
+    assert_eq!(work, [Dispatch::Steer(3, steering(3.0))]);
+    operator.note_delivery(3, steering(3.0), true);
+    assert!(
+        operator
+            .conduct(&vehicles(), Duration::from_secs(10))
+            .is_empty()
+    );
+}
