@@ -27,7 +27,7 @@ pub use explain::{AckResult, explain};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use order::{Act, Order};
-pub use request::{Answer, Repeat, Request};
+pub use request::{Answer, Repeat, Request, is_written_so};
 pub use setpoint::{Setpoint, ready_for};
 
 /// A command to one vehicle. Every variant is said with one verb of the grammar.

@@ -24,7 +24,7 @@ mod tests;
 
 pub use airframe::Airframe;
 pub use catalogue::{part, parts, parts_for};
-pub use check::{Finding, Severity};
+pub use check::{DesignFinding, FindingKind, FindingSeverity};
 pub use design::{Design, DesignError};
 pub use figures::{Air, Figures, Link};
 pub use measure::{Better, Measure, Sheet};

@@ -14,7 +14,7 @@ use crate::mission::Mission;
 use crate::store;
 use crate::text;
 use crate::text::{Locale, Text};
-use crate::workshop::{Air, Design, Measure, Severity, Sheet, Slot, parts_for};
+use crate::workshop::{Air, Design, FindingSeverity, Measure, Sheet, Slot, parts_for};
 
 /// Options of `sortie workshop`.
 #[derive(Debug, Args)]
@@ -204,9 +204,9 @@ fn show(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure>
         say!("  {}", heading("workshop-none"))?;
     }
     for finding in &findings {
-        let mark = match finding.severity {
-            Severity::Fault => "x",
-            Severity::Warning => "!",
+        let mark = match finding.severity() {
+            FindingSeverity::Fault => "x",
+            FindingSeverity::Warning => "!",
         };
         say!("  {mark} {}", locale.text(&finding.text))?;
     }
@@ -223,7 +223,7 @@ fn show_json(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Fai
         .findings(air)
         .iter()
         .map(|it| {
-            let is_fault = it.severity == Severity::Fault;
+            let is_fault = it.severity() == FindingSeverity::Fault;
             serde_json::json!({ "slot": it.slot.key(), "fault": is_fault, "text": locale.text(&it.text) })
         })
         .collect();

@@ -327,7 +327,7 @@ impl Command {
 }
 
 /// Whether a value is just what somebody wrote: exactly, or as the shortest number that means it (0.1).
-fn is_written_so(value: f32, written: f64) -> bool {
+pub fn is_written_so(value: f32, written: f64) -> bool {
     let differs = |value: f64| (value - written).abs() > 0.0;
     let shortest = value.to_string().parse().unwrap_or(f64::NAN);
     !differs(f64::from(value)) || !differs(shortest)

@@ -11,7 +11,7 @@ use super::sensor::Sensor;
 use crate::sim::Airframe;
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Air, Design, Severity, Slot};
+use crate::workshop::{Air, Design, FindingSeverity, Slot};
 
 /// Seconds of spray in a sprayer's tank.
 pub(super) const TANK_S: u32 = 15;
@@ -160,7 +160,7 @@ fn faults(fleet: &[Design], air: Air) -> Vec<Text> {
     let mut told = Vec::new();
     for design in (0..fleet.len()).filter(is_new).map(|seat| &fleet[seat]) {
         let found = design.findings(air).into_iter();
-        let faults = found.filter(|finding| finding.severity == Severity::Fault);
+        let faults = found.filter(|finding| finding.severity() == FindingSeverity::Fault);
         let name = design.name.as_str();
         told.extend(faults.map(|it| text!("fleet-fault", design = name, fault = &it.text)));
     }

@@ -58,6 +58,10 @@ impl Locale {
     }
 
     fn format(&self, id: &str, arguments: &[(&'static str, Argument)]) -> String {
+        #[cfg(test)]
+        if super::said::is_wordless() {
+            return "x".to_owned();
+        }
         let message = self.bundle.get_message(id);
         let Some(pattern) = message.and_then(|message| message.value()) else {
             return id.to_owned();

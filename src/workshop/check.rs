@@ -15,9 +15,60 @@ const ESC_ROOM: f64 = 1.2;
 /// A hover should take no more than this share of what the battery gives.
 const HOVER_SHARE: f64 = 0.5;
 
+/// What a finding is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FindingKind {
+    /// A slot that every drone needs is empty.
+    Missing,
+    /// The propellers have no room to turn.
+    Propeller,
+    /// The motor is not made for the battery's voltage.
+    MotorCells,
+    /// The speed controller does not bear the battery's voltage.
+    EscCells,
+    /// The speed controller does not bear the motor's peak.
+    EscCurrent,
+    /// The power module does not bear the battery's voltage.
+    PowerCells,
+    /// The power module does not bear the current of a hover.
+    PowerCurrent,
+    /// There is too little thrust to fly.
+    Thrust,
+    /// There is too little thrust for wind.
+    Weak,
+    /// The battery's voltage collapses in a hover.
+    Collapse,
+    /// A hover takes more current than the battery gives.
+    HoverCurrent,
+    /// A hover takes more current than is good for the battery.
+    HoverShare,
+    /// The voltage sags before the battery is empty.
+    Sag,
+}
+
+impl FindingKind {
+    /// How bad it is.
+    pub fn severity(self) -> FindingSeverity {
+        match self {
+            Self::Missing
+            | Self::Propeller
+            | Self::MotorCells
+            | Self::EscCells
+            | Self::PowerCells
+            | Self::PowerCurrent
+            | Self::Thrust
+            | Self::Collapse
+            | Self::HoverCurrent => FindingSeverity::Fault,
+            Self::EscCurrent | Self::Weak | Self::HoverShare | Self::Sag => {
+                FindingSeverity::Warning
+            }
+        }
+    }
+}
+
 /// How bad a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Severity {
+pub enum FindingSeverity {
     /// It may be flown, knowing this.
     Warning,
     /// It cannot be flown.
@@ -26,27 +77,38 @@ pub enum Severity {
 
 /// Something about a design that its builder should know.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    /// How bad it is.
-    pub severity: Severity,
+pub struct DesignFinding {
+    /// What it is about.
+    pub kind: FindingKind,
     /// The slot in which it can be mended.
     pub slot: Slot,
     /// What and why.
     pub text: Text,
 }
 
+impl DesignFinding {
+    /// How bad it is.
+    pub fn severity(&self) -> FindingSeverity {
+        self.kind.severity()
+    }
+}
+
 impl Design {
     /// Everything that speaks against it, faults first. A design without faults flies.
-    pub fn findings(&self, air: Air) -> Vec<Finding> {
+    pub fn findings(&self, air: Air) -> Vec<DesignFinding> {
         self.findings_with(self.figures(air).as_ref())
     }
 
     /// The same where its figures are known already.
-    pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<Finding> {
+    pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<DesignFinding> {
         let mut found = Found::default();
         for slot in Slot::ALL {
             if slot.is_required() && self.in_slot(slot).is_empty() {
-                found.fault(slot, text!("finding-missing", slot = slot.name()));
+                found.add(
+                    FindingKind::Missing,
+                    slot,
+                    text!("finding-missing", slot = slot.name()),
+                );
             }
         }
         found.turns(self);
@@ -57,7 +119,7 @@ impl Design {
         }
         found
             .0
-            .sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+            .sort_by_key(|finding| std::cmp::Reverse(finding.severity()));
         found.0
     }
 
@@ -65,28 +127,16 @@ impl Design {
     pub fn is_airworthy(&self, air: Air) -> bool {
         self.findings(air)
             .iter()
-            .all(|finding| finding.severity == Severity::Warning)
+            .all(|finding| finding.severity() == FindingSeverity::Warning)
     }
 }
 
 #[derive(Default)]
-struct Found(Vec<Finding>);
+struct Found(Vec<DesignFinding>);
 
 impl Found {
-    fn fault(&mut self, slot: Slot, text: Text) {
-        self.add(Severity::Fault, slot, text);
-    }
-
-    fn warning(&mut self, slot: Slot, text: Text) {
-        self.add(Severity::Warning, slot, text);
-    }
-
-    fn add(&mut self, severity: Severity, slot: Slot, text: Text) {
-        self.0.push(Finding {
-            severity,
-            slot,
-            text,
-        });
+    fn add(&mut self, kind: FindingKind, slot: Slot, text: Text) {
+        self.0.push(DesignFinding { kind, slot, text });
     }
 
     /// Whether the propellers have the room to turn.
@@ -104,7 +154,7 @@ impl Found {
                 diameter = tenths(propeller.diameter_in),
                 most = tenths(clearance)
             );
-            self.fault(Slot::Propeller, text);
+            self.add(FindingKind::Propeller, Slot::Propeller, text);
         }
     }
 
@@ -127,7 +177,7 @@ impl Found {
                 fewest = u32::from(motor.cells.0),
                 most = u32::from(motor.cells.1)
             );
-            self.fault(Slot::Battery, text);
+            self.add(FindingKind::MotorCells, Slot::Battery, text);
         }
         if let (Some(esc), Some(cells)) = (esc, design.cells())
             && cells > esc.max_cells
@@ -137,7 +187,7 @@ impl Found {
                 cells = u32::from(cells),
                 most = u32::from(esc.max_cells)
             );
-            self.fault(Slot::Esc, text);
+            self.add(FindingKind::EscCells, Slot::Esc, text);
         }
         if let (Some(motor), Some(esc)) = (motor, esc)
             && esc.max_current_a < motor.max_current_a
@@ -148,7 +198,7 @@ impl Found {
                 peak = tenths(motor.max_current_a),
                 wanted = tenths(ESC_ROOM * motor.max_current_a)
             );
-            self.warning(Slot::Esc, text);
+            self.add(FindingKind::EscCurrent, Slot::Esc, text);
         }
         if let (Some(Spec::Power(module)), Some(cells)) = (design.spec(Slot::Power), design.cells())
             && cells > module.max_cells
@@ -158,7 +208,7 @@ impl Found {
                 cells = u32::from(cells),
                 most = u32::from(module.max_cells)
             );
-            self.fault(Slot::Power, text);
+            self.add(FindingKind::PowerCells, Slot::Power, text);
         }
     }
 
@@ -167,33 +217,39 @@ impl Found {
         let ratio = figures.thrust_to_weight;
         let mass = format!("{:.2}", figures.mass_kg);
         if ratio < LEAST_THRUST {
-            self.fault(
+            self.add(
+                FindingKind::Thrust,
                 Slot::Motor,
                 text!("finding-thrust", ratio = hundredths(ratio), mass = mass),
             );
         } else if ratio < GOOD_THRUST {
-            self.warning(
+            self.add(
+                FindingKind::Weak,
                 Slot::Motor,
                 text!("finding-weak", ratio = hundredths(ratio)),
             );
         }
         let most_a = figures.max_current_a;
         if !figures.hover_current_a.is_finite() {
-            self.fault(Slot::Battery, text!("finding-collapse"));
+            self.add(
+                FindingKind::Collapse,
+                Slot::Battery,
+                text!("finding-collapse"),
+            );
         } else if figures.hover_current_a > most_a {
             let text = text!(
                 "finding-current",
                 current = tenths(figures.hover_current_a),
                 most = tenths(most_a)
             );
-            self.fault(Slot::Battery, text);
+            self.add(FindingKind::HoverCurrent, Slot::Battery, text);
         } else if figures.hover_current_a > HOVER_SHARE * most_a {
             let text = text!(
                 "finding-hover-current",
                 current = tenths(figures.hover_current_a),
                 most = tenths(most_a)
             );
-            self.warning(Slot::Battery, text);
+            self.add(FindingKind::HoverShare, Slot::Battery, text);
         }
         if let Some(charge) = figures.sags_at
             && ratio >= LEAST_THRUST
@@ -203,7 +259,7 @@ impl Found {
                 charge = charge.round() as i64,
                 land = charge.round() as i64 + 5
             );
-            self.warning(Slot::Battery, text);
+            self.add(FindingKind::Sag, Slot::Battery, text);
         }
     }
 
@@ -218,7 +274,7 @@ impl Found {
                 current = tenths(figures.hover_current_a),
                 most = tenths(module.max_current_a)
             );
-            self.fault(Slot::Power, text);
+            self.add(FindingKind::PowerCurrent, Slot::Power, text);
         }
     }
 }

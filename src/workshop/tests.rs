@@ -9,7 +9,7 @@ use super::design::Drive;
 use super::drive::VOLTAGE_SHARE;
 use super::pack::Pack;
 use super::part::{Battery, Chemistry, Esc, Frame, Motor, Propeller};
-use super::{Air, Design, Part, Severity, Slot, part, parts};
+use super::{Air, Design, FindingSeverity, Part, Slot, part, parts};
 use crate::text::{Language, Locale};
 
 fn design(name: &str, ids: &str) -> Design {
@@ -419,7 +419,9 @@ fn faults_of_a_design_are_told_with_their_reason() {
     let told = |ids: &str| -> Vec<String> {
         let drone = design("test", ids);
         let findings = drone.findings(Air::default());
-        let faults = findings.iter().filter(|f| f.severity == Severity::Fault);
+        let faults = findings
+            .iter()
+            .filter(|f| f.severity() == FindingSeverity::Fault);
         faults.map(|f| f.text.to_string()).collect()
     };
     let whole = |drive: &str| format!("{drive} gps_m8n pm_02 fc_h7 r_sik915");

@@ -273,7 +273,7 @@ async fn a_refused_arm_is_explained_in_plain_words() {
         .find_map(|row| row.explanation.clone());
     assert!(
         text.as_ref()
-            .is_some_and(|text| text.contains("LAND mode not armable")),
+            .is_some_and(|text| text.to_string().contains("LAND mode not armable")),
         "{text:?}"
     );
     cancel.cancel();
@@ -344,7 +344,7 @@ async fn an_address_where_nobody_listens_says_so_and_goes_on_trying() {
                     && status
                         .last_error
                         .as_ref()
-                        .is_some_and(|error| error.contains("refused"))
+                        .is_some_and(|error| error.to_string().contains("refused"))
             })
         })
         .await;

@@ -7,6 +7,7 @@ use std::time::Duration;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
+use sortie::alert::AlertKind;
 use sortie::app::effect::Effect;
 use sortie::app::event::{Event, SessionEvent, Started, TerminalEvent, VehicleEvent};
 use sortie::app::state::{Activity, State};
@@ -171,7 +172,7 @@ impl Console {
             at: self.state().now,
             vehicle,
             severity,
-            kind: None,
+            kind: vehicle.map(|_| AlertKind::of_status_text(text)),
             text: text.into(),
         }))
     }

@@ -3,7 +3,6 @@
 //! Both are for what is serious, both wait so that many calls become one, and neither tells the same thing of a
 //! vehicle twice in a row.
 
-use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::alert::AlertKind;
@@ -48,10 +47,19 @@ pub struct Due {
     pub note: Option<Text>,
 }
 
+/// What was told of a vehicle, and when. Messages are told apart by what they say, other alerts by their kind.
+#[derive(Debug, Clone)]
+struct Told {
+    vehicle: Option<VehicleId>,
+    kind: AlertKind,
+    message: Option<Text>,
+    at: Duration,
+}
+
 /// The bell and what it owes.
 #[derive(Debug, Clone, Default)]
 pub struct Bell {
-    news: BTreeMap<(Option<VehicleId>, String), Duration>,
+    news: Vec<Told>,
     owes_ring: bool,
     owed: Vec<Call>,
     owed_since: Duration,
@@ -66,13 +74,7 @@ impl Bell {
         if is_minor {
             return;
         }
-        let about = match call.kind {
-            AlertKind::Message => call.text.to_string(),
-            kind => kind.name().to_owned(),
-        };
-        self.news.retain(|_, at| now.saturating_sub(*at) < OLD_NEWS);
-        let known = self.news.insert((call.vehicle, about), now).is_some();
-        if known && !call.worse {
+        if self.is_old_news(now, &call) && !call.worse {
             return;
         }
         let is_covered = self
@@ -83,6 +85,28 @@ impl Bell {
             self.owed_since = now;
         }
         self.owed.push(call);
+    }
+
+    /// Whether the same was told just now; it counts as told from now on.
+    fn is_old_news(&mut self, now: Duration, call: &Call) -> bool {
+        self.news
+            .retain(|told| now.saturating_sub(told.at) < OLD_NEWS);
+        let is_message = call.kind == AlertKind::Message;
+        let message = is_message.then(|| call.text.clone());
+        let same = |told: &&mut Told| {
+            told.vehicle == call.vehicle && told.kind == call.kind && told.message == message
+        };
+        if let Some(told) = self.news.iter_mut().find(same) {
+            told.at = now;
+            return true;
+        }
+        self.news.push(Told {
+            vehicle: call.vehicle,
+            kind: call.kind,
+            message,
+            at: now,
+        });
+        false
     }
 
     /// What is due; it counts as done.

@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::room::parameters::{Edit, Row, coming, cursor_row, outcome, rows};
 use crate::app::state::State;
+use crate::commands::is_written_so;
 use crate::ledger::RowState;
 use crate::text;
 use crate::text::Text;
@@ -88,8 +89,14 @@ fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buff
     put(buffer, row_of(area, 1), 0, &line);
 }
 
-/// What became of a value that was asked for, in a word and its colour.
-fn edited(state: &State, edit: Edit, vehicle: VehicleId) -> Option<(Text, Role, Option<Text>)> {
+/// What became of a value that was asked for, in a word and its colour, and why: of a failure, and of a value that the
+/// vehicle has rounded. `now` is the value that the vehicle has.
+fn edited(
+    state: &State,
+    edit: Edit,
+    vehicle: VehicleId,
+    now: Option<f32>,
+) -> Option<(Text, Role, Option<Text>)> {
     let row = outcome(state, edit.entry, vehicle)?;
     let (word, role) = match row.state {
         RowState::Queued => (text!("parameters-state-waiting"), Role::Muted),
@@ -101,9 +108,9 @@ fn edited(state: &State, edit: Edit, vehicle: VehicleId) -> Option<(Text, Role, 
         RowState::TimedOut => (text!("parameters-state-unanswered"), Role::Danger),
         RowState::Superseded => (text!("parameters-state-replaced"), Role::Muted),
     };
-    let became_other = |text: &Text| text.id() == Some("outcome-value-became");
-    let is_told = |text: &Text| row.state.is_failure() || became_other(text);
-    Some((word, role, row.explanation.clone().filter(is_told)))
+    let became_other = now.is_some_and(|now| !is_written_so(now, edit.value));
+    let is_told = row.state.is_failure() || row.state == RowState::Done && became_other;
+    Some((word, role, row.explanation.clone().filter(|_| is_told)))
 }
 
 /// A text filled up to a width, or cut to it.

@@ -118,7 +118,7 @@ fn a_macro_that_calls_itself_ends_and_one_that_is_wrong_shows_where() {
     console.give("macro m");
     let message = console.state().message().expect("it says so");
     assert!(
-        message.text.contains("does it call itself"),
+        message.text.to_string().contains("does it call itself"),
         "{}",
         message.text
     );

@@ -187,7 +187,7 @@ fn what_the_type_cannot_hold_stays_in_the_prompt() {
         let Some(Overlay::Prompt(prompt)) = &console.state().overlay else {
             panic!("the prompt is gone after {value}");
         };
-        assert_eq!(prompt.fault.as_ref().expect("a fault"), &reason);
+        assert_eq!(prompt.fault.as_ref().expect("a fault").to_string(), reason);
     }
     console.press("esc");
     assert!(console.state().overlay.is_none());
@@ -203,7 +203,7 @@ fn a_list_is_saved_when_it_is_whole_and_never_over_another_file_unasked() {
         panic!("the line stays");
     };
     let fault = palette.fault.as_ref().expect("a fault");
-    assert_eq!(fault.message, "no parameters have come yet");
+    assert_eq!(fault.message.to_string(), "no parameters have come yet");
     console.press("esc");
     arrives(&mut console, 1, list(1.0, 1000.0));
     console
@@ -395,8 +395,8 @@ fn vehicles_are_compared_with_each_other() {
         panic!("the prompt stays");
     };
     assert_eq!(
-        prompt.fault.as_ref().expect("a fault"),
-        &"there is no vehicle 9"
+        prompt.fault.as_ref().expect("a fault").to_string(),
+        "there is no vehicle 9"
     );
 }
 
@@ -413,7 +413,7 @@ fn names_of_parameters_complete_on_the_command_line() {
         .map(|it| it.text.as_str())
         .collect();
     assert_eq!(texts, ["WPNAV_ACCEL", "WPNAV_SPEED"]);
-    assert_eq!(palette.completions[1].hint, "= 1000");
+    assert_eq!(palette.completions[1].hint.to_string(), "= 1000");
 }
 
 #[test]

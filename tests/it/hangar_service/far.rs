@@ -261,7 +261,7 @@ async fn what_is_no_hangar_is_told_from_one_that_is_not_there() {
     let error = remote.status().await.expect_err("nobody listens");
     assert!(matches!(error, ClientError::Unreachable { .. }), "{error}");
     let text = Text::from(&error);
-    assert_eq!(text.id(), Some("hangar-far-unreachable"));
+    assert!(text.to_string().contains("cannot be reached"), "{text}");
     assert!(error.to_string().contains("ssh -L"));
 }
 

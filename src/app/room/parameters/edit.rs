@@ -23,7 +23,7 @@ pub struct Edit {
     /// The command's entry of the ledger, which knows how it went.
     pub entry: EntryId,
     /// The value that was asked for.
-    pub value: f32,
+    pub value: f64,
 }
 
 /// Takes a new value for a parameter of some vehicles.
@@ -87,7 +87,7 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
     }
     let edit = Edit {
         entry,
-        value: *value as f32,
+        value: *value,
     };
     for &vehicle in &order.targets {
         let known = edits.entry(vehicle).or_default();

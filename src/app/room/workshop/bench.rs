@@ -3,7 +3,7 @@
 
 use crate::app::action::Step;
 use crate::text::Text;
-use crate::workshop::{Air, Design, Finding, Part, Severity, Sheet, Slot, parts_for};
+use crate::workshop::{Air, Design, DesignFinding, FindingSeverity, Part, Sheet, Slot, parts_for};
 
 /// Changes that can be taken back.
 const MOST_UNDONE: usize = 200;
@@ -18,7 +18,7 @@ pub struct Bench {
     row: usize,
     part: Option<&'static str>,
     sheet: Sheet,
-    findings: Vec<Finding>,
+    findings: Vec<DesignFinding>,
     polar: Vec<(f64, f64)>,
     endurance: Vec<(f64, f64)>,
     candidates: Vec<Candidate>,
@@ -88,7 +88,7 @@ impl Bench {
     }
 
     /// What speaks against it.
-    pub fn findings(&self) -> &[Finding] {
+    pub fn findings(&self) -> &[DesignFinding] {
         &self.findings
     }
 
@@ -141,9 +141,9 @@ impl Bench {
     }
 
     /// The worst finding about a slot.
-    pub fn severity(&self, slot: Slot) -> Option<Severity> {
+    pub fn severity(&self, slot: Slot) -> Option<FindingSeverity> {
         let about = self.findings.iter().filter(|finding| finding.slot == slot);
-        about.map(|finding| finding.severity).max()
+        about.map(|finding| finding.severity()).max()
     }
 
     /// Moves the cursor over the slots.
@@ -304,11 +304,13 @@ impl Bench {
     }
 
     /// The first fault that a change of a slot has to answer for.
-    fn misfit(&self, slot: Slot, after: &[Finding]) -> Option<Text> {
-        let mut faults = after.iter().filter(|it| it.severity == Severity::Fault);
-        let was_there = |fault: &Finding| {
+    fn misfit(&self, slot: Slot, after: &[DesignFinding]) -> Option<Text> {
+        let mut faults = after
+            .iter()
+            .filter(|it| it.severity() == FindingSeverity::Fault);
+        let was_there = |fault: &DesignFinding| {
             let mut before = self.findings.iter();
-            before.any(|it| it.slot == fault.slot && it.text.id() == fault.text.id())
+            before.any(|it| it.slot == fault.slot && it.kind == fault.kind)
         };
         let fault = faults.find(|fault| fault.slot == slot || !was_there(fault))?;
         Some(fault.text.clone())

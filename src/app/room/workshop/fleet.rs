@@ -9,7 +9,7 @@ use crate::mission::Listing;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity as Weight;
-use crate::workshop::{Design, Severity};
+use crate::workshop::{Design, FindingSeverity};
 
 /// A place in a fleet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,7 +98,10 @@ fn check(state: &State, mission: &Listing) -> Result<(), Text> {
     let design = state.rooms.workshop.bench.design();
     let air = mission.needs.first().map(|need| need.air);
     let findings = design.findings(air.unwrap_or_default());
-    if let Some(fault) = findings.iter().find(|it| it.severity == Severity::Fault) {
+    if let Some(fault) = findings
+        .iter()
+        .find(|it| it.severity() == FindingSeverity::Fault)
+    {
         return Err(text!("bench-does-not-fly", reason = fault.text.clone()));
     }
     match lacking(state, design).first() {

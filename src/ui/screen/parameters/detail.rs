@@ -71,8 +71,9 @@ impl Standing {
         let known = room.get(vehicle, name);
         let changed = known.filter(|known| known.is_changed());
         let asked = room.edit(vehicle, name).and_then(|edit| {
-            let (word, role, reason) = edited(state, edit, vehicle)?;
-            let value = shown(edit.value);
+            let (word, role, reason) =
+                edited(state, edit, vehicle, known.map(|known| known.value))?;
+            let value = shown(edit.value as f32);
             let text = text!("parameters-asked", value = value, state = word);
             Some((text, role, reason))
         });

@@ -173,10 +173,11 @@ fn standing(
     look: &Look,
 ) -> Option<Span<'static>> {
     let edit = state.rooms.parameters.edit(vehicle, row.name);
-    let asked = edit.and_then(|edit| Some((edit, edited(state, edit, vehicle)?)));
+    let now = row.now.map(|known| known.value);
+    let asked = edit.and_then(|edit| Some((edit, edited(state, edit, vehicle, now)?)));
     let (text, role) = match (asked, row.finding) {
         (Some((edit, (word, role, _))), _) => {
-            let value = shown(edit.value);
+            let value = shown(edit.value as f32);
             (text!("parameters-asked", value = value, state = word), role)
         }
         (None, Some(Finding::Changed(..))) if is_the_vehicles_own(row.name) => {

@@ -7,6 +7,7 @@ use ratatui::text::Span;
 use super::Subject;
 use super::row::{LABEL, UNKNOWN, arrow, labelled, number};
 use super::tape::shown_deg;
+use crate::alert::AlertKind;
 use crate::app::state::History;
 use crate::geo::LatLon;
 use crate::text;
@@ -97,11 +98,7 @@ fn ready(subject: &Subject<'_>) -> Entry {
     let (vehicle, look) = (subject.vehicle, subject.look);
     if let Some(alert) = subject.state.session.alert(vehicle, subject.state.now) {
         // All reasons not to arm, where that is what is wrong.
-        let is_prearm = vehicle
-            .prearm
-            .last()
-            .is_some_and(|last| alert.text.contains(last));
-        let text = if is_prearm {
+        let text = if alert.kind == AlertKind::Prearm && !vehicle.prearm.is_empty() {
             vehicle.prearm.join("; ")
         } else {
             look.text(&alert.text)

@@ -12,7 +12,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{columns, titled};
-use crate::workshop::{Finding, Severity};
+use crate::workshop::{DesignFinding, FindingKind, FindingSeverity};
 
 /// Draws a sentence for each, faults first.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
@@ -22,7 +22,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let inner = titled(&look.say("workshop-findings"), look, area, buffer);
     let inner = columns(inner, 1, inner.width.saturating_sub(1));
     let bench = &state.rooms.workshop.bench;
-    let is_missing = |it: &&Finding| it.text.id() == Some("finding-missing");
+    let is_missing = |it: &&DesignFinding| it.kind == FindingKind::Missing;
     let missing = bench.findings().iter().filter(is_missing);
     let missing: Vec<Text> = missing.map(|it| it.slot.name()).collect();
     let mut texts: Vec<(String, Style)> = Vec::new();
@@ -32,9 +32,9 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         texts.push((text, look.style(Role::Danger)));
     }
     for finding in bench.findings().iter().filter(|it| !is_missing(it)) {
-        let (mark, role) = match finding.severity {
-            Severity::Fault => ('x', Role::Danger),
-            Severity::Warning => ('!', Role::Warning),
+        let (mark, role) = match finding.severity() {
+            FindingSeverity::Fault => ('x', Role::Danger),
+            FindingSeverity::Warning => ('!', Role::Warning),
         };
         let text = format!("{mark} {}", look.text(&finding.text));
         texts.push((text, look.style(role)));

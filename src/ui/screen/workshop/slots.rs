@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, row_of, titled};
-use crate::workshop::{Design, Severity, Slot};
+use crate::workshop::{Design, FindingSeverity, Slot};
 
 /// Columns of a slot's name.
 const NAME: usize = 12;
@@ -59,7 +59,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 struct Row<'a> {
     there: &'a SlotRow,
     is_first: bool,
-    severity: Option<Severity>,
+    severity: Option<FindingSeverity>,
     wide: bool,
     width: usize,
 }
@@ -72,8 +72,8 @@ impl Row<'_> {
             String::new()
         };
         let (mark, role) = match self.severity {
-            Some(Severity::Fault) => ("x", Role::Danger),
-            Some(Severity::Warning) => ("!", Role::Warning),
+            Some(FindingSeverity::Fault) => ("x", Role::Danger),
+            Some(FindingSeverity::Warning) => ("!", Role::Warning),
             None => (" ", Role::Muted),
         };
         let name = if self.wide { WIDE_NAME } else { NAME };

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use crate::app::action::Step;
 use crate::app::room::workshop::{Bench, air};
-use crate::workshop::{Design, Measure, Severity, Sheet, Slot, parts_for};
+use crate::workshop::{Design, FindingKind, FindingSeverity, Measure, Sheet, Slot, parts_for};
 
 /// A design by choices: for each slot a part by number, or nothing.
 fn built(choices: &[usize]) -> Design {
@@ -84,10 +84,8 @@ proptest! {
     }
 }
 
-fn faults(design: &Design) -> BTreeSet<(Slot, String)> {
+fn faults(design: &Design) -> BTreeSet<(Slot, FindingKind)> {
     let findings = design.findings(air()).into_iter();
-    let faults = findings.filter(|it| it.severity == Severity::Fault);
-    faults
-        .map(|it| (it.slot, it.text.id().unwrap_or_default().to_owned()))
-        .collect()
+    let faults = findings.filter(|it| it.severity() == FindingSeverity::Fault);
+    faults.map(|it| (it.slot, it.kind)).collect()
 }

@@ -1,0 +1,40 @@
+//! What a text says, for tests, and a language without words.
+
+use std::cell::Cell;
+
+use super::Text;
+
+thread_local! {
+    static WORDLESS: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Runs something on this thread with every message of every language replaced by `x`.
+pub fn without_words<T>(run: impl FnOnce() -> T) -> T {
+    WORDLESS.set(true);
+    let result = run();
+    WORDLESS.set(false);
+    result
+}
+
+pub(super) fn is_wordless() -> bool {
+    WORDLESS.get()
+}
+
+impl Text {
+    /// Whether its English words contain others.
+    pub fn contains(&self, words: &str) -> bool {
+        self.to_string().contains(words)
+    }
+}
+
+impl PartialEq<str> for Text {
+    fn eq(&self, words: &str) -> bool {
+        self.to_string().as_str() == words
+    }
+}
+
+impl PartialEq<&str> for Text {
+    fn eq(&self, words: &&str) -> bool {
+        self == *words
+    }
+}
